@@ -1,0 +1,32 @@
+/* The two sides of a convex polygon, from its top vertex down to its bottom one. */
+#ifndef SIDES_H
+#define SIDES_H
+
+#include "polygon/polygon.h"
+#include "span/scanline.h"
+
+struct sides {
+    int32 top, bottom;          /* vertices; of several the leftmost */
+    int32 apex;                 /* the vertex farthest from the line between them */
+    int32 left_step;            /* +1: the left side follows the vertex order; -1 */
+    fix16 x_low, x_high;
+};
+
+/* The smallest integer not below x. */
+int32 fix_ceil(fix16 x);
+
+/* The difference a - b, component by component. */
+void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b);
+
+/* Finds top, bottom and the range of x. 0: a vertex is POLYGON_FAR or more away. */
+int32 sides_measure(struct sides *sides, const struct vertex *vertices, int32 count);
+
+/* Finds apex and which side is left. 0: the polygon has no area. */
+int32 sides_orient(struct sides *sides, const struct vertex *vertices, int32 count);
+
+/* Writes the edges of one side, between lines top and bottom (excluded), which the
+   polygon covers; returns how many. step: +1 or -1 through the vertices. */
+int32 sides_edges(struct edge *edges, const struct sides *sides, const struct vertex *vertices,
+                  int32 count, int32 step, int32 top, int32 bottom);
+
+#endif

@@ -1,0 +1,163 @@
+/* render - draws a scene's frames into chunky dumps and times them.
+
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP
+   writes frame_000.chunky and so on into the current directory and prints one line
+   a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT).
+   CHIP puts maps and frame into chip RAM. */
+#include "scene/scene.h"
+#include "system/file.h"
+#include "system/system.h"
+#include "system/text.h"
+
+/* Bytes before and behind the frame that nobody may touch. */
+#define GUARD 4096
+#define GUARD_BYTE 0xa5
+
+/* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
+#define FRAME_LIMIT 650
+
+static const char *const span_names[SPAN_KINDS] = {
+    "fill", "affine_addx", "affine_addx_wrap", "affine_swap", "affine_c"
+};
+
+static int32 same_text(const char *a, const char *b)
+{
+    while (*a && *a == *b)
+        a++, b++;
+    return *a == *b;
+}
+
+static int32 fail(const char *why)
+{
+    text_add("render: ");
+    text_add(why);
+    text_print();
+    return RETURN_FAIL;
+}
+
+static int32 make_frame(struct frame *frame, const struct scene *scene, int32 kind)
+{
+    uint8 *memory;
+    int32 bytes;
+
+    frame->width = frame->pitch = scene->header->width;
+    frame->height = scene->header->height;
+    bytes = frame->pitch * frame->height + 2 * GUARD;
+    if (!mem_alloc(&memory, bytes, kind))
+        return 0;
+    for (int32 i = 0; i < bytes; i++)
+        memory[i] = GUARD_BYTE;
+    frame->pixels = memory + GUARD;
+    return 1;
+}
+
+static int32 guards_broken(const struct frame *frame)
+{
+    const uint8 *before = frame->pixels - GUARD;
+    const uint8 *behind = frame->pixels + frame->pitch * frame->height;
+    int32 broken = 0;
+
+    for (int32 i = 0; i < GUARD; i++)
+        broken += (before[i] != GUARD_BYTE) + (behind[i] != GUARD_BYTE);
+    return broken;
+}
+
+static void frame_name(char *name, int32 number)
+{
+    const char *pattern = "frame_000.chunky";
+
+    while ((*name++ = *pattern++) != 0)
+        ;
+    for (name -= 8; number; number /= 10)
+        *--name = (char)('0' + number % 10);
+}
+
+static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
+{
+    text_add("frame ");
+    text_number(number);
+    text_add(" ticks ");
+    text_number((int32)ticks);
+    text_add(" polygons ");
+    text_number((int32)counts->polygons);
+    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
+        if (counts->pixels[kind]) {
+            text_add(" ");
+            text_add(span_names[kind]);
+            text_add(" ");
+            text_number((int32)counts->pixels[kind]);
+        }
+    text_print();
+}
+
+static int32 render(const struct scene *scene, const struct frame *frame, int32 frames,
+                    enum form form, int32 count)
+{
+    for (int32 number = 0; number < frames; number++) {
+        struct draw_counts counts = {0};
+        char name[20];
+        uint32 ticks;
+
+        quiet_enter();
+        clock_start(FRAME_LIMIT);
+        scene_draw(scene, frame, number, form, 0);
+        ticks = clock_stop();
+        quiet_leave();
+        if (count)                      /* again, since counting takes time */
+            scene_draw(scene, frame, number, form, &counts);
+        if (guards_broken(frame)) {
+            text_add("frame ");
+            text_number(number);
+            text_add(": bytes outside the frame were written: ");
+            text_number(guards_broken(frame));
+            text_print();
+            return RETURN_FAIL;
+        }
+        frame_name(name, number);
+        if (!file_save(name, frame->pixels, (uint32)(frame->pitch * frame->height)))
+            return RETURN_FAIL;
+        report(number, ticks, &counts);
+    }
+    return RETURN_OK;
+}
+
+int main(void)
+{
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, ITEMS };
+    static int32 args[ITEMS];
+    struct scene scene;
+    struct frame frame;
+    enum form form = FORM_ADDX;
+    int32 frames, kind, result;
+
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S", args))
+        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP]");
+    if (args[FORM]) {
+        const char *name = (const char *)args[FORM];
+
+        if (same_text(name, "swap"))
+            form = FORM_SWAP;
+        else if (same_text(name, "c"))
+            form = FORM_C;
+        else if (!same_text(name, "addx"))
+            return fail("FORM: not one of addx, swap, c");
+    }
+    kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
+    if (!scene_load(&scene, (const char *)args[SCENE], kind))
+        return RETURN_FAIL;
+    frames = scene.header->frames;
+    if (args[FRAMES]) {
+        int32 asked = *(const int32 *)args[FRAMES];
+
+        if (asked < 1 || asked > frames)
+            return fail("FRAMES: not between 1 and the scene's frames");
+        frames = asked;
+    }
+    if (!make_frame(&frame, &scene, kind))
+        return fail("not enough memory for the frame");
+    if (!clock_open())
+        return fail("another program uses CIA-B's timers");
+    result = render(&scene, &frame, frames, form, args[COUNT]);
+    clock_close();
+    return result;
+}

@@ -1,0 +1,25 @@
+/* A scene in memory, checked, with its textures where the spans want them. */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "polygon/polygon.h"
+#include "scene/scene_file.h"
+
+struct scene {
+    const struct scene_header *header;
+    const struct scene_material *materials;
+    const struct scene_object *objects;
+    const struct scene_vertex *vertices;
+    const struct scene_pose *poses;
+    uint8 *maps;                /* the first texture, at a multiple of 65,536 */
+};
+
+/* Loads and checks a scene; textures go to memory of the kind given. Prints a line
+   naming file and field and returns 0 where something is wrong. */
+int32 scene_load(struct scene *scene, const char *name, int32 kind);
+
+/* Draws one frame over the background. counts may be 0. */
+void scene_draw(const struct scene *scene, const struct frame *frame, int32 number,
+                enum form form, struct draw_counts *counts);
+
+#endif

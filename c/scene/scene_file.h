@@ -1,0 +1,62 @@
+/* The scene file, as tools/scene_file.py writes it and scene_load checks it.
+   Big-endian; every field is aligned to its size; offsets count bytes from the
+   file's start and are multiples of 4. This header is the only definition: the
+   host reads the layout from the compiler's debug information. */
+#ifndef SCENE_FILE_H
+#define SCENE_FILE_H
+
+#include "compiler.h"
+
+enum scene_constants {
+    SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
+    SCENE_VERSION = 1,
+    SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
+    SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
+    SCENE_COUNT_MAX = 65536,    /* entries of any one table */
+    POLYGON_VERTICES_MAX = 64,
+    MAP_BYTES = 65536,          /* 256x256 texels of 8 bits */
+    NO_TEXTURE = -1
+};
+
+struct scene_header {
+    uint32 magic;
+    uint32 version;
+    uint32 size;                /* of the whole file, bytes */
+    uint32 checksum;            /* CRC-32 of the file from `width` on */
+    int32 width, height;        /* of the frame, pixels; width a multiple of 4 */
+    int32 frames;
+    uint32 background;          /* palette index */
+    uint32 textures, materials, objects, vertices, poses;       /* counts */
+    uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
+    uint32 textures_at;         /* maps of MAP_BYTES each: row 0 is t = 0 */
+    uint32 materials_at, objects_at, vertices_at, poses_at;
+};
+
+struct scene_material {
+    int32 texture;              /* index, or NO_TEXTURE: flat */
+    uint32 colour;              /* palette index of a flat material */
+};
+
+/* One convex polygon that moves: in frame f it is drawn with pose
+   pose + (f - first_frame), as long as that is below poses. Objects are drawn
+   in the order of the file. */
+struct scene_object {
+    uint32 material;            /* index */
+    uint32 vertex, vertices;    /* first vertex, how many */
+    uint32 pose, poses;         /* first pose, how many frames it lives */
+    uint32 first_frame;
+};
+
+/* Before the pose: x, y relative to the object; s, t are the texture's,
+   0 to 256 along a side, y and t downwards. All 16.16. */
+struct scene_vertex {
+    fix16 x, y, s, t;
+};
+
+/* screen x = xx * x + xy * y + x0; screen y = yx * x + yy * y + y0, each product
+   rounded down to 1/65536 by itself. All 16.16. */
+struct scene_pose {
+    fix16 xx, xy, yx, yy, x0, y0;
+};
+
+#endif

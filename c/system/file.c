@@ -1,0 +1,70 @@
+#include "system/file.h"
+
+#include "system/system.h"
+#include "system/text.h"
+
+static int32 refuse(const char *name, const char *why)
+{
+    text_add(name);
+    text_add(": ");
+    text_add(why);
+    text_print();
+    return 0;
+}
+
+int32 file_load(const char *name, uint8 **data, uint32 *bytes)
+{
+    int32 file = file_open(name, FILE_OLD), size, got;
+
+    if (!file)
+        return refuse(name, "cannot be opened");
+    size = file_size(file);
+    if (size <= 0) {
+        file_close(file);
+        return refuse(name, "is empty");
+    }
+    if (!mem_alloc(data, size, MEMORY_ANY)) {
+        file_close(file);
+        return refuse(name, "does not fit into memory");
+    }
+    got = file_read(file, *data, size);
+    file_close(file);
+    if (got != size)
+        return refuse(name, "cannot be read to its end");
+    *bytes = (uint32)size;
+    return 1;
+}
+
+int32 file_save(const char *name, const void *data, uint32 bytes)
+{
+    int32 file = file_open(name, FILE_NEW), put;
+
+    if (!file)
+        return refuse(name, "cannot be created");
+    put = file_write(file, data, (int32)bytes);
+    file_close(file);
+    return put == (int32)bytes ? 1 : refuse(name, "cannot be written");
+}
+
+uint32 crc32(const uint8 *data, uint32 bytes)
+{
+    static uint32 table[256];
+    uint32 crc = 0xffffffff;
+
+    if (!table[1])
+        for (uint32 i = 0; i < 256; i++) {
+            uint32 rest = i;
+
+            for (int32 bit = 0; bit < 8; bit++)
+                rest = (rest >> 1) ^ (0xedb88320 & (0 - (rest & 1)));
+            table[i] = rest;
+        }
+    while (bytes--)
+        crc = (crc >> 8) ^ table[(crc ^ *data++) & 0xff];
+    return ~crc;
+}
+
+int32 table_inside(uint32 at, uint32 count, uint32 size, uint32 bytes)
+{
+    return !(at & 3) && at <= bytes && count <= (bytes - at) / size;
+}

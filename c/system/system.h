@@ -1,0 +1,27 @@
+/* What src68k/amiga offers to C; contracts there. */
+#ifndef SYSTEM_H
+#define SYSTEM_H
+
+#include "compiler.h"
+
+enum return_code { RETURN_OK = 0, RETURN_WARN = 5, RETURN_ERROR = 10, RETURN_FAIL = 20 };
+enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
+enum memory_kind { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
+
+int32 file_open(const char *name, int32 mode);
+int32 file_read(int32 file, void *data, int32 bytes);
+int32 file_write(int32 file, const void *data, int32 bytes);
+int32 file_size(int32 file);
+void file_close(int32 file);
+void print(const char *text);
+int32 args_read(const char *template_text, int32 *items);
+int32 mem_alloc(void *address, int32 bytes, int32 kind);
+
+int32 clock_open(void);
+void clock_close(void);
+void clock_start(int32 limit);
+uint32 clock_stop(void);
+void quiet_enter(void);
+void quiet_leave(void);
+
+#endif

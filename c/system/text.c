@@ -1,0 +1,38 @@
+#include "system/text.h"
+
+#include "system/system.h"
+
+#define LINE 256
+
+static char line[LINE + 2];
+static int32 length;
+
+void text_add(const char *text)
+{
+    while (*text && length < LINE)
+        line[length++] = *text++;
+}
+
+void text_number(int32 value)
+{
+    char digits[12];
+    int32 at = 11;
+    uint32 rest = value < 0 ? 0 - (uint32)value : (uint32)value;
+
+    digits[at] = 0;
+    do {
+        digits[--at] = (char)('0' + rest % 10);
+        rest /= 10;
+    } while (rest);
+    if (value < 0)
+        digits[--at] = '-';
+    text_add(digits + at);
+}
+
+void text_print(void)
+{
+    line[length] = '\n';
+    line[length + 1] = 0;
+    length = 0;
+    print(line);
+}

@@ -1,0 +1,268 @@
+; Quiet mode and the E-clock. In quiet mode the program has the machine to
+; itself: no DMA, no interrupt but one, the watchdog that ends a routine which
+; never returns. CIA-B's chained timers are both clock and watchdog.
+;
+; One tick of the E-clock is 20 cycles of the CPU (709,379 Hz and 14.18758 MHz).
+
+        include "amiga.i"
+        include "routine.i"
+
+        xdef    quiet_leave
+        xref    sys_base
+        xref    fault_number
+        xref    fault_enter
+
+FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
+ICRB_TA                 equ     0
+ICRB_TB                 equ     1
+ICRF_TB                 equ     2
+ICRF_ALL                equ     $1f
+ICRF_SETCLR             equ     $80
+CRAF_START_LOAD         equ     %00010001       ; continuous, counts E-clock
+CRAF_STOP               equ     %00000000
+CRBF_START_LOAD         equ     %01010001       ; counts underflows of timer A
+CRBF_STOP               equ     %01000000
+VECTOR_LEVEL_6          equ     $78
+
+;==============================================================================
+; clock_open - takes CIA-B's two timers
+;
+; in:      -
+; out:     d0  int32  1 ours, 0 somebody else has them
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine clock_open
+        movem.l d2/a6,-(sp)
+        movea.l sys_base,a6
+        lea     ciab_name(pc),a1
+        lvo     OpenResource
+        move.l  d0,ciab_base
+        beq.s   .done
+        movea.l d0,a6
+        lea     timer_server,a1
+        moveq   #ICRB_TA,d0
+        lvo     AddICRVector
+        tst.l   d0
+        bne.s   .taken
+        lea     timer_server,a1
+        moveq   #ICRB_TB,d0
+        lvo     AddICRVector
+        tst.l   d0
+        bne.s   .taken_b
+        move.l  #ICRF_TB|1,d0           ; we poll: no interrupt from either
+        lvo     AbleICR
+        moveq   #1,d0
+        bra.s   .done
+.taken_b
+        lea     timer_server,a1
+        moveq   #ICRB_TA,d0
+        lvo     RemICRVector
+.taken  moveq   #0,d0
+        clr.l   ciab_base
+.done   movem.l (sp)+,d2/a6
+        rts
+ciab_name       dc.b    'ciab.resource',0
+                even
+
+;==============================================================================
+; clock_close - gives the timers back
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   does nothing where they are not ours
+; cost:    -
+;==============================================================================
+        routine clock_close
+        move.l  a6,-(sp)
+        move.l  ciab_base,d0
+        beq.s   .done
+        clr.l   ciab_base
+        movea.l d0,a6
+        lea     timer_server,a1
+        moveq   #ICRB_TA,d0
+        lvo     RemICRVector
+        lea     timer_server,a1
+        moveq   #ICRB_TB,d0
+        lvo     RemICRVector
+.done   movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; quiet_enter - switches DMA and interrupts off, all but the watchdog
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
+; formats: -
+; error:   calls do not nest; clock_open must have succeeded
+; cost:    -
+;==============================================================================
+        routine quiet_enter
+        movem.l a5/a6,-(sp)
+        movea.l sys_base,a6
+        lvo     Disable
+        lea     custom,a0
+        move.w  intenar(a0),old_intena
+        move.w  dmaconr(a0),old_dmacon
+        move.w  #$7fff,intena(a0)
+        move.w  #$7fff,dmacon(a0)
+        lea     install_watchdog(pc),a5
+        lvo     Supervisor
+        movea.l ciab_base,a6
+        moveq   #ICRF_ALL,d0
+        lvo     AbleICR
+        move.l  d0,old_icr
+        tst.b   ciab+ciaicr             ; forget what is pending
+        move.b  #ICRF_SETCLR|ICRF_TB,ciab+ciaicr
+        lea     custom,a0
+        move.w  #INTF_EXTER,intreq(a0)
+        move.w  #INTF_SETCLR|INTF_INTEN|INTF_EXTER,intena(a0)
+        st      quiet
+        movem.l (sp)+,a5/a6
+        rts
+
+install_watchdog:                       ; in supervisor mode
+        movec   vbr,a0
+        move.l  VECTOR_LEVEL_6(a0),old_level_6
+        move.l  #watchdog,VECTOR_LEVEL_6(a0)
+        rte
+
+remove_watchdog:
+        movec   vbr,a0
+        move.l  old_level_6,VECTOR_LEVEL_6(a0)
+        rte
+
+watchdog:
+        move.l  #FAULT_WATCHDOG,fault_number
+        move.w  #INTF_INTEN,custom+intena
+        jmp     fault_enter
+
+;==============================================================================
+; quiet_leave - restores what quiet_enter changed
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  DMACON, INTENA, the level 6 vector
+; formats: -
+; error:   does nothing outside quiet mode
+; cost:    -
+;==============================================================================
+        routine quiet_leave
+        movem.l a5/a6,-(sp)
+        tst.b   quiet
+        beq     .done
+        sf      quiet
+        lea     custom,a0
+        move.w  #$7fff,intena(a0)
+        move.b  #CRAF_STOP,ciab+ciacra
+        move.b  #CRBF_STOP,ciab+ciacrb
+        move.b  #ICRF_ALL,ciab+ciaicr
+        tst.b   ciab+ciaicr
+        move.w  #INTF_EXTER,intreq(a0)
+        movea.l sys_base,a6
+        lea     remove_watchdog(pc),a5
+        lvo     Supervisor
+        movea.l ciab_base,a6
+        move.l  old_icr,d0
+        or.l    #ICRF_SETCLR,d0
+        lvo     AbleICR
+        lea     custom,a0
+        move.w  old_dmacon,d0
+        or.w    #INTF_SETCLR,d0
+        move.w  d0,dmacon(a0)
+        move.w  old_intena,d0
+        or.w    #INTF_SETCLR,d0
+        move.w  d0,intena(a0)
+        movea.l sys_base,a6
+        lvo     Enable
+.done   movem.l (sp)+,a5/a6
+        rts
+
+;==============================================================================
+; clock_start - starts the clock and the watchdog; in quiet mode only
+;
+; in:      d0  int32  limit before the watchdog bites, in 65,536 ticks (92 ms)
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  CIA-B timers A and B
+; formats: -
+; error:   limits from 1 to 65,535
+; cost:    -
+;==============================================================================
+        routine clock_start,d0
+        lea     ciab,a0
+        move.b  #CRAF_STOP,ciacra(a0)
+        move.b  #CRBF_STOP,ciacrb(a0)
+        move.l  d0,limit
+        move.b  d0,ciatblo(a0)
+        lsr.w   #8,d0
+        move.b  d0,ciatbhi(a0)
+        move.b  #$ff,ciatalo(a0)
+        move.b  #$ff,ciatahi(a0)
+        move.b  #CRBF_START_LOAD,ciacrb(a0)
+        move.b  #CRAF_START_LOAD,ciacra(a0)
+        rts
+
+;==============================================================================
+; clock_stop - stops the clock
+;
+; in:      -
+; out:     d0  uint32  ticks since clock_start, 20 CPU cycles each
+; trashes: d0-d1/a0-a1
+; reads:   CIA-B timers A and B
+; writes:  -
+; formats: -
+; error:   one tick; the pair's own constant cost is the caller's to subtract
+; cost:    -
+;==============================================================================
+        routine clock_stop
+        lea     ciab,a0
+        move.b  #CRAF_STOP,ciacra(a0)
+        move.b  #CRBF_STOP,ciacrb(a0)
+        moveq   #0,d1
+        move.b  ciatbhi(a0),d1
+        lsl.w   #8,d1
+        move.b  ciatblo(a0),d1
+        move.l  limit,d0
+        sub.l   d1,d0
+        swap    d0                      ; underflows of timer A: 65,536 ticks
+        moveq   #0,d1
+        move.b  ciatahi(a0),d1
+        lsl.w   #8,d1
+        move.b  ciatalo(a0),d1
+        not.w   d1                      ; it counts down from $ffff
+        move.w  d1,d0
+        rts
+
+        section .data.clock,data
+timer_server                            ; never called: we poll
+        dc.l    0,0
+        dc.b    2,0                     ; NT_INTERRUPT
+        dc.l    timer_name,0,timer_code
+timer_name      dc.b    'tmap020',0
+                even
+        section .text.timer_server,code
+timer_code      rts
+
+        section .bss.clock,bss
+ciab_base       ds.l    1
+old_icr         ds.l    1
+old_level_6     ds.l    1
+limit           ds.l    1
+old_intena      ds.w    1
+old_dmacon      ds.w    1
+quiet           ds.b    2

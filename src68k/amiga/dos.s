@@ -1,0 +1,307 @@
+; Files, console text, arguments and memory, through dos and exec. What a
+; program opens or allocates is noted here and released when it ends.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    sys_base
+        xref    dos_base
+        xdef    file_close_all
+        xdef    mem_free_all
+
+FILES                   equ     8
+BLOCK_SIZE              equ     4       ; head of an allocated block: next, size
+BLOCK_HEAD              equ     8
+
+;==============================================================================
+; file_open - opens a file
+;
+; in:      d0  char*  name, zero-terminated
+;          d1  int32  mode: 1005 old file for reading, 1006 new file
+; out:     d0  int32  handle 1 to 8, or 0: not opened
+; trashes: d0-d1/a0-a1
+; reads:   name
+; writes:  the table of open files
+; formats: -
+; error:   0 too when 8 files are open
+; cost:    -
+;==============================================================================
+        routine file_open,d0,d1
+        movem.l d2/d3/a6,-(sp)
+        move.l  d1,d2
+        lea     files,a0
+        moveq   #0,d3
+.slot   addq.l  #1,d3
+        tst.l   (a0)+
+        beq.s   .free
+        cmp.w   #FILES,d3
+        bne.s   .slot
+        moveq   #0,d3
+        bra.s   .done
+.free   move.l  a0,-(sp)
+        move.l  d0,d1
+        movea.l dos_base,a6
+        lvo     Open
+        movea.l (sp)+,a0
+        move.l  d0,-(a0)
+        bne.s   .done
+        moveq   #0,d3
+.done   move.l  d3,d0
+        movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; file_read - reads from an open file
+;
+; in:      d0  int32  handle from file_open
+;          d1  void*  where to
+;          a0  int32  bytes
+; out:     d0  int32  bytes read, or -1
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  memory at d1
+; formats: -
+; error:   fewer bytes than asked at the file's end
+; cost:    -
+;==============================================================================
+        routine file_read,d0,d1,a0
+        movem.l d2/d3/a6,-(sp)
+        move.l  d1,d2
+        move.l  a0,d3
+        lea     files,a0
+        move.l  -4(a0,d0.l*4),d1
+        movea.l dos_base,a6
+        lvo     Read
+        movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; file_write - writes to an open file
+;
+; in:      d0  int32  handle from file_open
+;          d1  void*  what
+;          a0  int32  bytes
+; out:     d0  int32  bytes written, or -1
+; trashes: d0-d1/a0-a1
+; reads:   memory at d1
+; writes:  -
+; formats: -
+; error:   fewer bytes than asked when the volume is full
+; cost:    -
+;==============================================================================
+        routine file_write,d0,d1,a0
+        movem.l d2/d3/a6,-(sp)
+        move.l  d1,d2
+        move.l  a0,d3
+        lea     files,a0
+        move.l  -4(a0,d0.l*4),d1
+        movea.l dos_base,a6
+        lvo     Write
+        movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; file_size - length of an open file; its position returns to the start
+;
+; in:      d0  int32  handle from file_open
+; out:     d0  int32  bytes
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -1 where the file system cannot tell
+; cost:    -
+;==============================================================================
+        routine file_size,d0
+        movem.l d2/d3/d4/a6,-(sp)
+        lea     files,a0
+        move.l  -4(a0,d0.l*4),d4
+        movea.l dos_base,a6
+        move.l  d4,d1
+        moveq   #0,d2
+        moveq   #1,d3                   ; to the end
+        lvo     Seek
+        move.l  d4,d1
+        moveq   #0,d2
+        moveq   #-1,d3                  ; to the start, gives the old position
+        lvo     Seek
+        movem.l (sp)+,d2/d3/d4/a6
+        rts
+
+;==============================================================================
+; file_close - closes a file
+;
+; in:      d0  int32  handle from file_open
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the table of open files
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine file_close,d0
+        move.l  a6,-(sp)
+        lea     files,a0
+        lea     -4(a0,d0.l*4),a0
+        move.l  (a0),d1
+        clr.l   (a0)
+        movea.l dos_base,a6
+        lvo     Close
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; print - writes text to the program's output
+;
+; in:      d0  char*  text, zero-terminated
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   text
+; writes:  -
+; formats: -
+; error:   a failed write is ignored: there is nowhere to report it
+; cost:    -
+;==============================================================================
+        routine print,d0
+        movem.l d2/d3/a6,-(sp)
+        move.l  d0,d2
+        movea.l d0,a0
+        moveq   #-1,d3
+.length addq.l  #1,d3
+        tst.b   (a0)+
+        bne.s   .length
+        movea.l dos_base,a6
+        lvo     Output
+        move.l  d0,d1
+        lvo     Write
+        movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; args_read - the program's arguments by a dos template
+;
+; in:      d0  char*   template
+;          d1  int32*  one longword an item, preset to the defaults
+; out:     d0  int32   1 understood, 0 not
+; trashes: d0-d1/a0-a1
+; reads:   template
+; writes:  the items; texts and numbers they point to live until the end
+; formats: ReadArgs: /N items point to an int32
+; error:   -
+; cost:    -
+;==============================================================================
+        routine args_read,d0,d1
+        movem.l d2/d3/a6,-(sp)
+        move.l  d1,d2
+        move.l  d0,d1
+        moveq   #0,d3
+        movea.l dos_base,a6
+        lvo     ReadArgs
+        move.l  d0,read_args
+        beq.s   .bad
+        moveq   #1,d0
+.bad    movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; mem_alloc - allocates cleared memory, freed at the program's end
+;
+; in:      d0  void**  where the address goes
+;          d1  int32   bytes
+;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; out:     d0  int32   1 allocated, 0 not
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *d0
+; formats: -
+; error:   *d0 is left alone where memory is short
+; cost:    -
+;==============================================================================
+        routine mem_alloc,d0,d1,a0
+        movem.l d2/d3/a6,-(sp)
+        move.l  d0,d2
+        move.l  d1,d3
+        addq.l  #BLOCK_HEAD,d3
+        move.l  d3,d0
+        move.l  a0,d1
+        or.l    #MEMF_CLEAR,d1
+        movea.l sys_base,a6
+        lvo     AllocMem
+        tst.l   d0
+        beq.s   .short
+        movea.l d0,a0
+        move.l  blocks,(a0)
+        move.l  d3,BLOCK_SIZE(a0)
+        move.l  a0,blocks
+        addq.l  #BLOCK_HEAD,d0
+        movea.l d2,a0
+        move.l  d0,(a0)
+        moveq   #1,d0
+.short  movem.l (sp)+,d2/d3/a6
+        rts
+
+;==============================================================================
+; file_close_all - closes what is open and frees the arguments
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the table of open files
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        section .text.dos_end,code
+file_close_all:
+        movem.l d2/a2/a6,-(sp)
+        movea.l dos_base,a6
+        lea     files,a2
+        moveq   #FILES-1,d2
+.file   move.l  (a2),d1
+        beq.s   .closed
+        clr.l   (a2)
+        lvo     Close
+.closed addq.l  #4,a2
+        dbra    d2,.file
+        move.l  read_args,d1
+        beq.s   .no_args
+        clr.l   read_args
+        lvo     FreeArgs
+.no_args
+        movem.l (sp)+,d2/a2/a6
+        rts
+
+;==============================================================================
+; mem_free_all - frees every block of mem_alloc
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the list of blocks
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+mem_free_all:
+        movem.l a2/a6,-(sp)
+        movea.l sys_base,a6
+        move.l  blocks,d0
+        bra.s   .test
+.block  movea.l d0,a1
+        move.l  BLOCK_SIZE(a1),d0
+        movea.l (a1),a2
+        lvo     FreeMem
+        move.l  a2,d0
+.test   tst.l   d0
+        bne.s   .block
+        clr.l   blocks
+        movem.l (sp)+,a2/a6
+        rts
+
+        section .bss.dos,bss
+files           ds.l    FILES
+read_args       ds.l    1
+blocks          ds.l    1

@@ -1,0 +1,121 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+
+; Cuts the lines of a table to the frame's columns. \1: what moves the start of the
+; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4 free.
+scissor macro
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l scissor_plan_lines(a0),a4
+        move.l  scissor_plan_count(a0),d7
+        movea.l scissor_plan_dudx(a0),a2
+        movea.l scissor_plan_dvdx(a0),a3
+        move.w  scissor_plan_width+2(a0),d6
+        add.w   #EDGE_BIAS,d6
+        subq.l  #1,d7
+.line   move.w  scanline_left(a4),d5
+        move.w  d5,d0
+        add.w   scanline_count(a4),d0   ; end of the line
+        cmp.w   d6,d0
+        bls.s   .right_inside
+        move.w  d6,d0
+.right_inside
+        move.w  #EDGE_BIAS,d3
+        sub.w   d5,d3                   ; pixels beyond the left border
+        bls.s   .left_inside
+        move.w  #EDGE_BIAS,scanline_left(a4)
+        ext.l   d3
+        move.w  d0,d5
+        \1
+        move.w  d5,d0
+        move.w  #EDGE_BIAS,d5
+.left_inside
+        sub.w   d5,d0
+        move.w  d0,scanline_count(a4)
+        lea     scanline_sizeof(a4),a4
+        dbra    d7,.line
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+        endm
+
+start_flat macro
+        endm
+
+start_swap macro
+        move.l  a2,d0
+        muls.l  d3,d0
+        add.l   d0,scanline_start0(a4)
+        move.l  a3,d0
+        muls.l  d3,d0
+        add.l   d0,scanline_start1(a4)
+        endm
+
+start_addx macro
+        move.l  scanline_start0(a4),d0  ; uuVv
+        move.l  scanline_start1(a4),d1  ; v--U
+        moveq   #0,d2
+        move.b  d1,d2
+        swap    d2                      ; -U--
+        rol.l   #8,d1                   ; --Uv
+        move.l  d0,d4
+        lsl.l   #8,d4                   ; uVv-
+        move.b  d1,d4                   ; uVvv: the upper byte does not count
+        clr.w   d0
+        swap    d0                      ; --uu
+        add.l   d2,d0                   ; -Uuu
+        move.l  a2,d1
+        muls.l  d3,d1
+        add.l   d1,d0
+        move.l  a3,d1
+        muls.l  d3,d1
+        add.l   d1,d4
+        pack_uv d0,d4,d1
+        move.w  d4,d0
+        move.l  d0,scanline_start0(a4)
+        move.l  d1,scanline_start1(a4)
+        endm
+
+;==============================================================================
+; scissor_flat - cuts a scanline table without u and v to the frame's columns
+;
+; in:      a0  scissor_plan*  the table and the frame's width
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and count of its lines
+; writes:  left and count of its lines
+; formats: left with EDGE_BIAS; a line wholly outside gets a count of 0 or less
+; error:   none
+; cost:    about 50 cycles a line
+;==============================================================================
+        routine scissor_flat,a0
+        scissor start_flat
+
+;==============================================================================
+; scissor_addx - cuts a scanline table of the addx form to the frame's columns
+;
+; in:      a0  scissor_plan*  the table, the frame's width, the gradients
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines
+; writes:  its lines: the start moves on with the first pixel
+; formats: left with EDGE_BIAS; start0 = uuVv, start1 = v--U
+; error:   none: u, v as at the pixel on the uncut line, modulo 256
+; cost:    about 50 cycles a line, 180 where its left end is cut
+;==============================================================================
+        routine scissor_addx,a0
+        scissor start_addx
+
+;==============================================================================
+; scissor_swap - cuts a scanline table of the swap form to the frame's columns
+;
+; in:      a0  scissor_plan*  the table, the frame's width, the gradients
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines
+; writes:  its lines: the start moves on with the first pixel
+; formats: left with EDGE_BIAS; start0 = UUuu, start1 = VVvv
+; error:   none: u, v as at the pixel on the uncut line
+; cost:    about 50 cycles a line, 130 where its left end is cut
+;==============================================================================
+        routine scissor_swap,a0
+        scissor start_swap

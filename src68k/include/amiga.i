@@ -1,0 +1,72 @@
+; Amiga system facts: library offsets, custom chip and CIA registers.
+; Source: the public autodocs and the Hardware Reference Manual.
+
+; exec.library
+_LVOSupervisor          equ     -30
+_LVOForbid              equ     -132
+_LVOPermit              equ     -138
+_LVODisable             equ     -120
+_LVOEnable              equ     -126
+_LVOAllocMem            equ     -198
+_LVOFreeMem             equ     -210
+_LVOAvailMem            equ     -216
+_LVOFindTask            equ     -294
+_LVOGetMsg              equ     -372
+_LVOReplyMsg            equ     -378
+_LVOWaitPort            equ     -384
+_LVOCloseLibrary        equ     -414
+_LVOOpenResource        equ     -498
+_LVOTypeOfMem           equ     -534
+_LVOOpenLibrary         equ     -552
+_LVOCacheClearU         equ     -636
+
+tc_TrapCode             equ     50
+pr_MsgPort              equ     92
+pr_CLI                  equ     172
+
+MEMF_CHIP               equ     2
+MEMF_FAST               equ     4
+MEMF_CLEAR              equ     $10000
+MEMF_TOTAL              equ     $80000
+
+; dos.library
+_LVOOpen                equ     -30
+_LVOClose               equ     -36
+_LVORead                equ     -42
+_LVOWrite               equ     -48
+_LVOOutput              equ     -60
+_LVOSeek                equ     -66
+_LVOIoErr               equ     -132
+_LVOReadArgs            equ     -798
+_LVOFreeArgs            equ     -858
+
+; ciab.resource
+_LVOAddICRVector        equ     -6
+_LVORemICRVector        equ     -12
+_LVOAbleICR             equ     -18
+
+; custom chips
+custom                  equ     $dff000
+dmaconr                 equ     $002
+intenar                 equ     $01c
+dmacon                  equ     $096
+intena                  equ     $09a
+intreq                  equ     $09c
+INTF_SETCLR             equ     $8000
+INTF_INTEN              equ     $4000
+INTF_EXTER              equ     $2000
+
+; CIA-B
+ciab                    equ     $bfd000
+ciatalo                 equ     $400
+ciatahi                 equ     $500
+ciatblo                 equ     $600
+ciatbhi                 equ     $700
+ciaicr                  equ     $d00
+ciacra                  equ     $e00
+ciacrb                  equ     $f00
+
+; Call a library routine whose base is already in a6.
+lvo     macro
+        jsr     _LVO\1(a6)
+        endm

@@ -1,0 +1,19 @@
+; Packed texture coordinates of the addx form (see c/span/scanline.h).
+; Bytes: capitals integer, small letters fraction.
+;
+; A coordinate pair lives in three registers, S, Q and P:
+;       S   uu..        Q   v--U        P   ..Vv
+; One step is add.l S, addx.l Q, addx.w P: u's fraction carries into U, v's low
+; fraction byte into Vv. The bytes marked -- catch what U overflows.
+
+; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
+; lower word; its upper word is left over).
+pack_uv macro
+        move.l  \2,\3
+        and.l   #$ff,\3
+        ror.l   #8,\3                   ; v---
+        lsr.l   #8,\2                   ; -.Vv
+        swap    \1                      ; uuUU
+        move.b  \1,\3                   ; v--U
+        clr.w   \1                      ; uu--
+        endm

@@ -1,0 +1,30 @@
+; How every routine of this tree is entered.
+;
+;       routine name[,reg1[,reg2...]]
+;
+; opens a section of its own (so that the linker drops what nobody calls) and
+; defines two entries:
+;       _name   for C: copies its stack arguments to the registers named
+;       name    for assembly: takes them in those registers
+; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6.
+
+routine macro
+        section .text.\1,code
+        cnop    0,4
+        xdef    _\1
+        xdef    \1
+_\1:
+        ifnb    \2
+        move.l  4(sp),\2
+        endc
+        ifnb    \3
+        move.l  8(sp),\3
+        endc
+        ifnb    \4
+        move.l  12(sp),\4
+        endc
+        ifnb    \5
+        move.l  16(sp),\5
+        endc
+\1:
+        endm

@@ -1,0 +1,60 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "span.i"
+
+;==============================================================================
+; span_affine_addx - draws a scanline table from a 256x256 map, the addx chain
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uuVv, start1 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: u, v 8.16, both wrap at 256; 8-bit texels and pixels. Where v wraps
+;          inside a span, it may do so once, and the lowest bit of u must be
+;          free: dudx even, u's own bit 0, or 1 where dvdx is negative
+; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
+; cost:    bench row affine_addx
+;==============================================================================
+; One circular carry chain over two registers:
+;       B  uuVv   u's fraction, V, the upper byte of v's fraction
+;       A  v--U   the lower byte of v's fraction, room, U
+; addx B takes A's carry (v) and gives its own (u) to addx A. MOVE, LEA, JMP and
+; DBRA keep X between pixels. A's v runs one step ahead, so that its carry is
+; ready when B needs it. V's own overflow enters u's lowest bit: see formats.
+
+pixel   macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+        routine span_affine_addx,a0
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dudx(a0),d2
+        move.l  span_plan_dvdx(a0),d5
+        span_table
+        pack_uv d2,d5,d3                ; d2 uu--, d5 .Vv, d3 v--U
+        ext.l   d5
+        bpl.s   .packed
+        tst.l   d2
+        bne.s   .packed
+        subq.b  #1,d3                   ; nothing to borrow from: B always carries
+.packed add.l   d5,d2                   ; uuVv, a negative Vv borrows from uu
+        move.l  d3,d0
+        clr.w   d0
+        movea.l d0,a4                   ; v---
+        lea     .pixels(pc),a3
+        span_line d0,d1
+        span_rounds 4
+        add.l   a4,d1
+        span_enter_12
+.pixels rept    16
+        pixel
+        endr
+        span_close

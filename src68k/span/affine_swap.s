@@ -1,0 +1,49 @@
+        include "routine.i"
+        include "layout.i"
+        include "span.i"
+
+;==============================================================================
+; span_affine_swap - draws a scanline table from a 256x256 map, by add and swap
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = UUuu, start1 = VVvv), the map
+; writes:  the pixels of the lines, nothing else
+; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels
+; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
+; cost:    bench row affine_swap
+;==============================================================================
+; The best form without addx found: v is held 8 bits higher, so that V stands above
+; U when u's lower bytes replace v's, and one swap makes an index of both.
+
+pixel   macro
+        move.l  d1,d4                   ; Vvv-
+        eor.l   d0,d4
+        and.l   d5,d4
+        eor.l   d1,d4                   ; VUuu
+        swap    d4                      ; uuVU
+        add.l   d2,d0
+        add.l   d3,d1
+        move.b  (a4,d4.w),(a1)+
+        endm
+
+        routine span_affine_swap,a0
+        span_open
+        movea.l span_plan_map(a0),a4
+        adda.l  #32768,a4               ; the index is signed: v starts 128 rows on
+        move.l  span_plan_dudx(a0),d2
+        move.l  span_plan_dvdx(a0),d3
+        lsl.l   #8,d3
+        move.l  #$ffffff,d5
+        span_table
+        lea     .pixels(pc),a3
+        span_line d0,d1
+        lsl.l   #8,d1
+        bchg    #31,d1
+        span_rounds 3
+        span_enter_18
+.pixels rept    8
+        pixel
+        endr
+        span_close

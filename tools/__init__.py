@@ -1,0 +1,1 @@
+"""tmap020's host side: scene compiler, references, emulator runner, reports."""

@@ -1,0 +1,10 @@
+"""Where things are in the project's tree."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build"
+PROGRAMS = BUILD / "programs"
+LAYOUT = BUILD / "gen" / "layout.json"
+SCENES = ROOT / "tests" / "scenes"
+BASELINE = ROOT / "tests" / "baseline" / "bench.json"
