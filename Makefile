@@ -1,0 +1,161 @@
+# Builds the Amiga programs and runs the tools. GNU make 4.3 or later.
+
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DELETE_ON_ERROR:
+.PHONY: help run bench test diff clean programs setup FORCE
+
+# vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
+CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
+ifeq ($(filter gcc vbcc,$(CC68K)),)
+$(error CC68K is gcc or vbcc, not "$(CC68K)")
+endif
+SCENE ?= tests/scenes/default.toml
+export SCENE MACHINE FRAMES A B
+
+PYTHON := .deps/venv/bin/python
+VASM := scripts/vasm
+GCC := m68k-linux-gnu-gcc
+LD := m68k-linux-gnu-ld
+OBJCOPY := m68k-linux-gnu-objcopy
+VASM_FLAGS := -quiet -m68020 -Felf
+ASM_FLAGS := $(VASM_FLAGS) -Isrc68k/include -Ibuild/gen
+GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
+  -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
+  -ffunction-sections -fdata-sections -Ic
+# 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
+# that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
+# declaration, 162 no prototype, 169 extern in a function, 174 no return.
+VBCC_FLAGS := -c99 -O=23999 -cpu=68020 -quiet -Ic -warnings-as-errors \
+  -dontwarn=172 -warn=64 -warn=67 -warn=124 -warn=161 -warn=162 -warn=169 -warn=174
+DEBUG_FLAGS := $(filter-out -O2,$(GCC_FLAGS)) -O0 -g -fno-eliminate-unused-debug-types
+LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/program.ld
+
+HEADERS := $(sort $(shell find c -name '*.h'))
+C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
+NAMES := $(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c)))
+ASM_FILES := $(sort $(wildcard $(foreach room,amiga math edge span,src68k/$(room)/*.s)))
+
+# Objects of each compiler have their own folder, so that either can be chosen.
+C_OUT := build/obj/$(CC68K)
+ASM_OUT := build/obj/asm
+C_OBJECTS := $(C_FILES:c/%.c=$(C_OUT)/%.o)
+MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o)
+ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
+QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
+OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(C_OBJECTS)
+KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
+LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
+
+help:
+	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
+	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
+	@echo 'make test                                         run all tests'
+	@echo 'make diff A=DIR B=DIR                             compare two runs'
+	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
+	@echo 'make clean                                        remove build/'
+
+run: programs
+	@scripts/tmap run "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"} \
+	  -o "build/run/$$(basename "$$SCENE" .toml)"
+
+bench: programs
+	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench
+
+test: programs
+	@$(PYTHON) -m pytest -q tests
+
+diff:
+	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }
+	@scripts/tmap diff "$$A" "$$B"
+
+clean:
+	@rm -rf build
+
+programs: $(NAMES:%=build/programs/%) build/programs/uaequit | setup
+
+# Everything that is built waits for this, and nothing is rebuilt for it.
+setup:
+	@scripts/setup
+
+# Files that change only when what they say does: what they say is in $(TEXT).
+KEEP = @mkdir -p $(@D); printf '%s\n' $(TEXT) | cmp -s - $@ || printf '%s\n' $(TEXT) >$@
+
+build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
+build/obj/flags: FORCE
+	$(KEEP)
+
+# The compiler is in these names: a program is linked anew when it changes.
+build/obj/objects: TEXT = $(CC68K) $(OBJECTS)
+build/obj/objects: FORCE
+	$(KEEP)
+
+build/gen/headers.c: TEXT = $(HEADERS:c/%='#include "%"')
+build/gen/headers.c: FORCE
+	$(KEEP)
+
+# Assembly. The appended lines name included files as targets, as gcc -MP does: a
+# file that is gone must not stop the build.
+define ASSEMBLE
+@mkdir -p $(@D)
+@echo "vasm $<"
+@$(VASM) $(ASM_FLAGS) -dependall=make -depfile $(@:.o=.d) -o $@ $<
+@sed -n 's/^[^:]*: *//p' $(@:.o=.d) | tr -s ' ' '\n' | sed -n '2,$$s/$$/:/p' >$(@:.o=.d.new)
+@cat $(@:.o=.d.new) >>$(@:.o=.d); rm $(@:.o=.d.new)
+endef
+
+$(ASM_OUT)/%.o: src68k/%.s build/obj/flags | setup build/gen/layout.i
+	$(ASSEMBLE)
+
+$(ASM_OUT)/gen/%.o: build/gen/%.s build/obj/flags | setup
+	$(ASSEMBLE)
+
+# C
+define COMPILE_gcc
+@mkdir -p $(@D)
+@echo "gcc $<"
+@$(GCC) $(GCC_FLAGS) -MMD -MP -c -o $@ $<
+endef
+
+define COMPILE_vbcc
+@mkdir -p $(@D)
+@echo "vbcc $<"
+@$(GCC) -std=c99 -ffreestanding -Ic -MM -MP -MT $@ -MF $(@:.o=.d) $<
+@vbccm68k $(VBCC_FLAGS) -o=$(@:.o=.s) $<
+@$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
+endef
+
+$(C_OUT)/%.o: c/%.c build/obj/flags | setup
+	$(COMPILE_$(CC68K))
+
+$(C_OUT)/gen/%.o: build/gen/%.c build/obj/flags | setup
+	$(COMPILE_$(CC68K))
+
+# The structs of the headers, for assembly and host, out of the debug information.
+build/gen/headers.o: build/gen/headers.c build/obj/flags | setup
+	@$(GCC) $(DEBUG_FLAGS) -MMD -MP -c -o $@ $<
+
+build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/headers.o tools/layout.py
+	@$(PYTHON) -m tools.layout $< build/gen $(HEADERS:c/%=%)
+
+build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
+	@$(PYTHON) -m tools.contracts src68k build/gen
+
+# Programs: $1 is the name, $2 its objects. The numbered labels that vbcc leaves
+# would hide the routines' names in a crash report.
+define PROGRAM
+build/obj/$1.elf: $2 src68k/amiga/program.ld build/obj/objects build/obj/flags | setup
+	@echo "link $$@"
+	@$(LD) $(LD_FLAGS) -o $$@ $2
+	@$(OBJCOPY) --wildcard --strip-symbol='l[0-9]*' $$@
+
+build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
+	@mkdir -p build/programs
+	@$(PYTHON) -m tools.hunk $$< build/programs/$1
+endef
+
+$(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
+  $(if $(filter bench,$(name)),$(KERNEL_TABLE)))))
+$(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
+$(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
+
+-include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(C_OBJECTS) $(ASM_OBJECTS) $(LAYOUT_CHECK) build/gen/headers.o)

@@ -1,0 +1,19 @@
+/* The kernels that a plan can name. */
+#ifndef KERNELS_H
+#define KERNELS_H
+
+#include "compiler.h"
+
+struct kernel {
+    const char *name;           /* 0 ends the table */
+    void (*routine)(void);
+};
+
+/* Every routine of src68k's math, edge and span, made from their contract blocks. */
+extern const struct kernel kernel_table[];
+
+/* src68k/amiga/call.s: contracts there. */
+void call_kernel(uint32 *registers, void (*routine)(void));
+void call_repeat(const uint32 *registers, void (*routine)(void), uint32 times);
+
+#endif

@@ -1,0 +1,45 @@
+/* The plan of a bench or test run: which kernels to call, with which registers and
+   memory, how often; and the results. Big-endian, offsets from the file's start.
+   This header is the only definition: the host reads the layout from the
+   compiler's debug information. */
+#ifndef PLAN_FILE_H
+#define PLAN_FILE_H
+
+#include "compiler.h"
+
+enum plan_constants {
+    PLAN_MAGIC = 0x504c414e,    /* "PLAN" */
+    PLAN_VERSION = 1,
+    PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
+    ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
+};
+
+struct plan_header {
+    uint32 magic, version;
+    uint32 size;                /* of the whole file, bytes */
+    uint32 checksum;            /* CRC-32 of the file from `cases` on */
+    uint32 cases, cases_at;
+};
+
+/* One call. The image is copied to the arena; where the relocations point, and to
+   the registers marked, the arena's address is added. */
+struct plan_case {
+    uint32 name_at;             /* the kernel's name, ended by 0 */
+    uint32 memory;              /* enum memory_kind of the arena */
+    uint32 image_at, image;     /* bytes, a multiple of 4 */
+    uint32 relocations_at, relocations; /* offsets into the arena, 4 bytes each */
+    uint32 repeats;             /* timed calls after the one whose memory is kept */
+    uint32 limit;               /* for the watchdog, 65,536 ticks each */
+    uint32 relocated;           /* bit n: register n */
+    uint32 registers[15];
+};
+
+/* What a case leaves, behind the arena's bytes after the first call. */
+struct plan_result {
+    uint32 arena;               /* its address */
+    uint32 ticks;               /* of all repeats */
+    uint32 registers[15];
+    int32 stack;                /* by how much sp was off */
+};
+
+#endif

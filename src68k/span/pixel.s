@@ -1,0 +1,208 @@
+; A whole pixel with one, two and three interpolants, by swap and by addx: fetched
+; from a row, fetched from a 256x256 map, fetched from it and lit through a table.
+
+        include "routine.i"
+
+; \1: how many in a round, \2: the pixel's code
+pixels  macro
+.round  rept    \1
+        \2
+        endr
+        cmpa.l  a6,a1                   ; keeps X, where dbra's register is needed
+        bne     .round
+        rts
+        endm
+
+pixel_s1 macro
+        move.l  d0,d4
+        add.l   d2,d0
+        swap    d4
+        move.b  (a0,d4.w),(a1)+
+        endm
+
+pixel_a1 macro
+        move.b  (a0,d0.w),(a1)+
+        addx.l  d2,d0
+        endm
+
+pixel_s2 macro
+        move.l  d1,d4                   ; Vvv-
+        eor.l   d0,d4
+        and.l   d7,d4
+        eor.l   d1,d4                   ; VUuu
+        swap    d4                      ; uuVU
+        add.l   d2,d0
+        add.l   d3,d1
+        move.b  (a0,d4.w),(a1)+
+        endm
+
+pixel_a2 macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+pixel_s3 macro
+        move.l  d1,d4
+        eor.l   d0,d4
+        and.l   d7,d4
+        eor.l   d1,d4
+        swap    d4                      ; uuVU
+        move.l  d5,d6                   ; Ccc-
+        swap    d6                      ; c-Cc
+        move.b  (a0,d4.w),d6            ; C and the texel
+        add.l   d2,d0
+        add.l   d3,d1
+        add.l   a4,d5
+        move.b  (a3,d6.w),(a1)+
+        endm
+
+; d0 uuVv, d1 c--U, d2 v-Cc: u carries into U, c's lower byte into Cc, v's into Vv.
+pixel_a3 macro
+        move.w  d0,d6                   ; mmVv
+        move.b  d1,d6                   ; mmVU
+        movea.l d6,a2
+        move.w  d2,d7                   ; llCc
+        move.b  (a2),d7                 ; ll, C and the texel
+        addx.l  d3,d0
+        addx.l  d4,d1
+        addx.l  d5,d2
+        movea.l d7,a2
+        move.b  (a2),(a1)+
+        endm
+
+;==============================================================================
+; pixel_swap_1 - one interpolant by swap
+;
+; in:      d0  uint32  u, UUuu
+;          d2  uint32  dudx, UUuu
+;          a0  uint8*  a row of texels
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0/d4
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 16
+; formats: u 16.16, 0 to 32767
+; error:   none
+; cost:    bench row pixel_swap_1
+;==============================================================================
+        routine pixel_swap_1
+        pixels  16,pixel_s1
+
+;==============================================================================
+; pixel_addx_1 - one interpolant by addx, chained to itself
+;
+; in:      d0  uint32  u, uuUU, the fraction one step ahead
+;          d2  uint32  dudx, uuUU
+;          a0  uint8*  a row of texels
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 16
+; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
+; error:   none where u's first carry is in d0 already
+; cost:    bench row pixel_addx_1
+;==============================================================================
+        routine pixel_addx_1
+        move    #0,ccr
+        pixels  16,pixel_a1
+
+;==============================================================================
+; pixel_swap_2 - two interpolants by swap: the pixel of span_affine_swap
+;
+; in:      d0  uint32  u, UUuu
+;          d1  uint32  v + 128 rows, VVvv << 8
+;          d2  uint32  dudx
+;          d3  uint32  dvdx << 8
+;          d7  uint32  $00ffffff
+;          a0  uint8*  256x256 map + 32,768
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0-d1/d4
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 8
+; formats: u, v 8.16, both wrap
+; error:   none
+; cost:    bench row pixel_swap_2
+;==============================================================================
+        routine pixel_swap_2
+        pixels  8,pixel_s2
+
+;==============================================================================
+; pixel_addx_2 - two interpolants by addx: the pixel of span_affine_addx
+;
+; in:      d0  uint32  uuVv
+;          d1  uint32  v--U, v one step ahead
+;          d2  uint32  step, uuVv
+;          d3  uint32  step, v--U
+;          d4  uint32  256x256 map at a multiple of 65,536
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0-d1/d4/a2
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 16
+; formats: u, v 8.16, both wrap, v once
+; error:   none where v's first carry is in d0 already
+; cost:    bench row pixel_addx_2
+;==============================================================================
+        routine pixel_addx_2
+        move    #0,ccr
+        pixels  16,pixel_a2
+
+;==============================================================================
+; pixel_swap_3 - three interpolants by swap: u, v and a shade
+;
+; in:      d0  uint32  u, UUuu
+;          d1  uint32  v + 128 rows, VVvv << 8
+;          d2  uint32  dudx
+;          d3  uint32  dvdx << 8
+;          d5  uint32  shade + 128, CCcc << 8
+;          a4  uint32  its step << 8
+;          d7  uint32  $00ffffff
+;          a0  uint8*  256x256 map + 32,768
+;          a3  uint8*  table of 256 shades by 256 texels + 32,768
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0-d1/d4-d6
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 8
+; formats: u, v, shade 8.16
+; error:   none
+; cost:    bench row pixel_swap_3
+;==============================================================================
+        routine pixel_swap_3
+        pixels  8,pixel_s3
+
+;==============================================================================
+; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
+;
+; in:      d0  uint32  uuVv
+;          d1  uint32  c--U, c one step ahead
+;          d2  uint32  v-Cc, v one step ahead
+;          d3  uint32  step, uuVv
+;          d4  uint32  step, c--U
+;          d5  uint32  step, v-Cc
+;          d6  uint32  256x256 map at a multiple of 65,536
+;          d7  uint32  table of shades at a multiple of 65,536
+;          a1  uint8*  first pixel
+;          a6  uint8*  behind the last pixel
+; out:     a1  uint8*  behind the last pixel
+; trashes: d0-d2/d6-d7/a2
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 8
+; formats: u, v, shade 8.16; v wraps once
+; error:   none where the first carries are in d0 and d2 already
+; cost:    bench row pixel_addx_3
+;==============================================================================
+        routine pixel_addx_3
+        move    #0,ccr
+        pixels  8,pixel_a3

@@ -1,0 +1,73 @@
+"""Texture pictures: found, checked and cut to 256x256 RGB."""
+
+import os
+import warnings
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageOps
+
+from .errors import UserError
+
+SIDE = 256
+SIDE_MAX = 8192  # pixels; more is a mistake or an attack
+PACKAGE = "package:"
+
+
+def locate(reference: str, folder: Path, where: str) -> Path:
+    """The file a reference names.
+
+    ``package:NAME/path`` is a file in an installed Python package, which is not
+    imported; anything else is a path from ``folder``, the scene file's.
+    """
+    if not reference.startswith(PACKAGE):
+        path = folder / reference
+    else:
+        package, _, inside = reference.removeprefix(PACKAGE).partition("/")
+        try:
+            spec = find_spec(package) if package.isidentifier() else None
+        except ValueError:  # a module without a spec, such as __main__
+            spec = None
+        if spec is None or not spec.submodule_search_locations:
+            raise UserError(f"{where}: {reference}: there is no Python package {package!r}")
+        path = Path(spec.submodule_search_locations[0]) / inside
+    if not os.path.isfile(path):  # unlike Path.is_file, False for impossible names too
+        raise UserError(f"{where}: {reference}: no such file")
+    return path
+
+
+def decode(path: Path) -> Image.Image:
+    """The picture in a PNG or JPEG, upright, in RGB. Raises ValueError if too large."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+        image = Image.open(path, formats=("PNG", "JPEG"))
+    with image:
+        if not 1 <= min(image.size) <= max(image.size) <= SIDE_MAX:
+            width, height = image.size
+            raise ValueError(f"{width}x{height} pixels; a side must be from 1 to {SIDE_MAX}")
+        image.load()
+        if image.mode.startswith("I"):  # 16-bit grey: Pillow would clip, not scale
+            image = Image.fromarray((np.asarray(image, np.int64) >> 8).astype(np.uint8))
+        return ImageOps.exif_transpose(image).convert("RGB")
+
+
+def load(reference: str, folder: Path, where: str) -> np.ndarray:
+    """The referenced picture's centred square as uint8 (256, 256, 3), row 0 on top.
+
+    ``where`` (scene file and field) starts the message of every refusal.
+    """
+    path = locate(reference, folder, where)
+    try:
+        image = decode(path)
+    except Image.UnidentifiedImageError:
+        raise UserError(f"{where}: {reference}: not a PNG or JPEG picture") from None
+    except Image.DecompressionBombError:
+        raise UserError(f"{where}: {reference}: a side must be from 1 to {SIDE_MAX}") from None
+    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+        text = " ".join(str(error).split()) or type(error).__name__
+        raise UserError(f"{where}: {reference}: cannot be read: {text}") from None
+    side = min(image.size)
+    left, top = (image.width - side) // 2, (image.height - side) // 2
+    square = image.crop((left, top, left + side, top + side))
+    return np.array(square.resize((SIDE, SIDE), Image.Resampling.LANCZOS))

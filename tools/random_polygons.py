@@ -1,0 +1,72 @@
+"""Random convex polygons by seed, for tests: ordinary, thin, tiny, huge, off screen.
+
+Everything is 16.16; one polygon a frame, so that nothing hides behind another.
+"""
+
+import math
+import random
+
+import numpy as np
+
+from .scene_file import Object, Scene
+
+IDENTITY = (65536, 0, 0, 65536, 0, 0)
+
+
+def fix(value: float) -> int:
+    """The nearest 16.16 number."""
+    return round(value * 65536)
+
+
+def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
+    """Corners on an ellipse of random place, size, thinness and turn, either winding."""
+    count = rng.choice((3, 3, 4, 4, 5, 6, 7, 8))
+    size = rng.choice((2, 10, 40, 100, 300))
+    major, minor = size * rng.uniform(0.3, 1), size * rng.uniform(0.3, 1)
+    if rng.random() < 0.3:
+        minor *= 10 ** rng.uniform(-4, -1)
+    centre = rng.uniform(-0.2, 1.2) * width, rng.uniform(-0.2, 1.2) * height
+    turn, start = rng.uniform(0, math.tau), rng.uniform(0, math.tau)
+    angles = sorted(rng.uniform(0, math.tau) for _ in range(count))
+    if rng.random() < 0.3:
+        angles = [start + math.tau * k / count for k in range(count)]
+    points = []
+    for angle in angles:
+        x, y = major * math.cos(angle), minor * math.sin(angle)
+        points.append((fix(centre[0] + x * math.cos(turn) - y * math.sin(turn)),
+                       fix(centre[1] + x * math.sin(turn) + y * math.cos(turn))))
+    if rng.random() < 0.15:  # onto pixel centres or half-way
+        points = [(x + 0x4000 & ~0x7FFF, y + 0x4000 & ~0x7FFF) for x, y in points]
+    if rng.random() < 0.5:
+        points.reverse()
+    shift = rng.randrange(count)
+    return points[shift:] + points[:shift]
+
+
+def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """s and t of the corners from one affine map of the screen."""
+    scale = rng.choice((0, 1 / 16, 0.3, 1, 1, 1, 1.7, 4, 16))
+    angle = rng.choice((0, math.pi / 2, math.pi, rng.uniform(0, math.tau), rng.uniform(0, math.tau)))
+    squeeze = rng.choice((1, 1, -1, 0.2))
+    c, s = scale * math.cos(angle), scale * math.sin(angle)
+    base = rng.uniform(-300, 300), rng.uniform(-300, 300)
+    mx, my = points[0][0] / 65536, points[0][1] / 65536
+    return [(fix(base[0] + c * (x / 65536 - mx) - s * (y / 65536 - my)),
+             fix(base[1] + squeeze * (s * (x / 65536 - mx) + c * (y / 65536 - my))))
+            for x, y in points]
+
+
+def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Scene:
+    """``count`` polygons, one a frame: number k depends on seed and first + k alone."""
+    noise = np.random.default_rng(seed)
+    texture = noise.integers(0, 256, (1, 256, 256), dtype=np.uint8)
+    palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)
+    objects, vertices = [], []
+    for k in range(count):
+        rng = random.Random(f"{seed} {first + k}")
+        points = convex_polygon(rng, width, height)
+        plane = texture_plane(rng, points)
+        objects.append(Object(0 if rng.random() < 0.85 else 1, len(vertices), len(points), 0, 1, k))
+        vertices += [(*p, *q) for p, q in zip(points, plane)]
+    return Scene(width, height, count, 7, palette, texture, [(0, 0), (-1, 200)], objects,
+                 np.array(vertices), np.array([IDENTITY]))
