@@ -21,22 +21,26 @@ struct plan_header {
     uint32 cases, cases_at;
 };
 
-/* One call. The image is copied to the arena; where the relocations point, and to
-   the registers marked, the arena's address is added. */
+/* One call. It has two pieces of memory: `near` where a program's own data would be
+   (fast RAM first), and `far`, whose kind is chosen. Their images are copied there;
+   to the longwords of `near` at the offsets listed, and to the registers marked,
+   the address of one piece or the other is added. */
 struct plan_case {
     uint32 name_at;             /* the kernel's name, ended by 0 */
-    uint32 memory;              /* enum memory_kind of the arena */
-    uint32 image_at, image;     /* bytes, a multiple of 4 */
-    uint32 relocations_at, relocations; /* offsets into the arena, 4 bytes each */
+    uint32 near_at, near;       /* image, bytes: multiples of 4 */
+    uint32 far_at, far;
+    uint32 far_memory;          /* enum memory_kind */
+    uint32 near_offsets_at, near_offsets;       /* 4 bytes each */
+    uint32 far_offsets_at, far_offsets;
+    uint32 near_registers, far_registers;       /* bit n: register n */
+    uint32 registers[15];
     uint32 repeats;             /* timed calls after the one whose memory is kept */
     uint32 limit;               /* for the watchdog, 65,536 ticks each */
-    uint32 relocated;           /* bit n: register n */
-    uint32 registers[15];
 };
 
-/* What a case leaves, behind the arena's bytes after the first call. */
+/* What a case leaves, behind near's and far's bytes after the first call. */
 struct plan_result {
-    uint32 arena;               /* its address */
+    uint32 near, far;           /* their addresses */
     uint32 ticks;               /* of all repeats */
     uint32 registers[15];
     int32 stack;                /* by how much sp was off */

@@ -59,40 +59,78 @@ static int32 usable(const uint8 *plan, uint32 bytes, const char *name)
     return 1;
 }
 
-/* The arena is allocated once, as large as the largest image. */
-static int32 make_arena(uint8 **arena, const struct plan_case *cases, uint32 count, uint32 memory)
-{
-    uint32 bytes = 0;
+/* The memory of all cases: one piece for every use, as large as its largest image. */
+struct arenas {
+    uint8 *near, *any, *chip;
+};
 
-    for (; count; count--, cases++)
-        if (cases->memory == memory && cases->image > bytes)
-            bytes = cases->image;
+static int32 make_arena(uint8 **arena, uint32 bytes, int32 kind)
+{
+    *arena = 0;
     if (!bytes)
         return 1;
-    if (!mem_alloc(arena, (int32)(bytes + ARENA_ALIGN), (int32)memory))
+    if (!mem_alloc(arena, (int32)(bytes + ARENA_ALIGN), kind))
         return 0;
     *arena += (0 - (uint32)*arena) & (ARENA_ALIGN - 1);
     return 1;
 }
 
-static void prepare(const struct plan_case *c, const uint8 *plan, uint8 *arena, uint32 *registers)
+static int32 make_arenas(struct arenas *arenas, const struct plan_case *cases, uint32 count)
 {
-    const uint32 *from = (const uint32 *)(plan + c->image_at);
-    const uint32 *relocation = (const uint32 *)(plan + c->relocations_at);
-    uint32 *to = (uint32 *)arena;
+    uint32 near = 0, any = 0, chip = 0;
 
-    for (uint32 i = 0; i < c->image; i += 4)
-        *to++ = *from++;
-    for (uint32 i = 0; i < c->relocations; i++, relocation++)
-        *(uint32 *)(arena + *relocation) += (uint32)arena;
-    for (int32 i = 0; i < PLAN_REGISTERS; i++)
-        registers[i] = c->registers[i] + ((c->relocated >> i & 1) ? (uint32)arena : 0);
+    for (; count; count--, cases++) {
+        uint32 *far = cases->far_memory == MEMORY_CHIP ? &chip : &any;
+
+        if (cases->near > near)
+            near = cases->near;
+        if (cases->far > *far)
+            *far = cases->far;
+    }
+    return make_arena(&arenas->near, near, MEMORY_ANY)
+        && make_arena(&arenas->any, any, MEMORY_ANY)
+        && make_arena(&arenas->chip, chip, MEMORY_CHIP);
 }
 
-static int32 run(const struct plan_case *c, const uint8 *plan, uint8 *arena, int32 file)
+static void copy(uint8 *to, const uint8 *from, uint32 bytes)
+{
+    uint32 *to_long = (uint32 *)to;
+    const uint32 *from_long = (const uint32 *)from;
+
+    for (; bytes; bytes -= 4)
+        *to_long++ = *from_long++;
+}
+
+static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint8 *base)
+{
+    const uint32 *offset = (const uint32 *)offsets;
+
+    for (; count; count--, offset++)
+        *(uint32 *)(near + *offset) += (uint32)base;
+}
+
+static void prepare(const struct plan_case *c, const uint8 *plan, uint8 *near, uint8 *far,
+                    uint32 *registers)
+{
+    copy(near, plan + c->near_at, c->near);
+    copy(far, plan + c->far_at, c->far);
+    relocate(near, plan + c->near_offsets_at, c->near_offsets, near);
+    relocate(near, plan + c->far_offsets_at, c->far_offsets, far);
+    for (int32 i = 0; i < PLAN_REGISTERS; i++) {
+        registers[i] = c->registers[i];
+        if (c->near_registers >> i & 1)
+            registers[i] += (uint32)near;
+        if (c->far_registers >> i & 1)
+            registers[i] += (uint32)far;
+    }
+}
+
+static int32 run(const struct plan_case *c, const uint8 *plan, const struct arenas *arenas,
+                 int32 file)
 {
     const char *name = (const char *)(plan + c->name_at);
     void (*routine)(void) = find(kernel_table, name);
+    uint8 *near = arenas->near, *far = c->far_memory == MEMORY_CHIP ? arenas->chip : arenas->any;
     uint32 registers[PLAN_REGISTERS + 1];
     struct plan_result result;
 
@@ -100,21 +138,23 @@ static int32 run(const struct plan_case *c, const uint8 *plan, uint8 *arena, int
         routine = find(c_kernels, name);
     if (!routine)
         return refuse(name, "no such kernel");
-    prepare(c, plan, arena, registers);
+    prepare(c, plan, near, far, registers);
     quiet_enter();
     clock_start((int32)c->limit);
     call_kernel(registers, routine);
     clock_stop();
     quiet_leave();
-    if (file_write(file, arena, (int32)c->image) != (int32)c->image)
+    if (file_write(file, near, (int32)c->near) != (int32)c->near
+        || file_write(file, far, (int32)c->far) != (int32)c->far)
         return refuse(name, "results cannot be written");
-    result.arena = (uint32)arena;
+    result.near = (uint32)near;
+    result.far = (uint32)far;
     for (int32 i = 0; i < PLAN_REGISTERS; i++)
         result.registers[i] = registers[i];
     result.stack = (int32)registers[PLAN_REGISTERS];
     result.ticks = 0;
     if (c->repeats) {
-        prepare(c, plan, arena, registers);
+        prepare(c, plan, near, far, registers);
         quiet_enter();
         clock_start((int32)c->limit);
         call_repeat(registers, routine, c->repeats);
@@ -126,25 +166,36 @@ static int32 run(const struct plan_case *c, const uint8 *plan, uint8 *arena, int
     return 1;
 }
 
-/* The plan's tables and each case's must lie inside it. */
-static int32 usable_case(const struct plan_case *c, uint32 bytes)
+/* Every offset of the list must leave room for a longword in `near`. */
+static int32 usable_offsets(const uint8 *plan, uint32 at, uint32 count, uint32 near, uint32 bytes)
 {
-    return c->name_at < bytes && !(c->image & 3)
-        && table_inside(c->image_at, c->image, 1, bytes)
-        && table_inside(c->relocations_at, c->relocations, 4, bytes);
+    if (!table_inside(at, count, 4, bytes))
+        return 0;
+    for (const uint32 *offset = (const uint32 *)(plan + at); count; count--, offset++)
+        if (*offset & 1 || near < 4 || *offset > near - 4)
+            return 0;
+    return 1;
+}
+
+static int32 usable_case(const struct plan_case *c, const uint8 *plan, uint32 bytes)
+{
+    return c->name_at < bytes && !((c->near | c->far) & 3)
+        && table_inside(c->near_at, c->near, 1, bytes)
+        && table_inside(c->far_at, c->far, 1, bytes)
+        && usable_offsets(plan, c->near_offsets_at, c->near_offsets, c->near, bytes)
+        && usable_offsets(plan, c->far_offsets_at, c->far_offsets, c->near, bytes);
 }
 
 static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 results)
 {
     const struct plan_header *header = (const struct plan_header *)plan;
     const struct plan_case *cases = (const struct plan_case *)(plan + header->cases_at);
-    uint8 *any, *chip;
+    struct arenas arenas;
 
     for (uint32 i = 0; i < header->cases; i++)
-        if (!usable_case(&cases[i], bytes))
+        if (!usable_case(&cases[i], plan, bytes))
             return refuse(name, "not a usable plan file: case");
-    if (!make_arena(&any, cases, header->cases, MEMORY_ANY)
-        || !make_arena(&chip, cases, header->cases, MEMORY_CHIP))
+    if (!make_arenas(&arenas, cases, header->cases))
         return refuse(name, "not enough memory");
     for (uint32 i = 0; i < header->cases; i++) {
         text_add("case ");
@@ -154,7 +205,7 @@ static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 r
         text_add(": ");
         text_add((const char *)(plan + cases[i].name_at));
         text_print();
-        if (!run(&cases[i], plan, cases[i].memory == MEMORY_CHIP ? chip : any, results))
+        if (!run(&cases[i], plan, &arenas, results))
             return 0;
     }
     return 1;

@@ -60,8 +60,8 @@
         ; d0 x  d1 S  d2 Q  d3 P   d4 Q and d5 P: line   d6 Q and d7 P: pixel
         ; a1 slope  a2 S: line  a3 S: pixel  a0 table  a4 its end
 .left_line
-        move.w  d0,(a0)+
         addq.l  #2,a0
+        move.w  d0,(a0)+
         move.w  d3,d1                   ; uuVv
         move.l  d1,(a0)+
         move.l  d2,(a0)+

@@ -33,7 +33,7 @@
         move.l  edge_x(a5),d0
         add.l   #$ffff,d0
         swap    d0                      ; xx:XX
-.line   move.w  d0,(a0)
+.line   move.w  d0,scanline_left(a0)
         add.l   d2,d0
         addx.w  d3,d0
         adda.l  d5,a0

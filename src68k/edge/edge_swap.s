@@ -49,8 +49,8 @@
         ; d0 x  d1 u  d2 v  d3 slope  d4, d5 u, v: a line and k pixels
         ; d6 left  d7 k  a1, a2 u, v: a pixel
 .left_line
-        move.w  d6,(a0)+
         addq.l  #2,a0
+        move.w  d6,(a0)+
         move.l  d1,(a0)+
         move.l  d2,(a0)+
         add.l   d4,d1
@@ -75,6 +75,7 @@
         movea.l edge_plan_lines(a6),a0
         movea.l edge_plan_right(a6),a5
         move.l  edge_plan_rights(a6),d4
+        moveq   #scanline_sizeof,d5
 .right_edge
         move.l  edge_lines(a5),d0
         lsl.l   #2,d0
@@ -86,9 +87,9 @@
 .right_line
         move.l  d0,d1
         swap    d1
-        sub.w   (a0)+,d1
-        move.w  d1,(a0)+
-        addq.l  #8,a0
+        sub.w   scanline_left(a0),d1
+        move.w  d1,(a0)
+        adda.l  d5,a0
         add.l   d2,d0
         cmpa.l  a4,a0
         bne.s   .right_line

@@ -2,7 +2,7 @@
 ; around an unrolled loop over pixels that is entered in its middle. The loop has
 ; to fit the instruction cache of 256 bytes.
 
-; Takes the plan in a0:  a0 table, a5 its end, a6 row, (sp) pitch.
+; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
         movem.l d2-d7/a2-a6,-(sp)
         move.l  span_plan_pitch(a0),-(sp)
@@ -19,28 +19,29 @@ span_table macro
         lea     (a5,d0.l*2),a5
         endm
 
-; Reads a table entry: a1 first pixel, d7 count, \1 and \2 packed start.
-; Goes to .line_next where there is nothing to draw. Uses d6.
+; Reads a table entry: a1 first pixel, d7 count - 1, \1 and \2 packed start.
+; Goes to .line_next where there is nothing to draw.
 span_line macro
         bra.s   .line
 .empty  addq.l  #8,a0
         bra     .line_next
-.line   move.w  (a0)+,d6
-        move.w  (a0)+,d7
-        ble.s   .empty
-        lea     (a6,d6.w),a1
+.line   move.l  (a0)+,d7                ; count:left
+        lea     (a6,d7.w),a1
+        swap    d7
+        subq.w  #1,d7
+        bmi.s   .empty
         move.l  (a0)+,\1
         move.l  (a0)+,\2
         endm
 
-; The rounds of 2^\1 pixels for d7 of them: d7 = rounds - 1, d6 = pixels that the
-; first round leaves out. Then comes what must set X, then the span_enter for the
-; pixel's bytes of code, which goes d6 pixels behind a3 = .pixels. Uses a2.
+; The way into a loop of 2^\1 pixels: d7 = rounds - 1, d6 = -(pixels of the short
+; first round - 1), which the span_enter for the pixel's bytes of code turns into an
+; address, counted from a3 = .pixels_end less one pixel. What must set X stands
+; between the two. Uses a2.
 span_rounds macro
-        move.w  d7,d6
+        moveq   #(1<<\1)-1,d6
+        and.w   d7,d6
         neg.w   d6
-        and.w   #(1<<\1)-1,d6
-        subq.w  #1,d7
         lsr.w   #\1,d7
         endm
 
@@ -61,11 +62,13 @@ span_enter_18 macro
         jmp     (a2,d6.w*8)
         endm
 
-; The end of the pixels and of the table's loop.
+; The end of the pixels and of the table's loop. \1: where the pitch is, (sp) or
+; a register that was spare.
 span_close macro
+.pixels_end
         dbra    d7,.pixels
 .line_next
-        adda.l  (sp),a6
+        adda.l  \1,a6
         cmpa.l  a5,a0
         bne     .line
         addq.l  #4,sp

@@ -49,7 +49,8 @@ pixel   macro
         move.l  d3,d0
         clr.w   d0
         movea.l d0,a4                   ; v---
-        lea     .pixels(pc),a3
+        move.l  (sp),d5
+        lea     .pixels_end-12(pc),a3
         span_line d0,d1
         span_rounds 4
         add.l   a4,d1
@@ -57,4 +58,4 @@ pixel   macro
 .pixels rept    16
         pixel
         endr
-        span_close
+        span_close d5

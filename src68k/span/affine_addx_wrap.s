@@ -37,7 +37,7 @@ pixel   macro
         span_table
         pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
         movea.l d5,a4
-        lea     .pixels(pc),a3
+        lea     .pixels_end-14(pc),a3
         span_line d0,d1
         move.l  d0,d5                   ; uu.. (Vv below it is never carried)
         clr.w   d5
@@ -46,4 +46,4 @@ pixel   macro
 .pixels rept    16
         pixel
         endr
-        span_close
+        span_close (sp)

@@ -37,7 +37,7 @@ pixel   macro
         lsl.l   #8,d3
         move.l  #$ffffff,d5
         span_table
-        lea     .pixels(pc),a3
+        lea     .pixels_end-18(pc),a3
         span_line d0,d1
         lsl.l   #8,d1
         bchg    #31,d1
@@ -46,4 +46,4 @@ pixel   macro
 .pixels rept    8
         pixel
         endr
-        span_close
+        span_close (sp)

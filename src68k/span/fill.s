@@ -13,7 +13,10 @@
 ; error:   none
 ; cost:    bench row fill
 ;==============================================================================
-; Bytes up to a longword boundary, longwords 16 at a time, bytes at the end.
+; Short spans by bytes; long ones by a byte and a word up to a longword boundary,
+; longwords 16 at a time, and a word and a byte at the end.
+
+SHORT                   equ     12
 
         routine span_fill,a0
         movem.l d2-d7/a2-a6,-(sp)
@@ -29,33 +32,47 @@
         swap    d0
         move.w  d1,d0                   ; four pixels
         lea     .longwords_end(pc),a3
+        lea     .bytes_end(pc),a4
         moveq   #scanline_sizeof-4,d6
+        moveq   #15,d5
         subq.l  #1,d7
+        bra.s   .line
 
-.line   moveq   #0,d1
-        move.w  (a1)+,d1                ; left
-        move.w  (a1)+,d2                ; count
-        ble.s   .next
-        lea     (a6,d1.l),a0
-        move.w  a0,d3
-        neg.w   d3
-        and.w   #3,d3                   ; bytes up to a longword boundary
-        cmp.w   d2,d3
-        blo.s   .head
-        move.w  d2,d3                   ; a short span may end before it
-.head   sub.w   d3,d2
-        subq.w  #1,d3
-        bmi.s   .aligned
-.head_byte
+        rept    SHORT
         move.b  d0,(a0)+
-        dbra    d3,.head_byte
+        endr
+.bytes_end
+.next   adda.l  d6,a1
+        adda.l  a5,a6
+        dbra    d7,.line
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+.line   move.l  (a1)+,d2                ; count:left
+        lea     (a6,d2.w),a0
+        swap    d2
+        tst.w   d2
+        ble.s   .next
+        cmp.w   #SHORT,d2
+        bhi.s   .long
+        neg.w   d2                      ; 2 bytes of code a pixel
+        jmp     (a4,d2.w*2)
+
+.long   move.w  a0,d3
+        btst    #0,d3
+        beq.s   .even
+        move.b  d0,(a0)+
+        subq.w  #1,d2
+        addq.w  #1,d3
+.even   btst    #1,d3
+        beq.s   .aligned
+        move.w  d0,(a0)+
+        subq.w  #2,d2
 .aligned
         move.w  d2,d3
-        and.w   #3,d2                   ; bytes left at the end
         lsr.w   #2,d3                   ; longwords
-        beq.s   .tail
-        moveq   #15,d4
-        and.w   d3,d4
+        move.w  d3,d4
+        and.w   d5,d4
         neg.w   d4                      ; 2 bytes of code a longword
         lsr.w   #4,d3
         jmp     (a3,d4.w*2)
@@ -65,13 +82,10 @@
         endr
 .longwords_end
         dbra    d3,.longwords
-.tail   subq.w  #1,d2
-        bmi.s   .next
-.tail_byte
+        btst    #1,d2
+        beq.s   .last
+        move.w  d0,(a0)+
+.last   btst    #0,d2
+        beq     .next
         move.b  d0,(a0)+
-        dbra    d2,.tail_byte
-.next   adda.l  d6,a1
-        adda.l  a5,a6
-        dbra    d7,.line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        bra     .next

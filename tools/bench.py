@@ -1,0 +1,175 @@
+"""``tmap bench``: measures every kernel, checks what it drew, reports and compares.
+
+Cycles are exact in this emulator: repeats agree to within one tick of the E-clock
+(20 cycles) in a whole measurement. The cost of calling is measured with a routine
+that only returns, and subtracted.
+"""
+
+import fnmatch
+import json
+import sys
+from pathlib import Path
+
+import matplotlib
+
+from . import bench_cases, emulator, provenance
+from .errors import UserError
+from .kernels import Case, call
+from .paths import BASELINE
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+#: Name to (emulated machine, data in chip RAM).
+CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
+              "a1200-mixed": ("a1200-fast", True)}
+#: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 5,000.
+TICKS = 5000
+ROUGH_CYCLES_PER_UNIT = 20
+TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
+
+
+def repeats(units: int) -> int:
+    """Calls that last about TICKS."""
+    return max(4, TICKS * 20 // (units * ROUGH_CYCLES_PER_UNIT))
+
+
+def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
+    """Rows of one machine: {"rows": in pixels, "lines": in lines}."""
+    boot, chip = CONDITIONS[machine]
+    kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip)}
+    kinds = {kind: [r for r in rows if fnmatch.fnmatch(r.name, only)]
+             for kind, rows in kinds.items()}
+    rows = [row for kind in kinds.values() for row in kind]
+    if not rows:
+        return {kind: [] for kind in kinds}
+    for row in rows:
+        row.case.repeats = repeats(row.units)
+    nothing = Case("nothing", repeats=2000)
+    overhead, *results = call([nothing] + [row.case for row in rows], boot, on_case)
+    per_call = overhead.cycles / nothing.repeats
+    measured = {}
+    for row, result in zip(rows, results):
+        wrong = row.check(result)
+        if wrong:
+            raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
+        cycles = (result.cycles / row.case.repeats - per_call) / row.units
+        measured[id(row)] = round(cycles, 3)
+    return {kind: [{"name": r.name, "machine": machine, "length": r.length,
+                    "cycles_per_pixel" if kind == "rows" else "cycles_per_line": measured[id(r)]}
+                   for r in group] for kind, group in kinds.items()}
+
+
+def key(row: dict) -> tuple:
+    """What identifies a row."""
+    return row["name"], row["machine"], row["length"]
+
+
+def cycles(row: dict) -> float:
+    """Cycles a pixel or a line."""
+    return row.get("cycles_per_pixel", row.get("cycles_per_line"))
+
+
+def compare(found: dict, baseline: dict) -> list[str]:
+    """Rows that left the baseline by more than TOLERANCE, in words."""
+    old = {key(row): cycles(row) for kind in ("rows", "lines") for row in baseline[kind]}
+    complaints = []
+    for kind in ("rows", "lines"):
+        for row in found[kind]:
+            if row["name"].endswith("_c") and found["compiler"] != baseline["compiler"]:
+                continue  # another compiler's loop: nothing to compare
+            before, now = old.get(key(row)), cycles(row)
+            where = "{} {} length {}".format(*key(row))
+            if before is None:
+                complaints.append(f"{where}: {now} cycles, not in the baseline")
+            elif abs(now - before) > TOLERANCE * before:
+                complaints.append(f"{where}: {now} cycles, the baseline says {before} "
+                                  f"({100 * (now - before) / before:+.1f} %)")
+    return complaints
+
+
+def table(rows: list[dict], machines: list[str]) -> str:
+    """Markdown: a line for each name and length, a column for each machine."""
+    lines = ["| row | length | " + " | ".join(machines) + " |",
+             "|---|---|" + "---|" * len(machines)]
+    values = {key(row): cycles(row) for row in rows}
+    for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows):
+        cells = [f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
+                 for m in machines]
+        lines.append(f"| {name} | {length} | " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def plot(rows: list[dict], machines: list[str], path: Path) -> None:
+    """Bars: cycles a pixel of each row at its longest length."""
+    longest = {}
+    for row in rows:
+        longest[row["name"]] = max(longest.get(row["name"], 0), row["length"])
+    names = sorted(longest, key=lambda n: min(cycles(r) for r in rows if r["name"] == n))
+    figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
+    height = 0.8 / len(machines)
+    values = {key(row): cycles(row) for row in rows}
+    for k, machine in enumerate(machines):
+        axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
+                  [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
+    axes.set_yticks(range(len(names)), [f"{n} ({longest[n]})" for n in names])
+    axes.set_xlabel("68020 cycles a pixel (or a step), emulated A1200; in brackets the length")
+    axes.grid(axis="x", alpha=0.3)
+    axes.legend()
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
+    """The content of bench.json."""
+    found = {"rows": [], "lines": []}
+    for machine in machines:
+        for kind, rows in measure(machine, only, on_case).items():
+            found[kind] += rows
+    return provenance.record() | {
+        "conditions": "DMA and interrupts off, instruction cache warm, 256x256 8-bit map, "
+                      "du 1.5, dv 1.25, the cost of the call subtracted", **found}
+
+
+def write(found: dict, out: Path) -> None:
+    """bench.json, bench.md and bench.png into ``out``."""
+    out.mkdir(parents=True, exist_ok=True)
+    machines = list(dict.fromkeys(row["machine"] for kind in ("rows", "lines")
+                                  for row in found[kind]))
+    text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
+    text += "\nCycles a pixel (step_*: a step):\n\n" + table(found["rows"], machines)
+    text += "\nCycles a line:\n\n" + table(found["lines"], machines)
+    if found["rows"]:
+        plot(found["rows"], machines, out / "bench.png")
+    (out / "bench.md").write_text(text)
+    (out / "bench.json").write_text(json.dumps(found, indent=1) + "\n")
+
+
+def command(out: str, machine: str | None, only: str | None, accept: bool) -> int:
+    """``tmap bench``: prints the table; status 1 where the baseline is left."""
+    from rich.progress import Progress
+
+    if Path(out).exists() and not Path(out).is_dir():
+        raise UserError(f"{out}: is not a directory")
+    machines = [machine] if machine else list(CONDITIONS)
+    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+        task = progress.add_task("bench", total=None)
+        found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
+    if not found["rows"] and not found["lines"]:
+        raise UserError(f"bench: no row is called {only}")
+    write(found, Path(out))
+    print(table(found["rows"] + found["lines"], machines))
+    print(f"written to {out}: bench.json, bench.md, bench.png")
+    if accept:
+        if machine or only:
+            raise UserError("bench: --accept needs all machines and all rows")
+        BASELINE.parent.mkdir(parents=True, exist_ok=True)
+        BASELINE.write_text(json.dumps(found, indent=1) + "\n")
+        print("the baseline is these figures now; give the reason in the commit")
+        return 0
+    if not BASELINE.exists():
+        return 0
+    complaints = compare(found, json.loads(BASELINE.read_text()))
+    for line in complaints:
+        print(line, file=sys.stderr)
+    return 1 if complaints else 0

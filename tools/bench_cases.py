@@ -1,0 +1,263 @@
+"""The work of each bench row: what is called, on what memory, and what must come out.
+
+Every row checks its own pixels: a loop that draws something else is not measured.
+Conditions: DMA and interrupts off, instruction cache warm; 256x256 8-bit map,
+du 1.5 and dv 1.25 texels a pixel, 16 fraction bits, u and v both wrap.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from . import layout
+from .kernels import M32, Arena, Case, Result
+
+DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
+DC = 0x00A00  # shade a pixel, 16.16
+SPAN_LENGTHS = (256, 64, 16, 4)
+EDGE_LINES = 64
+
+
+@dataclass
+class Row:
+    """One measured row: ``units`` pixels (or steps, lines) are drawn by one call.
+
+    ``check`` gives an error text, or None when the result is right.
+    """
+
+    name: str
+    length: int
+    units: int
+    case: Case
+    check: Callable[[Result], str | None]
+
+
+def texture() -> np.ndarray:
+    """A 256x256 map of noise: a wrong texel is seen with 255 chances in 256."""
+    return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
+
+
+def pack_addx(u: int, v: int) -> tuple[int, int]:
+    """start0 and start1 of the addx form for u, v in 16.16."""
+    return (u << 16 & 0xFFFF0000) | (v >> 8 & 0xFFFF), (v << 24 & 0xFF000000) | (u >> 16 & 0xFF)
+
+
+def pack_swap(u: int, v: int) -> tuple[int, int]:
+    """start0 and start1 of the swap form."""
+    return u & M32, v & M32
+
+
+def span_case(kernel: str, pack, length: int):
+    """A table of spans of one length; starts such that v wraps once in a long one."""
+    rng = np.random.default_rng(length)
+    lines = min(128, max(16, 2048 // length))
+    pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
+    constants = layout.load().constants
+    arena, far, picture = Arena(), Arena(), texture()
+    map_at = far.add(picture.tobytes(), constants["ARENA_ALIGN"])
+    entries = np.zeros(lines, layout.load().struct("scanline").dtype)
+    starts = []
+    for k in range(lines):
+        u, v = int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))
+        starts.append((u, v))
+        entries[k] = (length, constants["EDGE_BIAS"] + k % 4, *pack(u, v))
+    table_at = arena.add(entries.tobytes())
+    frame_at = far.add(bytes(pitch * lines))
+    plan_at = arena.struct(
+        "span_plan", dict(lines=table_at),
+        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
+    expected = np.zeros((lines, pitch), np.uint8)
+    n = np.arange(length)
+    for k, (u, v) in enumerate(starts):
+        texels = picture[(v + n * DV) >> 16 & 255, (u + n * DU) >> 16 & 255]
+        expected[k, k % 4:k % 4 + length] = 0x5C if kernel == "span_fill" else texels
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
+        return first_difference(expected, found.reshape(expected.shape))
+
+    return lines * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
+
+
+def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
+    """Where two pictures first differ, in words; None where they are equal."""
+    wrong = np.argwhere(expected != found)
+    if not len(wrong):
+        return None
+    y, x = wrong[0]
+    return (f"{len(wrong)} pixels differ, the first at ({x}, {y}): "
+            f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
+
+
+def edge_case(kernel: str, start: int):
+    """One section of EDGE_LINES lines: left slope -0.7, right slope 1.3 pixels a line."""
+    shapes = layout.load()
+    bias, line = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
+    arena = Arena()
+    table_at = arena.add(bytes(line.size * EDGE_LINES))
+    slopes = -45875, 85197
+    starts = (100 + bias) * 65536 + 12345, (110 + bias) * 65536 + 54321
+    sides = [arena.struct("edge", {}, lines=EDGE_LINES, x=x, slope=s, u=100 << 16, v=50 << 16)
+             for x, s in zip(starts, slopes)]
+    plan_at = arena.struct("edge_plan", dict(lines=table_at, left=sides[0], right=sides[1]),
+                           lefts=1, rights=1, dudx=DU, dvdx=DV, dudy=-DV, dvdy=DU)
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.memory, line.dtype, EDGE_LINES, table_at)
+        n = np.arange(EDGE_LINES)
+        left, right = ((x + n * s + 0xFFFF) >> 16 for x, s in zip(starts, slopes))
+        if (found["left"] != left).any() or (found["count"] != right - left).any():
+            return "left or count differ from x0 + n slope"
+        u = (100 << 16) - n * DV + (left - left[0]) * DU
+        v = (50 << 16) + n * DU + (left - left[0]) * DV
+        packed = [(pack_addx if kernel == "edge_addx" else pack_swap)(int(a), int(b))
+                  for a, b in zip(u, v)]
+        mask = np.array([M32, 0xFF0000FF if kernel == "edge_addx" else M32])
+        pairs = np.stack([found["start0"], found["start1"]], 1) & mask
+        if start and (pairs != np.array(packed)).any():
+            return "the packed starts differ from the plane"
+        return None
+
+    return EDGE_LINES, Case(kernel, arena, pointers={"a0": plan_at}), check
+
+
+def step_case(form: str, count: int):
+    """1,024 steps of ``count`` interpolants; the registers tell whether they were right."""
+    steps = 1024
+    values = [(3 + k) * 65536 + 0x1234 * (k + 1) for k in range(count)]
+    speeds = [65536 * k + 0x9876 + 0x321 * k for k in range(count)]
+
+    def swapped(x: int) -> int:
+        return (x << 16 | x >> 16) & M32
+
+    if form == "chain":  # each fraction above the integer of the one before it
+        fractions = lambda xs: [(xs[k] & 0xFFFF) << 16 | xs[k - 1] >> 16 for k in range(count)]
+        start, step = fractions(values), fractions(speeds)
+        ends = [x + steps * s for x, s in zip(values, speeds)]
+        late = values[-1] + (steps - 1) * (speeds[-1] & 0xFFFF) >> 16
+        end = fractions(ends)
+        end[0] = (ends[0] & 0xFFFF) << 16 | late + steps * (speeds[-1] >> 16)
+    else:
+        turn = swapped if form == "addx" else (lambda x: x)
+        start, step = map(turn, values), map(turn, speeds)
+        end = [turn(x + steps * s & M32) for x, s in zip(values, speeds)]
+    registers = {f"d{k}": v for k, v in enumerate(start)}
+    registers |= {f"d{k + 3}": v for k, v in enumerate(step)}
+    registers |= {"d6": 0, "d7": steps // 16 - 1}
+
+    def check(result: Result) -> str | None:
+        found = [result.registers[f"d{k}"] for k in range(count)]
+        return None if found == end else f"expected {end}, found {found}"
+
+    return steps, Case(f"step_{form}_{count}", registers=registers), check
+
+
+def pixel_case(form: str, count: int, length: int = 256):
+    """One line of whole pixels: row, map, or map and table of shades."""
+    rng = np.random.default_rng(count)
+    picture, shades = texture(), rng.integers(0, 256, (256, 256), dtype=np.uint8)
+    far = Arena()
+    map_at = far.add(picture.tobytes(), 65536)
+    table_at = far.add(shades.tobytes(), 65536)
+    out_at = far.add(bytes(length))
+    u, v, c = 0x123456, 0x456788, 0x105678
+    n = np.arange(length)
+    du = DU if count > 1 else 0xF800
+    registers, pointers = {}, {"a1": out_at, "a6": out_at + length}
+    if count == 1:
+        expected = picture.reshape(-1)[(u + n * du) >> 16]
+        if form == "swap":
+            registers = {"d0": u, "d2": du}
+        else:
+            registers = {"d0": u << 16 & M32 | u >> 16, "d2": du << 16 & M32 | du >> 16}
+            expected = picture.reshape(-1)[late_carry(u, du, length)]
+        pointers["a0"] = map_at
+    else:
+        texels = picture[(v + n * DV) >> 16 & 255, (u + n * DU) >> 16 & 255]
+        expected = texels if count == 2 else shades[(c + n * DC) >> 16 & 255, texels]
+        registers, more = pixel_registers(form, count, u, v, c, map_at, table_at)
+        pointers |= more
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.far_memory, np.uint8, length, out_at)
+        return first_difference(expected[None], found[None])
+
+    return length, Case(f"pixel_{form}_{count}", registers=registers, far=far,
+                        far_pointers=pointers), check
+
+
+def late_carry(u: int, du: int, length: int) -> list[int]:
+    """Integers of a self-chained register: its carry counts one step later."""
+    whole, fraction, carry, out = u >> 16, u & 0xFFFF, 0, []
+    for _ in range(length):
+        out.append(whole)
+        total = fraction + (du & 0xFFFF)
+        whole, fraction, carry = whole + (du >> 16) + carry, total & 0xFFFF, total >> 16
+    return out
+
+
+def pixel_registers(form: str, count: int, u: int, v: int, c: int, map_at: int, table_at: int):
+    """Registers and pointers of the pixels with two and three interpolants."""
+    if form == "swap":
+        registers = {"d0": u, "d1": (v << 8) ^ 1 << 31, "d2": DU, "d3": DV << 8, "d7": 0xFFFFFF}
+        pointers = {"a0": map_at + 32768}
+        if count == 3:
+            registers |= {"d5": (c << 8) ^ 1 << 31, "a4": DC << 8}
+            pointers |= {"a3": table_at + 32768}
+        return registers, pointers
+    first = [u << 16 & M32 | v >> 8 & 0xFFFF, u >> 16 & 255]
+    step = [DU << 16 & M32 | DV >> 8 & 0xFFFF, DU >> 16 & 255]
+    if count == 2:  # A's v one step ahead; these numbers make no carry of it at the start
+        first[1] |= (v + DV & 0xFF) << 24
+        step[1] |= (DV & 0xFF) << 24
+        return dict(zip(("d0", "d1", "d2", "d3"), first + step)), {"d4": map_at}
+    first += [(v + DV & 0xFF) << 24 | c >> 8 & 0xFFFF]
+    step += [(DV & 0xFF) << 24 | DC >> 8 & 0xFFFF]
+    first[1] |= (c & 0xFF) << 24
+    step[1] |= (DC & 0xFF) << 24
+    return dict(zip(("d0", "d1", "d2", "d3", "d4", "d5"), first + step)), \
+        {"d6": map_at, "d7": table_at}
+
+
+def floor_case(name: str, length: int = 1024):
+    """Memory alone: one byte fetched, stored, or both, for each pixel."""
+    far = Arena()
+    source_at = far.add(b"\x5c" * 4)
+    out_at = far.add(bytes(length))
+
+    def check(result: Result) -> str | None:
+        found = result.far_memory[out_at:out_at + length]
+        return None if name == "fetch" or found == b"\x5c" * length else "bytes were not stored"
+
+    return length, Case(f"floor_{name}", registers={"d0": 0x5C, "d7": length // 16 - 1},
+                        far=far, far_pointers={"a0": source_at, "a1": out_at}), check
+
+
+def pixel_rows(chip: bool) -> list[Row]:
+    """All rows counted in pixels (or steps of one pixel)."""
+    rows = []
+    for length in SPAN_LENGTHS:
+        for name, pack in (("affine_addx", pack_addx), ("affine_addx_wrap", pack_addx),
+                           ("affine_swap", pack_swap), ("affine_c", pack_swap),
+                           ("fill", pack_swap)):
+            rows.append(Row(name, length, *span_case(f"span_{name}", pack, length)))
+    for count in (1, 2, 3):
+        for form in ("swap", "addx", "chain"):
+            rows.append(Row(f"step_{form}_{count}", 1024, *step_case(form, count)))
+        for form in ("swap", "addx"):
+            rows.append(Row(f"pixel_{form}_{count}", 256, *pixel_case(form, count)))
+    for name in ("fetch", "store", "copy"):
+        rows.append(Row(f"floor_{name}", 1024, *floor_case(name)))
+    for row in rows:
+        row.case.chip = chip
+    return rows
+
+
+def line_rows(chip: bool) -> list[Row]:
+    """All rows counted in lines: the edge steppers."""
+    rows = [Row(name, EDGE_LINES, *edge_case(name, name != "edge_flat"))
+            for name in ("edge_addx", "edge_swap", "edge_flat")]
+    for row in rows:
+        row.case.chip = chip
+    return rows
