@@ -7,15 +7,7 @@ picture, because every number that decides a pixel depends on the pixel alone.
 All coordinates are 16.16 (units of 1/65536 pixel or texel); gradients of the
 plane are 32.32 before they are rounded to steps.
 
-Bounds (derived; tools/ideal.py measures against them), for an edge or polygon
-inside the frame:
-
-* an edge's x at its n-th line is off by at most (n + 1) / 2^17 pixels: its start
-  and its slope are rounded to the nearest 1/2^16;
-* u at pixel (i, j) is off by at most
-  (|i - i_ref| + |j - j_ref|) * r  +  (|dudx| + |dudy| parts of the reference)
-  where r = 1/2^17, or 1/2^16 where the lowest bit of u is spare; see
-  :func:`texel_bound`.
+What it may be off from the ideal, and why, stands in tools/ideal.py.
 """
 
 from dataclasses import dataclass

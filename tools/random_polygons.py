@@ -8,6 +8,7 @@ import random
 
 import numpy as np
 
+from . import model
 from .scene_file import Object, Scene
 
 IDENTITY = (65536, 0, 0, 65536, 0, 0)
@@ -56,6 +57,26 @@ def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tup
             for x, y in points]
 
 
+def is_convex(points: list[tuple[int, int]]) -> bool:
+    """Whether all corners turn the same way: snapping can dent a thin polygon."""
+    sides = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(points, points[1:] + points[:1])]
+    turns = [p[0] * q[1] - p[1] * q[0] for p, q in zip(sides, sides[1:] + sides[:1])]
+    return all(t >= 0 for t in turns) or all(t <= 0 for t in turns)
+
+
+def covering_polygon(rng: random.Random, width: int, height: int):
+    """Corners and texture plane of a polygon; nine in ten cover a pixel of the frame."""
+    any_will_do = rng.random() < 0.1
+    while True:
+        points = convex_polygon(rng, width, height)
+        if not is_convex(points):
+            continue
+        plane = texture_plane(rng, points)
+        set_up = model.set_up([(*p, *q) for p, q in zip(points, plane)], width, height, True)
+        if any_will_do or set_up and set_up.pixels:
+            return points, plane
+
+
 def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Scene:
     """``count`` polygons, one a frame: number k depends on seed and first + k alone."""
     noise = np.random.default_rng(seed)
@@ -64,8 +85,7 @@ def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Sce
     objects, vertices = [], []
     for k in range(count):
         rng = random.Random(f"{seed} {first + k}")
-        points = convex_polygon(rng, width, height)
-        plane = texture_plane(rng, points)
+        points, plane = covering_polygon(rng, width, height)
         objects.append(Object(0 if rng.random() < 0.85 else 1, len(vertices), len(points), 0, 1, k))
         vertices += [(*p, *q) for p, q in zip(points, plane)]
     return Scene(width, height, count, 7, palette, texture, [(0, 0), (-1, 200)], objects,

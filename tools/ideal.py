@@ -1,0 +1,162 @@
+"""The exact rational ideal of a polygon, and what the renderer may be off from it.
+
+Nothing here is rounded: edges are intersected and the texture plane is evaluated in
+integers over one common denominator. It shares no arithmetic with tools/model.py.
+
+A pixel (i, j) is inside when ceil(left) <= i < ceil(right) and ceil(top) <= j <
+ceil(bottom), left and right being the polygon's exact extent on line j. The texture
+plane runs through the top vertex, the bottom vertex and the vertex farthest from the
+line between them (three vertices do for a polygon whose texture is planar).
+
+The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
+
+* Edge, n lines below its first: its x starts at the nearest unit (1/2) and steps by
+  a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
+* Plane gradient g: the divisor is cut to 32 bits (|g| / 2^31), the quotient to
+  1/2^32 texels a pixel: e(g) = |g| / 2^31 + 1/2^32.
+* Step: the gradient rounded to a multiple of r: r/2 + e(g) a pixel, r = 1/2^16, or
+  1/2^15 for u where its lowest bit is kept spare for a wrap of v.
+* Reference pixel, (x, y) away from the first vertex: two products, each rounded to
+  half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy);
+  where u's bit is spare, it is forced to a value: 1/2^16 more.
+* So at pixel (i, j): that of the reference, and |i - i_ref| steps in x and
+  |j - j_ref| steps in y.
+"""
+
+from dataclasses import dataclass
+
+from .model import Polygon
+
+UNIT = 1 / 65536
+
+
+@dataclass
+class Deviation:
+    """The worst found over some polygons, each as error / bound, and in its own unit."""
+
+    edge: float = 0.0  # pixels
+    edge_ratio: float = 0.0
+    texel: float = 0.0  # texels
+    texel_ratio: float = 0.0
+    coverage_errors: int = 0  # pixels lit or left out against the ideal
+    pixels: int = 0
+
+    def merge(self, other: "Deviation") -> None:
+        """Takes the worse of both."""
+        self.edge = max(self.edge, other.edge)
+        self.edge_ratio = max(self.edge_ratio, other.edge_ratio)
+        self.texel = max(self.texel, other.texel)
+        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
+        self.coverage_errors += other.coverage_errors
+        self.pixels += other.pixels
+
+
+def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Exact left and right x on a line, each as (numerator, denominator > 0), 16.16."""
+    y = line << 16
+    found = []
+    for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
+        if y0 > y1:
+            x0, y0, x1, y1 = x1, y1, x0, y0
+        if y0 <= y <= y1 and y0 < y1:
+            found.append((x0 * (y1 - y0) + (x1 - x0) * (y - y0), y1 - y0))
+        elif y0 == y == y1:
+            found += [(x0, 1), (x1, 1)]
+
+    def below(a, b):
+        return a[0] * b[1] < b[0] * a[1]
+
+    left = right = found[0]
+    for x in found[1:]:
+        left = x if below(x, left) else left
+        right = x if below(right, x) else right
+    return left, right
+
+
+def corners(vertices) -> tuple[int, int, int]:
+    """Top, bottom and the vertex farthest from the line between them, as indices."""
+    order = sorted(range(len(vertices)), key=lambda k: (vertices[k][1], vertices[k][0]))
+    top = order[0]
+    lowest = vertices[order[-1]][1]
+    bottom = min((k for k in order if vertices[k][1] == lowest), key=lambda k: vertices[k][0])
+    (ax, ay, *_), (bx, by, *_) = vertices[top], vertices[bottom]
+
+    def distance(k):
+        x, y, *_ = vertices[k]
+        return abs((bx - ax) * (y - ay) - (x - ax) * (by - ay))
+
+    return top, bottom, max(order, key=lambda k: (distance(k), -vertices[k][1], -vertices[k][0]))
+
+
+class Plane:
+    """One coordinate's plane over the screen, exact: (n0 + nx x + ny y) / d, 16.16."""
+
+    def __init__(self, points, values) -> None:
+        (x0, y0), (x1, y1), (x2, y2) = points
+        self.d = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+        self.nx = (values[1] - values[0]) * (y2 - y0) - (values[2] - values[0]) * (y1 - y0)
+        self.ny = (x1 - x0) * (values[2] - values[0]) - (x2 - x0) * (values[1] - values[0])
+        self.x0, self.y0, self.value0 = x0, y0, values[0]
+
+    def error(self, found: int, i: int, j: int) -> float:
+        """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""
+        rise = self.nx * ((i << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
+        error = ((found - self.value0) * self.d - rise) % (abs(self.d) << 32)
+        if error >= abs(self.d) << 31:
+            error -= abs(self.d) << 32
+        return error / self.d * UNIT
+
+    def bound(self, i: int, j: int, i_ref: int, j_ref: int, spare: int) -> float:
+        """The derived bound at pixel (i, j), in texels."""
+        gx, gy = abs(self.nx / self.d), abs(self.ny / self.d)
+        ex, ey = gx / 2**31 + 1 / 2**32, gy / 2**31 + 1 / 2**32
+        away = abs(i_ref - self.x0 * UNIT) * ex + abs(j_ref - self.y0 * UNIT) * ey
+        rounding = UNIT / 2 * (1 << spare)
+        return (UNIT + spare * UNIT + away
+                + abs(i - i_ref) * (rounding + ex) + abs(j - j_ref) * (rounding + ey))
+
+
+def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
+    """How far a set-up polygon (the model's) is from the ideal.
+
+    Along a line both are linear, so the ends of the line show the worst texel.
+    """
+    out = Deviation()
+    sides = [[(e, y) for e in edges for y in range(e.top, e.end)]
+             for edges in (polygon.left_edges, polygon.right_edges)]
+    for k, pair in enumerate(zip(*sides)):
+        line = polygon.top + k
+        ends = []
+        for (edge, y), (numerator, denominator) in zip(pair, extent(vertices, line)):
+            error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
+            bound = (y - edge.first + 1) * UNIT / 2
+            out.edge = max(out.edge, error)
+            out.edge_ratio = max(out.edge_ratio, error / bound)
+            ends.append(min(max(-(-numerator // (denominator << 16)), 0), width))
+        left, right = polygon.left[k], polygon.right[k]
+        if right > left or ends[1] > ends[0]:
+            out.coverage_errors += abs(left - ends[0]) + abs(right - ends[1])
+        out.pixels += max(0, right - left)
+    if polygon.texturing:
+        texel_deviation(vertices, polygon, out)
+    return out
+
+
+def texel_deviation(vertices, polygon: Polygon, out: Deviation) -> None:
+    """Adds the error of u and v at the ends of every line."""
+    plane = polygon.texturing
+    three = [vertices[k] for k in corners(vertices)]
+    points = [v[:2] for v in three]
+    exact = Plane(points, [v[2] for v in three]), Plane(points, [v[3] for v in three])
+    steps = ((plane.u, plane.dudx, plane.dudy, plane.spare),
+             (plane.v, plane.dvdx, plane.dvdy, 0))
+    for line, (left, right) in enumerate(zip(polygon.left, polygon.right), polygon.top):
+        if right <= left:
+            continue
+        for i in (left, right - 1):
+            for coordinate, (start, dx, dy, spare) in zip(exact, steps):
+                found = start + (i - plane.i) * dx + (line - plane.j) * dy
+                error = abs(coordinate.error(found, i, line))
+                bound = coordinate.bound(i, line, plane.i, plane.j, spare)
+                out.texel = max(out.texel, error)
+                out.texel_ratio = max(out.texel_ratio, error / bound)
