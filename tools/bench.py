@@ -12,9 +12,9 @@ from pathlib import Path
 
 import matplotlib
 
-from . import bench_cases, emulator, provenance
+from . import bench_cases, provenance
 from .errors import UserError
-from .kernels import Case, call
+from .kernels import CYCLES_PER_TICK, Case, call
 from .paths import BASELINE
 
 matplotlib.use("Agg")
@@ -26,12 +26,14 @@ CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
 #: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 5,000.
 TICKS = 5000
 ROUGH_CYCLES_PER_UNIT = 20
+#: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
+UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line"}
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 
 
 def repeats(units: int) -> int:
     """Calls that last about TICKS."""
-    return max(4, TICKS * 20 // (units * ROUGH_CYCLES_PER_UNIT))
+    return max(4, TICKS * CYCLES_PER_TICK // (units * ROUGH_CYCLES_PER_UNIT))
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
@@ -54,9 +56,9 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
         if wrong:
             raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
         cycles = (result.cycles / row.case.repeats - per_call) / row.units
-        measured[id(row)] = round(cycles, 3)
+        measured[id(row)] = round(cycles, 3), CYCLES_PER_TICK / row.case.repeats / row.units
     return {kind: [{"name": r.name, "machine": machine, "length": r.length,
-                    "cycles_per_pixel" if kind == "rows" else "cycles_per_line": measured[id(r)]}
+                    UNITS[kind]: measured[id(r)][0], "one_tick": round(measured[id(r)][1], 5)}
                    for r in group] for kind, group in kinds.items()}
 
 

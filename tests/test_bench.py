@@ -1,0 +1,62 @@
+"""The committed cycle figures: exact in this emulator, so a change is a decision."""
+
+import json
+
+import pytest
+
+from tools import bench
+from tools.paths import BASELINE
+
+UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
+          "reason in the commit")
+
+
+@pytest.fixture(scope="module")
+def found() -> dict:
+    """Every row on every machine, measured now."""
+    return bench.bench(list(bench.CONDITIONS))
+
+
+@pytest.fixture(scope="module")
+def baseline() -> dict:
+    """The committed figures."""
+    return json.loads(BASELINE.read_text())
+
+
+def test_no_row_left_the_baseline(found, baseline) -> None:
+    """No figure moves by more than 1 %, and no row is gone."""
+    complaints = bench.compare(found, baseline)
+    assert not complaints, "\n".join([*complaints, UPDATE])
+    for kind in ("rows", "lines"):
+        gone = {bench.key(r) for r in baseline[kind]} - {bench.key(r) for r in found[kind]}
+        assert not gone, f"rows of the baseline are no longer measured: {gone}; {UPDATE}"
+
+
+def test_figures_repeat_to_a_tick(found) -> None:
+    """A second measurement agrees to within one E-clock tick (20 cycles) in all."""
+    again = bench.measure("a1200-fast", "affine_addx")["rows"]
+    first = {bench.key(r): r for r in found["rows"]}
+    for row in again:
+        difference = abs(bench.cycles(row) - bench.cycles(first[bench.key(row)]))
+        assert difference <= row["one_tick"] + 0.001, row  # and the figures' last digit
+
+
+def test_speeds_that_are_promised(found) -> None:
+    """The goals of the affine span, cycles a pixel with its set-up."""
+    figures = {bench.key(r): bench.cycles(r) for r in found["rows"]}
+    assert figures["affine_addx", "a1200-fast", 256] <= 17.0
+    assert figures["affine_addx", "a1200-mixed", 256] <= 21.0
+    assert figures["affine_addx", "a1200-fast", 16] <= 21.5
+    for machine in bench.CONDITIONS:
+        assert figures["affine_addx", machine, 256] < figures["affine_swap", machine, 256]
+
+
+def test_a_moved_figure_is_noticed(baseline) -> None:
+    """The comparison itself: 1.1 % is reported with both figures, 0.9 % is not."""
+    moved = json.loads(json.dumps(baseline))
+    row = moved["rows"][0]
+    row["cycles_per_pixel"] = baseline["rows"][0]["cycles_per_pixel"] * 1.011
+    (line,) = bench.compare(moved, baseline)
+    assert row["name"] in line and "+1.1 %" in line
+    row["cycles_per_pixel"] = baseline["rows"][0]["cycles_per_pixel"] * 0.991
+    assert bench.compare(moved, baseline) == []
