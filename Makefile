@@ -16,7 +16,6 @@ PYTHON := .deps/venv/bin/python
 VASM := scripts/vasm
 GCC := m68k-linux-gnu-gcc
 LD := m68k-linux-gnu-ld
-OBJCOPY := m68k-linux-gnu-objcopy
 VASM_FLAGS := -quiet -m68020 -Felf
 ASM_FLAGS := $(VASM_FLAGS) -Isrc68k/include -Ibuild/gen
 GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
@@ -140,13 +139,11 @@ build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/h
 build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tools.contracts src68k build/gen
 
-# Programs: $1 is the name, $2 its objects. The numbered labels that vbcc leaves
-# would hide the routines' names in a crash report.
+# Programs: $1 is the name, $2 its objects.
 define PROGRAM
 build/obj/$1.elf: $2 src68k/amiga/program.ld build/obj/objects build/obj/flags | setup
 	@echo "link $$@"
 	@$(LD) $(LD_FLAGS) -o $$@ $2
-	@$(OBJCOPY) --wildcard --strip-symbol='l[0-9]*' $$@
 
 build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
 	@mkdir -p build/programs

@@ -1,11 +1,12 @@
 """The committed cycle figures: exact in this emulator, so a change is a decision."""
 
 import json
+import re
 
 import pytest
 
-from tools import bench
-from tools.paths import BASELINE
+from tools import bench, contracts
+from tools.paths import BASELINE, ROOT
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
           "reason in the commit")
@@ -60,3 +61,11 @@ def test_a_moved_figure_is_noticed(baseline) -> None:
     assert row["name"] in line and "+1.1 %" in line
     row["cycles_per_pixel"] = baseline["rows"][0]["cycles_per_pixel"] * 0.991
     assert bench.compare(moved, baseline) == []
+
+
+def test_rows_that_contract_blocks_name_exist(baseline) -> None:
+    """Where a block says "bench row X" for the cost, the baseline has that row."""
+    names = {row["name"] for kind in ("rows", "lines") for row in baseline[kind]}
+    for contract in contracts.all_contracts(ROOT / "src68k"):
+        for name in re.findall(r"bench rows? (\w+)", contract.cost):
+            assert name in names, f"{contract.file}:{contract.line}: {contract.name}: {name}"

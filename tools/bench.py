@@ -107,7 +107,7 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     longest = {}
     for row in rows:
         longest[row["name"]] = max(longest.get(row["name"], 0), row["length"])
-    names = sorted(longest, key=lambda n: min(cycles(r) for r in rows if r["name"] == n))
+    names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
     figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
     height = 0.8 / len(machines)
     values = {key(row): cycles(row) for row in rows}
@@ -153,6 +153,8 @@ def command(out: str, machine: str | None, only: str | None, accept: bool) -> in
 
     if Path(out).exists() and not Path(out).is_dir():
         raise UserError(f"{out}: is not a directory")
+    if accept and (machine or only):
+        raise UserError("bench: --accept needs all machines and all rows")
     machines = [machine] if machine else list(CONDITIONS)
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("bench", total=None)
@@ -163,8 +165,6 @@ def command(out: str, machine: str | None, only: str | None, accept: bool) -> in
     print(table(found["rows"] + found["lines"], machines))
     print(f"written to {out}: bench.json, bench.md, bench.png")
     if accept:
-        if machine or only:
-            raise UserError("bench: --accept needs all machines and all rows")
         BASELINE.parent.mkdir(parents=True, exist_ok=True)
         BASELINE.write_text(json.dumps(found, indent=1) + "\n")
         print("the baseline is these figures now; give the reason in the commit")

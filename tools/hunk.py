@@ -8,6 +8,7 @@ symbol of the code, which is how a crash report finds the routine's name.
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
 
+import re
 import struct
 import sys
 from pathlib import Path
@@ -18,6 +19,7 @@ HUNK_CODE, HUNK_DATA, HUNK_BSS = 0x3E9, 0x3EA, 0x3EB
 HUNK_RELOC32, HUNK_END, HUNK_HEADER = 0x3EC, 0x3F2, 0x3F3
 SECTIONS = (".text", ".data", ".bss")
 R_68K_32 = 1
+COMPILER_LABEL = re.compile(r"\.|l\d+$")  # inside routines: they would hide their names
 PC_RELATIVE = {4, 5, 6}  # R_68K_PC32, PC16, PC8: resolved inside one section
 
 
@@ -73,7 +75,8 @@ def convert(elf_path: Path, out_path: Path) -> None:
         names = sorted(
             (symbol["st_value"], symbol.name)
             for symbol in elf.get_section_by_name(".symtab").iter_symbols()
-            if symbol["st_shndx"] == text and symbol.name and not symbol.name.startswith(".")
+            if symbol["st_shndx"] == text and symbol.name
+            and not COMPILER_LABEL.match(symbol.name)
         )
     out_path.write_bytes(out)
     out_path.with_name(out_path.name + ".map").write_text(
