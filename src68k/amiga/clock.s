@@ -17,6 +17,7 @@ ICRB_TA                 equ     0
 ICRB_TB                 equ     1
 ICRF_TB                 equ     2
 ICRF_ALL                equ     $1f
+ICRF_OTHERS             equ     $1c     ; alarm, serial, index: not the timers
 ICRF_SETCLR             equ     $80
 CRAF_START_LOAD         equ     %00010001       ; continuous, counts E-clock
 CRAF_STOP               equ     %00000000
@@ -123,10 +124,9 @@ ciab_name       dc.b    'ciab.resource',0
         moveq   #ICRF_ALL,d0
         lvo     AbleICR
         move.l  d0,old_icr
-        tst.b   ciab+ciaicr             ; forget what is pending
+        move.b  ciab+ciaicr,old_flags   ; reading forgets them
         move.b  #ICRF_SETCLR|ICRF_TB,ciab+ciaicr
         lea     custom,a0
-        move.w  #INTF_EXTER,intreq(a0)
         move.w  #INTF_SETCLR|INTF_INTEN|INTF_EXTER,intena(a0)
         st      quiet
         movem.l (sp)+,a5/a6
@@ -143,8 +143,15 @@ remove_watchdog:
         move.l  old_level_6,VECTOR_LEVEL_6(a0)
         rte
 
+; Level 6 has other sources than CIA-B. One of those has to wait until quiet_leave,
+; pending: it is masked, and the watchdog with it.
 watchdog:
-        move.l  #FAULT_WATCHDOG,fault_number
+        move.b  ciab+ciaicr,flags
+        btst    #ICRB_TB,flags
+        bne.s   .bite
+        move.w  #INTF_EXTER,custom+intena
+        rte
+.bite   move.l  #FAULT_WATCHDOG,fault_number
         move.w  #INTF_INTEN,custom+intena
         jmp     fault_enter
 
@@ -171,7 +178,6 @@ watchdog:
         move.b  #CRBF_STOP,ciab+ciacrb
         move.b  #ICRF_ALL,ciab+ciaicr
         tst.b   ciab+ciaicr
-        move.w  #INTF_EXTER,intreq(a0)
         movea.l sys_base,a6
         lea     remove_watchdog(pc),a5
         lvo     Supervisor
@@ -179,6 +185,12 @@ watchdog:
         move.l  old_icr,d0
         or.l    #ICRF_SETCLR,d0
         lvo     AbleICR
+        moveq   #ICRF_OTHERS,d0         ; what was pending is so again
+        and.b   old_flags,d0
+        beq.s   .none_pending
+        or.w    #ICRF_SETCLR,d0
+        lvo     SetICR
+.none_pending
         lea     custom,a0
         move.w  old_dmacon,d0
         or.w    #INTF_SETCLR,d0
@@ -265,4 +277,6 @@ old_level_6     ds.l    1
 limit           ds.l    1
 old_intena      ds.w    1
 old_dmacon      ds.w    1
-quiet           ds.b    2
+quiet           ds.b    1
+old_flags       ds.b    1
+flags           ds.b    2

@@ -44,6 +44,7 @@ _LVOFreeArgs            equ     -858
 _LVOAddICRVector        equ     -6
 _LVORemICRVector        equ     -12
 _LVOAbleICR             equ     -18
+_LVOSetICR              equ     -24
 
 ; custom chips
 custom                  equ     $dff000
