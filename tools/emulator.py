@@ -1,16 +1,19 @@
-"""Runs a program on the emulated A1200 and judges how it ended.
+"""Runs programs on the emulated A1200 and judges how they ended.
 
-A run has one private directory: it is the boot volume, holds the program, its
-input and whatever it writes. The guest's start-up script runs the program with
-its output in ``out.log`` and then ``uaequit end``, which writes the program's
-return code to ``end`` (the sentinel) and leaves the emulator.
+A run has one private directory: it is the boot volume, holds the programs, their
+input and whatever they write. The guest's start-up script runs each command with
+its output in ``N.log``, writes its return code to ``N.code``, and at last
+``uaequit end`` writes ``end`` (the sentinel) and leaves the emulator.
 """
 
+import contextlib
+import os
 import re
 import shutil
 import subprocess
 import tempfile
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +29,7 @@ OPTIONS = {
     "amiga_model": "A1200",
     "floppy_drive_count": "0",
     "warp_mode": "1",
+    "deterministic": "1",  # files are served in step: threads of their own deadlock now and then
     "audio_driver": "null",
     "fullscreen": "0",
     "uae_sound_output": "none",
@@ -46,7 +50,7 @@ EXCEPTIONS = {
 
 @dataclass
 class Result:
-    """What a run left: its directory, the program's output and return code."""
+    """What a command left: the volume, its output and its return code."""
 
     directory: Path
     output: str
@@ -61,26 +65,29 @@ def emulator_version() -> str:
         raise UserError("fs-uae is not installed: run scripts/setup") from None
 
 
-def routine_at(program: str, offset: int) -> str:
-    """Name and offset of the routine that holds a code offset of a program."""
+def routine_at(program: Path, offset: int) -> str:
+    """Where an offset in a program's code is: in which routine, how far from its start."""
+    header = program.read_bytes()[:24]  # of the hunk file; the code's hunk comes first
+    if not offset < 4 * int.from_bytes(header[20:], "big"):
+        return "outside the program's code"
     best = "?"
-    for line in (PROGRAMS / f"{program}.map").read_text().splitlines():
+    for line in program.with_name(program.name + ".map").read_text().splitlines():
         value, name = line.split()
         if int(value, 16) > offset:
             break
-        best = f"{name.lstrip('_')}+${offset - int(value, 16):x}"
+        best = f"in {name.lstrip('_')}+${offset - int(value, 16):x}"
     return best
 
 
-def explain_fault(program: str, output: str) -> str | None:
-    """One line about the crash reported in ``output``, or None."""
+def explain_fault(program: Path, output: str) -> str | None:
+    """What the crash report in ``output`` says, or None: one line, then the registers."""
     match = re.search(r"fault: exception ([0-9a-f]{8}) pc ([0-9a-f]{8})\n(.*)\n(.*)", output)
     if not match:
         return None
     number, pc = int(match[1], 16), int(match[2], 16)
     kind = EXCEPTIONS.get(number, "unexpected")
-    name = routine_at(program, pc) if pc < 1 << 24 else "outside the program"
-    return (f"{program} crashed: exception {number} ({kind}) at PC {pc:#x}, in {name}\n"
+    return (f"{program.name} crashed: exception {number} ({kind}) at PC ${pc:x}, "
+            f"{routine_at(program, pc)}\n"
             f"  d0-d7 {match[3].strip()}\n  a0-a7 {match[4].strip()}")
 
 
@@ -90,61 +97,112 @@ def last_words(output: str) -> str:
     return f"its last words: {lines[-1]!r}" if lines else "it wrote nothing"
 
 
-def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
-        directory: Path | None = None, on_output=None) -> Result:
-    """Boots ``machine``, runs ``program arguments`` and waits for the end.
+@contextlib.contextmanager
+def workspace() -> Iterator[Path]:
+    """A private directory for one run, removed afterwards."""
+    with tempfile.TemporaryDirectory(prefix="tmap-") as name:
+        yield Path(name)
 
-    ``files`` are put into the run's directory first (a name to bytes, or to a
-    file that is copied). ``on_output`` is called with the output so far when
-    there is more of it. Raises UserError for a crash or a hang; a non-zero
-    return code is the caller's to judge.
-    """
-    if directory is None:
-        directory = Path(tempfile.mkdtemp(prefix="tmap-"))
+
+def read(path: Path) -> str:
+    """A guest's text file; empty where there is none."""
+    return path.read_text("latin-1") if path.exists() else ""
+
+
+def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], machine: str,
+            programs: Path) -> Path:
+    """Lays out a run's directory; returns the emulator's configuration file."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
     for name, content in files.items():
-        target = volume / name
         if isinstance(content, bytes):
-            target.write_bytes(content)
+            (volume / name).write_bytes(content)
         else:
-            shutil.copyfile(content, target)
-    for name in (program, "uaequit"):
-        shutil.copyfile(PROGRAMS / name, volume / name)
-    (volume / "S" / "Startup-Sequence").write_text(
-        f"failat 100\n{program} >out.log {arguments}\nuaequit end\n")
+            shutil.copyfile(content, volume / name)
+    for name in {command.split()[0] for command in commands}:
+        shutil.copyfile(programs / name, volume / name)
+    shutil.copyfile(PROGRAMS / "uaequit", volume / "uaequit")
+    script = ["failat 100"]  # no return code ends the script
+    for number, command in enumerate(commands):
+        program, _, arguments = command.partition(" ")
+        script += [f"{program} >{number}.log {arguments}", f"echo >{number}.code $RC"]
+    script.append("uaequit end")
+    (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
     options = OPTIONS | MACHINES[machine] | {
         "base_dir": str(directory / "base"), "hard_drive_0": str(volume)}
     config = directory / "a1200.fs-uae"
     config.write_text("[fs-uae]\n" + "".join(f"{k} = {v}\n" for k, v in options.items()))
-    log = (directory / "emulator.log").open("wb")
-    import os
-    process = subprocess.Popen(["fs-uae", str(config)], stdout=log, stderr=subprocess.STDOUT,
-                               stdin=subprocess.DEVNULL,
-                               env=os.environ | {"SDL_VIDEODRIVER": "offscreen"})
-    out, end = volume / "out.log", volume / "end"
-    seen, quiet_since = -1, time.monotonic()
-    try:
-        while process.poll() is None:
-            size = out.stat().st_size if out.exists() else 0
-            size += sum(1 for _ in volume.iterdir())
-            if size != seen:
-                seen, quiet_since = size, time.monotonic()
-                if on_output and out.exists():
-                    on_output(out.read_text("latin-1"))
-            elif time.monotonic() - quiet_since > STALL_SECONDS:
-                break
-            time.sleep(0.02)
-    finally:
-        if process.poll() is None:
+    return config
+
+
+def wait(process: subprocess.Popen, volume: Path, on_output) -> None:
+    """Waits for the emulator's end, or returns when the guest has gone silent.
+
+    Only more files and output than ever before count as a sign of life, so that
+    a guest which reboots again and again is silent too.
+    """
+    most, since = -1, time.monotonic()
+    while process.poll() is None:
+        files = list(volume.iterdir())
+        logs = [path for path in files if path.suffix == ".log"]
+        size = len(files) + sum(path.stat().st_size for path in logs)
+        if size > most:
+            most, since = size, time.monotonic()
+            if on_output:
+                on_output("".join(map(read, logs)))
+        elif time.monotonic() - since > STALL_SECONDS:
+            return
+        time.sleep(0.02)
+
+
+def explain_end(program: Path, arguments: str, output: str, ended: bool, log: str) -> str:
+    """Why there is no sentinel, and how far the guest came; ``ended``: the emulator is gone."""
+    how = ("the emulator ended before it" if ended else
+           f"it did not end, {STALL_SECONDS:g} s after its last sign of life")
+    fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
+    said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
+    return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
+
+
+def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
+             on_output=None, programs: Path = PROGRAMS) -> list[Result]:
+    """Boots ``machine``, runs the commands one after the other and waits for the end.
+
+    ``files`` are put into the run's ``directory`` first (a name to bytes, or to
+    a file that is copied); a command's first word is one of ``programs``.
+    ``on_output`` is called with the output so far when there is more of it.
+    Raises UserError for a hang; return codes and crash reports are the caller's
+    to judge.
+    """
+    config = prepare(directory, commands, files, machine, programs)
+    volume, log = directory / "volume", directory / "emulator.log"
+    with log.open("wb") as stream:
+        try:
+            process = subprocess.Popen(
+                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
+                stderr=subprocess.STDOUT, env=os.environ | {"SDL_VIDEODRIVER": "offscreen"})
+        except OSError:
+            raise UserError("fs-uae is not installed: run scripts/setup") from None
+        try:
+            wait(process, volume, on_output)
+            ended = process.poll() is not None
+        finally:
             process.kill()
-        process.wait()
-        log.close()
-    output = out.read_text("latin-1") if out.exists() else ""
-    fault = explain_fault(program, output)
+            process.wait()
+    codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
+    outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
+    if not (volume / "end").exists():
+        last = codes.index("") if "" in codes else len(codes) - 1
+        program, _, arguments = commands[last].partition(" ")
+        raise UserError(explain_end(programs / program, arguments, outputs[last], ended, read(log)))
+    return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
+
+
+def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
+        directory: Path, on_output=None, programs: Path = PROGRAMS) -> Result:
+    """One command, as ``run_many`` runs it; a crash too raises UserError."""
+    result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs)
+    fault = explain_fault(programs / program, result.output)
     if fault:
         raise UserError(fault)
-    if not end.exists():
-        raise UserError(f"{program} did not end within {STALL_SECONDS:.0f} s of its last output; "
-                        f"{last_words(output)} (run directory {directory})")
-    return Result(volume, output, int(end.read_text()))
+    return result

@@ -48,10 +48,14 @@ static int32 usable(const uint8 *plan, uint32 bytes, const char *name)
     const struct plan_header *h = (const struct plan_header *)plan;
     const uint32 summed = (uint32)((const uint8 *)&h->cases - plan);
 
-    if (bytes < sizeof *h || h->magic != PLAN_MAGIC || h->size != bytes)
-        return refuse(name, "not a plan file: size");
+    if (bytes < sizeof *h)
+        return refuse(name, "not a usable plan file: size");
+    if (h->magic != PLAN_MAGIC)
+        return refuse(name, "not a usable plan file: magic");
     if (h->version != PLAN_VERSION)
         return refuse(name, "not a usable plan file: version");
+    if (h->size != bytes)
+        return refuse(name, "not a usable plan file: size");
     if (h->checksum != crc32(plan + summed, bytes - summed))
         return refuse(name, "not a usable plan file: checksum");
     if (!table_inside(h->cases_at, h->cases, sizeof(struct plan_case), bytes))
@@ -177,13 +181,47 @@ static int32 usable_offsets(const uint8 *plan, uint32 at, uint32 count, uint32 n
     return 1;
 }
 
-static int32 usable_case(const struct plan_case *c, const uint8 *plan, uint32 bytes)
+static int32 text_ends(const uint8 *plan, uint32 at, uint32 bytes)
 {
-    return c->name_at < bytes && !((c->near | c->far) & 3)
-        && table_inside(c->near_at, c->near, 1, bytes)
-        && table_inside(c->far_at, c->far, 1, bytes)
-        && usable_offsets(plan, c->near_offsets_at, c->near_offsets, c->near, bytes)
-        && usable_offsets(plan, c->far_offsets_at, c->far_offsets, c->near, bytes);
+    while (at < bytes && plan[at])
+        at++;
+    return at < bytes;
+}
+
+/* The first field of a case that is wrong, or 0. */
+static const char *wrong_case(const struct plan_case *c, const uint8 *plan, uint32 bytes)
+{
+    if (!text_ends(plan, c->name_at, bytes))
+        return "name_at";
+    if (c->near & 3 || !table_inside(c->near_at, c->near, 1, bytes))
+        return "near";
+    if (c->far & 3 || !table_inside(c->far_at, c->far, 1, bytes))
+        return "far";
+    if (c->far_memory != MEMORY_ANY && c->far_memory != MEMORY_CHIP)
+        return "far_memory";
+    if (!usable_offsets(plan, c->near_offsets_at, c->near_offsets, c->near, bytes))
+        return "near_offsets";
+    if (!usable_offsets(plan, c->far_offsets_at, c->far_offsets, c->near, bytes))
+        return "far_offsets";
+    if (c->limit < 1 || c->limit > 65535)
+        return "limit";
+    return 0;
+}
+
+static int32 usable_cases(const struct plan_case *cases, uint32 count, const uint8 *plan,
+                          uint32 bytes, const char *name)
+{
+    for (uint32 i = 0; i < count; i++) {
+        const char *wrong = wrong_case(&cases[i], plan, bytes);
+
+        if (wrong) {
+            text_add(name);
+            text_add(": not a usable plan file: case ");
+            text_number((int32)i);
+            return refuse("", wrong);
+        }
+    }
+    return 1;
 }
 
 static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 results)
@@ -192,9 +230,8 @@ static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 r
     const struct plan_case *cases = (const struct plan_case *)(plan + header->cases_at);
     struct arenas arenas;
 
-    for (uint32 i = 0; i < header->cases; i++)
-        if (!usable_case(&cases[i], plan, bytes))
-            return refuse(name, "not a usable plan file: case");
+    if (!usable_cases(cases, header->cases, plan, bytes, name))
+        return 0;
     if (!make_arenas(&arenas, cases, header->cases))
         return refuse(name, "not enough memory");
     for (uint32 i = 0; i < header->cases; i++) {
@@ -228,8 +265,12 @@ int main(void)
     if (!file_load(name, &plan, &bytes) || !usable(plan, bytes, name))
         return RETURN_FAIL;
     results = file_open((const char *)args[RESULTS], FILE_NEW);
-    if (!results || !clock_open()) {
-        print("bench: no results file, or another program uses CIA-B's timers\n");
+    if (!results) {
+        refuse((const char *)args[RESULTS], "cannot be created");
+        return RETURN_FAIL;
+    }
+    if (!clock_open()) {
+        print("bench: another program uses CIA-B's timers\n");
         return RETURN_FAIL;
     }
     done = run_plan(plan, bytes, name, results);

@@ -13,6 +13,13 @@ static int32 refuse(const char *name, const char *field)
     return 0;
 }
 
+/* Behind the header, inside the file, and not too long. */
+static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
+{
+    return at >= sizeof(struct scene_header) && count <= SCENE_COUNT_MAX
+        && table_inside(at, count, size, bytes);
+}
+
 /* The name of the first field that is wrong, or 0. */
 static const char *wrong_header(const struct scene_header *h, uint32 bytes)
 {
@@ -36,18 +43,18 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "frames";
     if (h->background > 255)
         return "background";
-    if (!table_inside(h->palette_at, 256, 4, bytes))
+    if (!table_usable(h->palette_at, 256, 4, bytes))
         return "palette_at";
-    if (!table_inside(h->textures_at, h->textures, MAP_BYTES, bytes))
-        return "textures_at";
-    if (!table_inside(h->materials_at, h->materials, sizeof(struct scene_material), bytes))
-        return "materials_at";
-    if (!table_inside(h->objects_at, h->objects, sizeof(struct scene_object), bytes))
-        return "objects_at";
-    if (!table_inside(h->vertices_at, h->vertices, sizeof(struct scene_vertex), bytes))
-        return "vertices_at";
-    if (!table_inside(h->poses_at, h->poses, sizeof(struct scene_pose), bytes))
-        return "poses_at";
+    if (!table_usable(h->textures_at, h->textures, MAP_BYTES, bytes))
+        return "textures or textures_at";
+    if (!table_usable(h->materials_at, h->materials, sizeof(struct scene_material), bytes))
+        return "materials or materials_at";
+    if (!table_usable(h->objects_at, h->objects, sizeof(struct scene_object), bytes))
+        return "objects or objects_at";
+    if (!table_usable(h->vertices_at, h->vertices, sizeof(struct scene_vertex), bytes))
+        return "vertices or vertices_at";
+    if (!table_usable(h->poses_at, h->poses, sizeof(struct scene_pose), bytes))
+        return "poses or poses_at";
     return 0;
 }
 
@@ -71,8 +78,10 @@ static const char *wrong_entries(const struct scene *scene)
         if (o->vertices < 3 || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
             || o->vertices > h->vertices - o->vertex)
             return "object.vertices";
-        if (o->pose > h->poses || o->poses > h->poses - o->pose)
+        if (o->poses < 1 || o->pose > h->poses || o->poses > h->poses - o->pose)
             return "object.poses";
+        if (o->first_frame >= (uint32)h->frames)
+            return "object.first_frame";
     }
     return 0;
 }

@@ -15,7 +15,7 @@ enum scanline_constants {
      addx: start0 = uuVv, start1 = v--U
      swap: start0 = UUuu, start1 = VVvv   (plain 16.16)                       */
 struct scanline {
-    int16 count;                /* pixels; 0 or less: none */
+    int16 count;                /* pixels; 0 to -32767: none */
     uint16 left;                /* x of the first pixel + EDGE_BIAS */
     uint32 start0, start1;
 };

@@ -10,6 +10,7 @@
         xref    _main
         xref    fault_handler
         xref    quiet_leave
+        xref    clock_close
         xref    file_close_all
         xref    mem_free_all
 
@@ -41,7 +42,7 @@ start:
         moveq   #36,d0
         lvo     OpenLibrary
         move.l  d0,dos_base
-        beq.s   no_dos
+        beq     no_dos
         move.l  tc_TrapCode(a4),old_trap_code
         move.l  #fault_handler,tc_TrapCode(a4)
         move.l  a4,this_task
@@ -64,6 +65,7 @@ program_end:
         movea.l initial_sp,sp
         move.l  d0,d2
         jsr     quiet_leave
+        jsr     clock_close
         jsr     file_close_all
         jsr     mem_free_all
         movea.l this_task,a4

@@ -186,7 +186,7 @@ pixel_a3 macro
 ; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
 ;
 ; in:      d0  uint32  uuVv
-;          d1  uint32  c--U, c one step ahead
+;          d1  uint32  c--U
 ;          d2  uint32  v-Cc, v one step ahead
 ;          d3  uint32  step, uuVv
 ;          d4  uint32  step, c--U
@@ -200,7 +200,7 @@ pixel_a3 macro
 ; reads:   the map, the table
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
-; error:   none where the first carries are in d0 and d2 already
+; error:   none where v's first carry is in d0 already
 ; cost:    bench row pixel_addx_3
 ;==============================================================================
         routine pixel_addx_3

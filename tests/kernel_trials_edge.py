@@ -1,0 +1,203 @@
+"""Trials of src68k/edge: scanline tables against the closed forms of their lines."""
+
+import numpy as np
+
+from kernel_checker import Memory, Trial, Write, values
+from tools import layout
+from tools.kernels import M32, Case
+
+BIAS = 16384
+ONE = 65536
+SLOPES = (0, 1, -1, ONE, -ONE, 3 * ONE, -5 * ONE, ONE + 1, -ONE - 1, ONE - 1, 1 - ONE, 0x8000,
+          -0x8000, 0x18000, -0x18000, 1000 * ONE, -1000 * ONE, 1000 * ONE + 1, -1000 * ONE - 1)
+#: Lines of each edge, left and right.
+SPLITS = (((1,), (1,)), ((9,), (9,)), ((3, 1, 5), (9,)), ((9,), (4, 5)), ((1, 1, 1, 1), (2, 2)),
+          ((2, 7), (7, 2)), ((40,), (13, 27)), ((5, 6, 7, 8, 9, 10), (45,)), ((1, 63), (64,)))
+STEPS = (0, 1, -1, 256, ONE, -ONE, 0x18000, -0x18000, 0x7FFFFFFF, -0x80000000)
+#: Bits of start0 and start1 that count: start1 of the addx form is v--U.
+MASKS = {"addx": (M32, 0xFF0000FF), "swap": (M32, M32)}
+FIELDS = ("left", "count", "start0", "start1")
+#: Lines of a table behind the last one in use: nobody may touch them.
+SPARE = 2
+
+
+def pack(form: str, u: int, v: int) -> tuple[int, int]:
+    """start0 and start1 of u and v, 16.16."""
+    if form == "swap":
+        return u & M32, v & M32
+    return (u & 0xFFFF) << 16 | v >> 8 & 0xFFFF, (v & 0xFF) << 24 | u >> 16 & 0xFF
+
+
+def ceiling(x: int) -> int:
+    """The smallest integer not below a 16.16 number."""
+    return -(-x // ONE)
+
+
+def table_writes(at: int, lines: list[dict[str, int]], form: str = "swap") -> list[Write]:
+    """The fields that lines of a table get."""
+    shape = layout.load().struct("scanline")
+    masks = dict(zip(("start0", "start1"), MASKS[form]))
+    writes = []
+    for index, line in enumerate(lines):
+        for name, value in line.items():
+            entry = shape.fields[name]
+            size = entry["size"]
+            mask = masks.get(name, M32) & (1 << 8 * size) - 1
+            writes.append(Write(at + index * shape.size + entry["offset"],
+                                (value & (1 << 8 * size) - 1).to_bytes(size, "big"),
+                                mask.to_bytes(size, "big")))
+    return writes
+
+
+def side(rng, split: tuple[int, ...], slope: int | None) -> list[dict[str, int]]:
+    """Edges whose x stays within the frame's range; the slope, or any."""
+    edges = []
+    for lines in split:
+        k = slope if slope is not None else \
+            int(rng.choice(SLOPES)) if rng.integers(2) else int(rng.integers(-300 * ONE, 300 * ONE))
+        travel = (lines - 1) * k
+        low, high = 1 + max(-travel, 0), 2 * BIAS * ONE - 1 - max(travel, 0)
+        if high < low:  # too steep for so many lines
+            return side(rng, split, k // 2)
+        x = int(rng.choice([low, high])) if rng.integers(5) == 0 else int(rng.integers(low, high + 1))
+        if rng.integers(4) == 0 and low <= x // ONE * ONE <= high:
+            x = x // ONE * ONE  # on a pixel's centre
+        edges.append(dict(lines=lines, x=x, slope=k, u=int(rng.integers(0, 1 << 32)),
+                          v=int(rng.integers(0, 1 << 32))))
+    return edges
+
+
+def columns(edges: list[dict[str, int]]) -> list[int]:
+    """The first pixel right of a side on each line, biased."""
+    return [ceiling(e["x"] + n * e["slope"]) for e in edges for n in range(e["lines"])]
+
+
+def starts(edges, form: str, dudx: int, dvdx: int, dudy: int, dvdy: int) -> list[tuple[int, int]]:
+    """The packed u and v of each line."""
+    found = []
+    for e in edges:
+        first = ceiling(e["x"])
+        for n in range(e["lines"]):
+            moved = ceiling(e["x"] + n * e["slope"]) - first
+            found.append(pack(form, e["u"] + n * dudy + moved * dudx & M32,
+                              e["v"] + n * dvdy + moved * dvdx & M32))
+    return found
+
+
+def edge_trial(kernel: str, lefts, rights, steps: dict[str, int], rng) -> Trial:
+    """One call of an edge routine."""
+    memory = Memory(int(rng.integers(1 << 30)))
+    edge = layout.load().struct("edge")
+    left, right = columns(lefts), columns(rights)
+    table = memory.room("scanline", len(left) + SPARE, "lines")
+    places = [memory.add(b"".join(edge.pack(**e) for e in edges), name=name, shape=edge)
+              for name, edges in (("left", lefts), ("right", rights))]
+    plan = memory.struct("edge_plan", dict(lines=table, left=places[0], right=places[1]),
+                         lefts=len(lefts), rights=len(rights), **steps)
+    form = kernel.removeprefix("edge_")
+    if kernel == "edge_right":  # left is there already
+        left = [int(x) for x in rng.integers(1, 2 * BIAS, len(left))]
+        for write in table_writes(table, [{"left": x} for x in left]):
+            memory.data[write.at:write.at + 2] = write.expected
+    lines = [{"left": a, "count": b - a} for a, b in zip(left, right)]
+    if kernel == "edge_right":
+        lines = [{"count": line["count"]} for line in lines]
+    elif form in MASKS:
+        for line, packed in zip(lines, starts(lefts, form, **steps)):
+            line |= dict(zip(("start0", "start1"), packed))
+    register = "a6" if kernel == "edge_right" else "a0"
+    sides = "; ".join(
+        f"{name} " + ", ".join(f"{e['lines']} lines: " + values(
+            **{k: e[k] for k in ("x", "slope", "u", "v")[:4 if name == "left" else 2]}) for e in edges)
+        for name, edges in (("left", lefts), ("right", rights)))
+    return Trial(Case(kernel, memory, pointers={register: plan}), f"{sides}; {values(**steps)}",
+                 writes=table_writes(table, lines, form if form in MASKS else "swap"))
+
+
+def edge_trials(kernel: str, rng) -> list[Trial]:
+    def steps(choice) -> dict[str, int]:
+        return {name: choice() for name in ("dudx", "dvdx", "dudy", "dvdy")}
+
+    def fixed() -> int:
+        return int(rng.choice(STEPS))
+
+    def any_step() -> int:
+        return int(rng.integers(-1 << 31, 1 << 31))
+
+    made = [edge_trial(kernel, side(rng, (12,), k), side(rng, (5, 7), -k), steps(fixed), rng)
+            for k in SLOPES]
+    made += [edge_trial(kernel, side(rng, a, None), side(rng, b, None), steps(choice), rng)
+             for a, b in SPLITS for choice in (fixed, any_step) for _ in range(3)]
+    return made
+
+
+def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
+    """One call of a scissor routine on a table with lines on all sides of the borders."""
+    form = kernel.removeprefix("scissor_")
+    near = [0, 1, 2, 100, BIAS - 1]
+    lefts = {BIAS - k for k in near if k < BIAS} | {BIAS + k for k in near} \
+        | {BIAS + width + k for k in (-1, 0, 1)} | {1, 2 * BIAS}
+    pairs = [(a, b) for a in lefts for b in lefts if 0 < a <= 2 * BIAS and 0 < b <= 2 * BIAS]
+    pairs += [tuple(int(x) for x in rng.integers(1, 2 * BIAS, 2)) for _ in range(20)]
+    pairs = sorted(pairs)
+    memory = Memory(int(rng.integers(1 << 30)))
+    shape = layout.load().struct("scanline")
+    table = np.zeros(len(pairs), shape.dtype)
+    lines, before = [], []
+    for index, (left, right) in enumerate(pairs):
+        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        packed = pack(form if form in MASKS else "swap", u, v)
+        if form == "addx":  # room in v--U, used by additions before
+            packed = packed[0], packed[1] | int(rng.integers(0, 0x8000)) << 8
+        table[index] = tuple(dict(zip(FIELDS, (left, right - left, *packed)))[f] for f in shape.fields)
+        before.append(f"(from column {left - BIAS} to {right - BIAS}, {values(u=u, v=v)})")
+        first, end = max(left, BIAS), min(right, BIAS + width)
+        line = {"left": first, "count": end - first}
+        if form in MASKS:
+            line |= dict(zip(("start0", "start1"), pack(
+                form, u + (first - left) * dudx & M32, v + (first - left) * dvdx & M32)))
+        lines.append(line)
+    at = memory.add(table.tobytes(), name="lines", shape=shape)
+    plan = memory.struct("scissor_plan", dict(lines=at), count=len(lines), width=width,
+                         dudx=dudx, dvdx=dvdx)
+    # A line with nothing left may hold anything, but for a count above 0.
+    writes = []
+    for write, line in zip(table_writes(at, lines, form if form in MASKS else "swap"),
+                           (line for line in lines for _ in line)):
+        is_empty = line["count"] <= 0
+        writes.append(write._replace(mask=bytes(len(write.mask))) if is_empty else write)
+
+    def emptied(result) -> str | None:
+        found = np.frombuffer(result.memory, shape.dtype, len(lines), at)
+        for index, line in enumerate(lines):
+            if line["count"] <= 0 < found["count"][index]:
+                return (f"lines[{index}] {before[index]} lies outside: "
+                        f"count {found['count'][index]}")
+        return None
+
+    def where(offset: int, far: bool) -> str | None:
+        index = (offset - at) // shape.size
+        return None if far or not 0 <= index < len(lines) else \
+            f"{memory.place(offset).name} {before[index]}"
+
+    return Trial(Case(kernel, memory, pointers={"a0": plan}),
+                 f"{len(lines)} lines, {values(width=width, dudx=dudx, dvdx=dvdx)}",
+                 writes=writes, where=where, also=emptied)
+
+
+def scissor_trials(kernel: str, rng) -> list[Trial]:
+    steps = [(a, b) for a in STEPS for b in STEPS]
+    picked = [steps[k] for k in rng.choice(len(steps), 20, replace=False)]
+    picked += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(10)]
+    widths = (1, 2, 16, 320, 640, 1024, BIAS)
+    return [scissor_trial(kernel, widths[k % len(widths)], *pair, rng)
+            for k, pair in enumerate(picked)]
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    made = []
+    for seed, form in enumerate(("addx", "swap", "flat")):
+        made += edge_trials(f"edge_{form}", np.random.default_rng([1, seed]))
+        made += scissor_trials(f"scissor_{form}", np.random.default_rng([2, seed]))
+    return made + edge_trials("edge_right", np.random.default_rng([1, 3]))

@@ -1,0 +1,139 @@
+"""Trials of the span routines: every pixel against the texel of its own u and v."""
+
+from functools import cache
+
+import numpy as np
+
+from kernel_checker import Memory, Trial, Write, both, values
+from kernel_trials_edge import BIAS, ONE, pack
+from tools import layout
+from tools.kernels import Case
+
+MAP_ALIGN = 65536
+FRAME = 65024
+#: Pixels of the lines and bytes from line to line: room for a guard between lines.
+SHORT = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41)), 128
+LONG = (0, 48, 49, 63, 64, 65, 80, 127, 128, 255, 256, 257, 320, 1024), 1152
+STEPS = (0, 1, -1, ONE, -ONE, 0x18000, -0x18000, 128 * ONE - 1, -128 * ONE + 1)
+#: Pairs (dudx, dvdx) that the grid of STEPS leaves out: negative dvdx with an integer
+#: dudx and a low byte, or none; slopes that a byte can just hold, or not.
+PAIRS = ((0, -0x80), (0, -0x100), (0, -0x180), (3 * ONE, -0x12345), (-2 * ONE, -0x100),
+         (-ONE, -0x30000), (5 * ONE, -0x8001), (0x100, -0x100), (0xFFFF, -0xFFFF), (0x8000, -7 * ONE),
+         (0xFF, 0xFF), (-0xFF, 0x1FF), (2, 0x40), (2, -0x40), (0, -128 * ONE), (-128 * ONE, ONE))
+COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
+TURN = 1 << 24  # u and v repeat after 256 texels
+
+
+@cache
+def texture() -> np.ndarray:
+    """A 256x256 map without equal neighbours in a row: a texel beside is another."""
+    rows = np.tile(np.arange(256, dtype=np.uint8), (256, 1))
+    return np.random.default_rng(256).permuted(rows, axis=1)
+
+
+@cache
+def picture_memory() -> tuple[Memory, int, int]:
+    """The far arena of all spans and where its frame and its map begin."""
+    memory = Memory(3)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
+
+
+def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """The pixels of a span."""
+    n = np.arange(count, dtype=np.int64)
+    return texture()[(v + n * dvdx) >> 16 & 255, (u + n * dudx) >> 16 & 255]
+
+
+def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tuple[int, int, int]:
+    """u, v and count changed to what span_affine_addx can draw: v wraps at most once in
+    the line, and where it does, the lowest bit of u is free for it."""
+    speed = (dvdx + TURN // 2) % TURN - TURN // 2
+    if speed:
+        count = min(count, (TURN - 1) // abs(speed) + 1)
+    travel = abs(speed) * max(count - 1, 0)
+    wraps = bool(travel) and dudx % 2 == 0 and bool(rng.integers(2))
+    start = TURN - 1 - int(rng.integers(travel)) if wraps else int(rng.integers(TURN - travel))
+    if speed < 0:
+        start = TURN - 1 - start
+    if wraps:
+        u = u & ~1 | (speed < 0)
+    return u, v // TURN * TURN + start, count
+
+
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
+    """One table: every count at all four alignments, with a start of its own."""
+    counts, pitch = size
+    far, frame_at, map_at = picture_memory()
+    shape = layout.load().struct("scanline")
+    starts = [(count, k) for count in counts for k in range(4)]
+    table = np.zeros(len(starts), shape.dtype)
+    lines = []      # count, u, v and where the first pixel is
+    for index, (count, k) in enumerate(starts):
+        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        if kernel == "span_affine_addx":
+            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
+        packed = pack("addx" if "addx" in kernel else "swap", u, v)
+        if "addx" in kernel:  # room in v--U, used by the edges' additions
+            packed = packed[0], packed[1] | int(rng.integers(0, 0x8000)) << 8
+        left = BIAS + k + 4 * int(rng.integers(4))
+        table[index] = tuple(dict(left=left, count=count, start0=packed[0], start1=packed[1])[f]
+                             for f in shape.fields)
+        row = len(starts) - 1 - index if upwards else index
+        lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
+    memory = Memory(int(rng.integers(1 << 30)))
+    first_row = lines[0][3] - int(table["left"][0])
+    plan = memory.struct(
+        "span_plan", dict(lines=memory.add(table.tobytes(), name="lines", shape=shape)),
+        dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
+        dudx=dudx, dvdx=dvdx, colour=colour)
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return bytes([colour & 255]) * count if kernel == "span_fill" else \
+            texels(u, v, dudx, dvdx, count).tobytes()
+
+    def where(offset: int, far: bool) -> str | None:
+        if not far or not frame_at <= offset < frame_at + FRAME:
+            return None
+        index = min(range(len(lines)), key=lambda k: max(
+            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) + 1))
+        count, u, v, at = lines[index]
+        line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
+        if count <= 0:
+            return f"{line}: byte {offset - at}"
+        if offset < at:
+            return f"{line}: {at - offset} byte(s) before its start"
+        beyond = offset - at - count + 1
+        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else f"{line}: pixel {offset - at}"
+
+    step = values(colour=colour) if kernel == "span_fill" else \
+        values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
+    return Trial(
+        Case(kernel, memory, pointers={"a0": plan}, far=far),
+        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}",
+        writes=[Write(at, drawn(count, u, v), far=True) for count, u, v, at in lines if count > 0],
+        where=where)
+
+
+def span_trials(kernel: str, rng) -> list[Trial]:
+    """Steps of all kinds on short lines, some of them on long ones."""
+    if kernel == "span_fill":
+        return [span_trial(kernel, 0, 0, colour, size, rng, upwards)
+                for colour in COLOURS for size in (SHORT, LONG) for upwards in (False, True)]
+    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
+    steps += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+    if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
+        steps = steps[::4]
+    long_steps = [*PAIRS[:8], *(steps[k] for k in rng.choice(len(steps), 24, replace=False))]
+    return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7)
+            for size, chosen in ((SHORT, steps), (LONG, long_steps))
+            for k, pair in enumerate(chosen)]
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
+             "span_affine_c")
+    return [trial for seed, name in enumerate(names)
+            for trial in span_trials(name, np.random.default_rng([3, seed]))]

@@ -1,0 +1,284 @@
+"""How programs end on the emulated machine: crashes, hangs, and what they leave behind."""
+
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from tools import emulator, hunk, kernels, scene_file
+from tools.errors import UserError
+from tools.kernels import Case
+from tools.paths import BUILD, PROGRAMS, ROOT, SCENES
+from tools.scene import compile_scene
+
+#: A program that does what none should, by number; the table's order is TROUBLES.
+SOURCE = """\
+        include "amiga.i"
+        include "routine.i"
+        xref    sys_base
+        xref    args_read
+        xref    file_open
+        xref    mem_alloc
+        xref    clock_open
+        xref    quiet_enter
+        xref    clock_start
+        xref    _text_add
+        xref    _text_number
+        xref    _text_print
+
+        routine main
+        move.l  #template,d0
+        move.l  #items,d1
+        jsr     args_read
+        movea.l items,a0
+        move.l  (a0),d0
+        jmp     ([table,d0.l*4])
+
+        routine illegal_one             ; with something to be seen in registers
+        move.l  #$12345678,d3
+        movea.l #$9abcdef0,a4
+        illegal
+
+        routine zero_divide
+        moveq   #0,d0
+        divu.w  d0,d1
+        rts
+
+        routine odd_jump                ; to an illegal instruction, should odd PCs work
+        jmp     odd_place+1
+odd_place
+        dc.b    $4e,$4a,$fc,$71
+        rts
+
+        routine privileged
+        move.w  #0,sr
+        rts
+
+        routine trap_five
+        trap    #5
+        rts
+
+        routine line_f
+        dc.w    $f123
+        rts
+
+        routine jump_away               ; into the data, which begins with line A
+        jmp     away
+
+        routine quiet_illegal
+        bsr.s   all_of_it
+        illegal
+
+        routine quiet_loop
+        bsr.s   all_of_it
+.loop   bra.s   .loop
+
+all_of_it                               ; open file, memory, timers, quiet mode, watchdog
+        move.l  #kept,d0
+        move.l  #1006,d1
+        jsr     file_open
+        move.l  d0,-(sp)
+        jsr     _text_number
+        addq.l  #4,sp
+        jsr     _text_print
+        move.l  #items,d0
+        move.l  #100000,d1
+        movea.w #2,a0
+        jsr     mem_alloc
+        jsr     clock_open
+        jsr     quiet_enter
+        moveq   #2,d0
+        jmp     clock_start
+
+        routine loud_loop
+        bsr.s   say
+.loop   bra.s   .loop
+
+        routine reboot
+        bsr.s   say
+        movea.l sys_base,a6
+        jmp     -726(a6)                ; ColdReboot
+
+say     pea     words
+        jsr     _text_add
+        addq.l  #4,sp
+        jmp     _text_print
+
+        routine state                   ; free memory, interrupts, DMA, level 6 vector
+        movea.l sys_base,a6
+        moveq   #0,d1
+        lvo     AvailMem
+        bsr.s   number
+        moveq   #0,d0
+        move.w  custom+intenar,d0
+        bsr.s   number
+        moveq   #0,d0
+        move.w  custom+dmaconr,d0
+        bsr.s   number
+        move.l  $78.w,d0
+        bsr.s   number
+        jsr     _text_print
+        moveq   #0,d0
+        rts
+number  move.l  d0,-(sp)
+        jsr     _text_number
+        pea     blank
+        jsr     _text_add
+        addq.l  #8,sp
+        rts
+
+        section .data.trouble,data
+        cnop    0,4
+away    dc.w    $a000,$a000
+table   dc.l    illegal_one,zero_divide,odd_jump,privileged,trap_five,line_f,jump_away
+        dc.l    quiet_illegal,quiet_loop,loud_loop,reboot,state
+template dc.b   'N/A/N',0
+words   dc.b    'this far',0
+kept    dc.b    'kept',0
+blank   dc.b    ' ',0
+        section .bss.trouble,bss
+items   ds.l    1
+"""
+TROUBLES = ("illegal_one", "zero_divide", "odd_jump", "privileged", "trap_five", "line_f",
+            "jump_away", "quiet_illegal", "quiet_loop", "loud_loop", "reboot", "state")
+CRASHES = {
+    "illegal_one": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in illegal_one\+\$c",
+    "zero_divide": r"exception 5 \(division by zero\) at PC \$[0-9a-f]+, in zero_divide\+\$[24]",
+    # This emulator's 68020 takes odd PCs; the real one does not.
+    "odd_jump": r"exception (3 \(address error\)|4 \(ill.*\)) at PC \$[0-9a-f]+, in odd_(jump|place)",
+    "privileged": r"exception 8 \(privilege violation\) at PC \$[0-9a-f]+, in privileged\+\$0",
+    "trap_five": r"exception 37 \(unexpected\) at PC \$[0-9a-f]+, in trap_five\+\$2",
+    "line_f": r"exception 11 \(line F\) at PC \$[0-9a-f]+, in line_f\+\$0",
+    "jump_away": r"exception 10 \(line A\) at PC \$[0-9a-f]+, outside the program's code",
+    "quiet_illegal": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in quiet_illegal\+\$",
+    "quiet_loop": r"exception 256 \(no end: stopped by the watchdog\) at PC \$[0-9a-f]+, "
+                  r"in quiet_loop\+\$"}
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """A folder with ``trouble``, linked as the Makefile does, and the real programs."""
+    folder = tmp_path_factory.mktemp("programs")
+    assembler, _, _, linker = (BUILD / "obj" / "flags").read_text().splitlines()
+    objects = (BUILD / "obj" / "objects").read_text().split()[1:]
+    (folder / "trouble.s").write_text(SOURCE)
+    for command in (["scripts/vasm", *assembler.split(), "-o", folder / "trouble.o",
+                     folder / "trouble.s"],
+                    ["m68k-linux-gnu-ld", *linker.split(), "-o", folder / "trouble.elf",
+                     folder / "trouble.o", *objects]):
+        subprocess.run(command, cwd=ROOT, check=True)
+    hunk.convert(folder / "trouble.elf", folder / "trouble")
+    for name in ("render", "render.map", "bench", "bench.map"):
+        shutil.copyfile(PROGRAMS / name, folder / name)
+    return folder
+
+
+def trouble(name: str) -> str:
+    return f"trouble {TROUBLES.index(name)}"
+
+
+@pytest.fixture(scope="module")
+def ended(programs, tmp_path_factory):
+    """Every ending in one boot, the machine's state before and after each: {command: (Result,
+    state before, state after)}; the files are the ones the commands name."""
+    scene = compile_scene(SCENES / "default.toml", 1)
+    by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
+    files = {"good": scene_file.write(scene), "bad": b"TMAP", "kernels": kernels.plan([by_zero]),
+             "broken": b"PLAN"}
+    commands = [trouble(name) for name in CRASHES] + [trouble("quiet_loop")] + [
+        "render good COUNT", "render good FORM c CHIP", "render bad", "render none", "render",
+        "render good FORM none", "render good FRAMES 2", "bench kernels out", "bench kernels :S",
+        "bench broken out", "bench"]
+    state = trouble("state")
+    line = [state]
+    for command in commands:
+        line += [command, state]
+    results = emulator.run_many(line, files, "a1200", tmp_path_factory.mktemp("run"),
+                                programs=programs)
+    return {command: (results[2 * n + 1], results[2 * n].output, results[2 * n + 2].output)
+            for n, command in enumerate(commands)}
+
+
+@pytest.mark.parametrize("name", CRASHES)
+def test_crash_is_reported(programs, ended, name):
+    result = ended[trouble(name)][0]
+    assert result.code == 20
+    fault = emulator.explain_fault(programs / "trouble", result.output)
+    assert re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+
+
+def test_registers_are_reported(programs, ended):
+    fault = emulator.explain_fault(programs / "trouble", ended[trouble("illegal_one")][0].output)
+    registers = [line.split()[1:] for line in fault.splitlines()[1:]]
+    assert [len(bank) for bank in registers] == [8, 8]
+    assert (registers[0][3], registers[1][4]) == ("12345678", "9abcdef0")
+
+
+def test_crash_of_a_kernel_is_reported(programs, ended):
+    result = ended["bench kernels out"][0]
+    assert result.output.startswith("case 0 of 1: mul_div\n")
+    assert re.match(r"bench crashed: exception 5 \(division by zero\) at PC \$[0-9a-f]+, in mul_div\+",
+                    emulator.explain_fault(programs / "bench", result.output))
+
+
+def test_everything_is_given_back(ended):
+    """Memory, interrupts, DMA and vector are as before, whichever way a program ended."""
+    for command, (_, before, after) in ended.items():
+        assert len(before.split()) == 4 and after == before, command
+
+
+def test_files_are_closed(ended):
+    """A program that crashed with the first file of its table open left it for the next one."""
+    for name in ("quiet_illegal", "quiet_loop"):
+        assert ended[trouble(name)][0].output.startswith("1\n"), name
+
+
+def test_return_codes(ended):
+    codes = {command: result.code for command, (result, _, _) in ended.items()}
+    good = {command for command, code in codes.items() if code == 0}
+    assert good == {"render good COUNT", "render good FORM c CHIP"}
+    assert set(codes.values()) == {0, 20}
+
+
+def test_run_raises_what_run_many_returns(programs, tmp_path):
+    with pytest.raises(UserError, match=f"^trouble crashed: {CRASHES['quiet_loop']}"):
+        emulator.run(*trouble("quiet_loop").split(), {}, "a1200-fast", tmp_path, programs=programs)
+
+
+@pytest.mark.parametrize("name", ["loud_loop", "reboot"])
+def test_silent_guest_is_stopped(programs, tmp_path, monkeypatch, name):
+    monkeypatch.setattr(emulator, "STALL_SECONDS", 4.0)
+    seen = []
+    with pytest.raises(UserError) as caught:
+        emulator.run(*trouble(name).split(), {}, "a1200-fast", tmp_path, seen.append, programs)
+    assert str(caught.value) == (f"{trouble(name)}: it did not end, 4 s after its last sign of "
+                                 "life; its last words: 'this far'")
+    assert seen[-1] == "this far\n"
+
+
+@pytest.mark.parametrize("script, message", [
+    ("exit 0", "the emulator ended before it; it wrote nothing"),
+    ("echo '  FATAL: no display'; exit 1", "before it; the emulator says: FATAL: no display"),
+    ("exec sleep 60", "it did not end, 0.5 s after its last sign of life; it wrote nothing"),
+])
+def test_emulator_in_trouble(tmp_path, monkeypatch, script, message):
+    fake = tmp_path / "fs-uae"
+    fake.write_text(f"#!/bin/sh\n{script}\n")
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    monkeypatch.setattr(emulator, "STALL_SECONDS", 0.5)
+    with pytest.raises(UserError, match=message):
+        emulator.run("render", "x", {}, "a1200", tmp_path)
+
+
+def test_no_emulator(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    for call in (emulator.emulator_version,
+                 lambda: emulator.run("render", "x", {}, "a1200", tmp_path)):
+        with pytest.raises(UserError, match="fs-uae is not installed: run scripts/setup"):
+            call()
+
+
+def test_version_is_the_pinned_one():
+    assert emulator.emulator_version() == emulator.VERSION

@@ -1,0 +1,211 @@
+"""The Amiga programs against bad files: one clear line each, return code 20, no crash.
+
+Everything runs in two boots. Scene files are named s0, s1, ..., plans p0, p1, ...
+"""
+
+import zlib
+
+import numpy as np
+import pytest
+
+from tools import emulator, kernels, layout, scene_file
+from tools.kernels import Case
+from tools.scene_file import Object, Scene
+
+SHAPES = layout.load()
+NOT_A_SCENE, NOT_A_PLAN = ": not a usable scene file: ", ": not a usable plan file: "
+M32 = 0xFFFFFFFF
+
+
+def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
+    """A scene of random numbers: two objects, or three overlapping ones from 20 corners on."""
+    random = np.random.default_rng(seed)
+    objects = [Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)]
+    if corners >= 20:
+        objects += [Object(1, 3, corners - 3, 0, 3, 0)]
+    return Scene(
+        width=side, height=side, frames=3, background=7,
+        palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
+        textures=random.integers(0, 256, (textures, 256, 256)).astype(np.uint8),
+        materials=[(-1, 255), (textures - 1, 0)], objects=objects,
+        vertices=random.integers(-2**31, 2**31, (corners, 4)),
+        poses=random.integers(-2**31, 2**31, (4, 6)))
+
+
+def tangles(seed: int, reach: int) -> Scene:
+    """A scene no compiler writes: 300 polygons of random corners, dented and crossing,
+    within ``reach`` pixels of a small frame."""
+    random = np.random.default_rng(seed)
+    counts = random.choice([3, 3, 4, 5, 8, 64], 300)
+    vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 4))
+    vertices[random.random(len(vertices)) < 0.2] &= ~0xFFFF
+    scene = example()
+    scene.width, scene.height, scene.frames, scene.vertices = 64, 48, 1, vertices
+    scene.poses = np.array([(65536, 0, 0, 65536, 32 * 65536, 24 * 65536)])
+    scene.objects = [Object(n % 2, first, count, 0, 1, 0) for n, (count, first) in
+                     enumerate(zip(counts.tolist(), (counts.cumsum() - counts).tolist()))]
+    return scene
+
+
+def changed(data: bytes, at: int, value: int, header: str, summed: str) -> bytes:
+    """A file with one longword replaced, and the checksum right again where that is covered."""
+    fields = SHAPES.struct(header).fields
+    start, place = fields[summed]["offset"], fields["checksum"]["offset"]
+    out = bytearray(data)
+    out[at:at + 4] = (value & M32).to_bytes(4, "big")
+    if at >= start:
+        out[place:place + 4] = zlib.crc32(out[start:]).to_bytes(4, "big")
+    return bytes(out)
+
+
+def lengths(header: str, data: bytes) -> list[int]:
+    return [3, SHAPES.struct(header).size - 1, SHAPES.struct(header).size, len(data) // 2,
+            len(data) - 1]
+
+
+def bad_scenes() -> list[tuple[bytes, str]]:
+    """Files and what must be said of each."""
+    data, textured = (scene_file.write(example(textures)) for textures in (0, 1))
+    header = SHAPES.struct("scene_header")
+    cases = [(b"", ": is empty"), (data + b"\0", NOT_A_SCENE + "size")]
+    cases += [(data[:length], NOT_A_SCENE + "size") for length in lengths("scene_header", data)]
+
+    def header_field(name, *values, said=None):
+        at, source = header.fields[name]["offset"], textured if "texture" in name else data
+        cases.extend((changed(source, at, value, "scene_header", "width"),
+                      NOT_A_SCENE + (said or name)) for value in values)
+
+    for name in ("magic", "version", "size", "checksum"):
+        header_field(name, 0, M32)
+    for name in ("width", "height", "frames"):
+        header_field(name, 0, 1025, M32, 2**31 - 1)
+    header_field("width", 6)
+    header_field("background", 256, M32)
+    header_field("palette_at", 0, 78, len(data), M32 - 3)
+    for name in ("textures", "materials", "objects", "vertices", "poses"):
+        header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
+        header_field(f"{name}_at", 0, 78, len(textured), M32 - 3, said=f"{name} or {name}_at")
+    header_field("textures", 0, said="material.texture")
+    header_field("materials", 1, said="object.material")
+    header_field("vertices", 5, said="object.vertices")
+    header_field("poses", 3, said="object.poses")
+
+    for table, name, values in (
+            ("materials", "texture", (1, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
+            ("objects", "material", (2, M32)), ("objects", "vertices", (2, 65, 7, M32)),
+            ("objects", "vertex", (4, 6, M32, M32 - 1)), ("objects", "pose", (2, 4, M32)),
+            ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32))):
+        entry, source = f"scene_{table[:-1]}", textured if name == "texture" else data
+        at = header.unpack(source)[f"{table}_at"] + SHAPES.struct(entry).fields[name]["offset"]
+        said = {"vertex": "vertices", "pose": "poses"}.get(name, name)
+        cases += [(changed(source, at, value, "scene_header", "width"),
+                   f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
+    cases += [(bytes(3 << 20), ": does not fit into memory"),
+              (scene_file.write(example(14)), NOT_A_SCENE + "textures: not enough memory")]
+    return cases
+
+
+def good_plan() -> bytes:
+    """Two calls that do nothing, with memory, a pointer and a timed repeat."""
+    near, far = kernels.Arena(), kernels.Arena()
+    near.add(bytes(64))
+    near.pointers.append(near.add(bytes(4)))
+    far.add(bytes(32))
+    return kernels.plan([Case("nothing"), Case("nothing", near, {"d0": 3}, {"a0": 0}, far,
+                                               {"a1": 4}, repeats=2)])
+
+
+def bad_plans() -> list[tuple[bytes, str]]:
+    """As bad_scenes, for plans."""
+    data = good_plan()
+    header, case = SHAPES.struct("plan_header"), SHAPES.struct("plan_case")
+    second = header.unpack(data)["cases_at"] + case.size
+    cases = [(b"", ": is empty")]
+    for length in lengths("plan_header", data):
+        cases.append((data[:length], NOT_A_PLAN + "size"))
+    for name in ("magic", "version", "size", "checksum"):
+        cases += [(changed(data, header.fields[name]["offset"], value, "plan_header", "cases"),
+                   NOT_A_PLAN + name) for value in (0, M32)]
+    for name, values in (("cases", (2**16, 2**31, M32)), ("cases_at", (2, len(data), M32 - 3))):
+        cases += [(changed(data, header.fields[name]["offset"], value, "plan_header", "cases"),
+                   NOT_A_PLAN + "cases_at") for value in values]
+
+    def case_field(name, *values, said=None):
+        at = second + case.fields[name]["offset"]
+        cases.extend((changed(data, at, value, "plan_header", "cases"),
+                      f"{NOT_A_PLAN}case 1: {said or name}") for value in values)
+
+    case_field("name_at", len(data) - 1, len(data), M32)
+    for name in ("near", "far"):
+        case_field(name, 2, len(data), M32 - 3, 2**31)
+        case_field(f"{name}_at", 2, len(data), M32 - 3, said=name)
+        case_field(f"{name}_offsets", len(data), 2**30, M32, said=f"{name}_offsets")
+        case_field(f"{name}_offsets_at", 2, len(data) + 4, M32 - 3, said=f"{name}_offsets")
+    case_field("near", 0, 64, said="near_offsets")  # the pointer lies behind it now
+    case_field("far_memory", 1, 4, M32)
+    case_field("limit", 0, 65536, M32)
+    cases.append((kernels.plan([Case("span_of_attention")]), "span_of_attention: no such kernel"))
+    cases.append((kernels.plan([Case("x" * 300)]), "x" * 256))
+    return cases
+
+
+def check(results, said: dict[str, str]) -> None:
+    """Each command said one line, as expected, and returned 20."""
+    wrong = []
+    for (command, line), result in zip(said.items(), results, strict=True):
+        lines = [text for text in result.output.splitlines() if not text.startswith("case ")]
+        if result.code != 20 or len(lines) != 1 or not lines[0].startswith(line):
+            wrong.append(f"{command}: wanted {line!r}, code 20; got {result.output!r}, {result.code}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_bad_input_is_refused(tmp_path):
+    files, said = {"good": scene_file.write(example()), "calls": good_plan()}, {}
+    for number, (data, line) in enumerate(bad_scenes()):
+        files[f"s{number}"] = data
+        said[f"render s{number}"] = f"s{number}{line}"
+    for number, (data, line) in enumerate(bad_plans()):
+        files[f"p{number}"] = data
+        said[f"bench p{number} out"] = f"p{number}{line}" if line[0] == ":" else line
+    usage = "render: usage: render SCENE"
+    said |= {"render none": "none: cannot be opened", "render S": "S: cannot be opened",
+             "render": usage, "render good FORM": usage, "render good FRAMES": usage,
+             "render good FRAMES many": usage, "render good and more": usage,
+             "render good FORM mmx": "render: FORM: not one of addx, swap, c",
+             "render good FORM ADDX": "render: FORM: not one of",
+             "render good FRAMES 0": "render: FRAMES: not between 1 and the scene's frames",
+             "render good FRAMES 4": "render: FRAMES: not between",
+             "render good FRAMES -1": "render: FRAMES: not between",
+             "bench none out": "none: cannot be opened", "bench S out": "S: cannot be opened",
+             "bench calls": "bench: usage", "bench calls S": "S: cannot be created",
+             "bench calls :no/where": ":no/where: cannot be created"}
+    results = emulator.run_many(list(said), files, "a1200", tmp_path)
+    check(results, said)
+    assert not list((tmp_path / "volume").glob("frame_*"))
+
+
+def test_strange_scenes_draw_inside_the_frame(tmp_path):
+    """Numbers that no compiler writes but the file may hold: all is drawn or left out, in
+    every form the same, and render's guards hold. So do plans that say nothing."""
+    large = example(8, side=1024)
+    files = {"noise": scene_file.write(example()), "more": scene_file.write(example(corners=64)),
+             "near": scene_file.write(tangles(1, 40)), "wide": scene_file.write(tangles(2, 300)),
+             "far": scene_file.write(tangles(3, 16383)), "large": scene_file.write(large),
+             "calls": good_plan(), "idle": kernels.plan([])}
+    scenes = ("noise", "more", "near", "wide", "far")
+    good = [f"render {name} FRAMES 1 COUNT FORM {form}" for name in scenes
+            for form in ("addx", "swap", "c")] + ["bench calls out", "bench idle out"]
+    said = {"render noise": "frame_001.chunky: cannot be created",
+            "render large": "render: not enough memory for the frame"}
+    (tmp_path / "volume" / "frame_001.chunky").mkdir(parents=True)
+    results = emulator.run_many(good + list(said), files, "a1200", tmp_path)
+    for command, result in zip(good, results):
+        assert result.code == 0, f"{command}: {result.output}"
+    pixels = [result.output.split("polygons")[1].split() for result in results[:3 * len(scenes)]]
+    totals = [(count, sum(map(int, spans[1::2]))) for count, *spans in pixels]
+    for number, name in enumerate(scenes):
+        assert len(set(totals[3 * number:3 * number + 3])) == 1, f"{name}: {totals}"
+    assert all(total[1] > 1000 for total in totals[6:12])
+    failed = results[len(good):]
+    failed[0].output = failed[0].output.partition("\n")[2]  # frame 0 was drawn and saved
+    check(failed, said)

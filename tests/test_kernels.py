@@ -1,0 +1,38 @@
+"""Every routine of src68k/math, edge and span, called on the emulated A1200 and held to
+its contract block and to a reference in Python."""
+
+import kernel_checker
+import kernel_trials_edge
+import kernel_trials_math
+import kernel_trials_pixel
+import kernel_trials_span
+import pytest
+
+from tools import contracts, paths
+
+#: Written in C and without a block: the compilers' rules are its contract.
+IN_C = contracts.Contract(
+    "span_affine_c", "c/span/affine.c", 1, "span_affine_swap in C", (), (),
+    contracts.expand("d0-d1/a0-a1"), *[""] * 5)
+CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C]}
+
+
+@pytest.fixture(scope="module")
+def called(request):
+    """Trials and results by kernel, of the kernels that this run asks for; one boot."""
+    wanted = {item.callspec.params["kernel"] for item in request.session.items
+              if item.path == request.path and hasattr(item, "callspec")}
+    trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
+                                 kernel_trials_pixel)
+              for trial in room.trials() if trial.case.kernel in wanted]
+    results = kernel_checker.run(trials)
+    return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]
+            for kernel in wanted}
+
+
+@pytest.mark.parametrize("kernel", CONTRACTS)
+def test_contract(called, kernel):
+    trials, results = zip(*called[kernel]) if called[kernel] else ((), ())
+    wrong = kernel_checker.report(CONTRACTS[kernel], trials, results)
+    if wrong:
+        pytest.fail(wrong, pytrace=False)

@@ -1,0 +1,294 @@
+"""``tmap run`` from end to end: what the emulated machine drew, and what is refused."""
+
+import json
+import subprocess
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import emulator, model, run
+from tools.__main__ import FORMS, main
+from tools.errors import UserError
+from tools.paths import ROOT, SCENES
+from tools.scene import compile_scene
+from tools.scene_file import vertices_at
+
+SMALL = """\
+title = "A wall and a sign"
+width = 64
+height = 48
+frames = 3
+background = "#102030"
+[textures]
+wall.image = "wall.png"
+[materials]
+red.colour = "#ff0000"
+wall.texture = "wall"
+[[objects]]
+material = "wall"
+sides = 6
+radius = 30
+centre = [24, 20]
+turns = 0.3
+[[objects]]
+material = "red"
+sides = 3
+radius = 14
+centre = [44, 30]
+turns = -1
+"""
+QUARTERS = ((250, 10, 20), (20, 240, 30), (40, 50, 230), (230, 220, 60))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A directory with SMALL as small.toml and its picture: a colour a quarter, in reading order."""
+    made = tmp_path_factory.mktemp("scene")
+    pixels = np.zeros((256, 256, 3), np.uint8)
+    for number, colour in enumerate(QUARTERS):
+        pixels[number // 2 * 128:, number % 2 * 128:] = colour
+    Image.fromarray(pixels).save(made / "wall.png")
+    (made / "small.toml").write_text(SMALL)
+    return made
+
+
+def names(directory) -> list[str]:
+    return sorted(path.name for path in directory.iterdir()) if directory.exists() else []
+
+
+def dumps(directory) -> list[bytes]:
+    return [path.read_bytes() for path in sorted(directory.glob("*.chunky"))]
+
+
+@pytest.fixture(scope="module")
+def runs(folder):
+    """SMALL on both machines in every form: {(machine, form): directory}."""
+    made = {}
+    for machine in emulator.MACHINES:
+        for form in FORMS:
+            out = made[machine, form] = folder / "out" / f"{machine}-{form}"
+            assert main(["run", str(folder / "small.toml"), "-o", str(out), "--machine", machine,
+                         "--form", form]) == 0
+    return made
+
+
+def test_dumps_are_the_models(folder, runs):
+    scene = compile_scene(folder / "small.toml")
+    expected = [model.render(scene, number).tobytes() for number in range(3)]
+    assert len(set(expected)) == 3
+    for key, out in runs.items():
+        assert dumps(out) == expected, key
+
+
+def test_run_json(folder, runs):
+    scene = compile_scene(folder / "small.toml")
+    textured = {"addx": "affine_addx", "swap": "affine_swap", "c": "affine_c"}
+    pixels, cycles = set(), {}
+    for (machine, form), out in runs.items():
+        about = json.loads((out / "run.json").read_text())
+        assert (about["scene"], about["title"]) == ("small", "A wall and a sign")
+        assert (about["machine"], about["form"]) == (machine, form)
+        assert about["emulator"] == f"FS-UAE {emulator.VERSION}"
+        assert about["commit"] and about["compiler"].split()[0] in ("gcc", "vbcc")
+        assert (about["width"], about["height"]) == (64, 48)
+        assert about["palette"] == scene.palette.tolist()
+        frames, totals = about["frames"], about["totals"]
+        assert [frame["number"] for frame in frames] == [0, 1, 2]
+        for frame in frames:
+            assert frame["cycles"] > 64 * 48 and frame["cycles"] % 20 == 0
+            assert frame["polygons"] == 2
+            assert {kind.removesuffix("_wrap") for kind in frame["spans"]} == {
+                "fill", textured[form]}
+            assert frame["pixels"] == sum(frame["spans"].values())
+        for key in ("cycles", "polygons", "pixels"):
+            assert totals[key] == sum(frame[key] for frame in frames)
+        assert totals["cycles_per_pixel"] == round(totals["cycles"] / totals["pixels"], 3)
+        assert sum(totals["spans"].values()) == totals["pixels"]
+        pixels.add(totals["pixels"])
+        cycles[machine, form] = totals["cycles"]
+    assert len(pixels) == 1
+    for form in FORMS:
+        assert cycles["a1200-fast", form] < cycles["a1200", form]
+    for machine in emulator.MACHINES:
+        assert cycles[machine, "addx"] < cycles[machine, "swap"] < cycles[machine, "c"]
+
+
+def test_pixel_counts_are_the_models(folder, runs):
+    scene = compile_scene(folder / "small.toml")
+    frames = json.loads((runs["a1200", "addx"] / "run.json").read_text())["frames"]
+    for frame in frames:
+        polygons = [model.set_up(vertices_at(scene, obj, frame["number"]), 64, 48,
+                                 scene.materials[obj.material][0] >= 0) for obj in scene.objects]
+        assert frame["pixels"] == sum(polygon.pixels for polygon in polygons)
+
+
+def test_pictures_are_the_dumps(runs):
+    out = runs["a1200-fast", "addx"]
+    palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
+    assert names(out) == ["animation.gif", *(f"frame_{n:03}.{end}" for n in range(3)
+                                             for end in ("chunky", "png")), "run.json"]
+    with Image.open(out / "animation.gif") as animation:
+        assert (animation.n_frames, animation.info["loop"]) == (3, 0)
+        for number, dump in enumerate(dumps(out)):
+            colours = palette[np.frombuffer(dump, np.uint8).reshape(48, 64)]
+            with Image.open(out / f"frame_{number:03}.png") as picture:
+                assert picture.mode == "P"
+                assert (np.array(picture.convert("RGB")) == colours).all()
+            animation.seek(number)
+            assert animation.info["duration"] == 40
+            assert (np.array(animation.convert("RGB")) == colours).all()
+
+
+def test_texture_is_upright_and_exact(folder, capsys):
+    """A square that shows the map 1:1 is the picture itself, pixel by pixel."""
+    text = SMALL[:SMALL.index("[[objects]]")].replace("64", "256").replace("48", "256")
+    (folder / "upright.toml").write_text(
+        text + '[[objects]]\nmaterial = "wall"\n'
+        "vertices = [[0, 0, 0, 0], [256, 0, 256, 0], [256, 256, 256, 256], [0, 256, 0, 256]]\n")
+    out = folder / "out" / "upright"
+    assert main(["run", str(folder / "upright.toml"), "-o", str(out), "--frames", "1"]) == 0
+    with Image.open(out / "frame_000.png") as shown, Image.open(folder / "wall.png") as picture:
+        assert shown.convert("RGB").tobytes() == picture.tobytes()
+    scene = compile_scene(folder / "upright.toml", 1)
+    assert dumps(out) == [scene.textures[0].tobytes()]
+    assert not (out / "animation.gif").exists()
+    assert capsys.readouterr().out.splitlines()[-1].split() == ["pictures", f"{out}/frame_000.png"]
+
+
+def test_default_scene_through_the_script(tmp_path):
+    """Two frames; an earlier run's files go, the user's stay."""
+    out = tmp_path / "deep" / "out"
+    out.mkdir(parents=True)
+    for name in ("frame_002.png", "frame_777.chunky", "frame_notes.png", "mine.txt"):
+        (out / name).write_text("old")
+    done = subprocess.run(
+        [ROOT / "scripts" / "tmap", "run", SCENES / "default.toml", "-o", "deep/out", "--frames", "2"],
+        cwd=tmp_path, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Polygons in a ring: 320x256 on a1200-fast, form addx" in done.stdout
+    assert done.stdout.splitlines()[-1].endswith(
+        "deep/out/frame_000.png to frame_001.png, animation.gif")
+    scene = compile_scene(SCENES / "default.toml", 2)
+    assert dumps(out) == [model.render(scene, number).tobytes() for number in range(2)]
+    assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
+                          "frame_001.png", "frame_notes.png", "mine.txt", "run.json"]
+
+
+def refused(arguments, capsys) -> str:
+    """The one line of a command that fails."""
+    assert main([str(argument) for argument in arguments]) == 2
+    caught = capsys.readouterr()
+    assert caught.out == "" and caught.err.startswith("tmap: ") and caught.err.count("\n") == 1
+    return caught.err
+
+
+@pytest.mark.parametrize("text, message", [
+    (None, "bad.toml: No such file or directory"),
+    ("width = [", "bad.toml: is not TOML: "),
+    (SMALL.replace("title", "titel"), "bad.toml: titel: unknown field"),
+    (SMALL.replace("wall.png", "roof.png"), "textures.wall.image: roof.png: no such file"),
+    (SMALL.replace('"wall.png"', '"small.toml"'), "small.toml: not a PNG or JPEG picture"),
+])
+def test_bad_scenes_leave_nothing(folder, tmp_path, capsys, text, message):
+    bad = folder / "bad.toml"
+    bad.unlink(missing_ok=True)
+    if text is not None:
+        bad.write_text(text)
+    assert message in refused(["run", bad, "-o", tmp_path / "out"], capsys)
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("options, message", [
+    (["--frames", "0"], "frames: must be from 1 to 1000"),
+    (["--frames", "1001"], "frames: must be from 1 to 1000"),
+    (["--frames", "two"], "--frames: invalid int value: 'two'"),
+    (["--machine", "a500"], "--machine: invalid choice: 'a500'"),
+    (["--form", "mmx"], "--form: invalid choice: 'mmx'"),
+    (["--speed"], "unrecognized arguments: --speed"),
+])
+def test_bad_options_leave_nothing(folder, tmp_path, capsys, options, message):
+    command = ["run", folder / "small.toml", "-o", tmp_path / "out", *options]
+    assert message in refused(command, capsys)
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("inside", ["", "deeper/out"])
+def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
+    (tmp_path / "out").write_text("mine")
+    out = tmp_path / "out" / inside
+    assert f"{tmp_path}/out: is not a directory" in refused(
+        ["run", folder / "small.toml", "-o", out], capsys)
+    assert (tmp_path / "out").read_text() == "mine"
+
+
+def test_bad_input_through_the_script(tmp_path):
+    for arguments, message in ((["run", "no.toml"], "tmap: no.toml: No such file or directory\n"),
+                               ([], "tmap: usage: the following arguments are required: COMMAND; "
+                                    "see tmap --help\n"),
+                               (["play"], "tmap: usage: argument COMMAND: invalid choice: 'play'")):
+        done = subprocess.run([ROOT / "scripts" / "tmap", *arguments], cwd=tmp_path,
+                              capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr.startswith(message) and done.stderr.count("\n") == 1
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("thrown, status, message", [
+    (KeyboardInterrupt(), 130, "tmap: interrupted\n"),
+    (OSError(28, "No space left on device", "x"), 2, "tmap: x: No space left on device\n")])
+def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, monkeypatch, thrown,
+                                                    status, message):
+    emulators = []
+
+    def wait(process, volume, on_output):
+        emulators.append(process)
+        raise thrown
+
+    monkeypatch.setattr(emulator, "wait", wait)
+    assert main(["run", str(folder / "small.toml"), "-o", str(tmp_path / "out")]) == status
+    assert capsys.readouterr().err == message
+    assert emulators[0].poll() is not None and names(tmp_path) == []
+
+
+def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
+    out = runs["a1200-fast", "c"]
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    monkeypatch.setattr(run, "FRAME_LINE", run.re.compile("nothing matches"))
+    assert "is not the line of frame 0" in refused(["run", folder / "small.toml", "-o", out], capsys)
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+
+
+@pytest.mark.parametrize("output, message", [
+    ("", "0 lines of output for 2 frames; it wrote nothing"),
+    ("frame 0 ticks 5 polygons 1\n", "1 lines of output for 2 frames; its last words: 'frame 0"),
+    ("frame 0 ticks 5 polygons 1\nframe 2 ticks 5 polygons 1\n", "'frame 2 ticks 5 polygons 1' is"),
+    ("frame 0 ticks 5 polygons 1\nframe 1 ticks 5 polygons 1 fill\n", "not the line of frame 1"),
+])
+def test_output_that_does_not_match_the_plan(output, message):
+    with pytest.raises(UserError, match=message):
+        run.parse_output(output, 2)
+
+
+def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
+    scene = compile_scene(folder / "small.toml")
+    drawn = [model.render(scene, number) for number in range(3)]
+    empty = np.full_like(drawn[0], scene.background)
+    for spoil, message in (
+            ({0: empty}, "frame 0: one colour only"), ({2: empty}, "frame 2: one colour only"),
+            ({1: drawn[1][1:]}, r"frame_001.chunky has 3008 bytes, not 64x48"),
+            ({1: None}, "frame_001.chunky is missing"), ({3: empty}, "frame_003.chunky is one frame")):
+        for old in tmp_path.iterdir():
+            old.unlink()
+        for number, frame in (dict(enumerate(drawn)) | spoil).items():
+            if frame is not None:
+                (tmp_path / f"frame_{number:03}.chunky").write_bytes(frame.tobytes())
+        with pytest.raises(UserError, match=message):
+            run.load_dumps(tmp_path, scene)
+
+
+def test_one_colour_where_nothing_is_to_be_seen(folder, tmp_path):
+    (folder / "far.toml").write_text(SMALL.replace("centre = [", "centre = [500, 500]\nmove = ["))
+    scene = compile_scene(folder / "far.toml", 1)
+    (tmp_path / "frame_000.chunky").write_bytes(bytes([scene.background]) * 64 * 48)
+    assert len(run.load_dumps(tmp_path, scene)) == 1

@@ -1,0 +1,126 @@
+"""The command line: ``scripts/tmap COMMAND ...``.
+
+Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed
+run, told in one line; 130 interrupted.
+"""
+
+import argparse
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from .errors import UserError
+from .paths import BUILD, ROOT
+
+FORMS = ("addx", "swap", "c")
+
+
+class Parser(argparse.ArgumentParser):
+    """Argument errors are told in one line, like all others."""
+
+    def error(self, message: str):
+        raise UserError(f"{self.prog.removeprefix('tmap').strip() or 'usage'}: {message}; "
+                        f"see {self.prog} --help")
+
+
+def build_programs() -> None:
+    """Brings the Amiga programs up to date; silent unless that fails."""
+    done = subprocess.run(["make", "-s", "-C", str(ROOT), "programs"], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace")
+    if done.returncode:
+        print(done.stdout, end="", file=sys.stderr)
+        raise UserError("the Amiga programs cannot be built: make programs failed")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Renders a scene."""
+    build_programs()
+    from . import run as tool
+    return tool.command(args.scene, args.out or BUILD / "run" / args.scene.stem, args.machine,
+                        args.frames, args.form)
+
+
+def bench(args: argparse.Namespace) -> int:
+    """Measures the kernels."""
+    build_programs()
+    from . import bench as tool
+    return tool.command(args.out or BUILD / "bench", args.machine, args.only, args.accept)
+
+
+def readme(args: argparse.Namespace) -> int:
+    """Types the tables of the README."""
+    from . import readme as tool
+    return tool.command()
+
+
+def diff(args: argparse.Namespace) -> int:
+    """Compares frames."""
+    from . import diff as tool
+    return tool.diff_command(args.a, args.b, args.out)
+
+
+def parser() -> Parser:
+    """All commands and their arguments."""
+    top = Parser(prog="tmap", description="Texture mapping on an emulated Amiga 1200.")
+    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    def add(function, text: str, **options) -> argparse.ArgumentParser:
+        command = commands.add_parser(function.__name__, help=text, description=text, **options)
+        command.set_defaults(function=function)
+        return command
+
+    command = add(run, "Render a scene: dumps, pictures and run.json.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
+                         help="where to (build/run/SCENE); results of an earlier run are replaced")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
+                         help="chip RAM only, or 8 MB of fast RAM besides (a1200-fast)")
+    command.add_argument("--frames", type=int, metavar="N",
+                         help="how many, from the first (as the scene says)")
+    command.add_argument("--form", choices=FORMS, default=FORMS[0],
+                         help="which span and edge loops (addx); the picture is the same")
+
+    command = add(bench, "Measure every kernel: bench.json, a table and a plot.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/bench)")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-mixed"),
+                         help="one machine instead of all")
+    command.add_argument("--only", metavar="PATTERN", help="kernels with such names, as affine_*")
+    command.add_argument("--accept", action="store_true",
+                         help="make the result the committed baseline")
+
+    add(readme, "Bring the tables of the README up to date.")
+
+    command = add(diff, "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
+    command.add_argument("a", type=Path, metavar="A")
+    command.add_argument("b", type=Path, metavar="B")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
+                         help="where pictures of the differences go")
+    return top
+
+
+def stop(*_) -> None:
+    """Ends by a signal as by an exception, so that no emulator is left behind."""
+    sys.exit(128 + signal.SIGTERM)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Runs one command; returns the exit status."""
+    signal.signal(signal.SIGTERM, stop)
+    for stream in (sys.stdout, sys.stderr):  # a name that is no text must not end in a traceback
+        stream.reconfigure(errors="backslashreplace")
+    try:
+        args = parser().parse_args(arguments)
+        return args.function(args)
+    except UserError as error:
+        print(f"tmap: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"tmap: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
+    except KeyboardInterrupt:
+        print("tmap: interrupted", file=sys.stderr)
+        return 130
+    return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())
