@@ -179,5 +179,5 @@ def test_this_trees_layout():
     assert made.struct("scene_header").fields["width"]["offset"] == 16
     assert made.constants["SCENE_MAGIC"] == 0x544D4150
     text = (paths.LAYOUT.parent / "layout.i").read_text().splitlines()
-    assert "scanline_left equ 0" in text and "scanline_sizeof equ 12" in text
+    assert "scanline_left equ 2" in text and "scanline_sizeof equ 12" in text
     assert json.loads(paths.LAYOUT.read_text()).keys() == {"structs", "constants"}

@@ -14,6 +14,7 @@ extern const struct kernel kernel_table[];
 
 /* src68k/amiga/call.s: contracts there. */
 void call_kernel(uint32 *registers, void (*routine)(void));
-void call_repeat(const uint32 *registers, void (*routine)(void), uint32 times);
+void call_place(void (*routine)(void));
+void call_repeat(const uint32 *registers, uint32 times);
 
 #endif

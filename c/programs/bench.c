@@ -159,9 +159,10 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
     result.ticks = 0;
     if (c->repeats) {
         prepare(c, plan, near, far, registers);
+        call_place(routine);
         quiet_enter();
         clock_start((int32)c->limit);
-        call_repeat(registers, routine, c->repeats);
+        call_repeat(registers, c->repeats);
         result.ticks = clock_stop();
         quiet_leave();
     }

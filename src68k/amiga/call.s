@@ -2,8 +2,10 @@
 ; bench and the tests reach every kernel by its contract.
 
         include "routine.i"
+        include "amiga.i"
 
 REGISTERS               equ     15      ; d0-d7/a0-a6
+CACHE_SIZE              equ     256     ; the 68020's, in bytes
 
 ;==============================================================================
 ; call_kernel - calls a routine once
@@ -44,11 +46,59 @@ REGISTERS               equ     15      ; d0-d7/a0-a6
         rts
 
 ;==============================================================================
-; call_repeat - calls a routine again and again with the same registers
+; call_place - puts the calling loop where it and a routine share no cache line
+;
+; in:      a0  void*   the routine that call_repeat shall call
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+; The 68020's instruction cache is direct-mapped: which of its lines two pieces of
+; code share depends on their addresses modulo 256. With the loop ending where the
+; routine begins, modulo 256, a figure depends on the routine alone, wherever the
+; linker and AmigaDOS put things; routines of up to 256 - LOOP_SIZE bytes stay cached.
+
+        routine call_place,a0
+        movem.l d2-d7/a2-a6,-(sp)
+        move.l  a0,kernel
+        lea     room,a1
+        move.l  a0,d0
+        sub.l   #LOOP_SIZE,d0
+        sub.l   a1,d0
+        and.l   #CACHE_SIZE-1,d0
+        adda.l  d0,a1
+        move.l  a1,loop
+        lea     calling_loop(pc),a0
+        moveq   #LOOP_SIZE/4-1,d0
+.copy   move.l  (a0)+,(a1)+
+        dbra    d0,.copy
+        movea.l 4.w,a6
+        lvo     CacheClearU
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+; Runs as a copy only.
+        cnop    0,4
+calling_loop
+        movem.l registers,d0-d7/a0-a6
+        move.l  a0,-(sp)                ; C's first argument
+        jsr     ([kernel])
+        addq.l  #4,sp
+        subq.l  #1,calls
+        bne.s   calling_loop
+        rts
+        cnop    0,4
+LOOP_SIZE               equ     *-calling_loop
+
+;==============================================================================
+; call_repeat - calls call_place's routine again and again, with the same registers
 ;
 ; in:      a0  int32*  d0-d7/a0-a6 for it
-;          d0  void*   the routine
-;          d1  int32   how often, 1 or more
+;          d0  int32   how often, 1 or more
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the block
@@ -57,20 +107,14 @@ REGISTERS               equ     15      ; d0-d7/a0-a6
 ; error:   -
 ; cost:    the same for every routine: measure one that only returns
 ;==============================================================================
-        routine call_repeat,a0,d0,d1
+        routine call_repeat,a0,d0
         movem.l d2-d7/a2-a6,-(sp)
-        move.l  d0,kernel
-        move.l  d1,calls
+        move.l  d0,calls
         lea     registers,a1
         moveq   #REGISTERS-1,d1
 .copy   move.l  (a0)+,(a1)+
         dbra    d1,.copy
-.call   movem.l registers,d0-d7/a0-a6
-        move.l  a0,-(sp)
-        jsr     ([kernel])
-        addq.l  #4,sp
-        subq.l  #1,calls
-        bne.s   .call
+        jsr     ([loop])
         movem.l (sp)+,d2-d7/a2-a6
         rts
 
@@ -78,4 +122,6 @@ REGISTERS               equ     15      ; d0-d7/a0-a6
 kernel          ds.l    1
 stack           ds.l    1
 calls           ds.l    1
+loop            ds.l    1
 registers       ds.l    REGISTERS
+room            ds.b    CACHE_SIZE+LOOP_SIZE
