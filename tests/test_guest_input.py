@@ -101,7 +101,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         cases += [(changed(source, at, value, "scene_header", "width"),
                    f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
     cases += [(bytes(3 << 20), ": does not fit into memory"),
-              (scene_file.write(example(14)), NOT_A_SCENE + "textures: not enough memory")]
+              (scene_file.write(example(14)), ": not enough memory for the textures")]
     return cases
 
 

@@ -2,8 +2,8 @@
 
 A run has one private directory: it is the boot volume, holds the programs, their
 input and whatever they write. The guest's start-up script runs each command with
-its output in ``N.log``, writes its return code to ``N.code``, and at last
-``uaequit end`` writes ``end`` (the sentinel) and leaves the emulator.
+its output in ``N.log``, writes its return code to ``N.code``, and at last writes
+``end`` (the sentinel) and leaves the emulator by ``uaequit``.
 """
 
 import contextlib
@@ -126,7 +126,7 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
     for number, command in enumerate(commands):
         program, _, arguments = command.partition(" ")
         script += [f"{program} >{number}.log {arguments}", f"echo >{number}.code $RC"]
-    script.append("uaequit end")
+    script += ["echo >end", "uaequit"]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
     options = OPTIONS | MACHINES[machine] | {
         "base_dir": str(directory / "base"), "hard_drive_0": str(volume)}

@@ -20,25 +20,9 @@ static const struct kernel c_kernels[] = {
     {0, 0}
 };
 
-static int32 refuse(const char *name, const char *why)
-{
-    text_add(name);
-    text_add(": ");
-    text_add(why);
-    text_print();
-    return 0;
-}
-
-static int32 same_text(const char *a, const char *b)
-{
-    while (*a && *a == *b)
-        a++, b++;
-    return *a == *b;
-}
-
 static void (*find(const struct kernel *kernel, const char *name))(void)
 {
-    while (kernel->name && !same_text(kernel->name, name))
+    while (kernel->name && !text_same(kernel->name, name))
         kernel++;
     return kernel->routine;
 }
@@ -49,17 +33,17 @@ static int32 usable(const uint8 *plan, uint32 bytes, const char *name)
     const uint32 summed = (uint32)((const uint8 *)&h->cases - plan);
 
     if (bytes < sizeof *h)
-        return refuse(name, "not a usable plan file: size");
+        return text_refuse(name, "not a usable plan file: size");
     if (h->magic != PLAN_MAGIC)
-        return refuse(name, "not a usable plan file: magic");
+        return text_refuse(name, "not a usable plan file: magic");
     if (h->version != PLAN_VERSION)
-        return refuse(name, "not a usable plan file: version");
+        return text_refuse(name, "not a usable plan file: version");
     if (h->size != bytes)
-        return refuse(name, "not a usable plan file: size");
+        return text_refuse(name, "not a usable plan file: size");
     if (h->checksum != crc32(plan + summed, bytes - summed))
-        return refuse(name, "not a usable plan file: checksum");
+        return text_refuse(name, "not a usable plan file: checksum");
     if (!table_inside(h->cases_at, h->cases, sizeof(struct plan_case), bytes))
-        return refuse(name, "not a usable plan file: cases_at");
+        return text_refuse(name, "not a usable plan file: cases_at");
     return 1;
 }
 
@@ -141,7 +125,7 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
     if (!routine)
         routine = find(c_kernels, name);
     if (!routine)
-        return refuse(name, "no such kernel");
+        return text_refuse(name, "no such kernel");
     prepare(c, plan, near, far, registers);
     quiet_enter();
     clock_start((int32)c->limit);
@@ -150,7 +134,7 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
     quiet_leave();
     if (file_write(file, near, (int32)c->near) != (int32)c->near
         || file_write(file, far, (int32)c->far) != (int32)c->far)
-        return refuse(name, "results cannot be written");
+        return text_refuse(name, "results cannot be written");
     result.near = (uint32)near;
     result.far = (uint32)far;
     for (int32 i = 0; i < PLAN_REGISTERS; i++)
@@ -167,7 +151,7 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
         quiet_leave();
     }
     if (file_write(file, &result, sizeof result) != sizeof result)
-        return refuse(name, "results cannot be written");
+        return text_refuse(name, "results cannot be written");
     return 1;
 }
 
@@ -219,7 +203,7 @@ static int32 usable_cases(const struct plan_case *cases, uint32 count, const uin
             text_add(name);
             text_add(": not a usable plan file: case ");
             text_number((int32)i);
-            return refuse("", wrong);
+            return text_refuse("", wrong);
         }
     }
     return 1;
@@ -234,7 +218,7 @@ static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 r
     if (!usable_cases(cases, header->cases, plan, bytes, name))
         return 0;
     if (!make_arenas(&arenas, cases, header->cases))
-        return refuse(name, "not enough memory");
+        return text_refuse(name, "not enough memory");
     for (uint32 i = 0; i < header->cases; i++) {
         text_add("case ");
         text_number((int32)i);
@@ -267,7 +251,7 @@ int main(void)
         return RETURN_FAIL;
     results = file_open((const char *)args[RESULTS], FILE_NEW);
     if (!results) {
-        refuse((const char *)args[RESULTS], "cannot be created");
+        text_refuse((const char *)args[RESULTS], "cannot be created");
         return RETURN_FAIL;
     }
     if (!clock_open()) {

@@ -20,18 +20,9 @@ static const char *const span_names[SPAN_KINDS] = {
     "fill", "affine_addx", "affine_addx_wrap", "affine_swap", "affine_c"
 };
 
-static int32 same_text(const char *a, const char *b)
-{
-    while (*a && *a == *b)
-        a++, b++;
-    return *a == *b;
-}
-
 static int32 fail(const char *why)
 {
-    text_add("render: ");
-    text_add(why);
-    text_print();
+    text_refuse("render", why);
     return RETURN_FAIL;
 }
 
@@ -135,11 +126,11 @@ int main(void)
     if (args[FORM]) {
         const char *name = (const char *)args[FORM];
 
-        if (same_text(name, "swap"))
+        if (text_same(name, "swap"))
             form = FORM_SWAP;
-        else if (same_text(name, "c"))
+        else if (text_same(name, "c"))
             form = FORM_C;
-        else if (!same_text(name, "addx"))
+        else if (!text_same(name, "addx"))
             return fail("FORM: not one of addx, swap, c");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;

@@ -7,10 +7,7 @@
 static int32 refuse(const char *name, const char *field)
 {
     text_add(name);
-    text_add(": not a usable scene file: ");
-    text_add(field);
-    text_print();
-    return 0;
+    return text_refuse(": not a usable scene file", field);
 }
 
 /* Behind the header, inside the file, and not too long. */
@@ -113,7 +110,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         uint32 *to;
 
         if (!mem_alloc(&maps, (int32)((header->textures + 1) * MAP_BYTES), kind))
-            return refuse(name, "textures: not enough memory");
+            return text_refuse(name, "not enough memory for the textures");
         scene->maps = maps + ((0 - (uint32)maps) & (MAP_BYTES - 1));
         for (to = (uint32 *)scene->maps; longs; longs--)
             *to++ = *from++;

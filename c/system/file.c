@@ -3,34 +3,25 @@
 #include "system/system.h"
 #include "system/text.h"
 
-static int32 refuse(const char *name, const char *why)
-{
-    text_add(name);
-    text_add(": ");
-    text_add(why);
-    text_print();
-    return 0;
-}
-
 int32 file_load(const char *name, uint8 **data, uint32 *bytes)
 {
     int32 file = file_open(name, FILE_OLD), size, got;
 
     if (!file)
-        return refuse(name, "cannot be opened");
+        return text_refuse(name, "cannot be opened");
     size = file_size(file);
     if (size <= 0) {
         file_close(file);
-        return refuse(name, "is empty");
+        return text_refuse(name, "is empty");
     }
     if (!mem_alloc(data, size, MEMORY_ANY)) {
         file_close(file);
-        return refuse(name, "does not fit into memory");
+        return text_refuse(name, "does not fit into memory");
     }
     got = file_read(file, *data, size);
     file_close(file);
     if (got != size)
-        return refuse(name, "cannot be read to its end");
+        return text_refuse(name, "cannot be read to its end");
     *bytes = (uint32)size;
     return 1;
 }
@@ -40,10 +31,10 @@ int32 file_save(const char *name, const void *data, uint32 bytes)
     int32 file = file_open(name, FILE_NEW), put;
 
     if (!file)
-        return refuse(name, "cannot be created");
+        return text_refuse(name, "cannot be created");
     put = file_write(file, data, (int32)bytes);
     file_close(file);
-    return put == (int32)bytes ? 1 : refuse(name, "cannot be written");
+    return put == (int32)bytes ? 1 : text_refuse(name, "cannot be written");
 }
 
 uint32 crc32(const uint8 *data, uint32 bytes)

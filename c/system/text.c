@@ -36,3 +36,19 @@ void text_print(void)
     length = 0;
     print(line);
 }
+
+int32 text_refuse(const char *name, const char *why)
+{
+    text_add(name);
+    text_add(": ");
+    text_add(why);
+    text_print();
+    return 0;
+}
+
+int32 text_same(const char *a, const char *b)
+{
+    while (*a && *a == *b)
+        a++, b++;
+    return *a == *b;
+}

@@ -11,4 +11,9 @@ void text_number(int32 value);
 /* Prints the line and a line feed, and starts a new one. */
 void text_print(void);
 
+/* Prints "name: why" after what was added; returns 0, so that callers can return it. */
+int32 text_refuse(const char *name, const char *why);
+
+int32 text_same(const char *a, const char *b);
+
 #endif

@@ -1,17 +1,26 @@
-; Files, console text, arguments and memory, through dos and exec. What a
-; program opens or allocates is noted here and released when it ends.
+; Files, console text and arguments, through dos. What a program opens is noted
+; here and closed when it ends.
 
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
         xref    dos_base
         xdef    file_close_all
-        xdef    mem_free_all
 
 FILES                   equ     8
-BLOCK_SIZE              equ     4       ; head of an allocated block: next, size
-BLOCK_HEAD              equ     8
+
+; Handle d0, address d1, a0 bytes: Read and Write differ in nothing else.
+transfer macro
+        movem.l d2/d3/a6,-(sp)
+        move.l  d1,d2
+        move.l  a0,d3
+        lea     files,a0
+        move.l  -4(a0,d0.l*4),d1
+        movea.l dos_base,a6
+        lvo     \1
+        movem.l (sp)+,d2/d3/a6
+        rts
+        endm
 
 ;==============================================================================
 ; file_open - opens a file
@@ -65,15 +74,7 @@ BLOCK_HEAD              equ     8
 ; cost:    -
 ;==============================================================================
         routine file_read,d0,d1,a0
-        movem.l d2/d3/a6,-(sp)
-        move.l  d1,d2
-        move.l  a0,d3
-        lea     files,a0
-        move.l  -4(a0,d0.l*4),d1
-        movea.l dos_base,a6
-        lvo     Read
-        movem.l (sp)+,d2/d3/a6
-        rts
+        transfer Read
 
 ;==============================================================================
 ; file_write - writes to an open file
@@ -90,15 +91,7 @@ BLOCK_HEAD              equ     8
 ; cost:    -
 ;==============================================================================
         routine file_write,d0,d1,a0
-        movem.l d2/d3/a6,-(sp)
-        move.l  d1,d2
-        move.l  a0,d3
-        lea     files,a0
-        move.l  -4(a0,d0.l*4),d1
-        movea.l dos_base,a6
-        lvo     Write
-        movem.l (sp)+,d2/d3/a6
-        rts
+        transfer Write
 
 ;==============================================================================
 ; file_size - length of an open file; its position returns to the start
@@ -205,43 +198,6 @@ BLOCK_HEAD              equ     8
         rts
 
 ;==============================================================================
-; mem_alloc - allocates cleared memory, freed at the program's end
-;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  *d0
-; formats: -
-; error:   *d0 is left alone where memory is short
-; cost:    -
-;==============================================================================
-        routine mem_alloc,d0,d1,a0
-        movem.l d2/d3/a6,-(sp)
-        move.l  d0,d2
-        move.l  d1,d3
-        addq.l  #BLOCK_HEAD,d3
-        move.l  d3,d0
-        move.l  a0,d1
-        or.l    #MEMF_CLEAR,d1
-        movea.l sys_base,a6
-        lvo     AllocMem
-        tst.l   d0
-        beq.s   .short
-        movea.l d0,a0
-        move.l  blocks,(a0)
-        move.l  d3,BLOCK_SIZE(a0)
-        move.l  a0,blocks
-        addq.l  #BLOCK_HEAD,d0
-        movea.l d2,a0
-        move.l  d0,(a0)
-        moveq   #1,d0
-.short  movem.l (sp)+,d2/d3/a6
-        rts
-
-;==============================================================================
 ; file_close_all - closes what is open and frees the arguments
 ;
 ; in:      -
@@ -273,35 +229,6 @@ file_close_all:
         movem.l (sp)+,d2/a2/a6
         rts
 
-;==============================================================================
-; mem_free_all - frees every block of mem_alloc
-;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  the list of blocks
-; formats: -
-; error:   -
-; cost:    -
-;==============================================================================
-mem_free_all:
-        movem.l a2/a6,-(sp)
-        movea.l sys_base,a6
-        move.l  blocks,d0
-        bra.s   .test
-.block  movea.l d0,a1
-        move.l  BLOCK_SIZE(a1),d0
-        movea.l (a1),a2
-        lvo     FreeMem
-        move.l  a2,d0
-.test   tst.l   d0
-        bne.s   .block
-        clr.l   blocks
-        movem.l (sp)+,a2/a6
-        rts
-
         section .bss.dos,bss
 files           ds.l    FILES
 read_args       ds.l    1
-blocks          ds.l    1
