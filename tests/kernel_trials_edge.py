@@ -5,6 +5,7 @@ import numpy as np
 from kernel_checker import Memory, Trial, Write, values
 from tools import layout
 from tools.kernels import M32, Case
+from tools.scanline import MASKS, pack, rounded_edge
 
 BIAS = 16384
 ONE = 65536
@@ -14,29 +15,16 @@ SLOPES = (0, 1, -1, ONE, -ONE, 3 * ONE, -5 * ONE, ONE + 1, -ONE - 1, ONE - 1, 1 
 SPLITS = (((1,), (1,)), ((9,), (9,)), ((3, 1, 5), (9,)), ((9,), (4, 5)), ((1, 1, 1, 1), (2, 2)),
           ((2, 7), (7, 2)), ((40,), (13, 27)), ((5, 6, 7, 8, 9, 10), (45,)), ((1, 63), (64,)))
 STEPS = (0, 1, -1, 256, ONE, -ONE, 0x18000, -0x18000, 0x7FFFFFFF, -0x80000000)
-#: Bits of start0 and start1 that count: start1 of the addx form is v--U.
-MASKS = {"addx": (M32, 0xFF0000FF), "swap": (M32, M32)}
-FIELDS = ("left", "count", "start0", "start1")
+#: How each stepper packs u and v.
+FORMS = {"addx": "addx", "plain": "plain", "swap": "plain", "flat": "flat", "right": "flat"}
 #: Lines of a table behind the last one in use: nobody may touch them.
 SPARE = 2
 
 
-def pack(form: str, u: int, v: int) -> tuple[int, int]:
-    """start0 and start1 of u and v, 16.16."""
-    if form == "swap":
-        return u & M32, v & M32
-    return (u & 0xFFFF) << 16 | v >> 8 & 0xFFFF, (v & 0xFF) << 24 | u >> 16 & 0xFF
-
-
-def ceiling(x: int) -> int:
-    """The smallest integer not below a 16.16 number."""
-    return -(-x // ONE)
-
-
-def table_writes(at: int, lines: list[dict[str, int]], form: str = "swap") -> list[Write]:
+def table_writes(at: int, lines: list[dict[str, int]], form: str = "flat") -> list[Write]:
     """The fields that lines of a table get."""
+    masks = MASKS[form]
     shape = layout.load().struct("scanline")
-    masks = dict(zip(("start0", "start1"), MASKS[form]))
     writes = []
     for index, line in enumerate(lines):
         for name, value in line.items():
@@ -49,38 +37,56 @@ def table_writes(at: int, lines: list[dict[str, int]], form: str = "swap") -> li
     return writes
 
 
-def side(rng, split: tuple[int, ...], slope: int | None) -> list[dict[str, int]]:
+def side(rng, split: tuple[int, ...], slope: int | None, exact: bool) -> list[dict[str, int]]:
     """Edges whose x stays within the frame's range; the slope, or any."""
     edges = []
     for lines in split:
         k = slope if slope is not None else \
             int(rng.choice(SLOPES)) if rng.integers(2) else int(rng.integers(-300 * ONE, 300 * ONE))
-        travel = (lines - 1) * k
-        low, high = 1 + max(-travel, 0), 2 * BIAS * ONE - 1 - max(travel, 0)
+        travel = [(lines - 1) * slope for slope in
+                  ([k // ONE * ONE, k // ONE * ONE + ONE] if exact else [k])]
+        low = 1 + max(-travel[0], 0) + ONE
+        high = 2 * BIAS * ONE - 1 - max(travel[-1], 0) - ONE
         if high < low:  # too steep for so many lines
-            return side(rng, split, k // 2)
+            return side(rng, split, k // 2, exact)
         x = int(rng.choice([low, high])) if rng.integers(5) == 0 else int(rng.integers(low, high + 1))
         if rng.integers(4) == 0 and low <= x // ONE * ONE <= high:
             x = x // ONE * ONE  # on a pixel's centre
-        edges.append(dict(lines=lines, x=x, slope=k, u=int(rng.integers(0, 1 << 32)),
-                          v=int(rng.integers(0, 1 << 32))))
+        texels = {name: int(rng.integers(0, 1 << 32)) for name in ("u", "v")}
+        texels |= {name: int(rng.integers(-1 << 31, 1 << 31)) for name in ("du", "dv")}
+        edge = rounded_edge(lines, x, k, **texels)
+        if exact:
+            height = int(rng.choice((1, 2, 3, ONE, (1 << 31) - 1, rng.integers(1, 1 << 31))))
+            part = int(rng.choice((0, height - 1, rng.integers(0, height))))
+            error = (1 << 32) - int(rng.choice((1, height, rng.integers(1, height + 1))))
+            edge |= dict(height=height, part=part, error=error)
+        edges.append(edge)
     return edges
 
 
+def edge_columns(edge: dict[str, int]) -> list[int]:
+    """The first pixel right of an edge on each line, biased."""
+    if edge["height"]:  # how far x lies below its ceil, in 1/height
+        below = (1 << 32) - 1 - edge["error"]
+        moved = [-((below - n * edge["part"]) // edge["height"]) for n in range(edge["lines"])]
+    else:
+        moved = [edge["error"] + n * edge["part"] >> 32 for n in range(edge["lines"])]
+    return [edge["x"] + n * edge["whole"] + more for n, more in enumerate(moved)]
+
+
 def columns(edges: list[dict[str, int]]) -> list[int]:
-    """The first pixel right of a side on each line, biased."""
-    return [ceiling(e["x"] + n * e["slope"]) for e in edges for n in range(e["lines"])]
+    """The same of a whole side."""
+    return [x for edge in edges for x in edge_columns(edge)]
 
 
-def starts(edges, form: str, dudx: int, dvdx: int, dudy: int, dvdy: int) -> list[tuple[int, int]]:
+def starts(edges, form: str, dudx: int, dvdx: int) -> list[dict[str, int]]:
     """The packed u and v of each line."""
     found = []
     for e in edges:
-        first = ceiling(e["x"])
-        for n in range(e["lines"]):
-            moved = ceiling(e["x"] + n * e["slope"]) - first
-            found.append(pack(form, e["u"] + n * dudy + moved * dudx & M32,
-                              e["v"] + n * dvdy + moved * dvdx & M32))
+        for n, x in enumerate(edge_columns(e)):
+            more = x - e["x"] - n * e["whole"]
+            found.append(pack(form, e["u"] + n * e["du"] + more * dudx,
+                              e["v"] + n * e["dv"] + more * dvdx))
     return found
 
 
@@ -94,29 +100,28 @@ def edge_trial(kernel: str, lefts, rights, steps: dict[str, int], rng) -> Trial:
               for name, edges in (("left", lefts), ("right", rights))]
     plan = memory.struct("edge_plan", dict(lines=table, left=places[0], right=places[1]),
                          lefts=len(lefts), rights=len(rights), **steps)
-    form = kernel.removeprefix("edge_")
-    if kernel == "edge_right":  # left is there already
+    form = FORMS[kernel.split("_")[1]]
+    if kernel.startswith("edge_right"):  # left is there already
         left = [int(x) for x in rng.integers(1, 2 * BIAS, len(left))]
         for write in table_writes(table, [{"left": x} for x in left]):
             memory.data[write.at:write.at + 2] = write.expected
-    lines = [{"left": a, "count": b - a} for a, b in zip(left, right)]
-    if kernel == "edge_right":
-        lines = [{"count": line["count"]} for line in lines]
-    elif form in MASKS:
-        for line, packed in zip(lines, starts(lefts, form, **steps)):
-            line |= dict(zip(("start0", "start1"), packed))
-    register = "a6" if kernel == "edge_right" else "a0"
+        lines = [{"count": b - a} for a, b in zip(left, right)]
+    else:
+        lines = [{"left": a, "count": b - a} | start
+                 for a, b, start in zip(left, right, starts(lefts, form, **steps))]
+    register = "a6" if kernel.startswith("edge_right") else "a0"
     sides = "; ".join(
         f"{name} " + ", ".join(f"{e['lines']} lines: " + values(
-            **{k: e[k] for k in ("x", "slope", "u", "v")[:4 if name == "left" else 2]}) for e in edges)
+            **{k: e[k] for k in ("x", "whole", "error", "part", "height", "u", "v", "du", "dv")
+               [:9 if name == "left" else 5]}) for e in edges)
         for name, edges in (("left", lefts), ("right", rights)))
     return Trial(Case(kernel, memory, pointers={register: plan}), f"{sides}; {values(**steps)}",
-                 writes=table_writes(table, lines, form if form in MASKS else "swap"))
+                 writes=table_writes(table, lines, form))
 
 
 def edge_trials(kernel: str, rng) -> list[Trial]:
     def steps(choice) -> dict[str, int]:
-        return {name: choice() for name in ("dudx", "dvdx", "dudy", "dvdy")}
+        return {name: choice() for name in ("dudx", "dvdx")}
 
     def fixed() -> int:
         return int(rng.choice(STEPS))
@@ -124,16 +129,18 @@ def edge_trials(kernel: str, rng) -> list[Trial]:
     def any_step() -> int:
         return int(rng.integers(-1 << 31, 1 << 31))
 
-    made = [edge_trial(kernel, side(rng, (12,), k), side(rng, (5, 7), -k), steps(fixed), rng)
-            for k in SLOPES]
-    made += [edge_trial(kernel, side(rng, a, None), side(rng, b, None), steps(choice), rng)
+    exact = kernel.endswith("_exact")
+    made = [edge_trial(kernel, side(rng, (12,), k, exact), side(rng, (5, 7), -k, exact),
+                       steps(fixed), rng) for k in SLOPES]
+    made += [edge_trial(kernel, side(rng, a, None, exact), side(rng, b, None, exact),
+                        steps(choice), rng)
              for a, b in SPLITS for choice in (fixed, any_step) for _ in range(3)]
     return made
 
 
 def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     """One call of a scissor routine on a table with lines on all sides of the borders."""
-    form = kernel.removeprefix("scissor_")
+    form = kernel.split("_")[1]
     near = [0, 1, 2, 100, BIAS - 1]
     lefts = {BIAS - k for k in near if k < BIAS} | {BIAS + k for k in near} \
         | {BIAS + width + k for k in (-1, 0, 1)} | {1, 2 * BIAS}
@@ -146,23 +153,21 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     lines, before = [], []
     for index, (left, right) in enumerate(pairs):
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        packed = pack(form if form in MASKS else "swap", u, v)
+        packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by additions before
-            packed = packed[0], packed[1] | int(rng.integers(0, 0x8000)) << 8
-        table[index] = tuple(dict(zip(FIELDS, (left, right - left, *packed)))[f] for f in shape.fields)
+            packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
+        for field, value in (packed | {"left": left, "count": right - left}).items():
+            table[index][field] = value
         before.append(f"(from column {left - BIAS} to {right - BIAS}, {values(u=u, v=v)})")
         first, end = max(left, BIAS), min(right, BIAS + width)
-        line = {"left": first, "count": end - first}
-        if form in MASKS:
-            line |= dict(zip(("start0", "start1"), pack(
-                form, u + (first - left) * dudx & M32, v + (first - left) * dvdx & M32)))
-        lines.append(line)
+        lines.append({"left": first, "count": end - first} | pack(
+            form, u + (first - left) * dudx, v + (first - left) * dvdx))
     at = memory.add(table.tobytes(), name="lines", shape=shape)
     plan = memory.struct("scissor_plan", dict(lines=at), count=len(lines), width=width,
                          dudx=dudx, dvdx=dvdx)
     # A line with nothing left may hold anything, but for a count above 0.
     writes = []
-    for write, line in zip(table_writes(at, lines, form if form in MASKS else "swap"),
+    for write, line in zip(table_writes(at, lines, form),
                            (line for line in lines for _ in line)):
         is_empty = line["count"] <= 0
         writes.append(write._replace(mask=bytes(len(write.mask))) if is_empty else write)
@@ -197,7 +202,9 @@ def scissor_trials(kernel: str, rng) -> list[Trial]:
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     made = []
-    for seed, form in enumerate(("addx", "swap", "flat")):
-        made += edge_trials(f"edge_{form}", np.random.default_rng([1, seed]))
+    for seed, form in enumerate(("addx", "plain", "swap", "flat", "right")):
+        for exact in ("", "_exact") if form != "swap" else ("",):
+            made += edge_trials(f"edge_{form}{exact}", np.random.default_rng([1, seed, len(exact)]))
+    for seed, form in enumerate(("addx", "plain", "flat")):
         made += scissor_trials(f"scissor_{form}", np.random.default_rng([2, seed]))
-    return made + edge_trials("edge_right", np.random.default_rng([1, 3]))
+    return made

@@ -74,7 +74,7 @@ def wide_mul_trials(rng) -> list[Trial]:
 def vectors(kernel: str, out: str, e1: tuple, e2: tuple):
     """The case of a routine that takes two vectors; where its result goes."""
     memory = Memory()
-    at = [memory.struct("vertex", {}, **dict(zip("xyst", e))) for e in (e1, e2)]
+    at = [memory.struct("vertex", {}, shade=0, **dict(zip("xyst", e))) for e in (e1, e2)]
     out_at = memory.room(out)
     pointers = {"a0": at[0], "a1": at[1], "d0": out_at}
     return Case(kernel, memory, pointers=pointers), out_at
@@ -186,8 +186,44 @@ def gradients_trials(rng) -> list[Trial]:
     return [trial for trial in trials if trial]
 
 
+def edge_exact_trial(upper: tuple[int, int], lower: tuple[int, int], line: int) -> Trial:
+    """One edge from a line on; x and y are 16.16."""
+    memory = Memory()
+    at = [memory.struct("vertex", {}, x=x, y=y, s=0, t=0, shade=0) for x, y in (upper, lower)]
+    out = memory.room("edge")
+    width, height = lower[0] - upper[0], lower[1] - upper[1]
+    numerator = upper[0] * height + width * ((line << 16) - upper[1])  # of x in 16.16
+    pixels = -(-numerator // (height << 16))
+    below = (pixels * height << 16) - numerator >> 16
+    wanted = {"x": pixels + 16384, "whole": width // height, "error": ~below,
+              "part": width % height, "height": height}
+    fields = layout.load().struct("edge").fields
+    return Trial(
+        Case("edge_exact", memory, {"d1": line}, {"a0": out, "a1": at[0], "d0": at[1]}),
+        values(x0=upper[0], y0=upper[1], x1=lower[0], y1=lower[1], line=line),
+        writes=[Write(out + fields[name]["offset"], longs(value)) for name, value in wanted.items()])
+
+
+def edge_exact_trials(rng) -> list[Trial]:
+    far = (16384 << 16) - 1
+    ends = [((0, 0), (0, 1), 0), ((-far, -far), (far, far), 0), ((far, -far), (-far, far), 16383),
+            ((-far, -far), (far, far), -16383), ((far, -1), (-far, 0), 0), ((5, -1), (7, 1), 0),
+            ((-far, 0), (far, 1), 0), ((1 << 16, 3 << 16), (-1 << 16, 5 << 16), 4),
+            ((0x8000, -0x8000), (0x18000, 0x18000), 1), ((7, 0), (7, 9 << 16), 9)]
+    for _ in range(300):
+        x0, x1, y0 = (any_size(rng, 30) for _ in range(3))
+        y1 = y0 + int(rng.integers(1, 1 << int(rng.integers(1, 31))))
+        first, last = y0 + 0xFFFF >> 16, y1 >> 16
+        if y1 > far or last < first:
+            continue
+        for line in {first, last, int(rng.integers(first, last + 1))}:
+            ends.append(((x0, y0), (x1, y1), line))
+    return [edge_exact_trial(*end) for end in ends]
+
+
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    makers = (mul_fix_trials, mul_div_trials, wide_mul_trials, cross_trials, gradients_trials)
+    makers = (mul_fix_trials, mul_div_trials, wide_mul_trials, cross_trials, gradients_trials,
+              edge_exact_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed))]

@@ -5,9 +5,10 @@ from functools import cache
 import numpy as np
 
 from kernel_checker import Memory, Trial, Write, both, values
-from kernel_trials_edge import BIAS, ONE, pack
+from kernel_trials_edge import BIAS, ONE
 from tools import layout
 from tools.kernels import Case
+from tools.scanline import pack
 
 MAP_ALIGN = 65536
 FRAME = 65024
@@ -73,12 +74,12 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
         if kernel == "span_affine_addx":
             u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
-        packed = pack("addx" if "addx" in kernel else "swap", u, v)
+        packed = pack("addx" if "addx" in kernel else "plain", u, v)
         if "addx" in kernel:  # room in v--U, used by the edges' additions
-            packed = packed[0], packed[1] | int(rng.integers(0, 0x8000)) << 8
+            packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
         left = BIAS + k + 4 * int(rng.integers(4))
-        table[index] = tuple(dict(left=left, count=count, start0=packed[0], start1=packed[1])[f]
-                             for f in shape.fields)
+        for field, value in (packed | dict(left=left, count=count)).items():
+            table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
         lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
     memory = Memory(int(rng.integers(1 << 30)))

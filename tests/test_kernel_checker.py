@@ -30,7 +30,7 @@ COMPLAINTS = {
     "span_texel_beside": LINE + r": pixel 0: expected \$[0-9a-f]{2} \(\d+\), found \$",
     "span_leaves_stack": r"sp is off by 4$",
     "span_changes_map": r"map \+ 1234" + CHANGED,
-    "span_changes_lines": r"lines\[0\]\.start1" + CHANGED,
+    "span_changes_lines": r"lines\[0\]\.start2" + CHANGED,
     "span_changes_guard": r"8 bytes past the end of span_plan" + CHANGED,
     "span_hangs": r"exception 256 \(no end: stopped by the watchdog\) at PC \$[0-9a-f]+, "
                   r"in span_hangs\+\$",
@@ -137,7 +137,7 @@ def test_places():
     assert lines >= kernel_checker.GUARD and plane - lines - 36 >= kernel_checker.GUARD
     assert len(memory.data) - last - 7 >= kernel_checker.GUARD
     names = {lines - 1: "1 byte before lines", lines + 36: "1 byte past the end of lines",
-             lines + 12 + 5: "lines[1].start0", plane + 2: "plane.dsdx[0]", plane + 13: "plane.dsdy[1]",
+             lines + 12 + 5: "lines[1].count", plane + 2: "plane.dsdx[0]", plane + 13: "plane.dsdy[1]",
              plane - 2: "2 bytes before plane", last + 3: "last + 3",
              last + 9: "3 bytes past the end of last"}
     assert {at: memory.place(at).name for at in names} == names

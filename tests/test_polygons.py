@@ -103,7 +103,7 @@ def test_scenes_hold_what_they_promise() -> None:
         off += any(not (0 <= x < this.width << 16 and 0 <= y < this.height << 16)
                    for x, y, *_ in vertices)
         if polygon:
-            widths = [r - l for l, r in zip(polygon.left, polygon.right)]
+            widths = [line.right - line.left for line in polygon.lines]
             thin += max(widths) <= 2
             wraps += polygon.texturing.wraps
     assert counts == set(range(3, 9))

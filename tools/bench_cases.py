@@ -12,6 +12,7 @@ import numpy as np
 
 from . import layout
 from .kernels import M32, Arena, Case, Result
+from .scanline import MASKS, pack, rounded_edge
 
 DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 DC = 0x00A00  # shade a pixel, 16.16
@@ -38,17 +39,7 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
-def pack_addx(u: int, v: int) -> tuple[int, int]:
-    """start0 and start1 of the addx form for u, v in 16.16."""
-    return (u << 16 & 0xFFFF0000) | (v >> 8 & 0xFFFF), (v << 24 & 0xFF000000) | (u >> 16 & 0xFF)
-
-
-def pack_swap(u: int, v: int) -> tuple[int, int]:
-    """start0 and start1 of the swap form."""
-    return u & M32, v & M32
-
-
-def span_case(kernel: str, pack, length: int):
+def span_case(kernel: str, form: str, length: int):
     """A table of spans of one length; starts such that v wraps once in a long one."""
     rng = np.random.default_rng(length)
     lines = min(128, max(16, 2048 // length))
@@ -61,7 +52,9 @@ def span_case(kernel: str, pack, length: int):
     for k in range(lines):
         u, v = int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))
         starts.append((u, v))
-        entries[k] = (length, constants["EDGE_BIAS"] + k % 4, *pack(u, v))
+        for field, value in pack(form, u, v).items():
+            entries[k][field] = value
+        entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
     table_at = arena.add(entries.tobytes())
     frame_at = far.add(bytes(pitch * lines))
     plan_at = arena.struct(
@@ -90,36 +83,49 @@ def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
             f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
 
 
-def edge_case(kernel: str, start: int):
+def edge_case(name: str):
     """One section of EDGE_LINES lines: left slope -0.7, right slope 1.3 pixels a line."""
+    form, exact = name.split("_")[1], name.endswith("_exact")
+    form = "plain" if form == "swap" else form
     shapes = layout.load()
-    bias, line = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
+    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
     arena = Arena()
-    table_at = arena.add(bytes(line.size * EDGE_LINES))
-    slopes = -45875, 85197
+    table_at = arena.add(bytes(shape.size * EDGE_LINES))
+    height = 1 << 22  # 64 lines; x is in units of height pixels
+    ratios = -45875 * height // 65536, 85197 * height // 65536
+    n = range(EDGE_LINES)
+    slopes = (-45875, 85197)
     starts = (100 + bias) * 65536 + 12345, (110 + bias) * 65536 + 54321
-    sides = [arena.struct("edge", {}, lines=EDGE_LINES, x=x, slope=s, u=100 << 16, v=50 << 16)
-             for x, s in zip(starts, slopes)]
-    plan_at = arena.struct("edge_plan", dict(lines=table_at, left=sides[0], right=sides[1]),
-                           lefts=1, rights=1, dudx=DU, dvdx=DV, dudy=-DV, dvdy=DU)
+    sides, columns = [], []
+    for x, slope, ratio in zip(starts, slopes, ratios):
+        edge = rounded_edge(EDGE_LINES, x, slope)
+        if exact:
+            first = x * height >> 16
+            edge |= {"x": -(-first // height), "error": ~(-first % height) & M32,
+                     "whole": ratio // height, "part": ratio % height, "height": height}
+            columns.append([-(-(first + k * ratio) // height) for k in n])
+        else:
+            columns.append([(x + k * slope + 0xFFFF) >> 16 for k in n])
+        sides.append(edge)
+    whole = sides[0]["whole"]
+    du, dv = -DV + whole * DU, DU + whole * DV  # a line and the whole pixels
+    left_at, right_at = (arena.struct("edge", {}, **edge | {
+        "u": 100 << 16, "v": 50 << 16, "du": du, "dv": dv}) for edge in sides)
+    plan_at = arena.struct("edge_plan", dict(lines=table_at, left=left_at, right=right_at),
+                           lefts=1, rights=1, dudx=DU, dvdx=DV)
 
     def check(result: Result) -> str | None:
-        found = np.frombuffer(result.memory, line.dtype, EDGE_LINES, table_at)
-        n = np.arange(EDGE_LINES)
-        left, right = ((x + n * s + 0xFFFF) >> 16 for x, s in zip(starts, slopes))
-        if (found["left"] != left).any() or (found["count"] != right - left).any():
-            return "left or count differ from x0 + n slope"
-        u = (100 << 16) - n * DV + (left - left[0]) * DU
-        v = (50 << 16) + n * DU + (left - left[0]) * DV
-        packed = [(pack_addx if kernel == "edge_addx" else pack_swap)(int(a), int(b))
-                  for a, b in zip(u, v)]
-        mask = np.array([M32, 0xFF0000FF if kernel == "edge_addx" else M32])
-        pairs = np.stack([found["start0"], found["start1"]], 1) & mask
-        if start and (pairs != np.array(packed)).any():
-            return "the packed starts differ from the plane"
+        found = np.frombuffer(result.memory, shape.dtype, EDGE_LINES, table_at)
+        for k, (left, right) in enumerate(zip(*columns)):
+            moved = left - columns[0][0]
+            wanted = {"left": left, "count": right - left} | pack(
+                form, (100 << 16) - k * DV + moved * DU, (50 << 16) + k * DU + moved * DV)
+            for field, value in wanted.items():
+                if (int(found[k][field]) ^ value) & MASKS[form].get(field, M32):
+                    return f"line {k}: {field} is {found[k][field]}, expected {value}"
         return None
 
-    return EDGE_LINES, Case(kernel, arena, pointers={"a0": plan_at}), check
+    return EDGE_LINES, Case(name, arena, pointers={"a0": plan_at}), check
 
 
 def step_case(form: str, count: int):
@@ -238,10 +244,9 @@ def pixel_rows(chip: bool) -> list[Row]:
     """All rows counted in pixels (or steps of one pixel)."""
     rows = []
     for length in SPAN_LENGTHS:
-        for name, pack in (("affine_addx", pack_addx), ("affine_addx_wrap", pack_addx),
-                           ("affine_swap", pack_swap), ("affine_c", pack_swap),
-                           ("fill", pack_swap)):
-            rows.append(Row(name, length, *span_case(f"span_{name}", pack, length)))
+        for name, form in (("affine_addx", "addx"), ("affine_addx_wrap", "addx"),
+                           ("affine_swap", "plain"), ("affine_c", "plain"), ("fill", "flat")):
+            rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
     for count in (1, 2, 3):
         for form in ("swap", "addx", "chain"):
             rows.append(Row(f"step_{form}_{count}", 1024, *step_case(form, count)))
@@ -256,8 +261,9 @@ def pixel_rows(chip: bool) -> list[Row]:
 
 def line_rows(chip: bool) -> list[Row]:
     """All rows counted in lines: the edge steppers."""
-    rows = [Row(name, EDGE_LINES, *edge_case(name, name != "edge_flat"))
-            for name in ("edge_addx", "edge_swap", "edge_flat")]
+    rows = [Row(name, EDGE_LINES, *edge_case(name)) for name in (
+        "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
+        "edge_flat", "edge_flat_exact")]
     for row in rows:
         row.case.chip = chip
     return rows

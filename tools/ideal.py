@@ -128,12 +128,13 @@ def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
         line = polygon.top + k
         ends = []
         for (edge, y), (numerator, denominator) in zip(pair, extent(vertices, line)):
-            error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
-            bound = (y - edge.first + 1) * UNIT / 2
-            out.edge = max(out.edge, error)
-            out.edge_ratio = max(out.edge_ratio, error / bound)
+            if not edge.exact:
+                error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
+                bound = (y - edge.first + 1) * UNIT / 2
+                out.edge = max(out.edge, error)
+                out.edge_ratio = max(out.edge_ratio, error / bound)
             ends.append(min(max(-(-numerator // (denominator << 16)), 0), width))
-        left, right = polygon.left[k], polygon.right[k]
+        left, right = polygon.lines[k].left, polygon.lines[k].right
         if right > left or ends[1] > ends[0]:
             out.coverage_errors += abs(left - ends[0]) + abs(right - ends[1])
         out.pixels += max(0, right - left)
@@ -148,15 +149,13 @@ def texel_deviation(vertices, polygon: Polygon, out: Deviation) -> None:
     three = [vertices[k] for k in corners(vertices)]
     points = [v[:2] for v in three]
     exact = Plane(points, [v[2] for v in three]), Plane(points, [v[3] for v in three])
-    steps = ((plane.u, plane.dudx, plane.dudy, plane.spare),
-             (plane.v, plane.dvdx, plane.dvdy, 0))
-    for line, (left, right) in enumerate(zip(polygon.left, polygon.right), polygon.top):
-        if right <= left:
+    for y, line in enumerate(polygon.lines, polygon.top):
+        if line.right <= line.left:
             continue
-        for i in (left, right - 1):
-            for coordinate, (start, dx, dy, spare) in zip(exact, steps):
-                found = start + (i - plane.i) * dx + (line - plane.j) * dy
-                error = abs(coordinate.error(found, i, line))
-                bound = coordinate.bound(i, line, plane.i, plane.j, spare)
+        for i in (line.left, line.right - 1):
+            ends = (line.u, line.dudx, plane.spare), (line.v, line.dvdx, 0)
+            for coordinate, (start, step, spare) in zip(exact, ends):
+                error = abs(coordinate.error(start + (i - line.left) * step, i, y))
+                bound = coordinate.bound(i, y, plane.i, plane.j, spare)
                 out.texel = max(out.texel, error)
                 out.texel_ratio = max(out.texel_ratio, error / bound)

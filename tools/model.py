@@ -35,6 +35,11 @@ def mul_div(a: int, b: int, c: int) -> int:
     return (a * b + (c >> 1)) // c
 
 
+def mul(a: int, b: int) -> int:
+    """a * b of two 16.16 numbers, rounded down."""
+    return a * b >> 16
+
+
 def quotient(n: int, d: int) -> int:
     """n / d in 32.32 modulo 2^64, as ``gradients`` divides: d keeps 32 bits."""
     if n == 0:
@@ -59,44 +64,92 @@ def step(gradient: int, spare: int) -> int:
     return ((gradient + (0x8000 << spare)) >> 16 & M32) >> spare << spare
 
 
+@dataclass(frozen=True)
+class Settings:
+    """How a polygon is drawn: the choices of struct material."""
+
+    edges: str = "subpixel"  # integer, subpixel, exact
+    gradients: str = "plane"  # scanline, polygon, plane
+    start: str = "subtexel"  # truncated, subtexel
+
+
 @dataclass
 class Edge:
-    """A side's section: x at line ``first`` and the slope, 16.16, for lines top to end."""
+    """A side's section: from one vertex to a lower one, drawn on lines top to end - 1."""
 
-    first: int
-    x: int
-    slope: int
+    upper: tuple
+    lower: tuple
     top: int
     end: int
+    exact: bool
+
+    @property
+    def first(self) -> int:
+        """The first line at or below the upper vertex."""
+        return ceil16(self.upper[1])
+
+    @property
+    def slope(self) -> int:
+        """Pixels a line, 16.16; 0 where the edge has one line only."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        return mul_div(width, 65536, height) if ceil16(self.lower[1]) - self.first > 1 else 0
 
     def at(self, line: int) -> int:
-        """x at a line."""
-        return self.x + (line - self.first) * self.slope
+        """x on a line, 16.16, rounded at the first line and in every step."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        x = self.upper[0] + mul_div(width, (self.first << 16) - self.upper[1], height)
+        return x + (line - self.first) * self.slope
+
+    def column(self, line: int) -> int:
+        """The first pixel at or right of the edge."""
+        if not self.exact:
+            return ceil16(self.at(line))
+        (x0, y0, *_), (x1, y1, *_) = self.upper, self.lower
+        n = x0 * (y1 - y0) + (x1 - x0) * ((line << 16) - y0)
+        return -(-n // (y1 - y0 << 16))
+
+    @property
+    def whole(self) -> int:
+        """Whole pixels a line."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        return width // height if self.exact else self.slope >> 16
 
 
 @dataclass
 class Texturing:
-    """u at pixel (i, j) and its steps, 16.16 modulo 2^32; v alike."""
+    """Steps of u and v, 16.16 modulo 2^32; on the plane also u at pixel (i, j), v alike."""
 
-    i: int
-    j: int
-    u: int
-    v: int
     dudx: int
-    dudy: int
     dvdx: int
-    dvdy: int
-    spare: int
+    spare: int  # 1: u's lowest bit is kept free ...
+    guard: int  # ... and holds this
     wraps: bool
+    dudy: int = 0
+    dvdy: int = 0
+    u: int = 0
+    v: int = 0
+    i: int = 0
+    j: int = 0
+
+
+@dataclass
+class Line:
+    """Pixels left to right - 1 of a line; u, v and their steps at pixel left."""
+
+    left: int
+    right: int
+    u: int = 0
+    v: int = 0
+    dudx: int = 0
+    dvdx: int = 0
 
 
 @dataclass
 class Polygon:
-    """What the set-up makes of a polygon: lines top.., left and right (excluded) of each."""
+    """What the set-up makes of a polygon: its lines from ``top`` on."""
 
     top: int
-    left: list[int]
-    right: list[int]
+    lines: list[Line]
     texturing: Texturing | None
     left_edges: list[Edge]
     right_edges: list[Edge]
@@ -104,10 +157,10 @@ class Polygon:
     @property
     def pixels(self) -> int:
         """Pixels drawn."""
-        return sum(max(0, r - l) for l, r in zip(self.left, self.right))
+        return sum(max(0, line.right - line.left) for line in self.lines)
 
 
-def side(vertices, start: int, direction: int, top: int, bottom: int) -> list[Edge]:
+def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
     """The edges of one side from the top vertex on, between two lines."""
     edges, index, upper = [], start, vertices[start]
     while top < bottom:
@@ -115,18 +168,21 @@ def side(vertices, start: int, direction: int, top: int, bottom: int) -> list[Ed
         lower = vertices[index]
         end = min(ceil16(lower[1]), bottom)
         if end > top and lower[1] > upper[1]:
-            first, height = ceil16(upper[1]), lower[1] - upper[1]
-            width = lower[0] - upper[0]
-            x = upper[0] + mul_div(width, (first << 16) - upper[1], height)
-            single = ceil16(lower[1]) - first <= 1
-            slope = 0 if single else mul_div(width, 65536, height)
-            edges.append(Edge(first, x, slope, top, end))
+            edges.append(Edge(upper, lower, top, end, exact))
             top = end
         upper = lower
     return edges
 
 
-def texturing(vertices, corners, box) -> Texturing | None:
+def guarded(dvdx: int, width: int, inside: bool) -> tuple[int, int, bool]:
+    """spare, guard and wraps of struct texturing."""
+    speed = signed(dvdx, 24)
+    once = ((abs(speed) >> 8) + 1) * width <= 0x10000
+    spare = int(not inside and once)
+    return spare, spare & (speed < 0), not inside and not once
+
+
+def plane(vertices, corners, box, subtexel: bool) -> Texturing | None:
     """The texture plane through three corners (indices), seen from the box's middle."""
     a, b, c = (vertices[k] for k in corners)
     e1, e2 = ([p - q for p, q in zip(v, a)] for v in (b, c))
@@ -149,24 +205,78 @@ def texturing(vertices, corners, box) -> Texturing | None:
     travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
     travel = ((travel_x + 1) * ((right - left + 1) >> 1)
               + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
-    inside = (travel_x < 0x10000 and travel_y < 0x10000
+    inside = (subtexel and travel_x < 0x10000 and travel_y < 0x10000
               and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
-    speed = signed(dvdx, 24)
-    once = ((abs(speed) >> 8) + 1) * (right - left) <= 0x10000
-    spare = int(not inside and once)
-    dudx, dudy = step(dsdx, spare), step(dsdy, spare)
-    if spare:
-        u = u & ~1 | (speed < 0)
-    return Texturing(i, j, u, v, dudx, dudy, dvdx, dvdy, spare, not inside and not once)
+    spare, guard, wraps = guarded(dvdx, right - left, inside)
+    return Texturing(step(dsdx, spare), dvdx, spare, guard, wraps, step(dsdy, spare), dvdy,
+                     u & ~spare | guard, v, i, j)
 
 
-def set_up(vertices, width: int, height: int, textured: bool) -> Polygon | None:
+def saturated_step(part: int, whole: int) -> int:
+    """part / whole in 16.16, at most the largest number."""
+    if abs(part) >> 15 >= abs(whole):
+        return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
+    return mul_div(-part, 65536, -whole) if whole < 0 else mul_div(part, 65536, whole)
+
+
+def longest(vertices, corners, box) -> Texturing:
+    """A triangle's steps from its longest scanline, the one through the middle vertex."""
+    top, bottom, middle = (vertices[k] for k in corners)
+    whole, part = ([p - q for p, q in zip(v, top)] for v in (bottom, middle))
+    if whole[1] > 0:
+        y = part[1]
+        part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
+    dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
+    spare, guard, wraps = guarded(dvdx, box[2] - box[0], False)
+    return Texturing(dudx & ~spare & M32, dvdx & M32, spare, guard, wraps)
+
+
+def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
+    """u and v at a pixel."""
+    x, y = column - t.i, line - t.j
+    return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
+
+
+def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
+    """u and v of an edge's lines at their first pixels, modulo 2^32."""
+    columns = [edge.column(line) for line in range(edge.top, edge.end)]
+    if settings.gradients == "plane" and settings.start == "subtexel":
+        return [on_plane(t, c, line) for line, c in enumerate(columns, edge.top)]
+    x, slope = edge.at(edge.top), edge.slope
+    prestep = signed((columns[0] << 16) - x)
+    moves = [signed(t.dudx), signed(t.dvdx)]
+    if settings.gradients == "plane":
+        first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
+        steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
+    else:
+        whole = [b - a for a, b in zip(edge.upper, edge.lower)]
+        y = (edge.top << 16) - edge.upper[1]
+        first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
+        steps = [mul_div(whole[k], 65536, whole[1]) if len(columns) > 1 else 0 for k in (2, 3)]
+        if settings.start == "subtexel":
+            first = [f + mul(m, prestep) for f, m in zip(first, moves)]
+            steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
+    first[0] = first[0] & ~t.spare | t.guard
+    steps[0] &= ~t.spare
+    starts = []
+    for n, column in enumerate(columns):
+        more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
+        starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
+    return starts
+
+
+def set_up(vertices, width: int, height: int, textured: bool,
+           settings: Settings = Settings()) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
 
     ``vertices``: a list of (x, y, s, t), 16.16, as polygon_draw takes them.
     """
     n = len(vertices)
+    if settings.edges == "integer":
+        vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if not 3 <= n <= 64 or any(not -FAR < c < FAR for v in vertices for c in v):
+        return None
+    if textured and settings.gradients != "plane" and n != 3:
         return None
     top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
     bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
@@ -183,36 +293,44 @@ def set_up(vertices, width: int, height: int, textured: bool) -> Polygon | None:
         return None
     forward = (apex - top) % n < (bottom - top) % n
     direction = 1 if (turns[apex] > 0) == forward else -1
-    lefts = side(vertices, top, direction, box[1], box[3])
-    rights = side(vertices, top, -direction, box[1], box[3])
-    # The frame's columns cut a line only where an edge can lie outside them.
-    left = [max(ceil16(e.at(y)), 0) for e in lefts for y in range(e.top, e.end)]
-    right = [min(ceil16(e.at(y)), width) for e in rights for y in range(e.top, e.end)]
-    plane = texturing(vertices, (top, bottom, apex), box) if textured else None
-    if textured and plane is None:
+    exact = settings.edges == "exact"
+    lefts = side(vertices, top, direction, box[1], box[3], exact)
+    rights = side(vertices, top, -direction, box[1], box[3], exact)
+    left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
+    right = [e.column(y) for e in rights for y in range(e.top, e.end)]
+    if not textured:
+        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+        return Polygon(box[1], lines, None, lefts, rights)
+    corners = top, bottom, apex
+    t = plane(vertices, corners, box, settings.start == "subtexel") \
+        if settings.gradients == "plane" else longest(vertices, corners, box)
+    if t is None:
         return None
-    return Polygon(box[1], left, right, plane, lefts, rights)
+    starts = [start for e in lefts for start in edge_starts(t, e, settings)]
+    lines = []
+    for a, b, (u, v) in zip(left, right, starts):  # the frame's columns cut a line
+        cut = max(-a, 0)
+        lines.append(Line(max(a, 0), min(b, width), u + cut * t.dudx & M32, v + cut * t.dvdx & M32,
+                          t.dudx, t.dvdx))
+    return Polygon(box[1], lines, t, lefts, rights)
 
 
-def coordinates(plane: Texturing, line: int, first: int, end: int):
-    """u and v of the pixels first..end-1 of a line, uint32 arrays, 16.16 modulo 2^32."""
-    i = np.arange(first - plane.i, end - plane.i, dtype=np.int64)
-    j = line - plane.j
-    u = (plane.u + i * signed(plane.dudx) + j * signed(plane.dudy)) & M32
-    v = (plane.v + i * signed(plane.dvdx) + j * signed(plane.dvdy)) & M32
-    return u, v
+def coordinates(line: Line):
+    """u and v of a line's pixels, int64 arrays, 16.16 modulo 2^32."""
+    n = np.arange(line.right - line.left, dtype=np.int64)
+    return (line.u + n * signed(line.dudx)) & M32, (line.v + n * signed(line.dvdx)) & M32
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int) -> None:
     """Draws a set-up polygon into ``frame`` (uint8, height x width)."""
-    for line, (left, right) in enumerate(zip(polygon.left, polygon.right), polygon.top):
-        if right <= left:
+    for y, line in enumerate(polygon.lines, polygon.top):
+        if line.right <= line.left:
             continue
         if polygon.texturing is None:
-            frame[line, left:right] = colour
+            frame[y, line.left:line.right] = colour
         else:
-            u, v = coordinates(polygon.texturing, line, left, right)
-            frame[line, left:right] = texture[v >> 16 & 255, u >> 16 & 255]
+            u, v = coordinates(line)
+            frame[y, line.left:line.right] = texture[v >> 16 & 255, u >> 16 & 255]
 
 
 def render(scene, number: int) -> np.ndarray:

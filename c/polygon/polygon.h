@@ -6,13 +6,35 @@
 #include "scene/scene_file.h"
 
 /* x, y: pixels, pixel centres at integers, |x|, |y| < POLYGON_FAR.
-   s, t: texels of a 256x256 map, any value: the map repeats. All 16.16. */
+   s, t: 0 to 256 along the longer side of the map, whatever its size; any value
+   where the map repeats, |s|, |t| < POLYGON_FAR. shade: 0 to 255. All 16.16. */
 struct vertex {
-    fix16 x, y, s, t;
+    fix16 x, y, s, t, shade;
 };
 
 enum polygon_constants {
     POLYGON_FAR = 16384         /* pixels: differences stay inside 16.16 */
+};
+
+/* How near the picture comes to the exact one, from cheap to exact. */
+enum edges {
+    EDGES_INTEGER,              /* vertices cut to whole pixels */
+    EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line */
+    EDGES_EXACT,                /* integer quotient and remainder */
+    EDGES_KINDS
+};
+
+enum gradients {
+    GRADIENTS_SCANLINE,         /* two divides a scanline */
+    GRADIENTS_POLYGON,          /* two divides, by the longest scanline: triangles */
+    GRADIENTS_PLANE,            /* from three vertices, through 64 bits */
+    GRADIENTS_KINDS
+};
+
+enum start {
+    START_TRUNCATED,            /* u, v where the edge crosses the line */
+    START_SUBTEXEL,             /* u, v at the first pixel's centre */
+    START_KINDS
 };
 
 /* Spans and edges in swapped form and plain form: same picture, other speed. */
@@ -22,7 +44,8 @@ enum polygon_result {
     POLYGON_DRAWN,
     POLYGON_EMPTY,              /* covers no pixel centre of the frame */
     POLYGON_FEW,                /* fewer than 3 or more than 64 vertices */
-    POLYGON_OUTSIDE_RANGE       /* a vertex POLYGON_FAR or more away */
+    POLYGON_OUTSIDE_RANGE,      /* a vertex POLYGON_FAR or more away */
+    POLYGON_NO_TRIANGLE         /* GRADIENTS_POLYGON is for triangles */
 };
 
 struct frame {
@@ -44,6 +67,7 @@ struct draw_counts {
 struct material {
     const uint8 *map;           /* 256x256, at a multiple of 65,536; 0: flat */
     uint32 colour;              /* of a flat one: palette index */
+    uint8 edges, gradients, start;
 };
 
 /* Draws a convex polygon, either winding. counts may be 0; counting takes time. */

@@ -13,6 +13,7 @@ void vertex_difference(struct vertex *out, const struct vertex *a, const struct 
     out->y = a->y - b->y;
     out->s = a->s - b->s;
     out->t = a->t - b->t;
+    out->shade = a->shade - b->shade;
 }
 
 static int32 in_range(fix16 value)
@@ -91,50 +92,4 @@ int32 sides_orient(struct sides *sides, const struct vertex *vertices, int32 cou
     /* y runs down: a positive turn means that the apex lies to the left. */
     sides->left_step = (sign > 0) == (apex_after < bottom_after) ? 1 : -1;
     return 1;
-}
-
-/* The part of an edge from line `top` on; its first line may lie above. */
-static void set_edge(struct edge *edge, const struct vertex *upper, const struct vertex *lower,
-                     int32 top)
-{
-    int32 first = fix_ceil(upper->y), height = lower->y - upper->y;
-    int32 width = lower->x - upper->x;
-
-    edge->x = upper->x + mul_div(width, (first << 16) - upper->y, height);
-    edge->slope = 0;
-    if (fix_ceil(lower->y) - first > 1) {       /* so height is above 1: no overflow */
-        edge->slope = mul_div(width, 65536, height);
-        edge->x += (fix16)((uint32)(top - first) * (uint32)edge->slope);
-    }
-    edge->x += EDGE_BIAS * 65536;
-}
-
-int32 sides_edges(struct edge *edges, const struct sides *sides, const struct vertex *vertices,
-                  int32 count, int32 step, int32 top, int32 bottom)
-{
-    const struct vertex *upper = &vertices[sides->top], *lower;
-    int32 i = sides->top, found = 0;
-
-    while (top < bottom) {
-        int32 end;
-
-        i += step;
-        if (i < 0)
-            i = count - 1;
-        else if (i == count)
-            i = 0;
-        lower = &vertices[i];
-        end = fix_ceil(lower->y);
-        if (end > bottom)
-            end = bottom;
-        if (end > top && lower->y > upper->y) {
-            set_edge(edges, upper, lower, top);
-            edges->lines = end - top;
-            top = end;
-            edges++;
-            found++;
-        }
-        upper = lower;
-    }
-    return found;
 }

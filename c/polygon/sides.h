@@ -3,7 +3,6 @@
 #define SIDES_H
 
 #include "polygon/polygon.h"
-#include "span/scanline.h"
 
 struct sides {
     int32 top, bottom;          /* vertices; of several the leftmost */
@@ -23,10 +22,5 @@ int32 sides_measure(struct sides *sides, const struct vertex *vertices, int32 co
 
 /* Finds apex and which side is left. 0: the polygon has no area. */
 int32 sides_orient(struct sides *sides, const struct vertex *vertices, int32 count);
-
-/* Writes the edges of one side, between lines top and bottom (excluded), which the
-   polygon covers; returns how many. step: +1 or -1 through the vertices. */
-int32 sides_edges(struct edge *edges, const struct sides *sides, const struct vertex *vertices,
-                  int32 count, int32 step, int32 top, int32 bottom);
 
 #endif

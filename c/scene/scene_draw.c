@@ -49,6 +49,9 @@ void scene_draw(const struct scene *scene, const struct frame *frame, int32 numb
         material.map = from->texture == NO_TEXTURE ? 0
                      : scene->maps + (uint32)from->texture * MAP_BYTES;
         material.colour = from->colour;
+        material.edges = EDGES_SUBPIXEL;
+        material.gradients = GRADIENTS_PLANE;
+        material.start = START_SUBTEXEL;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
               &scene->poses[object->pose + age]);
         polygon_draw(frame, vertices, (int32)object->vertices, &material, form, counts);

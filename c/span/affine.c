@@ -12,7 +12,7 @@ void span_affine_c(const struct span_plan *plan)
     do {
         uint8 *pixel = row + line->left;
         int32 count = line->count;
-        uint32 u = line->start0, v = line->start1;
+        uint32 u = (uint32)line->start1 << 16 | line->start0, v = line->start2;
 
         while (--count >= 0) {
             *pixel++ = map[((v >> 8) & 0xff00) | ((u >> 16) & 0xff)];

@@ -10,24 +10,31 @@ enum scanline_constants {
     EDGE_BIAS = 16384
 };
 
-/* Texture coordinates at the first pixel's centre, in the form's packing
-   (capitals integer, small letters fraction, one letter a byte):
-     addx: start0 = uuVv, start1 = v--U
-     swap: start0 = UUuu, start1 = VVvv   (plain 16.16)                       */
+/* One line of a polygon, and what is interpolated at its first pixel's centre, in
+   the packing of its span routines (capitals integer, small letters fraction, one
+   letter a byte). left stands beside u's fraction, so that one addition moves both:
+     addx:  start0 = uu, start1 = Vv, start2 = v--U   (u, v modulo 256 texels)
+     plain: start0 = uu, start1 = UU, start2 = VVvv   (16.16)                   */
 struct scanline {
-    int16 count;                /* pixels; 0 to -32767: none */
+    uint16 start0;
     uint16 left;                /* x of the first pixel + EDGE_BIAS */
-    uint32 start0, start1;
+    int16 count;                /* pixels; 0 to -32767: none */
+    uint16 start1;
+    uint32 start2;
 };
 
-/* One side of a section: the lines between two vertices of one polygon side. */
+/* One side of a section: the lines between two vertices of one polygon side. x moves
+   by whole pixels a line; the error grows by part, and where it reaches 2^32, x moves
+   one pixel more. With height 0 that is 32-bit fixed point. With a height h it is the
+   integer quotient's remainder: error is in [2^32 - h, 2^32), part in [0, h). */
 struct edge {
     int32 lines;                /* 1 or more */
-    fix16 x;                    /* at the first line, rounded up to pixels by the
-                                   stepper; plain 16.16, EDGE_BIAS included */
-    fix16 slope;                /* pixels a line */
-    uint32 u, v;                /* texels at the first line's first pixel, left
-                                   edges only; 16.16 modulo 2^32 */
+    uint32 x;                   /* of the first line's first pixel + EDGE_BIAS */
+    int32 whole;                /* floor(slope) */
+    uint32 error, part;
+    uint32 height;              /* what a carry takes from the error; 0: nothing */
+    uint32 u, v;                /* left edges: at the first line's first pixel and ... */
+    fix16 du, dv;               /* ... a line and `whole` pixels on; 16.16 modulo 2^32 */
 };
 
 /* Everything a scanline stepper needs. */
@@ -36,8 +43,7 @@ struct edge_plan {
     const struct edge *left;
     const struct edge *right;
     int32 lefts, rights;        /* how many of each; both cover the same lines */
-    fix16 dudx, dvdx;           /* texels a pixel and ... */
-    fix16 dudy, dvdy;           /* ... a line, modulo 2^32 */
+    fix16 dudx, dvdx;           /* texels for the pixel that a carry adds */
 };
 
 /* Everything a scissor routine needs. */
@@ -60,11 +66,15 @@ struct span_plan {
 };
 
 /* src68k/edge and src68k/span: contracts there. */
-void edge_addx(const struct edge_plan *plan);
-void edge_swap(const struct edge_plan *plan);
 void edge_flat(const struct edge_plan *plan);
+void edge_flat_exact(const struct edge_plan *plan);
+void edge_addx(const struct edge_plan *plan);
+void edge_addx_exact(const struct edge_plan *plan);
+void edge_plain(const struct edge_plan *plan);
+void edge_plain_exact(const struct edge_plan *plan);
+void edge_swap(const struct edge_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
-void scissor_swap(const struct scissor_plan *plan);
+void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);
 void span_fill(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);

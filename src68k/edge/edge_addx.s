@@ -1,70 +1,54 @@
         include "routine.i"
         include "layout.i"
         include "chain.i"
-        include "slope.i"
+        include "edge.i"
 
         xref    edge_right
+        xref    edge_right_exact
 
-;==============================================================================
-; edge_addx - fills a scanline table: swapped x and packed u, v, by add and addx
-;
-; in:      a0  edge_plan*  both sides, their edges, the gradients
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   the plan, its edges
-; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: x 16.16 with EDGE_BIAS, |x| < 16,384; left = ceil(x);
-;          start0 = uuVv, start1 = v--U at the centre of the first pixel
-; error:   none: x = x0 + n slope, u = u0 + n dudy + pixels dudx, all modulo 2^32
-; cost:    bench row edge_addx
-;==============================================================================
-; u and v move along the left edge with the pixel they belong to: a line further
-; and k or k+1 pixels to the right, which the carry of x tells. So they stay on
-; the plane without a multiplication a line.
-
-        routine edge_addx,a0
+; Steps the left side in packed form. \1: what corrects the error d0 after a carry;
+; \2: what steps the right side.
+; u and v move along the edge with the pixel they belong to: a line further and as
+; many pixels to the right as x, which the carry tells. So they stay on the plane
+; without a multiplication a line.
+steps   macro
         movem.l d2-d7/a2-a6,-(sp)
-        movea.l a0,a6
-        movea.l edge_plan_lines(a6),a0
-        movea.l edge_plan_left(a6),a5
-        move.l  edge_plan_lefts(a6),-(sp)
+        move.l  a0,-(sp)
+        move.l  edge_plan_lefts(a0),-(sp)
+        movea.l edge_plan_left(a0),a5
+        movea.l edge_plan_lines(a0),a0
 
 .left_edge
-        move.l  edge_lines(a5),d0
-        lsl.l   #2,d0
-        lea     (a0,d0.l*2),a4
-        adda.l  d0,a4                   ; end of these lines: 12 bytes each
-        move.l  edge_slope(a5),d0
-        swapped_slope d0,d1
-        movea.l d0,a1                   ; slope, ff:ii
-        move.l  edge_plan_dudx(a6),d0
-        move.l  d0,d2
-        muls.l  d1,d0
-        add.l   edge_plan_dudy(a6),d0
-        move.l  edge_plan_dvdx(a6),d3
-        move.l  d3,d5
-        muls.l  d1,d5
-        add.l   edge_plan_dvdy(a6),d5
-        pack_uv d0,d5,d4                ; a line and k pixels
-        movea.l d0,a2
-        pack_uv d2,d3,d6                ; one pixel
-        movea.l d2,a3
-        move.w  d3,d7
+        edge_end
+        movea.l 4(sp),a1
+        move.l  edge_whole(a5),d1
+        move.l  edge_du(a5),d0
+        move.l  edge_dv(a5),d5
+        move.l  edge_plan_dudx(a1),d2
+        add.l   d0,d2
+        move.l  edge_plan_dvdx(a1),d7
+        add.l   d5,d7
+        pack_uv d0,d5,d4
+        whole_pixels d0,d1,d4,b
+        movea.l d0,a2                   ; a line
+        pack_uv d2,d7,d6
+        addq.l  #1,d1
+        whole_pixels d2,d1,d6,b
+        movea.l d2,a3                   ; a line and a pixel
         move.l  edge_u(a5),d1
         move.l  edge_v(a5),d3
         pack_uv d1,d3,d2
-        move.l  edge_x(a5),d0
-        add.l   #$ffff,d0               ; its floor is x's ceil
-        swap    d0                      ; xx:XX
+        move.w  edge_x+2(a5),d1         ; uu:left
+        move.l  edge_error(a5),d0
+        movea.l edge_part(a5),a1
+        movea.l edge_height(a5),a6
 
-        ; d0 x  d1 S  d2 Q  d3 P   d4 Q and d5 P: line   d6 Q and d7 P: pixel
-        ; a1 slope  a2 S: line  a3 S: pixel  a0 table  a4 its end
+        ; d0 error  a1 its part a line  a6 height
+        ; d1 uu:left  d3 Vv  d2 v--U; steps: a2 d5 d4, after a carry a3 d7 d6
 .left_line
-        addq.l  #2,a0
-        move.w  d0,(a0)+
-        move.w  d3,d1                   ; uuVv
-        move.l  d1,(a0)+
-        move.l  d2,(a0)+
+        move.l  d1,(a0)+                ; uu:left
+        move.l  d3,(a0)+                ; --:Vv, where the count comes later
+        move.l  d2,(a0)+                ; v--U
         add.l   a1,d0
         bcs.s   .pixel_more
         add.l   a2,d1
@@ -74,10 +58,7 @@
         bne.s   .left_line
         bra.s   .left_next
 .pixel_more
-        addq.w  #1,d0
-        add.l   a2,d1
-        addx.l  d4,d2
-        addx.w  d5,d3
+        \1
         add.l   a3,d1
         addx.l  d6,d2
         addx.w  d7,d3
@@ -88,6 +69,39 @@
         subq.l  #1,(sp)
         bne     .left_edge
         addq.l  #4,sp
-        jsr     edge_right
+        movea.l (sp)+,a6
+        jsr     \2
         movem.l (sp)+,d2-d7/a2-a6
         rts
+        endm
+
+;==============================================================================
+; edge_addx - fills a scanline table: left, count and packed u, v
+;
+; in:      a0  edge_plan*  both sides, their edges, the pixel steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its edges but for height
+; writes:  plan->lines[0 .. lines of one side - 1]
+; formats: x with EDGE_BIAS, 0 < x < 32,768; start0 = uu, start1 = Vv,
+;          start2 = v--U
+; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
+; cost:    bench row edge_addx
+;==============================================================================
+        routine edge_addx,a0
+        steps   error_rounded,edge_right
+
+;==============================================================================
+; edge_addx_exact - the same, x by integer quotient and remainder
+;
+; in:      a0  edge_plan*  both sides, their edges, the pixel steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its edges
+; writes:  plan->lines[0 .. lines of one side - 1]
+; formats: as edge_addx
+; error:   none, and x is the rational one on every line
+; cost:    bench row edge_addx_exact
+;==============================================================================
+        routine edge_addx_exact,a0
+        steps   error_exact,edge_right_exact

@@ -41,28 +41,29 @@ scissor macro
 start_flat macro
         endm
 
-start_swap macro
-        move.l  a2,d0
-        muls.l  d3,d0
-        add.l   d0,scanline_start0(a4)
-        move.l  a3,d0
-        muls.l  d3,d0
-        add.l   d0,scanline_start1(a4)
+start_plain macro
+        move.w  scanline_start1(a4),d0
+        swap    d0
+        move.w  scanline_start0(a4),d0  ; UUuu
+        move.l  a2,d1
+        muls.l  d3,d1
+        add.l   d1,d0
+        move.w  d0,scanline_start0(a4)
+        swap    d0
+        move.w  d0,scanline_start1(a4)
+        move.l  a3,d1
+        muls.l  d3,d1
+        add.l   d1,scanline_start2(a4)
         endm
 
 start_addx macro
-        move.l  scanline_start0(a4),d0  ; uuVv
-        move.l  scanline_start1(a4),d1  ; v--U
-        moveq   #0,d2
-        move.b  d1,d2
-        swap    d2                      ; -U--
-        rol.l   #8,d1                   ; --Uv
-        move.l  d0,d4
-        lsl.l   #8,d4                   ; uVv-
-        move.b  d1,d4                   ; uVvv: the upper byte does not count
-        clr.w   d0
-        swap    d0                      ; --uu
-        add.l   d2,d0                   ; -Uuu
+        moveq   #0,d0
+        move.b  scanline_start2+3(a4),d0
+        swap    d0
+        move.w  scanline_start0(a4),d0  ; -Uuu
+        move.w  scanline_start1(a4),d4
+        lsl.l   #8,d4
+        move.b  scanline_start2(a4),d4  ; -Vvv: the upper byte does not count
         move.l  a2,d1
         muls.l  d3,d1
         add.l   d1,d0
@@ -70,9 +71,10 @@ start_addx macro
         muls.l  d3,d1
         add.l   d1,d4
         pack_uv d0,d4,d1
-        move.w  d4,d0
-        move.l  d0,scanline_start0(a4)
-        move.l  d1,scanline_start1(a4)
+        swap    d0
+        move.w  d0,scanline_start0(a4)
+        move.w  d4,scanline_start1(a4)
+        move.l  d1,scanline_start2(a4)
         endm
 
 ;==============================================================================
@@ -98,7 +100,7 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: left with EDGE_BIAS; start0 = uuVv, start1 = v--U
+; formats: left with EDGE_BIAS; start0 = uu, start1 = Vv, start2 = v--U
 ; error:   none: u, v as at the pixel on the uncut line, modulo 256
 ; cost:    about 50 cycles a line, 180 where its left end is cut
 ;==============================================================================
@@ -106,16 +108,16 @@ start_addx macro
         scissor start_addx
 
 ;==============================================================================
-; scissor_swap - cuts a scanline table of the swap form to the frame's columns
+; scissor_plain - cuts a scanline table of the plain form to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: left with EDGE_BIAS; start0 = UUuu, start1 = VVvv
+; formats: left with EDGE_BIAS; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
 ; cost:    about 50 cycles a line, 130 where its left end is cut
 ;==============================================================================
-        routine scissor_swap,a0
-        scissor start_swap
+        routine scissor_plain,a0
+        scissor start_plain

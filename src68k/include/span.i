@@ -19,18 +19,19 @@ span_table macro
         lea     (a5,d0.l*2),a5
         endm
 
-; Reads a table entry: a1 first pixel, d7 count - 1, \1 and \2 packed start.
+; Reads a table entry: a1 first pixel, d7 count - 1, \1 start0:start1, \2 start2.
 ; Goes to .line_next where there is nothing to draw.
 span_line macro
         bra.s   .line
-.empty  addq.l  #8,a0
+.empty  addq.l  #4,a0
         bra     .line_next
-.line   move.l  (a0)+,d7                ; count:left
-        lea     (a6,d7.w),a1
+.line   move.l  (a0)+,\1                ; start0:left
+        lea     (a6,\1.w),a1
+        move.l  (a0)+,d7                ; count:start1
+        move.w  d7,\1
         swap    d7
         subq.w  #1,d7
         bmi.s   .empty
-        move.l  (a0)+,\1
         move.l  (a0)+,\2
         endm
 

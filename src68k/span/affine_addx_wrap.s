@@ -9,7 +9,7 @@
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, its lines (start0 = uuVv, start1 = v--U), the map
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.16, both wrap at 256 any number of times; 8-bit texels, pixels
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))

@@ -8,7 +8,7 @@
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, its lines (start0 = UUuu, start1 = VVvv), the map
+; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
@@ -39,6 +39,7 @@ pixel   macro
         span_table
         lea     .pixels_end-18(pc),a3
         span_line d0,d1
+        swap    d0
         lsl.l   #8,d1
         bchg    #31,d1
         span_rounds 3

@@ -33,7 +33,7 @@ SHORT                   equ     12
         move.w  d1,d0                   ; four pixels
         lea     .longwords_end(pc),a3
         lea     .bytes_end(pc),a4
-        moveq   #scanline_sizeof-4,d6
+        moveq   #scanline_sizeof-6,d6
         moveq   #15,d5
         subq.l  #1,d7
         bra.s   .line
@@ -48,10 +48,9 @@ SHORT                   equ     12
         movem.l (sp)+,d2-d7/a2-a6
         rts
 
-.line   move.l  (a1)+,d2                ; count:left
+.line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w),a0
-        swap    d2
-        tst.w   d2
+        move.w  (a1)+,d2
         ble.s   .next
         cmp.w   #SHORT,d2
         bhi.s   .long

@@ -30,7 +30,10 @@ span    macro
         lea     (a6,d0.w),a3
         move.w  scanline_count(a1),d6
         ble     .next
-        movem.l scanline_start0(a1),d2/d3
+        move.w  scanline_start1(a1),d2
+        swap    d2
+        move.w  scanline_start0(a1),d2  ; UUuu
+        move.l  scanline_start2(a1),d3  ; VVvv
         ifeq    \2-WRITES_BEFORE
         not.b   -1(a3)
         endc
@@ -58,7 +61,7 @@ span    macro
         not.b   (a3)
         endc
 .next   ifeq    \2-CHANGES_LINES
-        addq.l  #1,scanline_start1(a1)
+        addq.l  #1,scanline_start2(a1)
         endc
         lea     scanline_sizeof(a1),a1
         adda.l  span_plan_pitch(a0),a6

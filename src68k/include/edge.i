@@ -1,0 +1,66 @@
+; What the scanline steppers share. A side's x is whole pixels and an error that
+; counts up to 2^32: a carry moves x one pixel further (see struct edge).
+
+; a4 = end of the table's part that the edge in a5 covers; 12 bytes an entry. Uses d0.
+edge_end macro
+        move.l  edge_lines(a5),d0
+        lsl.l   #2,d0
+        lea     (a0,d0.l*2),a4
+        adda.l  d0,a4
+        endm
+
+; Adds the whole pixels \2 (sign-extended) to the step \1 = uu--, so that one addition
+; moves uu:left. A negative \2 borrows from uu, which the carry out of left pays
+; back; with nothing to borrow from, left's carry goes on into \3, u's integer: \3
+; is made one less (\4: b or w, how much of \3 the integer has).
+whole_pixels macro
+        tst.l   \2
+        bpl.s   .forward\@
+        tst.l   \1
+        bne.s   .forward\@
+        subq.\4 #1,\3
+.forward\@
+        add.l   \2,\1
+        endm
+
+; The loop over the edges from a5 on (d5 of them) and their lines: \1 is done with x
+; in d1 on each line, whose entry is a0; \2 moves x and its error (d0) a line further:
+; a1 the error's part, d4 whole pixels, d7 height. Uses d2-d3/d6/a4.
+edge_loop macro
+        movea.w #scanline_sizeof,a4
+.edge   move.l  edge_lines(a5),d6
+        subq.l  #1,d6
+        move.w  edge_x+2(a5),d1
+        move.l  edge_whole(a5),d4
+        move.l  edge_error(a5),d0
+        movea.l edge_part(a5),a1
+        move.l  edge_height(a5),d7
+.line   \1
+        adda.l  a4,a0
+        \2
+        dbra    d6,.line
+        lea     edge_sizeof(a5),a5
+        subq.l  #1,d5
+        bne.s   .edge
+        endm
+
+edge_step macro
+        add.l   a1,d0
+        addx.w  d4,d1
+        endm
+
+edge_step_exact macro
+        add.l   a1,d0
+        subx.l  d3,d3                   ; -1 after a carry; X stays
+        addx.w  d4,d1
+        and.l   d7,d3
+        sub.l   d3,d0
+        endm
+
+; After a carry of the error d0: 2^32 stands for the height a6, if x is exact.
+error_rounded macro
+        endm
+
+error_exact macro
+        sub.l   a6,d0
+        endm

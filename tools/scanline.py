@@ -1,0 +1,24 @@
+"""The packing of struct scanline's start fields, for what calls kernels from the host."""
+
+M32 = (1 << 32) - 1
+#: Which bits of a start count, by form: v--U has room in its middle.
+MASKS = {"addx": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": 0xFF0000FF},
+         "plain": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": M32},
+         "flat": {}}
+
+
+def pack(form: str, u: int, v: int) -> dict[str, int]:
+    """The start fields of u and v, 16.16."""
+    if form == "flat":
+        return {}
+    if form == "plain":
+        return {"start0": u & 0xFFFF, "start1": u >> 16 & 0xFFFF, "start2": v & M32}
+    return {"start0": u & 0xFFFF, "start1": v >> 8 & 0xFFFF,
+            "start2": (v & 0xFF) << 24 | u >> 16 & 0xFF}
+
+
+def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
+    """struct edge of x and slope in 16.16, EDGE_BIAS included in x."""
+    x += 0xFFFF
+    return {"lines": lines, "x": x >> 16, "whole": slope >> 16, "error": x << 16 & M32,
+            "part": slope << 16 & M32, "height": 0} | more
