@@ -7,6 +7,7 @@
    side is cut or where a section begins. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/edges.h"
+#include "polygon/plane.h"
 #include "polygon/polygon.h"
 #include "polygon/sides.h"
 #include "polygon/texturing.h"
@@ -26,11 +27,12 @@ static const struct {
     void (*scissor)(const struct scissor_plan *plan);
     void (*span)(const struct span_plan *plan);
 } routines[SPAN_KINDS] = {
-    {edge_flat, edge_flat_exact, scissor_flat, span_fill},
-    {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
-    {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx_wrap},
-    {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
+    [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
+    [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
+    [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
+                               span_affine_addx_wrap},
+    [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
+    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -52,17 +54,56 @@ static void count_pixels(uint32 *pixels, int32 count)
             *pixels += (uint32)line->count;
 }
 
-/* The vertices with x and y cut to whole pixels. */
-static const struct vertex *whole_pixels(const struct vertex *from, int32 count)
+/* The vertices as the set-up takes them: x and y in whole pixels where edges are, s and
+   t in texels (rounded down to 1/65536) or the shade instead. */
+static const struct vertex *adapt(const struct vertex *from, int32 count,
+                                  const struct material *material)
 {
-    static struct vertex cut[POLYGON_VERTICES_MAX];
+    static struct vertex to[POLYGON_VERTICES_MAX];
+    fix16 scale = material->map ? material->map->scale : 65536;
 
+    if (material->edges != EDGES_INTEGER && scale == 65536
+        && material->mapper != MAPPER_GOURAUD)
+        return from;
     for (int32 i = 0; i < count; i++) {
-        cut[i] = from[i];
-        cut[i].x &= ~0xffff;
-        cut[i].y &= ~0xffff;
+        to[i] = from[i];
+        if (material->edges == EDGES_INTEGER) {
+            to[i].x &= ~0xffff;
+            to[i].y &= ~0xffff;
+        }
+        if (material->mapper == MAPPER_GOURAUD) {
+            to[i].s = from[i].shade;
+            to[i].t = 0;
+        } else if (scale != 65536) {
+            to[i].s = mul_fix(from[i].s, scale);
+            to[i].t = mul_fix(from[i].t, scale);
+        }
     }
-    return cut;
+    return to;
+}
+
+/* What draws a polygon of this material. */
+static enum span_kind kind_of(const struct material *material, const struct frame *frame,
+                              enum form form, int32 wraps)
+{
+    switch (material->mapper) {
+    case MAPPER_GOURAUD:
+        return SPAN_GOURAUD;
+    case MAPPER_AFFINE:
+        return form == FORM_SWAP ? SPAN_AFFINE_SWAP
+             : form == FORM_C ? SPAN_AFFINE_C
+             : wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
+    case MAPPER_ARBITRARY:
+        return SPAN_ARBITRARY;
+    case MAPPER_TILED:
+        return SPAN_TILED;
+    case MAPPER_COLUMNS:
+        return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
+    case MAPPER_GENERATED:
+        return SPAN_GENERATED;
+    default:
+        return SPAN_FILL;
+    }
 }
 
 static int32 is_inside_frame(const struct rectangle *box)
@@ -86,8 +127,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (material->edges == EDGES_INTEGER)
-        vertices = whole_pixels(vertices, count);
+    vertices = adapt(vertices, count, material);
     if (!sides_measure(&sides, vertices, count))
         return POLYGON_OUTSIDE_RANGE;
     box.left = maximum(fix_ceil(sides.x_low - EDGE_ERROR), 0);
@@ -110,10 +150,14 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     span.count = box.bottom - box.top;
     span.row = frame->pixels + box.top * frame->pitch - EDGE_BIAS;
     span.pitch = frame->pitch;
-    span.map = material->map;
     span.colour = material->colour;
-    kind = SPAN_FILL;
     if (material->map) {
+        span.map = material->map->texels;
+        span.map_width = material->map->width;
+        span.map_height = material->map->height;
+    }
+    texturing.wraps = 0;
+    if (material->mapper != MAPPER_FLAT) {
         if (material->gradients == GRADIENTS_PLANE) {
             if (!texturing_plane(&texturing, vertices, &sides, &box, material->start))
                 return POLYGON_EMPTY;
@@ -131,10 +175,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
             edges.dudx = span.dudx;
             edges.dvdx = span.dvdx;
         }
-        kind = form == FORM_SWAP ? SPAN_AFFINE_SWAP
-             : form == FORM_C ? SPAN_AFFINE_C
-             : texturing.wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
     }
+    kind = kind_of(material, frame, form, texturing.wraps);
 
     if (material->edges == EDGES_EXACT)
         routines[kind].exact_edges(&edges);

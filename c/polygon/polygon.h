@@ -4,6 +4,7 @@
 
 #include "compiler.h"
 #include "scene/scene_file.h"
+#include "texture/map.h"
 
 /* x, y: pixels, pixel centres at integers, |x|, |y| < POLYGON_FAR.
    s, t: 0 to 256 along the longer side of the map, whatever its size; any value
@@ -45,17 +46,32 @@ enum polygon_result {
     POLYGON_EMPTY,              /* covers no pixel centre of the frame */
     POLYGON_FEW,                /* fewer than 3 or more than 64 vertices */
     POLYGON_OUTSIDE_RANGE,      /* a vertex POLYGON_FAR or more away */
-    POLYGON_NO_TRIANGLE         /* GRADIENTS_POLYGON is for triangles */
+    POLYGON_NO_TRIANGLE,        /* GRADIENTS_POLYGON is for triangles */
+    POLYGON_WRONG_MAP           /* the mapper cannot draw this map or frame */
 };
 
 struct frame {
-    uint8 *pixels;              /* chunky, row 0 on top */
+    uint8 *pixels;              /* row 0 on top */
     int32 width, height, pitch; /* pixels, pixels, bytes */
+    int32 pixel_bytes;          /* 1: chunky; 2: RGB565, big-endian */
+};
+
+/* How a polygon's pixels are made. */
+enum mapper {
+    MAPPER_FLAT,
+    MAPPER_GOURAUD,             /* shade is the pixel */
+    MAPPER_AFFINE,              /* MAP_PAGE */
+    MAPPER_ARBITRARY,           /* MAP_LINEAR; s, t inside the map */
+    MAPPER_TILED,               /* MAP_TILED */
+    MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
+    MAPPER_GENERATED,           /* MAP_MARGINS: code written for the polygon's steps */
+    MAPPER_KINDS
 };
 
 /* Which routines drew, counted where it is asked for. */
 enum span_kind {
-    SPAN_FILL, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_SWAP, SPAN_AFFINE_C,
+    SPAN_FILL, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_SWAP,
+    SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16, SPAN_GENERATED,
     SPAN_KINDS
 };
 
@@ -64,10 +80,11 @@ struct draw_counts {
     uint32 pixels[SPAN_KINDS];
 };
 
+/* What a polygon is drawn with. */
 struct material {
-    const uint8 *map;           /* 256x256, at a multiple of 65,536; 0: flat */
-    uint32 colour;              /* of a flat one: palette index */
-    uint8 edges, gradients, start;
+    uint8 mapper, edges, gradients, start;
+    uint32 colour;              /* of a flat one: the pixel */
+    const struct map *map;      /* in the layout of the mapper */
 };
 
 /* Draws a convex polygon, either winding. counts may be 0; counting takes time. */

@@ -17,7 +17,8 @@
 #define FRAME_LIMIT 650
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "affine_addx", "affine_addx_wrap", "affine_swap", "affine_c"
+    "fill", "gouraud", "affine_addx", "affine_addx_wrap", "affine_swap", "affine_c",
+    "arbitrary", "tiled", "columns", "columns_16", "generated"
 };
 
 static int32 fail(const char *why)
@@ -32,6 +33,7 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     int32 bytes;
 
     frame->width = frame->pitch = scene->header->width;
+    frame->pixel_bytes = 1;
     frame->height = scene->header->height;
     bytes = frame->pitch * frame->height + 2 * GUARD;
     if (!mem_alloc(&memory, bytes, kind))

@@ -29,6 +29,7 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
         to->y = mul_fix(pose->yx, from->x) + mul_fix(pose->yy, from->y) + pose->y0;
         to->s = from->s;
         to->t = from->t;
+        to->shade = 0;
     }
 }
 
@@ -43,11 +44,15 @@ void scene_draw(const struct scene *scene, const struct frame *frame, int32 numb
         const struct scene_material *from = &scene->materials[object->material];
         uint32 age = (uint32)number - object->first_frame;
         struct material material;
+        struct map map;
 
         if ((uint32)number < object->first_frame || age >= object->poses)
             continue;
-        material.map = from->texture == NO_TEXTURE ? 0
-                     : scene->maps + (uint32)from->texture * MAP_BYTES;
+        map.texels = scene->maps + (uint32)from->texture * MAP_BYTES;
+        map.width = map.height = MAP_PAGE_SIDE;
+        map.scale = 65536;
+        material.map = from->texture == NO_TEXTURE ? 0 : &map;
+        material.mapper = material.map ? MAPPER_AFFINE : MAPPER_FLAT;
         material.colour = from->colour;
         material.edges = EDGES_SUBPIXEL;
         material.gradients = GRADIENTS_PLANE;

@@ -3,11 +3,15 @@
 #define SCANLINE_H
 
 #include "compiler.h"
+#include "texture/map.h"
 
 enum scanline_constants {
     /* Added to every x in the table. It keeps the integer half of a swapped x
        positive, so that its carry never reaches the fraction above it. */
-    EDGE_BIAS = 16384
+    EDGE_BIAS = 16384,
+
+    /* Of generated code: 4 bytes a pixel, SCENE_SIDE_MAX pixels, a return. */
+    CODE_BYTES = 4 * 1024 + 4
 };
 
 /* One line of a polygon, and what is interpolated at its first pixel's centre, in
@@ -60,9 +64,12 @@ struct span_plan {
     int32 count;                /* lines, 1 or more */
     uint8 *row;                 /* pixel -EDGE_BIAS of the first line */
     int32 pitch;                /* bytes from line to line */
-    const uint8 *map;           /* 256x256, at a multiple of 65,536 */
-    fix16 dudx, dvdx;           /* texels a pixel */
-    uint32 colour;              /* flat: the pixel, in the low byte */
+    const uint8 *map;           /* texel (0, 0) */
+    fix16 dudx, dvdx;           /* texels a pixel; Gouraud: dudx is shades a pixel */
+    uint32 colour;              /* flat: the pixel, in the low byte or word */
+    int32 map_width, map_height;                /* arbitrary size: texels */
+    const struct column_layout *columns;        /* column layout */
+    void *code;                 /* generated: room for CODE_BYTES */
 };
 
 /* src68k/edge and src68k/span: contracts there. */
@@ -80,6 +87,12 @@ void span_fill(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
+void span_gouraud(const struct span_plan *plan);
+void span_arbitrary(const struct span_plan *plan);
+void span_tiled(const struct span_plan *plan);
+void span_columns(const struct span_plan *plan);
+void span_columns_16(const struct span_plan *plan);
+void span_generated(const struct span_plan *plan);
 
 /* c/span: the same work as span_affine_swap in plain C. */
 void span_affine_c(const struct span_plan *plan);

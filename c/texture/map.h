@@ -1,0 +1,50 @@
+/* Texture maps in memory. */
+#ifndef MAP_H
+#define MAP_H
+
+#include "compiler.h"
+
+/* Where texel (u, v) lies. */
+enum map_layout {
+    MAP_PAGE,                   /* 256 v + u, modulo 256 each: a 256x256 page at a multiple
+                                   of 65,536; a smaller map is repeated in it */
+    MAP_LINEAR,                 /* width v + u; any address */
+    MAP_TILED,                  /* 256x256 in tiles of 8x8: 2048 (u/8) + 8 v + u%8 */
+    MAP_COLUMNS,                /* columns 4 texels wide: 4 height (u/4) + 4 v + u%4 */
+    MAP_MARGINS,                /* MAP_PAGE, its second half once more before it and its
+                                   first half once more behind */
+    MAP_LAYOUTS
+};
+
+enum map_constants {
+    MAP_SIDE_MIN = 8,           /* of repeating maps: powers of two */
+    MAP_PAGE_SIDE = 256,
+    MAP_LINEAR_MAX = 1024,      /* MAP_LINEAR: 1 to this, each side */
+    MAP_COLUMNS_BITS = 18       /* MAP_COLUMNS: log2(width) + log2(height) at most */
+};
+
+struct map {
+    const uint8 *texels;        /* (u, v) = (0, 0) */
+    int32 width, height;        /* texels */
+    fix16 scale;                /* texels for 1 of s or t: the longer side / 256 */
+    uint8 layout;
+    uint8 texel_bytes;          /* 1: palette index; 2: RGB565, big-endian */
+};
+
+/* Column layout, from a map's size: fields of a packed coordinate, 1 integer bit a
+   texel, a gap bit, 13 fraction bits (bits 12 to 0):
+     u   tttt----------uu0fffffffffffff   t: column, u: texel in it
+     v   ----vvvvvvvvvv--0fffffffffffff   v_bits bits of v
+   Filling a step's gaps with ones lets a carry jump over them. */
+struct column_layout {
+    uint32 v_bits;
+    uint32 t_mask, v_mask;      /* where t and v lie */
+    uint32 u_clear, v_clear;    /* what stays of a packed coordinate after a step */
+    uint32 u_fill, v_fill;      /* the gaps, to be set in a step */
+};
+
+/* Fills in a column layout; 0: the map's size has none (8 to 2^15 each side, powers of
+   two, MAP_COLUMNS_BITS bits together). */
+int32 column_layout_make(struct column_layout *layout, int32 width, int32 height);
+
+#endif
