@@ -8,7 +8,7 @@ from kernel_checker import Memory, Trial, Write, both, values
 from kernel_trials_edge import BIAS, ONE
 from tools import layout
 from tools.kernels import Case
-from tools.scanline import pack
+from tools.scanline import add_span_plan, pack
 
 MAP_ALIGN = 65536
 FRAME = 65024
@@ -84,8 +84,8 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
     memory = Memory(int(rng.integers(1 << 30)))
     first_row = lines[0][3] - int(table["left"][0])
-    plan = memory.struct(
-        "span_plan", dict(lines=memory.add(table.tobytes(), name="lines", shape=shape)),
+    plan = add_span_plan(
+        memory, dict(lines=memory.add(table.tobytes(), name="lines", shape=shape)),
         dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
         dudx=dudx, dvdx=dvdx, colour=colour)
 

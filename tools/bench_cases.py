@@ -12,7 +12,7 @@ import numpy as np
 
 from . import layout
 from .kernels import M32, Arena, Case, Result
-from .scanline import MASKS, pack, rounded_edge
+from .scanline import MASKS, add_span_plan, pack, rounded_edge
 
 DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 DC = 0x00A00  # shade a pixel, 16.16
@@ -57,9 +57,10 @@ def span_case(kernel: str, form: str, length: int):
         entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
     table_at = arena.add(entries.tobytes())
     frame_at = far.add(bytes(pitch * lines))
-    plan_at = arena.struct(
-        "span_plan", dict(lines=table_at),
-        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
+    plan_at = add_span_plan(
+        arena, dict(lines=table_at),
+        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at),
+        count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
     expected = np.zeros((lines, pitch), np.uint8)
     n = np.arange(length)
     for k, (u, v) in enumerate(starts):

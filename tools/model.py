@@ -153,6 +153,7 @@ class Polygon:
     texturing: Texturing | None
     left_edges: list[Edge]
     right_edges: list[Edge]
+    textured: bool
 
     @property
     def pixels(self) -> int:
@@ -237,6 +238,17 @@ def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
     return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
 
 
+def along(edge: Edge) -> list[tuple[int, int, int]]:
+    """x, u and v where an edge crosses its lines, 16.16."""
+    whole = [b - a for a, b in zip(edge.upper, edge.lower)]
+    y = (edge.top << 16) - edge.upper[1]
+    several = edge.end - edge.top > 1
+    first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
+    steps = [mul_div(whole[k], 65536, whole[1]) if several else 0 for k in (2, 3)]
+    return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
+            for n, line in enumerate(range(edge.top, edge.end))]
+
+
 def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
     """u and v of an edge's lines at their first pixels, modulo 2^32."""
     columns = [edge.column(line) for line in range(edge.top, edge.end)]
@@ -249,10 +261,9 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
         steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
     else:
-        whole = [b - a for a, b in zip(edge.upper, edge.lower)]
-        y = (edge.top << 16) - edge.upper[1]
-        first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
-        steps = [mul_div(whole[k], 65536, whole[1]) if len(columns) > 1 else 0 for k in (2, 3)]
+        crossings = along(edge)
+        first = list(crossings[0][1:])
+        steps = [b - a for a, b in zip(first, crossings[min(1, len(crossings) - 1)][1:])]
         if settings.start == "subtexel":
             first = [f + mul(m, prestep) for f, m in zip(first, moves)]
             steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
@@ -263,6 +274,32 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
         starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
     return starts
+
+
+def cut_quotient(n: int, d: int) -> int:
+    """n / d cut towards zero, d > 0."""
+    return n // d if n >= 0 else -(-n // d)
+
+
+def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> None:
+    """Sets u, v and steps of a line with pixels by two divides."""
+    rise = [signed(b - a) for a, b in zip(left[1:], right[1:])]
+    if truncated:
+        first = ceil16(left[0])
+        pixels = ceil16(right[0]) - first
+        steps = [cut_quotient(r, pixels) if pixels > 0 else 0 for r in rise]
+        moves = [(line.left - first) * s for s in steps]
+    else:
+        width, prestep = right[0] - left[0], (line.left << 16) - left[0]
+        if width >= 65536:
+            steps = [cut_quotient(r << 16, width) for r in rise]
+            moves = [mul(s, prestep) for s in steps]
+        else:
+            prestep = min(max(prestep, 0), width)
+            steps = [0, 0]
+            moves = [cut_quotient(r * prestep, width) if width > 0 else 0 for r in rise]
+    line.u, line.v = (a + m & M32 for a, m in zip(left[1:], moves))
+    line.dudx, line.dvdx = (s & M32 for s in steps)
 
 
 def set_up(vertices, width: int, height: int, textured: bool,
@@ -276,7 +313,7 @@ def set_up(vertices, width: int, height: int, textured: bool,
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if not 3 <= n <= 64 or any(not -FAR < c < FAR for v in vertices for c in v):
         return None
-    if textured and settings.gradients != "plane" and n != 3:
+    if textured and settings.gradients == "polygon" and n != 3:
         return None
     top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
     bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
@@ -300,7 +337,14 @@ def set_up(vertices, width: int, height: int, textured: bool,
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     if not textured:
         lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
-        return Polygon(box[1], lines, None, lefts, rights)
+        return Polygon(box[1], lines, None, lefts, rights, False)
+    if settings.gradients == "scanline":
+        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+        sides = ([point for e in edges for point in along(e)] for edges in (lefts, rights))
+        for line, a, b in zip(lines, *sides):
+            if line.right > line.left:
+                scanline_line(line, a, b, settings.start == "truncated")
+        return Polygon(box[1], lines, None, lefts, rights, True)
     corners = top, bottom, apex
     t = plane(vertices, corners, box, settings.start == "subtexel") \
         if settings.gradients == "plane" else longest(vertices, corners, box)
@@ -312,7 +356,7 @@ def set_up(vertices, width: int, height: int, textured: bool,
         cut = max(-a, 0)
         lines.append(Line(max(a, 0), min(b, width), u + cut * t.dudx & M32, v + cut * t.dvdx & M32,
                           t.dudx, t.dvdx))
-    return Polygon(box[1], lines, t, lefts, rights)
+    return Polygon(box[1], lines, t, lefts, rights, True)
 
 
 def coordinates(line: Line):
@@ -326,7 +370,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        if polygon.texturing is None:
+        if not polygon.textured:
             frame[y, line.left:line.right] = colour
         else:
             u, v = coordinates(line)
