@@ -6,6 +6,7 @@
    (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first, which
    side is cut or where a section begins. The model in tools/model.py does the same
    arithmetic. */
+#include "polygon/clip.h"
 #include "polygon/edges.h"
 #include "polygon/material.h"
 #include "polygon/polygon.h"
@@ -87,41 +88,76 @@ static enum span_kind kind_of(const struct material *material, const struct fram
 struct setup {
     const struct frame *frame;
     const struct material *material;
-    const struct vertex *vertices;
+    const struct vertex *vertices;      /* the whole polygon: what gradients come from */
     int32 count;
     struct sides sides;
+    const struct vertex *clipped;       /* what edges come from */
+    int32 clipped_count;
+    struct sides clipped_sides;
     struct rectangle box;       /* what it may cover of the frame */
     struct edge_plan edges;
     struct span_plan span;
     enum span_kind kind;
 };
 
-static struct edge left_edges[POLYGON_VERTICES_MAX], right_edges[POLYGON_VERTICES_MAX];
-static struct side_edge left_from[POLYGON_VERTICES_MAX], right_from[POLYGON_VERTICES_MAX];
+static struct edge left_edges[CLIP_VERTICES_MAX], right_edges[CLIP_VERTICES_MAX];
+static struct side_edge left_from[CLIP_VERTICES_MAX], right_from[CLIP_VERTICES_MAX];
+
+static int32 set_box(struct rectangle *box, const struct sides *sides,
+                     const struct vertex *vertices, const struct frame *frame)
+{
+    box->left = maximum(fix_ceil(sides->x_low - EDGE_ERROR), 0);
+    box->right = minimum(fix_ceil(sides->x_high + EDGE_ERROR), frame->width);
+    box->top = maximum(fix_ceil(vertices[sides->top].y), 0);
+    box->bottom = minimum(fix_ceil(vertices[sides->bottom].y), frame->height);
+    return box->left < box->right && box->top < box->bottom;
+}
+
+/* Cuts the polygon a pixel outside the frame: no pixel centre is lost by rounding. */
+static enum polygon_result clip_vertices(struct setup *s)
+{
+    static struct vertex room[2 * CLIP_VERTICES_MAX];
+    struct clip_window window;
+
+    window.left = window.top = -65536;
+    window.right = s->frame->width << 16;
+    window.bottom = s->frame->height << 16;
+    s->clipped = polygon_clip(room, s->vertices, &s->clipped_count, &window);
+    if (s->clipped == s->vertices)
+        return POLYGON_DRAWN;
+    if (s->clipped_count < 3
+        || !sides_measure(&s->clipped_sides, s->clipped, s->clipped_count)
+        || !set_box(&s->box, &s->clipped_sides, s->clipped, s->frame)
+        || !sides_orient(&s->clipped_sides, s->clipped, s->clipped_count))
+        return POLYGON_EMPTY;
+    return POLYGON_DRAWN;
+}
 
 /* Finds what the polygon covers and its edges. */
 static enum polygon_result set_sides(struct setup *s)
 {
-    struct rectangle *box = &s->box;
     int32 step;
 
     if (!sides_measure(&s->sides, s->vertices, s->count))
         return POLYGON_OUTSIDE_RANGE;
-    box->left = maximum(fix_ceil(s->sides.x_low - EDGE_ERROR), 0);
-    box->right = minimum(fix_ceil(s->sides.x_high + EDGE_ERROR), s->frame->width);
-    box->top = maximum(fix_ceil(s->vertices[s->sides.top].y), 0);
-    box->bottom = minimum(fix_ceil(s->vertices[s->sides.bottom].y), s->frame->height);
-    if (box->left >= box->right || box->top >= box->bottom
+    if (!set_box(&s->box, &s->sides, s->vertices, s->frame)
         || !sides_orient(&s->sides, s->vertices, s->count))
         return POLYGON_EMPTY;
-    step = s->sides.left_step;
+    s->clipped = s->vertices;
+    s->clipped_count = s->count;
+    s->clipped_sides = s->sides;
+    if (s->material->clip == CLIP_VERTICES && clip_vertices(s) != POLYGON_DRAWN)
+        return POLYGON_EMPTY;
+    step = s->clipped_sides.left_step;
     s->edges.lines = lines;
     s->edges.left = left_edges;
     s->edges.right = right_edges;
-    s->edges.lefts = edges_make(left_edges, left_from, &s->sides, s->vertices, s->count,
-                                step, box->top, box->bottom, s->material->edges);
-    s->edges.rights = edges_make(right_edges, right_from, &s->sides, s->vertices, s->count,
-                                 -step, box->top, box->bottom, s->material->edges);
+    s->edges.lefts = edges_make(left_edges, left_from, &s->clipped_sides, s->clipped,
+                                s->clipped_count, step, s->box.top, s->box.bottom,
+                                s->material->edges);
+    s->edges.rights = edges_make(right_edges, right_from, &s->clipped_sides, s->clipped,
+                                 s->clipped_count, -step, s->box.top, s->box.bottom,
+                                 s->material->edges);
     return POLYGON_DRAWN;
 }
 
@@ -169,7 +205,7 @@ static void cut_lines(const struct setup *s, void (*routine)(const struct scisso
 {
     struct scissor_plan scissor;
 
-    if (s->sides.x_low >= 0 && s->sides.x_high + EDGE_ERROR <= s->frame->width << 16)
+    if (s->clipped_sides.x_low >= 0 && s->clipped_sides.x_high + EDGE_ERROR <= s->frame->width << 16)
         return;
     scissor.lines = lines;
     scissor.count = s->span.count;
@@ -190,7 +226,7 @@ static void make_lines(const struct setup *s, edge_routine *rounded, edge_routin
 /* Two divides a scanline: the sides' u and v after their x. */
 static void set_ramps(struct setup *s)
 {
-    static struct ramp left[POLYGON_VERTICES_MAX], right[POLYGON_VERTICES_MAX];
+    static struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
     static struct scanline_step steps[SCENE_SIDE_MAX];
     struct ramp_plan plan;
 

@@ -38,6 +38,13 @@ enum start {
     START_KINDS
 };
 
+/* What is done with what lies outside the frame. */
+enum clip {
+    CLIP_SCISSOR,               /* lines are cut: the same pixels as without a border */
+    CLIP_VERTICES,              /* the polygon is, before it has edges */
+    CLIP_KINDS
+};
+
 /* Spans and edges in swapped form and plain form: same picture, other speed. */
 enum form { FORM_ADDX, FORM_SWAP, FORM_C };
 
@@ -83,7 +90,7 @@ struct draw_counts {
 
 /* What a polygon is drawn with. */
 struct material {
-    uint8 mapper, edges, gradients, start;
+    uint8 mapper, edges, gradients, start, clip;
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
 };

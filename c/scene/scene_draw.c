@@ -57,6 +57,7 @@ void scene_draw(const struct scene *scene, const struct frame *frame, int32 numb
         material.edges = EDGES_SUBPIXEL;
         material.gradients = GRADIENTS_PLANE;
         material.start = START_SUBTEXEL;
+        material.clip = CLIP_SCISSOR;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
               &scene->poses[object->pose + age]);
         polygon_draw(frame, vertices, (int32)object->vertices, &material, form, counts);
