@@ -14,6 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .clip import clip, frame_window, mul_div
+
 FAR = 16384 << 16
 EDGE_ERROR = 1024
 M32 = (1 << 32) - 1
@@ -28,11 +30,6 @@ def signed(value: int, bits: int = 32) -> int:
 def ceil16(x: int) -> int:
     """The smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
-
-
-def mul_div(a: int, b: int, c: int) -> int:
-    """a * b / c rounded to the nearest integer, c > 0."""
-    return (a * b + (c >> 1)) // c
 
 
 def mul(a: int, b: int) -> int:
@@ -71,6 +68,7 @@ class Settings:
     edges: str = "subpixel"  # integer, subpixel, exact
     gradients: str = "plane"  # scanline, polygon, plane
     start: str = "subtexel"  # truncated, subtexel
+    clip: str = "scissor"  # scissor, vertices
 
 
 @dataclass
@@ -159,6 +157,38 @@ class Polygon:
     def pixels(self) -> int:
         """Pixels drawn."""
         return sum(max(0, line.right - line.left) for line in self.lines)
+
+
+@dataclass
+class Sides:
+    """Top, bottom and the vertex farthest from the line between them (indices), which
+    way the left side runs, and the box of pixels: left, top, right, bottom."""
+
+    corners: tuple[int, int, int]
+    direction: int
+    box: tuple[int, int, int, int]
+
+
+def measure(vertices, width: int, height: int) -> Sides | None:
+    """The sides of a polygon; None where it covers nothing."""
+    n = len(vertices)
+    if n < 3:
+        return None
+    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
+    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
+    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
+    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
+           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
+    if box[0] >= box[2] or box[1] >= box[3]:
+        return None
+    ax, ay = vertices[top][:2]
+    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
+    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
+    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    if turns[apex] == 0:
+        return None
+    forward = (apex - top) % n < (bottom - top) % n
+    return Sides((top, bottom, apex), 1 if (turns[apex] > 0) == forward else -1, box)
 
 
 def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
@@ -315,24 +345,21 @@ def set_up(vertices, width: int, height: int, textured: bool,
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
-    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
-    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
-    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
-    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
-           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
-    if box[0] >= box[2] or box[1] >= box[3]:
+    sides = measure(vertices, width, height)
+    if sides is None:
         return None
-    ax, ay = vertices[top][:2]
-    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
-    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
-    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
-    if turns[apex] == 0:
-        return None
-    forward = (apex - top) % n < (bottom - top) % n
-    direction = 1 if (turns[apex] > 0) == forward else -1
+    corners, edge_vertices = sides.corners, vertices
+    if settings.clip == "vertices":
+        clipped = clip(vertices, frame_window(width, height))
+        if clipped != vertices:
+            edge_vertices = clipped
+            sides = measure(clipped, width, height)
+            if sides is None:
+                return None
+    box, direction, top = sides.box, sides.direction, sides.corners[0]
     exact = settings.edges == "exact"
-    lefts = side(vertices, top, direction, box[1], box[3], exact)
-    rights = side(vertices, top, -direction, box[1], box[3], exact)
+    lefts = side(edge_vertices, top, direction, box[1], box[3], exact)
+    rights = side(edge_vertices, top, -direction, box[1], box[3], exact)
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     if not textured:
@@ -345,7 +372,6 @@ def set_up(vertices, width: int, height: int, textured: bool,
             if line.right > line.left:
                 scanline_line(line, a, b, settings.start == "truncated")
         return Polygon(box[1], lines, None, lefts, rights, True)
-    corners = top, bottom, apex
     t = plane(vertices, corners, box, settings.start == "subtexel") \
         if settings.gradients == "plane" else longest(vertices, corners, box)
     if t is None:
