@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run bench test diff clean programs setup FORCE
+.PHONY: help run bench accuracy polys test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -48,6 +48,8 @@ LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 help:
 	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
+	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
+	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
 	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
@@ -59,6 +61,12 @@ run: programs
 
 bench: programs
 	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench
+
+accuracy: programs
+	@scripts/tmap accuracy $${MACHINE:+--machine "$$MACHINE"} -o build/accuracy
+
+polys: programs
+	@scripts/tmap polys $${MACHINE:+--machine "$$MACHINE"} -o build/polys
 
 test: programs
 	@$(PYTHON) -m pytest -q tests

@@ -48,6 +48,20 @@ def bench(args: argparse.Namespace) -> int:
     return tool.command(args.out or BUILD / "bench", args.machine, args.only, args.accept)
 
 
+def accuracy(args: argparse.Namespace) -> int:
+    """Measures what accuracy costs."""
+    build_programs()
+    from . import accuracy as tool
+    return tool.command(args.out or BUILD / "accuracy", args.set, args.machine)
+
+
+def polys(args: argparse.Namespace) -> int:
+    """Measures polygons a second."""
+    build_programs()
+    from . import polys as tool
+    return tool.command(args.out or BUILD / "polys", args.machine)
+
+
 def readme(args: argparse.Namespace) -> int:
     """Types the tables of the README."""
     from . import readme as tool
@@ -88,6 +102,18 @@ def parser() -> Parser:
     command.add_argument("--only", metavar="PATTERN", help="kernels with such names, as affine_*")
     command.add_argument("--accept", action="store_true",
                          help="make the result the committed baseline")
+
+    machines = {"choices": ("a1200", "a1200-fast"), "help": "one machine instead of both"}
+    command = add(accuracy, "Measure error and cycles of every accuracy setting and mapper.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/accuracy)")
+    command.add_argument("--machine", **machines)
+    command.add_argument("--set", action="append", metavar="NAME",
+                         help="one set of polygons (small, medium, large, thin, steep); "
+                              "may be given several times")
+
+    command = add(polys, "Count polygons a second, as fatmap2's test program does.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/polys)")
+    command.add_argument("--machine", **machines)
 
     add(readme, "Bring the tables of the README up to date.")
 

@@ -25,6 +25,8 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from .model import Polygon
 
 UNIT = 1 / 65536
@@ -106,6 +108,14 @@ class Plane:
             error -= abs(self.d) << 32
         return error / self.d * UNIT
 
+    def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
+        """``error`` of the pixels ``columns`` of line j, next to each other; the first is
+        exact, the others are rounded to some 1/2^30 texel."""
+        moved = (found - found[0] + (1 << 31)) % (1 << 32) - (1 << 31)
+        exact = (columns - columns[0]) * (self.nx / self.d)
+        error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
+        return (error + 32768) % 65536 - 32768
+
     def bound(self, i: int, j: int, i_ref: int, j_ref: int, spare: int) -> float:
         """The derived bound at pixel (i, j), in texels."""
         gx, gy = abs(self.nx / self.d), abs(self.ny / self.d)
@@ -114,6 +124,22 @@ class Plane:
         rounding = UNIT / 2 * (1 << spare)
         return (UNIT + spare * UNIT + away
                 + abs(i - i_ref) * (rounding + ex) + abs(j - j_ref) * (rounding + ey))
+
+
+class Picture:
+    """What a triangle should be in a frame: extents {line: (first pixel, end)}, how many
+    pixels, and the planes of u and v."""
+
+    def __init__(self, vertices, width: int, height: int) -> None:
+        self.extents = {}
+        ys = [v[1] for v in vertices]
+        for y in range(max(-(-min(ys) // 65536), 0), min(-(-max(ys) // 65536), height)):
+            ends = [min(max(-(-n // (d << 16)), 0), width) for n, d in extent(vertices, y)]
+            if ends[0] < ends[1]:
+                self.extents[y] = tuple(ends)
+        self.pixels = sum(end - first for first, end in self.extents.values())
+        points = [v[:2] for v in vertices]
+        self.planes = [Plane(points, [v[k] for v in vertices]) for k in (2, 3)]
 
 
 def deviation(vertices, polygon: Polygon, width: int) -> Deviation:

@@ -1,0 +1,88 @@
+"""The named polygon sets of the accuracy report, and the random triangles of ``polys``.
+
+All are triangles, so that every gradient setting can draw them; everything is 16.16 and
+the same in every run. A vertex is (x, y, s, t, shade).
+"""
+
+import math
+import random
+
+WIDTH, HEIGHT = 320, 256
+COUNT = 20  # polygons a set
+#: Texels a pixel along the set's polygons, in turn.
+STEPS = (1 / 16, 1 / 4, 1, 4, 16)
+#: Name to (least and greatest area in pixels, least and greatest height in pixels).
+SHAPES = {"small": ((12, 40), (3, 20)), "medium": ((1800, 2200), (40, 90)),
+          "large": ((15000, 40000), (150, 256)), "thin": ((60, 250), (100, 256)),
+          "steep": ((60, 250), (0.3, 3))}
+
+
+def fix(value: float) -> int:
+    """The nearest 16.16 number."""
+    return round(value * 65536)
+
+
+def area(points) -> float:
+    """A triangle's area."""
+    (x0, y0), (x1, y1), (x2, y2) = points
+    return abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
+
+
+def corners(rng: random.Random, name: str) -> list[tuple[float, float]]:
+    """A triangle of a set, inside the frame."""
+    areas, heights = SHAPES[name]
+    while True:
+        points = [(rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)) for _ in range(3)]
+        height = rng.uniform(*heights)
+        low = min(y for _, y in points)
+        scale = height / (max(y for _, y in points) - low)
+        points = [(x, low + (y - low) * scale) for x, y in points]
+        middle = points[0][0]
+        squeeze = min(1, rng.uniform(*areas) / area(points))
+        points = [(middle + (x - middle) * squeeze, y) for x, y in points]
+        if areas[0] <= area(points) <= areas[1] and all(0 <= y < HEIGHT for _, y in points):
+            return points
+
+
+def texture(rng: random.Random, points, step: float, inside: float | None) -> list[tuple]:
+    """s and t of the corners: a turned map of so many texels a pixel.
+
+    ``inside``: the side of a map that the coordinates must not leave; they are brought
+    nearer together where they would.
+    """
+    angle = rng.uniform(0, math.tau)
+    c, s = step * math.cos(angle), step * math.sin(angle)
+    x0, y0 = points[0]
+    turned = [(c * (x - x0) - s * (y - y0), s * (x - x0) + c * (y - y0)) for x, y in points]
+    base = rng.uniform(-100, 400), rng.uniform(-100, 400)
+    if inside is None:
+        return [(u + base[0], v + base[1]) for u, v in turned]
+    extent = max(max(q) - min(q) for q in zip(*turned))
+    shrink = min(1, 0.98 * inside / extent)
+    turned = [(u * shrink, v * shrink) for u, v in turned]
+    low = [min(q) for q in zip(*turned)]
+    high = [max(q) for q in zip(*turned)]
+    base = [rng.uniform(-a, inside - b) for a, b in zip(low, high)]
+    return [(u + base[0], v + base[1]) for u, v in turned]
+
+
+def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...]]]:
+    """The polygons of a set."""
+    made = []
+    for k in range(COUNT):
+        rng = random.Random(f"{name} {k}")
+        points = corners(rng, name)
+        plane = texture(rng, points, STEPS[k % len(STEPS)], inside)
+        shades = [rng.randrange(256) for _ in points]
+        made.append([tuple(map(fix, (*p, *q, shade)))
+                     for p, q, shade in zip(points, plane, shades)])
+    return made
+
+
+def random_triangles(count: int, seed: int = 1997) -> list[list[tuple[int, ...]]]:
+    """Triangles as fatmap2's test program draws them: x in 0 to 320, y in 0 to 200,
+    s and t anywhere on a 256x256 map."""
+    rng = random.Random(seed)
+    return [[tuple(map(fix, (rng.uniform(0, 320), rng.uniform(0, 200), rng.uniform(0, 255),
+                             rng.uniform(0, 255), rng.randrange(256)))) for _ in range(3)]
+            for _ in range(count)]

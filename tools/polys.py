@@ -1,0 +1,92 @@
+"""``tmap polys``: polygons a second, as fatmap2's own test program counts them.
+
+Random triangles with x in 0..320, y in 0..200 and texture coordinates anywhere on the map
+(Mats Byggmastar, fatmap2, 1997, section "Polygons per second", Pentium 120).
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from . import emulator, model, polygon_sets, provenance
+from .accuracy import CYCLES_PER_TICK, IDENTITY, MACHINES, picture
+from .errors import UserError
+from .run import CLOCK_HZ
+from .scene_file import MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+
+TRIANGLES = 200
+#: Row to (mapper, thousand cycles a polygon on the Pentium 120).
+ROWS = {"flat": ("flat", 34.3), "gouraud": ("gouraud", 64.9), "texture": ("affine", 98.8),
+        "arbitrary": ("arbitrary", 100.3), "tiled": ("tiled", 78.9)}
+
+
+def scene() -> Scene:
+    """An empty frame, then one with all triangles for each row."""
+    triangles = polygon_sets.random_triangles(TRIANGLES)
+    materials, textures, objects, vertices = [], [], [], []
+    for number, (mapper, _) in enumerate(ROWS.values()):
+        texture = -1
+        if MAPPER_LAYOUT[mapper]:
+            texture = len(textures)
+            textures.append(Texture(picture(), MAPPER_LAYOUT[mapper]))
+        materials.append(Material(mapper, texture=texture, colour=200))
+        for triangle in triangles:
+            objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
+            vertices += triangle
+    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
+    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(ROWS) + 1, 7, palette, textures,
+                 materials, objects, np.array(vertices), np.array([IDENTITY]))
+
+
+def measure(machine: str) -> list[dict]:
+    """The rows of a machine; every frame is checked against the model."""
+    this = scene()
+    with emulator.workspace() as directory:
+        done = emulator.run("render", "input.scene", {"input.scene": write(this)}, machine,
+                            directory)
+        if done.code:
+            raise UserError(f"polys: {emulator.last_words(done.output)}")
+        for number in range(this.frames):
+            found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
+            if (found != model.render(this, number).ravel()).any():
+                raise UserError(f"polys: frame {number} on {machine} is not the model's")
+    ticks = [int(line.split()[3]) for line in done.output.splitlines()]
+    rows = []
+    for (name, (_, pentium)), t in zip(ROWS.items(), ticks[1:]):
+        each = (t - ticks[0]) * CYCLES_PER_TICK / TRIANGLES
+        rows.append({"name": name, "machine": machine,
+                     "polygons_per_second": round(CLOCK_HZ / each, 1),
+                     "kilocycles_per_polygon": round(each / 1000, 2),
+                     "pentium_kilocycles": pentium})
+    return rows
+
+
+def table(rows: list[dict]) -> str:
+    """Markdown: a line a row, two columns a machine."""
+    machines = list(dict.fromkeys(r["machine"] for r in rows))
+    lines = ["| filler | " + " | ".join(f"{m}, polygons/s | {m}, kcycles" for m in machines)
+             + " | Pentium 120, kcycles |", "|---" + "|--:" * (2 * len(machines) + 1) + "|"]
+    for name in dict.fromkeys(r["name"] for r in rows):
+        some = [r for r in rows if r["name"] == name]
+        cells = [f"{r['polygons_per_second']:.0f} | {r['kilocycles_per_polygon']:.1f}" for r in some]
+        lines.append(f"| {name} | " + " | ".join(cells) + f" | {some[0]['pentium_kilocycles']} |")
+    return "\n".join(lines) + "\n"
+
+
+def command(out: str, machine: str | None) -> int:
+    """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
+    folder = Path(out)
+    if folder.exists() and not folder.is_dir():
+        raise UserError(f"{out}: is not a directory")
+    rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
+    found = provenance.record() | {
+        "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
+                      "plane gradients, sub-texel starts; DMA and interrupts off", "rows": rows}
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "polys.md").write_text("# Polygons a second\n\n" + found["conditions"] + ".\n\n"
+                                     + table(rows))
+    (folder / "polys.json").write_text(json.dumps(found, indent=1) + "\n")
+    print(table(rows))
+    print(f"written to {out}: polys.json, polys.md")
+    return 0
