@@ -119,7 +119,7 @@ def test_pixel_counts_are_the_models(folder, runs):
     frames = json.loads((runs["a1200", "addx"] / "run.json").read_text())["frames"]
     for frame in frames:
         polygons = [model.set_up(vertices_at(scene, obj, frame["number"]), 64, 48,
-                                 scene.materials[obj.material][0] >= 0) for obj in scene.objects]
+                                 scene.materials[obj.material].texture >= 0) for obj in scene.objects]
         assert frame["pixels"] == sum(polygon.pixels for polygon in polygons)
 
 
@@ -151,7 +151,7 @@ def test_texture_is_upright_and_exact(folder, capsys):
     with Image.open(out / "frame_000.png") as shown, Image.open(folder / "wall.png") as picture:
         assert shown.convert("RGB").tobytes() == picture.tobytes()
     scene = compile_scene(folder / "upright.toml", 1)
-    assert dumps(out) == [scene.textures[0].tobytes()]
+    assert dumps(out) == [scene.textures[0].texels.tobytes()]
     assert not (out / "animation.gif").exists()
     assert capsys.readouterr().out.splitlines()[-1].split() == ["pictures", f"{out}/frame_000.png"]
 
