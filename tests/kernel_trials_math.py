@@ -5,7 +5,7 @@ from fractions import Fraction
 import numpy as np
 
 from kernel_checker import Memory, Trial, Write, values
-from tools import layout
+from tools import layout, model
 from tools.kernels import M32, Case, Result
 
 MIN, MAX = -(1 << 31), (1 << 31) - 1
@@ -204,7 +204,23 @@ def edge_exact_trial(upper: tuple[int, int], lower: tuple[int, int], line: int) 
         writes=[Write(out + fields[name]["offset"], longs(value)) for name, value in wanted.items()])
 
 
-def edge_exact_trials(rng) -> list[Trial]:
+def edge_rounded_trial(upper: tuple[int, int], lower: tuple[int, int], line: int) -> Trial:
+    """The same in 16.16."""
+    memory = Memory()
+    at = [memory.struct("vertex", {}, x=x, y=y, s=0, t=0, shade=0) for x, y in (upper, lower)]
+    out = memory.room("edge")
+    edge = model.Edge(upper, lower, line, line + 1, exact=False)
+    x = edge.at(line) + (16384 << 16) + 0xFFFF
+    wanted = {"x": x >> 16 & 0xFFFF, "whole": edge.slope >> 16, "error": x << 16,
+              "part": edge.slope << 16, "height": 0}
+    fields = layout.load().struct("edge").fields
+    return Trial(
+        Case("edge_rounded", memory, {"d1": line}, {"a0": out, "a1": at[0], "d0": at[1]}),
+        values(x0=upper[0], y0=upper[1], x1=lower[0], y1=lower[1], line=line),
+        writes=[Write(out + fields[name]["offset"], longs(value)) for name, value in wanted.items()])
+
+
+def edge_trials(rng, one_trial) -> list[Trial]:
     far = (16384 << 16) - 1
     ends = [((0, 0), (0, 1), 0), ((-far, -far), (far, far), 0), ((far, -far), (-far, far), 16383),
             ((-far, -far), (far, far), -16383), ((far, -1), (-far, 0), 0), ((5, -1), (7, 1), 0),
@@ -218,12 +234,20 @@ def edge_exact_trials(rng) -> list[Trial]:
             continue
         for line in {first, last, int(rng.integers(first, last + 1))}:
             ends.append(((x0, y0), (x1, y1), line))
-    return [edge_exact_trial(*end) for end in ends]
+    return [one_trial(*end) for end in ends]
+
+
+def edge_exact_trials(rng) -> list[Trial]:
+    return edge_trials(rng, edge_exact_trial)
+
+
+def edge_rounded_trials(rng) -> list[Trial]:
+    return edge_trials(rng, edge_rounded_trial)
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     makers = (mul_fix_trials, mul_div_trials, wide_mul_trials, cross_trials, gradients_trials,
-              edge_exact_trials)
+              edge_exact_trials, edge_rounded_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed))]

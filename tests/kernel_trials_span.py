@@ -4,11 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write, both, values
+from kernel_checker import Memory, Trial, Write, values
 from kernel_trials_edge import BIAS, ONE
 from tools import layout
 from tools.kernels import Case
-from tools.scanline import pack
+from tools.scanline import add_span_plan, pack
 
 MAP_ALIGN = 65536
 FRAME = 65024
@@ -69,27 +69,38 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     shape = layout.load().struct("scanline")
     starts = [(count, k) for count in counts for k in range(4)]
     table = np.zeros(len(starts), shape.dtype)
-    lines = []      # count, u, v and where the first pixel is
+    own_steps = []  # of each line, where the kernel reads them
+    lines = []      # count, u, v, dudx, dvdx and where the first pixel is
     for index, (count, k) in enumerate(starts):
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
         if kernel == "span_affine_addx":
             u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
-        packed = pack("addx" if "addx" in kernel else "plain", u, v)
-        if "addx" in kernel:  # room in v--U, used by the edges' additions
+        form = "addx" if "addx" in kernel or "scanline" in kernel else "plain"
+        packed = pack(form, u, v)
+        if form == "addx":  # room in v--U, used by the edges' additions
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
         left = BIAS + k + 4 * int(rng.integers(4))
         for field, value in (packed | dict(left=left, count=count)).items():
             table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
-        lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
+        own = (dudx, dvdx) if index % 3 else \
+            tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2))
+        own_steps.append(own)
+        steps = own if "scanline" in kernel else (dudx, dvdx)
+        lines.append((count, u, v, *steps, frame_at + 64 + row * pitch + left - BIAS))
     memory = Memory(int(rng.integers(1 << 30)))
-    first_row = lines[0][3] - int(table["left"][0])
-    plan = memory.struct(
-        "span_plan", dict(lines=memory.add(table.tobytes(), name="lines", shape=shape)),
+    first_row = lines[0][-1] - int(table["left"][0])
+    pointers = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
+    if "scanline" in kernel:
+        step = layout.load().struct("scanline_step")
+        pointers["steps"] = memory.add(
+            b"".join(step.pack(dudx=du, dvdx=dv) for du, dv in own_steps), name="steps", shape=step)
+    plan = add_span_plan(
+        memory, pointers,
         dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
         dudx=dudx, dvdx=dvdx, colour=colour)
 
-    def drawn(count: int, u: int, v: int) -> bytes:
+    def drawn(count: int, u: int, v: int, dudx: int, dvdx: int) -> bytes:
         return bytes([colour & 255]) * count if kernel == "span_fill" else \
             texels(u, v, dudx, dvdx, count).tobytes()
 
@@ -97,9 +108,10 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         if not far or not frame_at <= offset < frame_at + FRAME:
             return None
         index = min(range(len(lines)), key=lambda k: max(
-            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) + 1))
-        count, u, v, at = lines[index]
-        line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
+            lines[k][-1] - offset, offset - lines[k][-1] - max(lines[k][0], 0) + 1))
+        count, u, v, du, dv, at = lines[index]
+        line = (f"line {index} (left {table['left'][index]}, count {count}, "
+                f"{values(u=u, v=v, dudx=du, dvdx=dv)})")
         if count <= 0:
             return f"{line}: byte {offset - at}"
         if offset < at:
@@ -112,7 +124,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     return Trial(
         Case(kernel, memory, pointers={"a0": plan}, far=far),
         f"{len(lines)} lines {'up' if upwards else 'down'}, {step}",
-        writes=[Write(at, drawn(count, u, v), far=True) for count, u, v, at in lines if count > 0],
+        writes=[Write(at, drawn(*line), far=True) for *line, at in lines if line[0] > 0],
         where=where)
 
 
@@ -135,6 +147,6 @@ def span_trials(kernel: str, rng) -> list[Trial]:
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
-             "span_affine_c")
+             "span_affine_c", "span_affine_scanline")
     return [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]

@@ -121,6 +121,7 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     entry(every, "materials", affine, "edges", 3, M32)
     entry(every, "materials", affine, "gradients", 3, M32)
     entry(every, "materials", affine, "start", 2, M32)
+    entry(every, "materials", affine, "clip", 2, M32)
     entry(wide, "materials", 0, "mapper", gouraud, affine)
     entry(wide, "materials", 0, "colour", 65536)
     entry(every, "objects", gouraud, "vertices", 4)

@@ -72,6 +72,7 @@ HEAD_16 = HEAD.replace("frames", "bits = 16\nframes")
     (FLAT + ', edges = "exact", gradients = "polygon", start = "truncated"',
      Material("flat", "exact", "polygon", "truncated", colour=1)),
     (RAMP + ', edges = "integer"', Material("gouraud", "integer")),
+    (FLAT + ', clip = "vertices"', Material(clip="vertices", colour=1)),
     ('texture = "square"', Material("affine", texture=0)),
     ('texture = "square", gradients = "scanline"', Material("affine", gradients="scanline", texture=0)),
     ('texture = "small", mapper = "columns"', Material("columns", texture=0)),
@@ -164,8 +165,8 @@ def test_16_bits(folder):
     assert (made.pixel_bytes, made.background) == (2, 0x1106)
     assert made.materials == [Material(colour=0xF800), Material("columns", texture=0)]
     texels = made.textures[0].texels
-    assert texels.dtype == np.uint16 and maps.from_565(texels[4, 2]).tolist() == [0, 0, 0]
-    assert abs(maps.from_565(texels[4, 13]).astype(int) - [200, 220, 240]).max() <= 4
+    assert texels.dtype == np.uint16 and maps.from_rgb565(texels[4, 2]).tolist() == [0, 0, 0]
+    assert abs(maps.from_rgb565(texels[4, 13]).astype(int) - [200, 220, 240]).max() <= 4
 
 
 def test_16_bit_frames_of_the_model(folder):
@@ -208,6 +209,7 @@ def test_16_bit_frames_of_the_model(folder):
      "objects[0].sides: 4 corners, but material 'it' has gradients \"polygon\", which are for"),
     (['texture = "square", gradients = "polygon"', listed(SQUARE.format(9, 9))],
      "objects[0].vertices: 4 corners, but material"),
+    ([FLAT + ', clip = "none"'], "materials.it.clip: 'none' is not one of scissor, vertices"),
     ([RAMP + ', gradients = "polygon"', shaped("", 5)], "objects[0].sides: 5 corners, but"),
     ([FLAT, shaped("shades = [1]")], "objects[0].shades: material 'it' has no shades"),
     ([RAMP, shaped("shades = []")], "objects[0].shades: must have 1 to 64 entries, not 0"),

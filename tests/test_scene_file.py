@@ -108,8 +108,8 @@ def test_orders_are_the_headers():
 
 def test_565():
     numbers = np.arange(65536, dtype=np.uint16)
-    assert (maps.to_565(maps.from_565(numbers)) == numbers).all()
-    assert maps.from_565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
+    assert (maps.to_rgb565(maps.from_rgb565(numbers)) == numbers).all()
+    assert maps.from_rgb565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
         [0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0], [132, 130, 132]]
 
 
@@ -233,6 +233,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_material", "edges", 3, "materials[0].edges: 3 is not from 0 to 2"),
     ("scene_material", "gradients", 3, "materials[0].gradients: 3 is not from 0 to 2"),
     ("scene_material", "start", 2, "materials[0].start: 2 is not from 0 to 1"),
+    ("scene_material", "clip", 2, "materials[0].clip: 2 is not from 0 to 1"),
     ("scene_material", "colour", 256, "materials[0].colour: 256 is not from 0 to 255"),
     ("scene_object", "material", 2, "objects[0].material: 2 is not from 0 to 1"),
     ("scene_object", "vertices", 2, "objects[0].vertices: 2 is not from 3 to 64"),

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import layout
+from . import layout, model
 from .kernels import M32, Arena, Case, Result
-from .scanline import MASKS, pack, rounded_edge
+from .scanline import MASKS, add_span_plan, pack, rounded_edge
 
 DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 DC = 0x00A00  # shade a pixel, 16.16
@@ -55,11 +55,15 @@ def span_case(kernel: str, form: str, length: int):
         for field, value in pack(form, u, v).items():
             entries[k][field] = value
         entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
-    table_at = arena.add(entries.tobytes())
+    pointers = dict(lines=arena.add(entries.tobytes()))
+    if "scanline" in kernel:
+        pointers["steps"] = arena.add(layout.load().struct("scanline_step").pack(
+            dudx=DU, dvdx=DV) * lines)
     frame_at = far.add(bytes(pitch * lines))
-    plan_at = arena.struct(
-        "span_plan", dict(lines=table_at),
-        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
+    plan_at = add_span_plan(
+        arena, pointers,
+        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at),
+        count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
     expected = np.zeros((lines, pitch), np.uint8)
     n = np.arange(length)
     for k, (u, v) in enumerate(starts):
@@ -126,6 +130,45 @@ def edge_case(name: str):
         return None
 
     return EDGE_LINES, Case(name, arena, pointers={"a0": plan_at}), check
+
+
+def ramp_case():
+    """EDGE_LINES lines of 10 pixels and more, sub-texel starts, packed."""
+    shapes = layout.load()
+    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
+    arena, ramp = Arena(), shapes.struct("ramp")
+    steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345}
+    starts = [dict(zip("xuv", (n << 16 for n in side))) for side in ((100, 20, 30), (110, 200, 90))]
+    points = [[tuple(start[k] + n * steps["d" + k] for k in "xuv") for n in range(EDGE_LINES)]
+              for start in starts]
+    table = np.zeros(EDGE_LINES, shape.dtype)
+    lines = []
+    for entry, left, right in zip(table, *points):
+        line = model.Line(model.ceil16(left[0]), model.ceil16(right[0]))
+        entry["left"], entry["count"] = line.left + bias, line.right - line.left
+        model.scanline_line(line, left, right, truncated=False)
+        lines.append(line)
+    table_at = arena.add(table.tobytes())
+    # A call uses the ramps up and the next one runs on from there: with the same steps
+    # on both sides, at the same cost.
+    ramps = [arena.add(ramp.pack(lines=EDGE_LINES, **start, **steps)) for start in starts]
+    steps_at = arena.add(bytes(8 * EDGE_LINES))
+    plan_at = arena.struct("ramp_plan", dict(lines=table_at, left=ramps[0], right=ramps[1],
+                                             steps=steps_at),
+                           count=EDGE_LINES, truncated=0, packed=1)
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.memory, shape.dtype, EDGE_LINES, table_at)
+        made = np.frombuffer(result.memory, ">i4", 2 * EDGE_LINES, steps_at).reshape(-1, 2)
+        for k, line in enumerate(lines):
+            for field, value in pack("addx", line.u, line.v).items():
+                if (int(found[k][field]) ^ value) & MASKS["addx"][field]:
+                    return f"line {k}: {field} is {found[k][field]}, expected {value}"
+            if (made[k] != [model.signed(line.dudx), model.signed(line.dvdx)]).any():
+                return f"line {k}: steps {made[k]}, expected {line.dudx}, {line.dvdx}"
+        return None
+
+    return EDGE_LINES, Case("edge_ramp", arena, pointers={"a0": plan_at}), check
 
 
 def step_case(form: str, count: int):
@@ -245,7 +288,7 @@ def pixel_rows(chip: bool) -> list[Row]:
     rows = []
     for length in SPAN_LENGTHS:
         for name, form in (("affine_addx", "addx"), ("affine_addx_wrap", "addx"),
-                           ("affine_swap", "plain"), ("affine_c", "plain"), ("fill", "flat")):
+                           ("affine_scanline", "addx"), ("affine_swap", "plain"), ("affine_c", "plain"), ("fill", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
     for count in (1, 2, 3):
         for form in ("swap", "addx", "chain"):
@@ -264,6 +307,7 @@ def line_rows(chip: bool) -> list[Row]:
     rows = [Row(name, EDGE_LINES, *edge_case(name)) for name in (
         "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
         "edge_flat", "edge_flat_exact")]
+    rows.append(Row("edge_ramp", EDGE_LINES, *ramp_case()))
     for row in rows:
         row.case.chip = chip
     return rows

@@ -47,7 +47,7 @@ class Frame:
         if self.values.ndim == 3:
             return self.values
         if self.values.dtype == TEXEL[2]:
-            return maps.from_565(self.values)
+            return maps.from_rgb565(self.values)
         greys = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
         return (greys if self.palette is None else self.palette)[self.values]
 

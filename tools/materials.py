@@ -7,8 +7,8 @@ import numpy as np
 
 from . import images, maps, palette
 from .fields import REQUIRED, choice, colour, fail, integer, join, one_of, rows, table, text
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, SETTINGS, Material, Texture,
-                         size_fault)
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, SETTINGS, TEXEL, Material,
+                         Texture, size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
@@ -34,7 +34,7 @@ def texture_schema():
 def material_schema():
     """The check of a material."""
     settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
-                for name in ("edges", "gradients", "start")}
+                for name in SETTINGS if name != "mapper"}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
     return choice({
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
@@ -86,7 +86,7 @@ def pixels(spec: dict) -> Pixels:
     flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
                                                      if "colour" in m)]))
     if spec["bits"] == 16:
-        return Pixels(dict(zip(flat, maps.to_565(np.array(flat)).tolist())), {})
+        return Pixels(dict(zip(flat, maps.to_rgb565(np.array(flat)).tolist())), {})
     made = Pixels({rgb: i for i, rgb in enumerate(flat)}, {}, list(flat))
     known = {}
     for name, material in materials.items():
@@ -109,6 +109,11 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
+def texels_16(picture: np.ndarray) -> np.ndarray:
+    """A picture in RGB565, uint16."""
+    return maps.to_rgb565(picture).astype(TEXEL[2])
+
+
 def build(spec: dict, made: Pixels, folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
     """Palette, uint8 (256, 3), textures and materials; a texture once a layout."""
@@ -121,7 +126,7 @@ def build(spec: dict, made: Pixels, folder: Path,
         if any(name == used for used, _ in wanted):
             pictures[name] = picture
     if spec["bits"] == 16:
-        colours, texels = np.zeros((256, 3), np.uint8), map(maps.to_565, pictures.values())
+        colours, texels = np.zeros((256, 3), np.uint8), map(texels_16, pictures.values())
     else:
         colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials")
     stored, number = [], {}
@@ -131,7 +136,7 @@ def build(spec: dict, made: Pixels, folder: Path,
                 number[name, layout] = len(stored)
                 stored.append(Texture(array, layout))
     return colours, stored, [
-        Material(mapper_of(m), m["edges"], m["gradients"], m["start"],
+        Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0)
         for m in spec["materials"].values()]

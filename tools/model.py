@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .clip import clip, frame_window, mul_div
 from .errors import UserError
 
 FAR = 16384 << 16
@@ -30,11 +31,6 @@ def signed(value: int, bits: int = 32) -> int:
 def ceil16(x: int) -> int:
     """The smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
-
-
-def mul_div(a: int, b: int, c: int) -> int:
-    """a * b / c rounded to the nearest integer, c > 0."""
-    return (a * b + (c >> 1)) // c
 
 
 def mul(a: int, b: int) -> int:
@@ -73,6 +69,7 @@ class Settings:
     edges: str = "subpixel"  # integer, subpixel, exact
     gradients: str = "plane"  # scanline, polygon, plane
     start: str = "subtexel"  # truncated, subtexel
+    clip: str = "scissor"  # scissor, vertices
 
 
 @dataclass
@@ -155,11 +152,44 @@ class Polygon:
     texturing: Texturing | None
     left_edges: list[Edge]
     right_edges: list[Edge]
+    textured: bool
 
     @property
     def pixels(self) -> int:
         """Pixels drawn."""
         return sum(max(0, line.right - line.left) for line in self.lines)
+
+
+@dataclass
+class Sides:
+    """Top, bottom and the vertex farthest from the line between them (indices), which
+    way the left side runs, and the box of pixels: left, top, right, bottom."""
+
+    corners: tuple[int, int, int]
+    direction: int
+    box: tuple[int, int, int, int]
+
+
+def measure(vertices, width: int, height: int) -> Sides | None:
+    """The sides of a polygon; None where it covers nothing."""
+    n = len(vertices)
+    if n < 3:
+        return None
+    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
+    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
+    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
+    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
+           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
+    if box[0] >= box[2] or box[1] >= box[3]:
+        return None
+    ax, ay = vertices[top][:2]
+    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
+    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
+    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    if turns[apex] == 0:
+        return None
+    forward = (apex - top) % n < (bottom - top) % n
+    return Sides((top, bottom, apex), 1 if (turns[apex] > 0) == forward else -1, box)
 
 
 def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
@@ -239,6 +269,17 @@ def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
     return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
 
 
+def along(edge: Edge) -> list[tuple[int, int, int]]:
+    """x, u and v where an edge crosses its lines, 16.16."""
+    whole = [b - a for a, b in zip(edge.upper, edge.lower)]
+    y = (edge.top << 16) - edge.upper[1]
+    several = edge.end - edge.top > 1
+    first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
+    steps = [mul_div(whole[k], 65536, whole[1]) if several else 0 for k in (2, 3)]
+    return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
+            for n, line in enumerate(range(edge.top, edge.end))]
+
+
 def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
     """u and v of an edge's lines at their first pixels, modulo 2^32."""
     columns = [edge.column(line) for line in range(edge.top, edge.end)]
@@ -251,10 +292,9 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
         steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
     else:
-        whole = [b - a for a, b in zip(edge.upper, edge.lower)]
-        y = (edge.top << 16) - edge.upper[1]
-        first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
-        steps = [mul_div(whole[k], 65536, whole[1]) if len(columns) > 1 else 0 for k in (2, 3)]
+        crossings = along(edge)
+        first = list(crossings[0][1:])
+        steps = [b - a for a, b in zip(first, crossings[min(1, len(crossings) - 1)][1:])]
         if settings.start == "subtexel":
             first = [f + mul(m, prestep) for f, m in zip(first, moves)]
             steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
@@ -265,6 +305,32 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
         starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
     return starts
+
+
+def cut_quotient(n: int, d: int) -> int:
+    """n / d cut towards zero, d > 0."""
+    return n // d if n >= 0 else -(-n // d)
+
+
+def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> None:
+    """Sets u, v and steps of a line with pixels by two divides."""
+    rise = [signed(b - a) for a, b in zip(left[1:], right[1:])]
+    if truncated:
+        first = ceil16(left[0])
+        pixels = ceil16(right[0]) - first
+        steps = [cut_quotient(r, pixels) if pixels > 0 else 0 for r in rise]
+        moves = [(line.left - first) * s for s in steps]
+    else:
+        width, prestep = right[0] - left[0], (line.left << 16) - left[0]
+        if width >= 65536:
+            steps = [cut_quotient(r << 16, width) for r in rise]
+            moves = [mul(s, prestep) for s in steps]
+        else:
+            prestep = min(max(prestep, 0), width)
+            steps = [0, 0]
+            moves = [cut_quotient(r * prestep, width) if width > 0 else 0 for r in rise]
+    line.u, line.v = (a + m & M32 for a, m in zip(left[1:], moves))
+    line.dudx, line.dvdx = (s & M32 for s in steps)
 
 
 def set_up(vertices, width: int, height: int, textured: bool,
@@ -278,32 +344,35 @@ def set_up(vertices, width: int, height: int, textured: bool,
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if not 3 <= n <= 64 or any(not -FAR < c < FAR for v in vertices for c in v):
         return None
-    if textured and settings.gradients != "plane" and n != 3:
+    if textured and settings.gradients == "polygon" and n != 3:
         return None
-    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
-    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
-    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
-    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
-           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
-    if box[0] >= box[2] or box[1] >= box[3]:
+    sides = measure(vertices, width, height)
+    if sides is None:
         return None
-    ax, ay = vertices[top][:2]
-    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
-    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
-    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
-    if turns[apex] == 0:
-        return None
-    forward = (apex - top) % n < (bottom - top) % n
-    direction = 1 if (turns[apex] > 0) == forward else -1
+    corners, edge_vertices = sides.corners, vertices
+    if settings.clip == "vertices":
+        clipped = clip(vertices, frame_window(width, height))
+        if clipped != vertices:
+            edge_vertices = clipped
+            sides = measure(clipped, width, height)
+            if sides is None:
+                return None
+    box, direction, top = sides.box, sides.direction, sides.corners[0]
     exact = settings.edges == "exact"
-    lefts = side(vertices, top, direction, box[1], box[3], exact)
-    rights = side(vertices, top, -direction, box[1], box[3], exact)
+    lefts = side(edge_vertices, top, direction, box[1], box[3], exact)
+    rights = side(edge_vertices, top, -direction, box[1], box[3], exact)
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     if not textured:
         lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
-        return Polygon(box[1], lines, None, lefts, rights)
-    corners = top, bottom, apex
+        return Polygon(box[1], lines, None, lefts, rights, False)
+    if settings.gradients == "scanline":
+        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+        sides = ([point for e in edges for point in along(e)] for edges in (lefts, rights))
+        for line, a, b in zip(lines, *sides):
+            if line.right > line.left:
+                scanline_line(line, a, b, settings.start == "truncated")
+        return Polygon(box[1], lines, None, lefts, rights, True)
     t = plane(vertices, corners, box, settings.start == "subtexel") \
         if settings.gradients == "plane" else longest(vertices, corners, box)
     if t is None:
@@ -314,7 +383,7 @@ def set_up(vertices, width: int, height: int, textured: bool,
         cut = max(-a, 0)
         lines.append(Line(max(a, 0), min(b, width), u + cut * t.dudx & M32, v + cut * t.dvdx & M32,
                           t.dudx, t.dvdx))
-    return Polygon(box[1], lines, t, lefts, rights)
+    return Polygon(box[1], lines, t, lefts, rights, True)
 
 
 def coordinates(line: Line):
@@ -339,7 +408,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        if polygon.texturing is None:
+        if not polygon.textured:
             frame[y, line.left:line.right] = colour
             continue
         u, v = (c >> 16 for c in coordinates(line))
@@ -359,13 +428,14 @@ def render(scene, number: int) -> np.ndarray:
         if not obj.first_frame <= number < obj.first_frame + obj.poses:
             continue
         material = scene.materials[obj.material]
-        if material.mapper not in ("flat", "gouraud", "affine"):
-            raise UserError(f"the model has no mapper {material.mapper!r} yet")
         texture = scene.textures[material.texture].texels if material.texture >= 0 else None
         vertices = adapt(vertices_at(scene, obj, number), material.mapper,
                          256 if texture is None else max(texture.shape))
         polygon = set_up(vertices, scene.width, scene.height, material.mapper != "flat",
-                         Settings(material.edges, material.gradients, material.start))
+                         Settings(material.edges, material.gradients, material.start,
+                                  material.clip))
+        if polygon and material.mapper not in ("flat", "gouraud", "affine"):
+            raise UserError(f"the model has no mapper {material.mapper!r} yet")
         if polygon:
             draw(frame, polygon, texture, material.colour)
     return frame

@@ -125,7 +125,7 @@ def as_json(about: dict) -> str:
 def picture_of(frame: np.ndarray, palette: np.ndarray) -> Image.Image:
     """A frame as a picture; palette uint8 (256, 3) of one with a byte a pixel."""
     if frame.dtype == TEXEL[2]:
-        return Image.fromarray(maps.from_565(frame))
+        return Image.fromarray(maps.from_rgb565(frame))
     picture = Image.fromarray(frame, "P")
     picture.putpalette(palette.tobytes())
     return picture

@@ -1,5 +1,7 @@
 """The packing of struct scanline's start fields, for what calls kernels from the host."""
 
+from . import layout
+
 M32 = (1 << 32) - 1
 #: Which bits of a start count, by form: v--U has room in its middle.
 MASKS = {"addx": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": 0xFF0000FF},
@@ -22,3 +24,9 @@ def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
     x += 0xFFFF
     return {"lines": lines, "x": x >> 16, "whole": slope >> 16, "error": x << 16 & M32,
             "part": slope << 16 & M32, "height": 0} | more
+
+
+def add_span_plan(arena, pointers: dict[str, int], far: dict[str, int], **values: int) -> int:
+    """Puts a struct span_plan into an arena; what its kernel does not read is 0."""
+    unread = layout.load().struct("span_plan").fields.keys() - pointers.keys() - far.keys()
+    return arena.struct("span_plan", pointers, far, **dict.fromkeys(unread, 0) | values)

@@ -141,13 +141,14 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
     extent = tuple(2 * MAP_CENTRE * side / max(size) for side in size)
     corners = regular(spec, extent) if "sides" in spec else listed(spec, mapper, at)
     if mapper != "flat" and len(corners) > 3:
-        if material["gradients"] != "plane":
+        if material["gradients"] == "polygon":
             fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
-                     f'"{material["gradients"]}", which are for triangles')
-        if mapper == "gouraud":
+                     '"polygon", which are for triangles')
+        even = material["gradients"] == "plane"  # others go from edge to edge
+        if mapper == "gouraud" and even:
             shades_at = at if "vertices" in spec else f"{where}.shades"
             check_even(corners, [4], UNEVEN_SHADE, shades_at)
-        elif mapper == "arbitrary":
+        elif mapper == "arbitrary" and even:
             check_even(corners, [2, 3], UNEVEN, at)
     if texture:
         map_at = at if "vertices" in spec else f"{where}.map_radius"

@@ -19,7 +19,8 @@ MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins")
 #: The settings of a material by their names, and the prefix of each one's enumerators.
 SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
-            "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel")}
+            "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
+            "clip": ("scissor", "vertices")}
 MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
 #: What a texture's bytes are, by pixel_bytes.
 TEXEL = {1: np.dtype(np.uint8), 2: np.dtype(np.uint16)}
@@ -44,6 +45,7 @@ class Material:
     edges: str = "subpixel"
     gradients: str = "plane"
     start: str = "subtexel"
+    clip: str = "scissor"
     texture: int = -1  # index, or NO_TEXTURE
     colour: int = 0  # pixel
 
@@ -160,9 +162,9 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
 def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     """Refuses vertices the material cannot have: what leaves the map or the palette."""
     material = scene.materials[obj.material]
-    if obj.vertices > 3 and material.mapper != "flat" and material.gradients != "plane":
-        raise UserError(f"{name}: {where}.vertices: {obj.vertices}, but gradients "
-                        f"{material.gradients!r} are for triangles")
+    if obj.vertices > 3 and material.mapper != "flat" and material.gradients == "polygon":
+        raise UserError(f"{name}: {where}.vertices: {obj.vertices}, but gradients 'polygon' "
+                        "are for triangles")
     corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices]
     if material.mapper == "gouraud":
         require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)

@@ -6,9 +6,11 @@
    (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first, which
    side is cut or where a section begins. The model in tools/model.py does the same
    arithmetic. */
+#include "polygon/clip.h"
 #include "polygon/edges.h"
-#include "polygon/plane.h"
+#include "polygon/material.h"
 #include "polygon/polygon.h"
+#include "polygon/ramps.h"
 #include "polygon/sides.h"
 #include "polygon/texturing.h"
 #include "span/scanline.h"
@@ -31,6 +33,8 @@ static const struct {
     [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
     [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
                                span_affine_addx_wrap},
+    [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
+                              span_affine_scanline},
     [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
     [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
 };
@@ -54,34 +58,6 @@ static void count_pixels(uint32 *pixels, int32 count)
             *pixels += (uint32)line->count;
 }
 
-/* The vertices as the set-up takes them: x and y in whole pixels where edges are, s and
-   t in texels (rounded down to 1/65536) or the shade instead. */
-static const struct vertex *adapt(const struct vertex *from, int32 count,
-                                  const struct material *material)
-{
-    static struct vertex to[POLYGON_VERTICES_MAX];
-    fix16 scale = material->map ? material->map->scale : 65536;
-
-    if (material->edges != EDGES_INTEGER && scale == 65536
-        && material->mapper != MAPPER_GOURAUD)
-        return from;
-    for (int32 i = 0; i < count; i++) {
-        to[i] = from[i];
-        if (material->edges == EDGES_INTEGER) {
-            to[i].x &= ~0xffff;
-            to[i].y &= ~0xffff;
-        }
-        if (material->mapper == MAPPER_GOURAUD) {
-            to[i].s = from[i].shade;
-            to[i].t = 0;
-        } else if (scale != 65536) {
-            to[i].s = mul_fix(from[i].s, scale);
-            to[i].t = mul_fix(from[i].t, scale);
-        }
-    }
-    return to;
-}
-
 /* What draws a polygon of this material. */
 static enum span_kind kind_of(const struct material *material, const struct frame *frame,
                               enum form form, int32 wraps)
@@ -90,6 +66,8 @@ static enum span_kind kind_of(const struct material *material, const struct fram
     case MAPPER_GOURAUD:
         return SPAN_GOURAUD;
     case MAPPER_AFFINE:
+        if (material->gradients == GRADIENTS_SCANLINE)
+            return SPAN_AFFINE_SCANLINE;
         return form == FORM_SWAP ? SPAN_AFFINE_SWAP
              : form == FORM_C ? SPAN_AFFINE_C
              : wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
@@ -106,96 +84,242 @@ static enum span_kind kind_of(const struct material *material, const struct fram
     }
 }
 
-static int32 is_inside_frame(const struct rectangle *box)
+/* A polygon on its way through the set-up. */
+struct setup {
+    const struct frame *frame;
+    const struct material *material;
+    const struct vertex *vertices;      /* the whole polygon: what gradients come from */
+    int32 count;
+    struct sides sides;
+    const struct vertex *clipped;       /* what edges come from */
+    int32 clipped_count;
+    struct sides clipped_sides;
+    struct rectangle box;       /* what it may cover of the frame */
+    struct edge_plan edges;
+    struct span_plan span;
+    enum span_kind kind;
+};
+
+static struct edge left_edges[CLIP_VERTICES_MAX], right_edges[CLIP_VERTICES_MAX];
+static struct side_edge left_from[CLIP_VERTICES_MAX], right_from[CLIP_VERTICES_MAX];
+
+static int32 set_box(struct rectangle *box, const struct sides *sides,
+                     const struct vertex *vertices, const struct frame *frame)
 {
+    box->left = maximum(fix_ceil(sides->x_low - EDGE_ERROR), 0);
+    box->right = minimum(fix_ceil(sides->x_high + EDGE_ERROR), frame->width);
+    box->top = maximum(fix_ceil(vertices[sides->top].y), 0);
+    box->bottom = minimum(fix_ceil(vertices[sides->bottom].y), frame->height);
     return box->left < box->right && box->top < box->bottom;
+}
+
+/* Cuts the polygon a pixel outside the frame: no pixel centre is lost by rounding. */
+static enum polygon_result clip_vertices(struct setup *s)
+{
+    static struct vertex room[2 * CLIP_VERTICES_MAX];
+    struct clip_window window;
+
+    window.left = window.top = -65536;
+    window.right = s->frame->width << 16;
+    window.bottom = s->frame->height << 16;
+    s->clipped = polygon_clip(room, s->vertices, &s->clipped_count, &window);
+    if (s->clipped == s->vertices)
+        return POLYGON_DRAWN;
+    if (s->clipped_count < 3
+        || !sides_measure(&s->clipped_sides, s->clipped, s->clipped_count)
+        || !set_box(&s->box, &s->clipped_sides, s->clipped, s->frame)
+        || !sides_orient(&s->clipped_sides, s->clipped, s->clipped_count))
+        return POLYGON_EMPTY;
+    return POLYGON_DRAWN;
+}
+
+/* Finds what the polygon covers and its edges. */
+static enum polygon_result set_sides(struct setup *s)
+{
+    int32 step;
+
+    if (!sides_measure(&s->sides, s->vertices, s->count))
+        return POLYGON_OUTSIDE_RANGE;
+    if (!set_box(&s->box, &s->sides, s->vertices, s->frame)
+        || !sides_orient(&s->sides, s->vertices, s->count))
+        return POLYGON_EMPTY;
+    s->clipped = s->vertices;
+    s->clipped_count = s->count;
+    s->clipped_sides = s->sides;
+    if (s->material->clip == CLIP_VERTICES && clip_vertices(s) != POLYGON_DRAWN)
+        return POLYGON_EMPTY;
+    step = s->clipped_sides.left_step;
+    s->edges.lines = lines;
+    s->edges.left = left_edges;
+    s->edges.right = right_edges;
+    s->edges.lefts = edges_make(left_edges, left_from, &s->clipped_sides, s->clipped,
+                                s->clipped_count, step, s->box.top, s->box.bottom,
+                                s->material->edges);
+    s->edges.rights = edges_make(right_edges, right_from, &s->clipped_sides, s->clipped,
+                                 s->clipped_count, -step, s->box.top, s->box.bottom,
+                                 s->material->edges);
+    return POLYGON_DRAWN;
+}
+
+static void set_span(struct setup *s)
+{
+    const struct frame *frame = s->frame;
+    const struct map *map = s->material->map;
+
+    s->span.lines = lines;
+    s->span.count = s->box.bottom - s->box.top;
+    s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
+    s->span.pitch = frame->pitch;
+    s->span.colour = s->material->colour;
+    if (map) {
+        s->span.map = map->texels;
+        s->span.map_width = map->width;
+        s->span.map_height = map->height;
+    }
+}
+
+/* Steps of the whole polygon, and starts on its left edges. */
+static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
+{
+    const struct material *m = s->material;
+    int32 chained = m->mapper == MAPPER_AFFINE;
+
+    if (m->gradients == GRADIENTS_PLANE) {
+        if (!texturing_plane(t, s->vertices, &s->sides, &s->box, m->start, chained))
+            return POLYGON_EMPTY;
+    } else {
+        if (s->count != 3)
+            return POLYGON_NO_TRIANGLE;
+        texturing_longest(t, s->vertices, &s->sides, &s->box, chained);
+    }
+    texturing_edges(t, left_edges, left_from, s->edges.lefts, m->gradients, m->start);
+    s->span.dudx = t->dudx;
+    s->span.dvdx = t->dvdx;
+    s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
+    s->edges.dvdx = m->start == START_SUBTEXEL ? t->dvdx : 0;
+    return POLYGON_DRAWN;
+}
+
+/* Cuts the table to the frame's columns where an edge can lie outside them. */
+static void cut_lines(const struct setup *s, void (*routine)(const struct scissor_plan *plan))
+{
+    struct scissor_plan scissor;
+
+    if (s->clipped_sides.x_low >= 0 && s->clipped_sides.x_high + EDGE_ERROR <= s->frame->width << 16)
+        return;
+    scissor.lines = lines;
+    scissor.count = s->span.count;
+    scissor.width = s->frame->width;
+    scissor.dudx = s->span.dudx;
+    scissor.dvdx = s->span.dvdx;
+    routine(&scissor);
+}
+
+static void make_lines(const struct setup *s, edge_routine *rounded, edge_routine *exact)
+{
+    if (s->material->edges == EDGES_EXACT)
+        exact(&s->edges);
+    else
+        rounded(&s->edges);
+}
+
+/* Two divides a scanline: the sides' u and v after their x. */
+static void set_ramps(struct setup *s)
+{
+    static struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
+    static struct scanline_step steps[SCENE_SIDE_MAX];
+    struct ramp_plan plan;
+
+    make_lines(s, edge_flat, edge_flat_exact);
+    cut_lines(s, scissor_flat);
+    ramps_make(left, left_edges, left_from, s->edges.lefts);
+    ramps_make(right, right_edges, right_from, s->edges.rights);
+    plan.lines = lines;
+    plan.count = s->span.count;
+    plan.left = left;
+    plan.right = right;
+    plan.steps = steps;
+    plan.truncated = s->material->start == START_TRUNCATED;
+    plan.packed = s->kind == SPAN_AFFINE_SCANLINE;
+    edge_ramp(&plan);
+    s->span.steps = steps;
+}
+
+/* Keeps u and v of every pixel where the mapper needs them. */
+static void hold_lines(const struct setup *s, struct span_plan *span)
+{
+    struct hold_plan hold;
+
+    if (!material_range(&hold, s->material, s->vertices, s->count, span))
+        return;
+    hold.lines = (struct scanline *)span->lines;
+    hold.count = span->count;
+    hold.dudx = span->dudx;
+    hold.dvdx = span->dvdx;
+    edge_hold(&hold);
+    span->dudx = hold.dudx;
+    span->dvdx = hold.dvdx;
+}
+
+/* Line by line, for mappers whose spans have one pair of steps only. */
+static void draw_each_line(const struct setup *s)
+{
+    struct span_plan line = s->span;
+
+    line.count = 1;
+    for (int32 i = 0; i < s->span.count; i++) {
+        line.lines = &lines[i];
+        line.dudx = s->span.steps[i].dudx;
+        line.dvdx = s->span.steps[i].dvdx;
+        if (lines[i].count > 0) {
+            hold_lines(s, &line);
+            routines[s->kind].span(&line);
+        }
+        line.row += line.pitch;
+    }
 }
 
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
                                  enum form form, struct draw_counts *counts)
 {
-    static struct edge left[POLYGON_VERTICES_MAX], right[POLYGON_VERTICES_MAX];
-    static struct side_edge left_from[POLYGON_VERTICES_MAX], right_from[POLYGON_VERTICES_MAX];
-    struct sides sides;
-    struct rectangle box;
+    struct setup s;
+    enum polygon_result result;
     struct texturing texturing;
-    struct edge_plan edges;
-    struct span_plan span;
-    enum span_kind kind;
-    int32 cut;
+    int32 scanline = material->mapper != MAPPER_FLAT
+                  && material->gradients == GRADIENTS_SCANLINE;
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    vertices = adapt(vertices, count, material);
-    if (!sides_measure(&sides, vertices, count))
-        return POLYGON_OUTSIDE_RANGE;
-    box.left = maximum(fix_ceil(sides.x_low - EDGE_ERROR), 0);
-    box.right = minimum(fix_ceil(sides.x_high + EDGE_ERROR), frame->width);
-    box.top = maximum(fix_ceil(vertices[sides.top].y), 0);
-    box.bottom = minimum(fix_ceil(vertices[sides.bottom].y), frame->height);
-    if (!is_inside_frame(&box) || !sides_orient(&sides, vertices, count))
-        return POLYGON_EMPTY;
-
-    edges.lines = lines;
-    edges.left = left;
-    edges.right = right;
-    edges.lefts = edges_make(left, left_from, &sides, vertices, count, sides.left_step,
-                             box.top, box.bottom, material->edges);
-    edges.rights = edges_make(right, right_from, &sides, vertices, count, -sides.left_step,
-                              box.top, box.bottom, material->edges);
-    cut = sides.x_low < 0 || sides.x_high + EDGE_ERROR > (frame->width << 16);
-
-    span.lines = lines;
-    span.count = box.bottom - box.top;
-    span.row = frame->pixels + box.top * frame->pitch - EDGE_BIAS;
-    span.pitch = frame->pitch;
-    span.colour = material->colour;
-    if (material->map) {
-        span.map = material->map->texels;
-        span.map_width = material->map->width;
-        span.map_height = material->map->height;
-    }
+    s.frame = frame;
+    s.material = material;
+    s.vertices = material_vertices(vertices, count, material);
+    s.count = count;
+    result = set_sides(&s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    set_span(&s);
     texturing.wraps = 0;
-    if (material->mapper != MAPPER_FLAT) {
-        if (material->gradients == GRADIENTS_PLANE) {
-            if (!texturing_plane(&texturing, vertices, &sides, &box, material->start))
-                return POLYGON_EMPTY;
-        } else {
-            if (count != 3)
-                return POLYGON_NO_TRIANGLE;
-            texturing_longest(&texturing, vertices, &sides, &box);
-        }
-        texturing_edges(&texturing, left, left_from, edges.lefts, material->gradients,
-                        material->start);
-        span.dudx = texturing.dudx;
-        span.dvdx = texturing.dvdx;
-        edges.dudx = edges.dvdx = 0;
-        if (material->start == START_SUBTEXEL) {
-            edges.dudx = span.dudx;
-            edges.dvdx = span.dvdx;
-        }
+    if (material->mapper != MAPPER_FLAT && !scanline) {
+        result = set_texturing(&s, &texturing);
+        if (result != POLYGON_DRAWN)
+            return result;
     }
-    kind = kind_of(material, frame, form, texturing.wraps);
-
-    if (material->edges == EDGES_EXACT)
-        routines[kind].exact_edges(&edges);
-    else
-        routines[kind].edges(&edges);
-    if (cut) {
-        struct scissor_plan scissor;
-
-        scissor.lines = lines;
-        scissor.count = span.count;
-        scissor.width = frame->width;
-        scissor.dudx = span.dudx;
-        scissor.dvdx = span.dvdx;
-        routines[kind].scissor(&scissor);
+    s.kind = kind_of(material, frame, form, texturing.wraps);
+    if (scanline) {
+        set_ramps(&s);
+    } else {
+        make_lines(&s, routines[s.kind].edges, routines[s.kind].exact_edges);
+        cut_lines(&s, routines[s.kind].scissor);
+        hold_lines(&s, &s.span);
     }
     if (counts) {
         counts->polygons++;
-        count_pixels(&counts->pixels[kind], span.count);
+        count_pixels(&counts->pixels[s.kind], s.span.count);
     }
-    routines[kind].span(&span);
+    if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
+        draw_each_line(&s);
+    else
+        routines[s.kind].span(&s.span);
     return POLYGON_DRAWN;
 }

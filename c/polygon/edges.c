@@ -27,18 +27,6 @@ fix16 edge_x(const struct side_edge *from)
     return x;
 }
 
-/* 16.16: the floor of x less one unit and one more pixel is x's ceil. */
-static void set_rounded(struct edge *edge, const struct side_edge *from)
-{
-    fix16 x = edge_x(from) + EDGE_BIAS * 65536 + 0xffff, slope = edge_slope(from);
-
-    edge->x = (uint32)x >> 16;
-    edge->error = (uint32)x << 16;
-    edge->whole = slope >> 16;
-    edge->part = (uint32)slope << 16;
-    edge->height = 0;
-}
-
 int32 edges_make(struct edge *edges, struct side_edge *from, const struct sides *sides,
                  const struct vertex *vertices, int32 count, int32 step,
                  int32 top, int32 bottom, enum edges kind)
@@ -65,7 +53,7 @@ int32 edges_make(struct edge *edges, struct side_edge *from, const struct sides 
             if (kind == EDGES_EXACT)
                 edge_exact(edges, upper, lower, top);
             else
-                set_rounded(edges, from);
+                edge_rounded(edges, upper, lower, top);
             edges->lines = end - top;
             top = end;
             edges++;

@@ -22,7 +22,9 @@ int32 edges_make(struct edge *edges, struct side_edge *from, const struct sides 
 fix16 edge_x(const struct side_edge *from);
 fix16 edge_slope(const struct side_edge *from);
 
-/* src68k/math/edge_exact.s: contract there. */
+/* src68k/math: contracts there. */
+void edge_rounded(struct edge *edge, const struct vertex *upper, const struct vertex *lower,
+                  int32 line);
 void edge_exact(struct edge *edge, const struct vertex *upper, const struct vertex *lower,
                 int32 line);
 

@@ -38,6 +38,13 @@ enum start {
     START_KINDS
 };
 
+/* What is done with what lies outside the frame. */
+enum clip {
+    CLIP_SCISSOR,               /* lines are cut: the same pixels as without a border */
+    CLIP_VERTICES,              /* the polygon is, before it has edges */
+    CLIP_KINDS
+};
+
 /* Spans and edges in swapped form and plain form: same picture, other speed. */
 enum form { FORM_ADDX, FORM_SWAP, FORM_C };
 
@@ -70,8 +77,9 @@ enum mapper {
 
 /* Which routines drew, counted where it is asked for. */
 enum span_kind {
-    SPAN_FILL, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_SWAP,
-    SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16, SPAN_GENERATED,
+    SPAN_FILL, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_SCANLINE,
+    SPAN_AFFINE_SWAP, SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS,
+    SPAN_COLUMNS_16, SPAN_GENERATED,
     SPAN_KINDS
 };
 
@@ -82,7 +90,7 @@ struct draw_counts {
 
 /* What a polygon is drawn with. */
 struct material {
-    uint8 mapper, edges, gradients, start;
+    uint8 mapper, edges, gradients, start, clip;
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
 };

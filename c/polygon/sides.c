@@ -69,11 +69,15 @@ int32 sides_orient(struct sides *sides, const struct vertex *vertices, int32 cou
     int32 sign = 0, apex_after, bottom_after;
 
     sides->apex = sides->top;
-    vertex_difference(&down, &vertices[sides->bottom], top);
+    down.x = vertices[sides->bottom].x - top->x;
+    down.y = vertices[sides->bottom].y - top->y;
     for (int32 i = 0; i < count; i++) {
         int32 turn;
 
-        vertex_difference(&across, &vertices[i], top);
+        if (i == sides->top || i == sides->bottom)
+            continue;
+        across.x = vertices[i].x - top->x;
+        across.y = vertices[i].y - top->y;
         turn = cross(&down, &across, &size);
         if (turn && farther(&size, &vertices[i], &largest, &vertices[sides->apex])) {
             largest = size;

@@ -55,7 +55,7 @@ static void plan_wrap(struct texturing *t, const struct rectangle *box, int32 in
 
 int32 texturing_plane(struct texturing *t, const struct vertex *vertices,
                       const struct sides *sides, const struct rectangle *box,
-                      enum start start)
+                      enum start start, int32 chained)
 {
     const struct vertex *a = &vertices[sides->top];
     struct vertex e1, e2;
@@ -74,7 +74,7 @@ int32 texturing_plane(struct texturing *t, const struct vertex *vertices,
     t->v = (uint32)a->t + (uint32)wide_mul(&plane.dtdx, x) + (uint32)wide_mul(&plane.dtdy, y);
     t->dvdx = step(&plane.dtdx, 0);
     t->dvdy = step(&plane.dtdy, 0);
-    plan_wrap(t, box, start == START_SUBTEXEL && inside_period(t, box));
+    plan_wrap(t, box, !chained || (start == START_SUBTEXEL && inside_period(t, box)));
     t->dudx = step(&plane.dsdx, t->spare);
     t->dudy = step(&plane.dsdy, t->spare);
     t->u = (t->u & ~t->spare) | t->guard;
@@ -92,7 +92,8 @@ static fix16 saturated_step(fix16 part, fix16 whole)
 }
 
 void texturing_longest(struct texturing *t, const struct vertex *vertices,
-                       const struct sides *sides, const struct rectangle *box)
+                       const struct sides *sides, const struct rectangle *box,
+                       int32 chained)
 {
     const struct vertex *top = &vertices[sides->top], *bottom = &vertices[sides->bottom];
     const struct vertex *middle = &vertices[sides->apex];
@@ -110,7 +111,7 @@ void texturing_longest(struct texturing *t, const struct vertex *vertices,
         t->dudx = saturated_step(part.s, part.x);
         t->dvdx = saturated_step(part.t, part.x);
     }
-    plan_wrap(t, box, 0);
+    plan_wrap(t, box, !chained);
     t->dudx &= (fix16)~t->spare;
 }
 
@@ -125,8 +126,7 @@ static void on_plane(const struct texturing *t, struct edge *edge, const struct 
     edge->dv = t->dvdy + (fix16)((uint32)edge->whole * (uint32)t->dvdx);
 }
 
-/* Between its ends, where the edge crosses the lines. */
-static void along_edge(struct edge *edge, const struct side_edge *from)
+void texturing_along(struct edge *edge, const struct side_edge *from)
 {
     const struct vertex *upper = from->upper;
     fix16 y = (from->top << 16) - upper->y;
@@ -175,7 +175,7 @@ void texturing_edges(const struct texturing *t, struct edge *edge,
             if (start == START_TRUNCATED)
                 to_crossing(t, edge, edge_x(from), edge_slope(from));
         } else {
-            along_edge(edge, from);
+            texturing_along(edge, from);
             if (start == START_SUBTEXEL)
                 to_pixels(t, edge, edge_x(from), edge_slope(from));
         }

@@ -23,16 +23,21 @@ struct texturing {
     int32 i, j;
 };
 
-/* The plane through top, bottom and apex. 0: they are on one line. */
+/* The plane through top, bottom and apex. 0: they are on one line. chained: u and v
+   share the addx chain, so a wrap of v must be provided for. */
 int32 texturing_plane(struct texturing *t, const struct vertex *vertices,
                       const struct sides *sides, const struct rectangle *box,
-                      enum start start);
+                      enum start start, int32 chained);
 
 /* A triangle's steps from its longest scanline, the one through the middle vertex. */
 void texturing_longest(struct texturing *t, const struct vertex *vertices,
-                       const struct sides *sides, const struct rectangle *box);
+                       const struct sides *sides, const struct rectangle *box,
+                       int32 chained);
 
-/* u, v and their steps on left edges. */
+/* u, v and their steps a line between an edge's ends, where it crosses the lines. */
+void texturing_along(struct edge *edge, const struct side_edge *from);
+
+/* u, v and their steps on left edges, GRADIENTS_PLANE or GRADIENTS_POLYGON. */
 void texturing_edges(const struct texturing *t, struct edge *edge,
                      const struct side_edge *from, int32 count,
                      enum gradients gradients, enum start start);

@@ -17,8 +17,8 @@
 #define FRAME_LIMIT 650
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "gouraud", "affine_addx", "affine_addx_wrap", "affine_swap", "affine_c",
-    "arbitrary", "tiled", "columns", "columns_16", "generated"
+    "fill", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline", "affine_swap",
+    "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated"
 };
 
 static int32 fail(const char *why)

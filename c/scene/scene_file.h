@@ -42,7 +42,7 @@ struct scene_texture {
 
 /* With 2 bytes a pixel: flat or columns. */
 struct scene_material {
-    uint32 mapper, edges, gradients, start;     /* enums of c/polygon/polygon.h */
+    uint32 mapper, edges, gradients, start, clip;   /* enums of c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
     uint32 colour;              /* pixel of a flat material */
 };

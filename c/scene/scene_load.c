@@ -127,6 +127,8 @@ static const char *wrong_material(const struct scene *scene)
             return "material.gradients";
         if (m->start >= START_KINDS)
             return "material.start";
+        if (m->clip >= CLIP_KINDS)
+            return "material.clip";
         if (layouts[m->mapper] == MAP_LAYOUTS ? m->texture != NO_TEXTURE
             : (uint32)m->texture >= h->textures
               || scene->textures[m->texture].layout != layouts[m->mapper])
@@ -173,7 +175,7 @@ static const char *wrong_object(const struct scene *scene)
         m = &scene->materials[o->material];
         if (o->vertices < 3 || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
             || o->vertices > h->vertices - o->vertex
-            || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients != GRADIENTS_PLANE))
+            || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON))
             return "object.vertices";
         if (o->poses < 1 || o->pose > h->poses || o->poses > h->poses - o->pose)
             return "object.poses";
@@ -208,6 +210,7 @@ static int32 make_materials(struct scene *scene)
         to->edges = (uint8)from->edges;
         to->gradients = (uint8)from->gradients;
         to->start = (uint8)from->start;
+        to->clip = (uint8)from->clip;
         to->colour = from->colour;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
     }

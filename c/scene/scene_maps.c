@@ -40,12 +40,12 @@ static uint32 map_bytes(const struct scene_texture *t)
     return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
 }
 
-/* All maps lie in one block, layout by layout: pages, from a multiple of 65,536; those
-   with margins, which begin half a page behind one; then the others. */
+/* All maps lie in one block, layout by layout: those of a page, from a multiple of
+   65,536; those with margins, which begin half a page behind one; then the others. */
 int32 scene_make_maps(struct scene *scene, int32 kind)
 {
     static const uint8 order[MAP_LAYOUTS] = {
-        MAP_PAGE, MAP_MARGINS, MAP_LINEAR, MAP_TILED, MAP_COLUMNS
+        MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LINEAR, MAP_COLUMNS
     };
     uint32 count = scene->header->textures, bytes = PAGE_BYTES + HALF_PAGE;
     uint8 *at;

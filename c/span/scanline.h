@@ -50,12 +50,44 @@ struct edge_plan {
     fix16 dudx, dvdx;           /* texels for the pixel that a carry adds */
 };
 
+/* Texels a pixel of one line. */
+struct scanline_step {
+    fix16 dudx, dvdx;
+};
+
+/* The way along an edge, for GRADIENTS_SCANLINE: where it crosses the lines. */
+struct ramp {
+    int32 lines;                /* 1 or more */
+    fix16 x;                    /* pixels, without EDGE_BIAS; at the first line */
+    uint32 u, v;                /* texels */
+    fix16 dx, du, dv;           /* a line */
+};
+
+/* Everything edge_ramp needs. */
+struct ramp_plan {
+    struct scanline *lines;     /* the first line's entry; left and count are there */
+    int32 count;                /* lines, 1 or more */
+    struct ramp *left, *right;  /* both cover the lines; the routine uses them up */
+    struct scanline_step *steps;        /* one a line */
+    int32 truncated;            /* u, v where the left side crosses the line */
+    int32 packed;               /* starts of the addx form */
+};
+
 /* Everything a scissor routine needs. */
 struct scissor_plan {
     struct scanline *lines;
     int32 count;                /* lines, 1 or more */
     int32 width;                /* of the frame, pixels */
     fix16 dudx, dvdx;           /* texels a pixel */
+};
+
+/* Everything edge_hold needs. Each range has room for a line of the table. */
+struct hold_plan {
+    struct scanline *lines;     /* plain form */
+    int32 count;                /* lines, 1 or more */
+    fix16 dudx, dvdx;           /* texels a pixel; made smaller where they must be */
+    fix16 u_low, u_high;        /* where u of every pixel shall lie, both included */
+    fix16 v_low, v_high;
 };
 
 /* Everything a span routine needs: it draws the whole table. */
@@ -69,6 +101,7 @@ struct span_plan {
     uint32 colour;              /* flat: the pixel, in the low byte or word */
     int32 map_width, map_height;                /* arbitrary size: texels */
     const struct column_layout *columns;        /* column layout */
+    const struct scanline_step *steps;          /* scanline: instead of dudx, dvdx */
     void *code;                 /* generated: room for CODE_BYTES */
 };
 
@@ -80,12 +113,15 @@ void edge_addx_exact(const struct edge_plan *plan);
 void edge_plain(const struct edge_plan *plan);
 void edge_plain_exact(const struct edge_plan *plan);
 void edge_swap(const struct edge_plan *plan);
+void edge_ramp(const struct ramp_plan *plan);
+void edge_hold(struct hold_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);
 void span_fill(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
+void span_affine_scanline(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
 void span_gouraud(const struct span_plan *plan);
 void span_arbitrary(const struct span_plan *plan);

@@ -1,0 +1,24 @@
+/* Cutting convex polygons to a rectangle (Sutherland and Hodgman, 1974). */
+#ifndef CLIP_H
+#define CLIP_H
+
+#include "polygon/polygon.h"
+
+/* Pixels in 16.16, borders included. */
+struct clip_window {
+    fix16 left, top, right, bottom;
+};
+
+enum clip_constants {
+    CLIP_VERTICES_MAX = POLYGON_VERTICES_MAX + 4        /* each border adds one at most */
+};
+
+/* The part of a convex polygon inside the window, with s, t and shade kept; *count is
+   its number of vertices, 0 where nothing is left. A polygon wholly inside costs only
+   the test and comes back itself; another one is made in room[2 * CLIP_VERTICES_MAX].
+   New vertices are rounded to the nearest 1/65536; an edge gives the same ones in either
+   direction, so polygons that share it still do. */
+const struct vertex *polygon_clip(struct vertex *room, const struct vertex *vertices,
+                                  int32 *count, const struct clip_window *window);
+
+#endif

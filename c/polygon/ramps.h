@@ -1,0 +1,12 @@
+/* GRADIENTS_SCANLINE: u and v along both sides, for any convex polygon. */
+#ifndef RAMPS_H
+#define RAMPS_H
+
+#include "polygon/edges.h"
+#include "span/scanline.h"
+
+/* The way along each edge of a side. */
+void ramps_make(struct ramp *ramps, const struct edge *edges, const struct side_edge *from,
+                int32 count);
+
+#endif

@@ -1,0 +1,156 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+
+;==============================================================================
+; edge_ramp - u, v and their steps on each scanline, by two divides a scanline
+;
+; in:      a0  ramp_plan*  the table, both sides' ramps, where the steps go
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and count of its lines
+; writes:  start0, start1, start2 of lines with pixels and their entry of steps; the
+;          ramps, which run down
+; formats: x, u, v 16.16; starts plain, or packed as the addx form has them.
+;          truncated: u where the left side crosses the line, steps (u1 - u0) / whole
+;          pixels. Otherwise u at the first pixel, steps (u1 - u0) / (x1 - x0); on a
+;          line under one pixel wide the steps are 0 and u lies between u0 and u1.
+; error:   quotients are cut towards zero: 1/65536 a pixel
+; cost:    bench row edge_ramp
+;==============================================================================
+; The table is cut to the frame already: what its first pixel is beyond the left side
+; is made up by a product, as the way to a pixel's centre is.
+
+        routine edge_ramp,a0
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l a0,a6
+        movea.l ramp_plan_lines(a6),a4
+        movea.l ramp_plan_steps(a6),a3
+        movea.l ramp_plan_left(a6),a1
+        movea.l ramp_plan_right(a6),a2
+        move.l  ramp_plan_count(a6),d7
+
+.line   tst.w   scanline_count(a4)
+        ble     .next
+        move.l  ramp_u(a2),d0
+        sub.l   ramp_u(a1),d0           ; u1 - u0
+        move.l  ramp_v(a2),d1
+        sub.l   ramp_v(a1),d1
+        moveq   #0,d3
+        move.w  scanline_left(a4),d3
+        sub.w   #EDGE_BIAS,d3           ; column of the first pixel
+        tst.l   ramp_plan_truncated(a6)
+        bne     .truncated
+
+        swap    d3
+        sub.l   ramp_x(a1),d3           ; from the crossing to the pixel's centre
+        move.l  ramp_x(a2),d2
+        sub.l   ramp_x(a1),d2           ; x1 - x0
+        cmp.l   #$10000,d2
+        blt.s   .narrow
+        bsr     .over_width
+        exg     d0,d1
+        bsr     .over_width
+        exg     d0,d1
+        move.l  d0,d5
+        muls.l  d3,d4:d5                ; the upper half of the lower word's sum
+        move.w  d4,d5
+        swap    d5
+        move.l  d1,d6
+        muls.l  d3,d4:d6
+        move.w  d4,d6
+        swap    d6
+        bra.s   .start
+
+.narrow tst.l   d3
+        bpl.s   .right_of_left
+        moveq   #0,d3
+.right_of_left
+        cmp.l   d2,d3
+        ble.s   .left_of_right
+        move.l  d2,d3
+.left_of_right
+        moveq   #0,d5
+        moveq   #0,d6
+        tst.l   d2
+        ble.s   .no_width
+        muls.l  d3,d4:d0
+        divs.l  d2,d4:d0
+        move.l  d0,d5
+        muls.l  d3,d4:d1
+        divs.l  d2,d4:d1
+        move.l  d1,d6
+.no_width
+        moveq   #0,d0
+        moveq   #0,d1
+        bra.s   .start
+
+.truncated
+        move.l  #$ffff,d5
+        move.l  d5,d2
+        add.l   ramp_x(a1),d5
+        swap    d5                      ; ceil of the left side
+        add.l   ramp_x(a2),d2
+        swap    d2
+        sub.w   d5,d2
+        ext.l   d2                      ; pixels of the whole line
+        ble.s   .no_pixels
+        divs.l  d2,d0
+        divs.l  d2,d1
+        bra.s   .cut
+.no_pixels
+        moveq   #0,d0
+        moveq   #0,d1
+.cut    sub.w   d5,d3
+        ext.l   d3                      ; pixels cut off at the left
+        move.l  d0,d5
+        muls.l  d3,d5
+        move.l  d1,d6
+        muls.l  d3,d6
+
+.start  add.l   ramp_u(a1),d5
+        add.l   ramp_v(a1),d6
+        move.l  d0,(a3)
+        move.l  d1,4(a3)
+        tst.l   ramp_plan_packed(a6)
+        bne.s   .packed
+        move.w  d5,scanline_start0(a4)
+        swap    d5
+        move.w  d5,scanline_start1(a4)
+        move.l  d6,scanline_start2(a4)
+        bra.s   .next
+.packed pack_uv d5,d6,d4
+        swap    d5
+        move.w  d5,scanline_start0(a4)
+        move.w  d6,scanline_start1(a4)
+        move.l  d4,scanline_start2(a4)
+
+.next   addq.l  #8,a3
+        lea     scanline_sizeof(a4),a4
+        bsr.s   .down
+        exg     a1,a2
+        bsr.s   .down
+        exg     a1,a2
+        subq.l  #1,d7
+        bne     .line
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+; Moves the ramp in a1 a line down, or on to the side's next one.
+.down   movem.l ramp_dx(a1),d0-d2
+        add.l   d0,ramp_x(a1)
+        add.l   d1,ramp_u(a1)
+        add.l   d2,ramp_v(a1)
+        subq.l  #1,ramp_lines(a1)
+        bne.s   .same
+        lea     ramp_sizeof(a1),a1
+.same   rts
+
+; d0 / d2, d2 one pixel or more: the quotient fits. Uses d4.
+.over_width
+        swap    d0
+        move.w  d0,d4
+        ext.l   d4
+        clr.w   d0
+        divs.l  d2,d4:d0
+        rts

@@ -1,0 +1,93 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; edge_rounded - an edge in 16.16, from any of its lines on
+;
+; in:      a0  edge*    what is filled in
+;          a1  vertex*  upper end, 16.16
+;          d0  vertex*  lower end, below the upper one
+;          d1  int32    line, between the two
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   x, y of both ends
+; writes:  edge: x, whole, error, part, height
+; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 where the edge has one
+;          line only; x = x0 + W * prestep / H, to the nearest 1/65536, at its first
+;          line, and that many slopes more at the line asked for; whole and part are the
+;          slope's halves, x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
+; error:   of x, n lines below the first: (n + 1) / 2^17 pixels
+; cost:    about 300 cycles
+;==============================================================================
+; The slope cannot overflow: two lines or more are more than one pixel high.
+
+; \1:\2 = \1 / d4 to the nearest, halves up: \2 = the product's lower half, d7 = H / 2.
+nearest macro
+        add.l   d7,\2
+        addx.l  d6,\1                   ; d6 = 0
+        divs.l  d4,\1:\2                ; towards zero
+        tst.l   \1
+        bpl.s   .floor\@
+        subq.l  #1,\2
+.floor\@
+        endm
+
+        routine edge_rounded,a0,a1,d0,d1
+        movem.l d2-d7/a2,-(sp)
+        movea.l d0,a2
+        move.l  vertex_y(a1),d5
+        move.l  vertex_y(a2),d4
+        move.l  d4,d3
+        sub.l   d5,d4                   ; H
+        move.l  vertex_x(a2),d0
+        sub.l   vertex_x(a1),d0         ; W
+        movea.l d0,a2
+        move.l  d4,d7
+        lsr.l   #1,d7
+        moveq   #0,d6
+        move.l  d6,edge_height(a0)
+
+        move.l  d5,d2
+        add.l   #$ffff,d2
+        clr.w   d2                      ; first line
+        add.l   #$ffff,d3
+        clr.w   d3
+        sub.l   d2,d3                   ; lines
+        sub.l   d2,d5
+        neg.l   d5                      ; prestep
+        swap    d2
+        sub.w   d2,d1                   ; lines that the frame does not show
+        muls.l  d5,d5:d0
+        nearest d5,d0
+        add.l   vertex_x(a1),d0
+        add.l   #(EDGE_BIAS<<16)+$ffff,d0
+        cmp.l   #$10000,d3
+        ble.s   .one_line
+        move.l  a2,d3
+        swap    d3
+        move.w  d3,d5
+        ext.l   d5
+        clr.w   d3                      ; d5:d3 = W << 16
+        nearest d5,d3
+        tst.w   d1
+        beq.s   .slope
+        ext.l   d1
+        muls.l  d3,d1
+        add.l   d1,d0
+.slope  move.w  d3,d6
+        swap    d6
+        move.l  d6,edge_part(a0)
+        swap    d3
+        ext.l   d3
+        move.l  d3,edge_whole(a0)
+        bra.s   .place
+.one_line
+        move.l  d6,edge_part(a0)
+        move.l  d6,edge_whole(a0)
+.place  clr.l   edge_error(a0)
+        move.w  d0,edge_error(a0)
+        clr.w   d0
+        swap    d0
+        move.l  d0,edge_x(a0)
+        movem.l (sp)+,d2-d7/a2
+        rts

@@ -1,0 +1,58 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "span.i"
+
+;==============================================================================
+; span_affine_scanline - span_affine_addx_wrap with steps of each line's own
+;
+; in:      a0  span_plan*  the table, the frame, the map, a table of steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their
+;          steps, the map
+; writes:  the pixels of the lines, nothing else
+; formats: u, v 8.16, both wrap at 256 any number of times; 8-bit texels, pixels
+; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
+; cost:    bench row affine_scanline
+;==============================================================================
+
+pixel   macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        add.l   a4,d5
+        addx.l  d3,d1
+        addx.w  d2,d0
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+        routine span_affine_scanline,a0
+        span_open
+        move.l  span_plan_steps(a0),-(sp)
+        move.l  span_plan_map(a0),d4    ; mm00
+        span_table
+        lea     .pixels_end-14(pc),a3
+        span_line d0,d1
+        movea.l (sp),a2
+        move.l  (a2)+,d5
+        move.l  (a2),d2
+        pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
+        movea.l d5,a4
+        move.l  d0,d5                   ; uu.. (Vv below it is never carried)
+        clr.w   d5
+        span_rounds 3
+        span_enter_14
+.pixels rept    8
+        pixel
+        endr
+.pixels_end
+        dbra    d7,.pixels
+.line_next
+        addq.l  #8,(sp)
+        adda.l  4(sp),a6
+        cmpa.l  a5,a0
+        bne     .line
+        addq.l  #8,sp
+        movem.l (sp)+,d2-d7/a2-a6
+        rts

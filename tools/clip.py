@@ -1,0 +1,46 @@
+"""The integer model of c/polygon/clip.c: convex polygons cut to a rectangle.
+
+Coordinates are 16.16; a vertex is a tuple that begins with x and y.
+"""
+
+ONE = 65536
+
+
+def mul_div(a: int, b: int, c: int) -> int:
+    """a * b / c rounded to the nearest integer, c > 0."""
+    return (a * b + (c >> 1)) // c
+
+
+def cut(inside: tuple, outside: tuple, axis: int, part: int, whole: int, limit: int) -> tuple:
+    """The point on a border, ``part`` of ``whole`` from the vertex inside."""
+    point = [a + mul_div(b - a, part, whole) for a, b in zip(inside, outside)]
+    point[axis] = limit
+    return tuple(point)
+
+
+def clip_border(vertices: list[tuple], axis: int, sign: int, limit: int) -> list[tuple]:
+    """What is left of a polygon where sign * coordinate >= sign * limit."""
+    made = []
+    for k, vertex in enumerate(vertices):
+        last = vertices[k - 1]
+        here, before = (sign * (v[axis] - limit) for v in (vertex, last))
+        if here >= 0:
+            if before < 0 < here:
+                made.append(cut(vertex, last, axis, here, here - before, limit))
+            made.append(vertex)
+        elif before > 0:
+            made.append(cut(last, vertex, axis, before, before - here, limit))
+    return made
+
+
+def clip(vertices: list[tuple], window: tuple[int, int, int, int]) -> list[tuple]:
+    """The part of a convex polygon inside (left, top, right, bottom), borders included."""
+    left, top, right, bottom = window
+    for axis, sign, limit in ((0, 1, left), (0, -1, right), (1, 1, top), (1, -1, bottom)):
+        vertices = clip_border(vertices, axis, sign, limit)
+    return vertices
+
+
+def frame_window(width: int, height: int) -> tuple[int, int, int, int]:
+    """A pixel outside the frame: no pixel centre is lost by rounding."""
+    return -ONE, -ONE, width * ONE, height * ONE
