@@ -40,6 +40,28 @@ static uint32 map_bytes(const struct scene_texture *t)
     return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
 }
 
+/* Copies a texture to its place, given where the map's memory begins. */
+static void make_map(struct map *map, const struct scene_texture *t, const uint8 *from,
+                     uint8 *texels)
+{
+    if (t->layout == MAP_PAGE) {
+        make_page(texels, from, t->width, t->height);
+    } else if (t->layout == MAP_MARGINS) {
+        copy(texels, from + HALF_PAGE, HALF_PAGE);
+        texels += HALF_PAGE;
+        copy(texels, from, PAGE_BYTES);
+        copy(texels + PAGE_BYTES, from, HALF_PAGE);
+    } else {
+        copy(texels, from, (uint32)(t->width * t->height) * t->texel_bytes);
+    }
+    map->texels = texels;
+    map->width = t->width;
+    map->height = t->height;
+    map->scale = map_scale(t->width, t->height);
+    map->layout = (uint8)t->layout;
+    map->texel_bytes = (uint8)t->texel_bytes;
+}
+
 /* All maps lie in one block, layout by layout: those of a page, from a multiple of
    65,536; those with margins, which begin half a page behind one; then the others. */
 int32 scene_make_maps(struct scene *scene, int32 kind)
@@ -47,7 +69,7 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
     static const uint8 order[MAP_LAYOUTS] = {
         MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LINEAR, MAP_COLUMNS
     };
-    uint32 count = scene->header->textures, bytes = PAGE_BYTES + HALF_PAGE;
+    uint32 count = scene->header->textures, bytes = 0, align = 4, gap = 0;
     uint8 *at;
 
     if (!mem_alloc(&scene->maps, (int32)(count * sizeof *scene->maps), MEMORY_ANY))
@@ -55,40 +77,28 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
     if (!count)
         return 1;
     for (uint32 i = 0; i < count; i++) {
-        bytes += map_bytes(&scene->textures[i]);
+        const struct scene_texture *t = &scene->textures[i];
+
+        if (t->layout != MAP_LINEAR && t->layout != MAP_COLUMNS)
+            align = PAGE_BYTES;
+        if (t->layout == MAP_MARGINS)
+            gap = HALF_PAGE;
+        bytes += map_bytes(t);
         if (bytes > BYTES_MAX)
             return 0;
     }
-    if (!mem_alloc(&at, (int32)bytes, kind))
+    if (!mem_alloc(&at, (int32)(bytes + align + gap), kind))
         return 0;
-    at += (0 - (uint32)at) & (PAGE_BYTES - 1);
+    at += (0 - (uint32)at) & (align - 1);
     for (uint32 k = 0; k < MAP_LAYOUTS; k++) {
         if (order[k] == MAP_MARGINS)
-            at += HALF_PAGE;
+            at += gap;
         for (uint32 i = 0; i < count; i++) {
             const struct scene_texture *t = &scene->textures[i];
-            const uint8 *from = (const uint8 *)scene->header + t->at;
-            struct map *map = &scene->maps[i];
-            uint8 *texels = at;
 
             if (t->layout != order[k])
                 continue;
-            if (t->layout == MAP_PAGE) {
-                make_page(texels, from, t->width, t->height);
-            } else if (t->layout == MAP_MARGINS) {
-                texels += HALF_PAGE;
-                copy(texels - HALF_PAGE, from + HALF_PAGE, HALF_PAGE);
-                copy(texels, from, PAGE_BYTES);
-                copy(texels + PAGE_BYTES, from, HALF_PAGE);
-            } else {
-                copy(texels, from, (uint32)(t->width * t->height) * t->texel_bytes);
-            }
-            map->texels = texels;
-            map->width = t->width;
-            map->height = t->height;
-            map->scale = map_scale(t->width, t->height);
-            map->layout = (uint8)t->layout;
-            map->texel_bytes = (uint8)t->texel_bytes;
+            make_map(&scene->maps[i], t, (const uint8 *)scene->header + t->at, at);
             at += map_bytes(t);
         }
     }
