@@ -91,6 +91,26 @@ def test_run_json_gives_size_and_colours(tmp_path):
     assert panels[3, 16 + GAP + 2].tolist() == [200, 55, 7]
 
 
+def test_16_bits_a_pixel(tmp_path, capsys):
+    for run, value in (("a", 0x0800), ("b", 0x07e0)):
+        frame = np.zeros((4, 8), ">u2")
+        frame[2, 5] = value
+        (tmp_path / run).mkdir()
+        (tmp_path / run / "frame_000.chunky").write_bytes(frame.tobytes())
+        (tmp_path / run / "run.json").write_text(json.dumps(
+            {"width": 8, "height": 4, "pixel_bytes": 2, "palette": None}))
+    assert diff_command(tmp_path / "a", tmp_path / "a") == 0
+    assert diff_command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
+    assert "first (5, 2): 2048 / 2016; largest difference 32" in capsys.readouterr().out
+    panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
+    assert panels[2, 5].tolist() == [8, 0, 0] and panels[2, 5 + 8 + GAP].tolist() == [0, 255, 0]
+    half = tmp_path / "c" / "frame_000.chunky"
+    dump(half, size=(4, 8))
+    half.with_name("run.json").write_text('{"width": 8}')
+    assert diff_command(tmp_path / "a" / "frame_000.chunky", half) == 2
+    assert "2 and 1 bytes a pixel" in capsys.readouterr().err
+
+
 def test_pngs(tmp_path, capsys):
     pixels = np.zeros((5, 7, 3), np.uint8)
     for name, value in (("a", 0), ("b", 0), ("c", 3)):
@@ -128,8 +148,8 @@ def picture(path):
     (lambda a, b: b.write_bytes(b""), "0 bytes is not 320x? pixels"),
     (lambda a, b: b.write_bytes(bytes(321)), "321 bytes is not 320x1 pixels"),
     (lambda a, b: dump(b, size=(HEIGHT + 1, WIDTH)), "320x6 and 320x7 pixels"),
-    (lambda a, b: b.with_name("run.json").write_text("{"), "run.json: width, height or palette"),
-    (lambda a, b: b.with_name("run.json").write_text("[]"), "run.json: width, height or palette"),
+    (lambda a, b: b.with_name("run.json").write_text("{"), "run.json: width, height, pixel_bytes or palette"),
+    (lambda a, b: b.with_name("run.json").write_text("[]"), "run.json: width, height, pixel_bytes or palette"),
     (lambda a, b: b.with_name("run.json").write_text('{"width": 0}'), "run.json: width, height"),
     (lambda a, b: b.with_name("run.json").write_text('{"width": -320, "height": -6}'),
      "is not -320x-6 pixels"),
@@ -137,6 +157,13 @@ def picture(path):
      "1920 bytes is not 320x7 pixels"),
     (lambda a, b: b.with_name("run.json").write_text('{"palette": [[1, 2, 3]]}'), "run.json: "),
     (lambda a, b: b.with_name("run.json").write_text('{"palette": 300}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 3}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": [2]}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2}'), "320x6 and 320x3 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2, "height": 6}'),
+     "1920 bytes is not 320x6 pixels of 2 bytes"),
+    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2, "height": 6, "width": 160}'),
+     "320x6 and 160x6 pixels"),
 ])
 def test_unusable(two, tmp_path, capsys, spoil, message):
     spoil(*two)

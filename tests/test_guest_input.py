@@ -10,7 +10,7 @@ import pytest
 
 from tools import emulator, kernels, layout, scene_file
 from tools.kernels import Case
-from tools.scene_file import Object, Scene
+from tools.scene_file import Material, Object, Scene, Texture
 
 SHAPES = layout.load()
 NOT_A_SCENE, NOT_A_PLAN = ": not a usable scene file: ", ": not a usable plan file: "
@@ -26,10 +26,36 @@ def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -
     return Scene(
         width=side, height=side, frames=3, background=7,
         palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
-        textures=random.integers(0, 256, (textures, 256, 256)).astype(np.uint8),
-        materials=[(-1, 255), (textures - 1, 0)], objects=objects,
-        vertices=random.integers(-2**31, 2**31, (corners, 4)),
+        textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))
+                  for _ in range(textures)],
+        materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
+                   else Material()], objects=objects,
+        vertices=random.integers(-2**31, 2**31, (corners, 5)),
         poses=random.integers(-2**31, 2**31, (4, 6)))
+
+
+def every_mapper() -> Scene:
+    """A scene with a triangle of each mapper, material n with texture n - 2."""
+    scene = example(0)
+    sizes = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
+             "margins": (256, 256)}
+    scene.textures = [Texture(np.zeros((height, width), np.uint8), layout)
+                      for layout, (width, height) in sizes.items()]
+    mappers = list(scene_file.MAPPER_LAYOUT)
+    scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
+                       for n, mapper in enumerate(mappers)]
+    scene.vertices = np.full((6, 5), 65536)
+    scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
+    return scene
+
+
+def wide_pixels() -> Scene:
+    """A scene of 16 bits: a flat triangle and one with a map in columns."""
+    scene = example(0)
+    scene.pixel_bytes, scene.background = 2, 0xFFFF
+    scene.textures = [Texture(np.zeros((8, 16), np.uint16), "columns")]
+    scene.materials = [Material(colour=0xFFFF), Material("columns", texture=0)]
+    return scene
 
 
 def tangles(seed: int, reach: int) -> Scene:
@@ -37,7 +63,7 @@ def tangles(seed: int, reach: int) -> Scene:
     within ``reach`` pixels of a small frame."""
     random = np.random.default_rng(seed)
     counts = random.choice([3, 3, 4, 5, 8, 64], 300)
-    vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 4))
+    vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 5))
     vertices[random.random(len(vertices)) < 0.2] &= ~0xFFFF
     scene = example()
     scene.width, scene.height, scene.frames, scene.vertices = 64, 48, 1, vertices
@@ -63,6 +89,49 @@ def lengths(header: str, data: bytes) -> list[int]:
             len(data) - 1]
 
 
+def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
+    """Textures, materials and vertices that do not fit each other: file, place, value, field."""
+    every, wide = scene_file.write(every_mapper()), scene_file.write(wide_pixels())
+    size = "texture.width or texture.height"
+    page, linear, tiled, columns, margins = range(5)
+    flat, gouraud, affine, arbitrary, *_ = range(7)
+    out = []
+
+    def entry(source, table, index, field, *values, said=None):
+        struct = SHAPES.struct("scene_" + {"vertices": "vertex"}.get(table, table[:-1]))
+        at = SHAPES.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
+        out.extend((source, at + struct.fields[field]["offset"], value,
+                    said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
+
+    entry(every, "textures", page, "layout", 5, M32)
+    entry(every, "textures", page, "layout", linear, said="material.texture")
+    entry(every, "textures", page, "texel_bytes", 0, 2, M32)
+    entry(every, "textures", page, "at", 0, 82, len(every) - 124, M32 - 3)
+    for index, widths in ((page, (0, 4, 12, 512, M32, 2**31)), (linear, (0, 1025, M32, 2**31)),
+                          (tiled, (0, 255, 512, M32)), (columns, (4, 48, 2**16, M32, 2**31)),
+                          (margins, (8, 512, M32))):
+        entry(every, "textures", index, "width", *widths, said=size)
+        entry(every, "textures", index, "height", *widths, said=size)
+    entry(wide, "textures", 0, "layout", page, linear)
+    entry(wide, "textures", 0, "texel_bytes", 1)
+    entry(every, "materials", flat, "mapper", 7, M32)
+    entry(every, "materials", flat, "texture", 0)
+    entry(every, "materials", gouraud, "texture", 0)
+    entry(every, "materials", affine, "texture", linear, -1, 5)
+    entry(every, "materials", affine, "edges", 3, M32)
+    entry(every, "materials", affine, "gradients", 3, M32)
+    entry(every, "materials", affine, "start", 2, M32)
+    entry(every, "materials", affine, "clip", 2, M32)
+    entry(wide, "materials", 0, "mapper", gouraud, affine)
+    entry(wide, "materials", 0, "colour", 65536)
+    entry(every, "objects", gouraud, "vertices", 4)
+    entry(every, "objects", arbitrary, "vertices", 4)
+    entry(every, "vertices", 1, "shade", -1, 256 << 16, 2**31)
+    entry(every, "vertices", 2, "s", -1, (256 << 16) + 1, 61 << 16, 2**31, 2**31 - 1)
+    entry(every, "vertices", 2, "t", -1, (256 << 16) + 1, 2**31)
+    return out
+
+
 def bad_scenes() -> list[tuple[bytes, str]]:
     """Files and what must be said of each."""
     data, textured = (scene_file.write(example(textures)) for textures in (0, 1))
@@ -81,6 +150,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         header_field(name, 0, 1025, M32, 2**31 - 1)
     header_field("width", 6)
     header_field("background", 256, M32)
+    header_field("pixel_bytes", 0, 3, M32)
     header_field("palette_at", 0, 78, len(data), M32 - 3)
     for name in ("textures", "materials", "objects", "vertices", "poses"):
         header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
@@ -91,7 +161,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
     header_field("poses", 3, said="object.poses")
 
     for table, name, values in (
-            ("materials", "texture", (1, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
+            ("materials", "texture", (0, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
             ("objects", "material", (2, M32)), ("objects", "vertices", (2, 65, 7, M32)),
             ("objects", "vertex", (4, 6, M32, M32 - 1)), ("objects", "pose", (2, 4, M32)),
             ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32))):
@@ -100,6 +170,8 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         said = {"vertex": "vertices", "pose": "poses"}.get(name, name)
         cases += [(changed(source, at, value, "scene_header", "width"),
                    f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
+    cases += [(changed(source, at, value, "scene_header", "width"), NOT_A_SCENE + said)
+              for source, at, value, said in wrong_mappers()]
     cases += [(bytes(3 << 20), ": does not fit into memory"),
               (scene_file.write(example(14)), ": not enough memory for the textures")]
     return cases

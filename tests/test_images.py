@@ -108,6 +108,16 @@ def test_picture_is_cut_to_its_centre(tmp_path):
     assert not images.load("wide.png", tmp_path, WHERE).any()
 
 
+@pytest.mark.parametrize("width, height, dark", [(60, 20, 1 / 3), (20, 60, 1), (8, 8, 1), (30, 10, 1 / 3)])
+def test_picture_is_cut_to_the_shape_of_its_map(tmp_path, width, height, dark):
+    pixels = np.full((10, 30, 3), 255, np.uint8)
+    pixels[:, 10:20] = 0
+    Image.fromarray(pixels).save(tmp_path / "wide.png")
+    found = images.load("wide.png", tmp_path, WHERE, width, height)
+    assert found.shape == (height, width, 3) and found.dtype == np.uint8
+    assert abs((found < 128).mean() - dark) < 0.01
+
+
 def test_picture_in_a_package():
     portrait = "package:matplotlib/mpl-data/sample_data/grace_hopper.jpg"
     loaded = images.load(portrait, None, WHERE)
@@ -124,4 +134,24 @@ def test_nearest_is_exact():
 
 def test_palette_without_textures():
     colours, maps = palette.build([(1, 2, 3), (4, 5, 6), (1, 2, 3)], [], "here")
-    assert colours[:3].tolist() == [[1, 2, 3], [4, 5, 6], [0, 0, 0]] and maps.shape == (0, 256, 256)
+    assert colours[:4].tolist() == [[1, 2, 3], [4, 5, 6], [1, 2, 3], [0, 0, 0]] and maps == []
+
+
+def test_palette_of_unlike_pictures():
+    """A small picture's colours count too, and each keeps its size."""
+    small, large = np.full((8, 16, 3), 200, np.uint8), np.zeros((256, 512, 3), np.uint8)
+    small[3, 5] = (255, 0, 9)
+    colours, maps = palette.build([(1, 2, 3)], [large, small], "here")
+    assert [texels.shape for texels in maps] == [(256, 512), (8, 16)]
+    assert (colours[maps[0]] == large).all() and (colours[maps[1]] == small).all()
+
+
+@pytest.mark.parametrize("count, pictures, taken", [
+    (256, 0, True), (257, 0, False), (192, 1, True), (193, 1, False)])
+def test_palette_has_256_entries(count, pictures, taken):
+    exact, noise = [(1, 2, n % 256) for n in range(count)], np.zeros((8, 8, 3), np.uint8)
+    if taken:
+        palette.build(exact, [noise] * pictures, "here")
+        return
+    with pytest.raises(UserError, match=f"^here: {count} palette entries for flat colours"):
+        palette.build(exact, [noise] * pictures, "here")

@@ -1,5 +1,6 @@
 """``tmap run`` from end to end: what the emulated machine drew, and what is refused."""
 
+import itertools
 import json
 import subprocess
 
@@ -12,7 +13,7 @@ from tools.__main__ import FORMS, main
 from tools.errors import UserError
 from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
-from tools.scene_file import vertices_at
+from tools.scene_file import SETTINGS, vertices_at
 
 SMALL = """\
 title = "A wall and a sign"
@@ -119,7 +120,7 @@ def test_pixel_counts_are_the_models(folder, runs):
     frames = json.loads((runs["a1200", "addx"] / "run.json").read_text())["frames"]
     for frame in frames:
         polygons = [model.set_up(vertices_at(scene, obj, frame["number"]), 64, 48,
-                                 scene.materials[obj.material][0] >= 0) for obj in scene.objects]
+                                 scene.materials[obj.material].texture >= 0) for obj in scene.objects]
         assert frame["pixels"] == sum(polygon.pixels for polygon in polygons)
 
 
@@ -151,7 +152,7 @@ def test_texture_is_upright_and_exact(folder, capsys):
     with Image.open(out / "frame_000.png") as shown, Image.open(folder / "wall.png") as picture:
         assert shown.convert("RGB").tobytes() == picture.tobytes()
     scene = compile_scene(folder / "upright.toml", 1)
-    assert dumps(out) == [scene.textures[0].tobytes()]
+    assert dumps(out) == [scene.textures[0].texels.tobytes()]
     assert not (out / "animation.gif").exists()
     assert capsys.readouterr().out.splitlines()[-1].split() == ["pictures", f"{out}/frame_000.png"]
 
@@ -173,6 +174,57 @@ def test_default_scene_through_the_script(tmp_path):
     assert dumps(out) == [model.render(scene, number).tobytes() for number in range(2)]
     assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
                           "frame_001.png", "frame_notes.png", "mine.txt", "run.json"]
+
+
+def every_setting() -> str:
+    """A scene with a frame for each combination of settings: a triangle with a small map
+    that repeats, larger than the frame, and a flat one."""
+    text = SMALL[:SMALL.index("[textures]")] + """[textures]
+wall = {image = "wall.png", width = 32, height = 16}
+[materials]
+"""
+    objects, choices = "", {kind: SETTINGS[kind] for kind in SETTINGS if kind != "mapper"}
+    for number, names in enumerate(itertools.product(*choices.values())):
+        settings = ", ".join(f'{kind} = "{name}"' for kind, name in zip(choices, names))
+        text += f'm{number} = {{texture = "wall", {settings}}}\n'
+        text += f'f{number} = {{colour = "#ff0000", {settings}}}\n'
+        for kind, radius, map_radius in (("m", 47.3, 700), ("f", 9.7, 0)):
+            objects += (f'[[objects]]\nmaterial = "{kind}{number}"\nsides = 3\nradius = {radius}\n'
+                        f"map_radius = {map_radius}\nangle = {7 * number}\ncentre = [33.4, 25.7]\n"
+                        f"first = {number}\nlast = {number}\n")
+    return text.replace("frames = 3", f"frames = {number + 1}") + objects
+
+
+def test_every_setting_is_the_models(folder):
+    """Each combination draws what the model does, and they are not all the same picture."""
+    (folder / "settings.toml").write_text(every_setting())
+    out = folder / "out" / "settings"
+    assert main(["run", str(folder / "settings.toml"), "-o", str(out)]) == 0
+    scene = compile_scene(folder / "settings.toml")
+    expected = [model.render(scene, number).tobytes() for number in range(scene.frames)]
+    assert scene.frames == 36 and dumps(out) == expected
+    materials = json.loads((out / "run.json").read_text())["materials"]
+    assert len(materials) == 72 and materials["m0"] == {
+        "mapper": "affine", "edges": "integer", "gradients": "scanline", "start": "truncated",
+        "clip": "scissor"}
+
+
+def test_frames_of_16_bits(folder):
+    """A scene with nothing to be seen: background, dump, pictures and run.json."""
+    text = SMALL.replace("frames = 3", "frames = 2\nbits = 16").replace(
+        'wall.texture = "wall"', 'wall = {texture = "wall", mapper = "columns"}')
+    (folder / "wide.toml").write_text(text.replace("centre = [", "centre = [500, 500]\nmove = ["))
+    out = folder / "out" / "wide"
+    assert main(["run", str(folder / "wide.toml"), "-o", str(out)]) == 0
+    assert dumps(out) == [b"\x11\x06" * 64 * 48] * 2
+    about = json.loads((out / "run.json").read_text())
+    assert (about["pixel_bytes"], about["palette"]) == (2, None)
+    assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
+                          "frame_001.png", "run.json"]
+    with Image.open(out / "frame_001.png") as picture:
+        assert picture.mode == "RGB" and picture.getcolors() == [(64 * 48, (16, 32, 49))]
+    with Image.open(out / "animation.gif") as animation:
+        assert animation.convert("RGB").getcolors() == [(64 * 48, (16, 32, 49))]
 
 
 def refused(arguments, capsys) -> str:

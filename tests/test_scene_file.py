@@ -8,9 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tools import layout, scene_file
+from tools import layout, maps, scene_file
 from tools.errors import UserError
-from tools.scene_file import Object, Scene
+from tools.scene_file import Material, Object, Scene, Texture
+
+
+def vertices(random, count: int) -> np.ndarray:
+    """Any numbers, shades inside the palette."""
+    rows = random.integers(-2**31, 2**31, (count, 5))
+    rows[:, 4] = random.integers(0, 256 << 16, count)
+    return rows
 
 
 def example(seed: int = 1, textures: int = 1) -> Scene:
@@ -19,10 +26,12 @@ def example(seed: int = 1, textures: int = 1) -> Scene:
     return Scene(
         width=8, height=5, frames=3, background=7,
         palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
-        textures=random.integers(0, 256, (textures, 256, 256)).astype(np.uint8),
-        materials=[(-1, 255), (textures - 1, 0)],
+        textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))
+                  for _ in range(textures)],
+        materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
+                   else Material("gouraud", "exact", "plane", "truncated")],
         objects=[Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)],
-        vertices=random.integers(-2**31, 2**31, (6, 4)),
+        vertices=vertices(random, 6),
         poses=random.integers(-2**31, 2**31, (4, 6)))
 
 
@@ -39,7 +48,8 @@ def test_round_trip(textures):
     again = scene_file.read(data, "x")
     assert_equal(scene, again)
     assert scene_file.write(again) == data
-    assert again.palette.dtype == again.textures.dtype == np.uint8
+    assert again.palette.dtype == np.uint8
+    assert all(texture.texels.dtype == np.uint8 for texture in again.textures)
 
 
 @settings(deadline=None)
@@ -47,14 +57,65 @@ def test_round_trip(textures):
 def test_round_trip_of_any_numbers(seed, side, corners):
     scene = example(seed, 0)
     scene.width, scene.height = side // 4 * 4, side
-    scene.vertices = np.random.default_rng(seed).integers(-2**31, 2**31, (corners, 4))
+    scene.vertices = vertices(np.random.default_rng(seed), corners)
     scene.objects = [Object(0, 0, corners, 1, 3, 2)]
     assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
 
 
+LAYOUT_SIZES = [("page", 8, 256), ("page", 256, 16), ("linear", 1, 1), ("linear", 7, 1024),
+                ("tiled", 256, 256), ("columns", 8, 32768), ("columns", 512, 512),
+                ("margins", 256, 256)]
+
+
+@pytest.mark.parametrize("kind, width, height", LAYOUT_SIZES)
+def test_round_trip_of_every_layout(kind, width, height):
+    texels = np.random.default_rng(1).integers(0, 256, (height, width)).astype(np.uint8)
+    mapper = next(m for m, wanted in scene_file.MAPPER_LAYOUT.items() if wanted == kind)
+    scene = dataclasses.replace(example(), textures=[Texture(texels, kind)] * 2,
+                                materials=[Material(), Material(mapper, texture=1)])
+    scene.vertices[:, 2:4] = 0
+    assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
+
+
+def test_round_trip_of_16_bits():
+    texels = np.random.default_rng(1).integers(0, 65536, (16, 32)).astype(np.uint16)
+    scene = dataclasses.replace(
+        example(), pixel_bytes=2, background=65535, textures=[Texture(texels, "columns")],
+        materials=[Material(colour=65535), Material("columns", texture=0)])
+    data = scene_file.write(scene)
+    assert_equal(scene, scene_file.read(data, "x"))
+    # u 0 to 3 of the first row, then of the second: columns are 4 texels wide.
+    assert data[-1024:-1008] == texels[:2, :4].astype(">u2").tobytes()
+
+
+def test_names_are_the_headers():
+    """The names of settings and layouts stand at the numbers of their enumerators."""
+    constants = layout.load().constants
+    for kind, names in (scene_file.SETTINGS | {"map": scene_file.LAYOUTS}).items():
+        numbers = [constants[f"{kind}_{name}".upper()] for name in names]
+        last = constants["MAP_LAYOUTS" if kind == "map" else f"{kind}_KINDS".upper()]
+        assert numbers == list(range(last)), kind
+
+
+def test_orders_are_the_headers():
+    """Where texel (u, v) lies, by the formulas in c/texture/map.h."""
+    array = np.arange(65536).reshape(256, 256)
+    tiled, columns = maps.to_tiled(array), maps.to_columns(array[:32])
+    for u, v in ((0, 0), (7, 0), (8, 0), (255, 31), (100, 17), (13, 5)):
+        assert tiled[2048 * (u // 8) + 8 * v + u % 8] == 256 * v + u
+        assert columns[4 * 32 * (u // 4) + 4 * v + u % 4] == 256 * v + u
+
+
+def test_565():
+    numbers = np.arange(65536, dtype=np.uint16)
+    assert (maps.to_rgb565(maps.from_rgb565(numbers)) == numbers).all()
+    assert maps.from_rgb565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
+        [0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0], [132, 130, 132]]
+
+
 def test_empty_tables():
     scene = dataclasses.replace(example(textures=0), materials=[], objects=[],
-                                vertices=np.zeros((0, 4), int), poses=np.zeros((0, 6), int))
+                                vertices=np.zeros((0, 5), int), poses=np.zeros((0, 6), int))
     assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
 
 
@@ -62,20 +123,21 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\1"
+    assert data[:8] == b"TMAP\0\0\0\2"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[76:80] == b"\0" + scene.palette[0].tobytes()
-    assert data[-65536:] == scene.textures[0].tobytes()
+    assert data[80:84] == b"\0" + scene.palette[0].tobytes()
+    assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
 def test_vertices_at_rounds_every_product_down():
     scene = example()
     one, s, t = 65536, 5, 6
-    scene.vertices[:3] = [[1, 1, s, t], [-1, 1, s, t], [3, -1, s, t]]
+    scene.vertices[:3] = [[1, 1, s, t, 8], [-1, 1, s, t, 8], [3, -1, s, t, 8]]
     scene.poses[:3] = [one // 2, -one // 2, -1, one // 4, 7, 9]
     assert scene_file.vertices_at(scene, scene.objects[0], 2) == [
-        (0 - 1 + 7, -1 + 0 + 9, s, t), (-1 - 1 + 7, 0 + 0 + 9, s, t), (1 + 0 + 7, -1 - 1 + 9, s, t)]
+        (0 - 1 + 7, -1 + 0 + 9, s, t, 8), (-1 - 1 + 7, 0 + 0 + 9, s, t, 8),
+        (1 + 0 + 7, -1 - 1 + 9, s, t, 8)]
     assert scene_file.vertices_at(scene, scene.objects[1], 0) == []  # not there yet
     assert scene_file.vertices_at(scene, scene.objects[0], 3) == []  # gone
 
@@ -114,7 +176,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     """The file with one field replaced, and a checksum that fits."""
     built = layout.load()
     header = built.struct("scene_header")
-    where = {"scene_material": "materials_at", "scene_object": "objects_at"}
+    where = {"scene_texture": "textures_at", "scene_vertex": "vertices_at", "scene_material": "materials_at", "scene_object": "objects_at"}
     kind = built.struct(struct)
     at = header.unpack(data)[where[struct]] + index * kind.size if struct in where else 0
     at += kind.fields[field]["offset"]
@@ -127,7 +189,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 2, "version: 0x2 where 0x1 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x2 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -137,22 +199,41 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "frames", 0, "frames: 0 is not from 1 to"),
     ("scene_header", "frames", 2**31 - 1, "frames: 2147483647 is not from 1 to"),
     ("scene_header", "background", 256, "background: 256 is not from 0 to 255"),
-    ("scene_header", "textures", 0, "materials[1].texture: 0 is not from -1 to -1"),
-    ("scene_header", "textures", 2, "textures_at: "),
+    ("scene_header", "textures", 0, "materials[1].texture: 0 is not from 0 to -1"),
+    ("scene_header", "textures", 2, "textures[1]."),
     ("scene_header", "textures", 2**32 - 1, "textures: 4294967295 is not from 0 to 65536 entries"),
     ("scene_header", "materials", 65537, "materials: 65537 is not from"),
     ("scene_header", "materials", 1, "objects[1].material: 1 is not from 0 to 0"),
     ("scene_header", "objects", 65536, "objects_at: "),
     ("scene_header", "vertices", 5, "objects[1].vertex: 2 is not from 0 to 1"),
     ("scene_header", "poses", 3, "objects[1].pose: 2 is not from 0 to 1"),
-    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 76 to"),
+    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 80 to"),
     ("scene_header", "textures_at", 2**32 - 4, "textures_at: 4294967292 is not from"),
-    ("scene_header", "materials_at", 78, "materials_at: 78 is not a multiple of 4"),
+    ("scene_header", "materials_at", 82, "materials_at: 82 is not a multiple of 4"),
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
-    ("scene_header", "vertices_at", len(TEXTURED) - 92, "vertices_at: "),
+    ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
-    ("scene_material", "texture", 1, "materials[0].texture: 1 is not from -1 to 0"),
-    ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to 0"),
+    ("scene_header", "pixel_bytes", 0, "pixel_bytes: 0 is not from 1 to 2"),
+    ("scene_header", "pixel_bytes", 3, "pixel_bytes: 3 is not from 1 to 2"),
+    ("scene_header", "pixel_bytes", 2, "textures[0].texel_bytes: 1 is not from 2 to 2"),
+    ("scene_texture", "width", 0, "textures[0].width or height: 0x256 is not sides that are"),
+    ("scene_texture", "width", -256, "textures[0].width or height: -256x256 is not sides"),
+    ("scene_texture", "width", 512, "textures[0].width or height: 512x256 is not sides"),
+    ("scene_texture", "height", 255, "textures[0].width or height: 256x255 is not sides"),
+    ("scene_texture", "layout", 5, "textures[0].layout: 5 is not from 0 to 4"),
+    ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
+    ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
+    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 80 to"),
+    ("scene_texture", "at", len(TEXTURED) - 4, "textures[0].at: "),
+    ("scene_texture", "at", 82, "textures[0].at: 82 is not a multiple of 4"),
+    ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
+    ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
+    ("scene_material", "mapper", 7, "materials[0].mapper: 7 is not from 0 to 6"),
+    ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
+    ("scene_material", "edges", 3, "materials[0].edges: 3 is not from 0 to 2"),
+    ("scene_material", "gradients", 3, "materials[0].gradients: 3 is not from 0 to 2"),
+    ("scene_material", "start", 2, "materials[0].start: 2 is not from 0 to 1"),
+    ("scene_material", "clip", 2, "materials[0].clip: 2 is not from 0 to 1"),
     ("scene_material", "colour", 256, "materials[0].colour: 256 is not from 0 to 255"),
     ("scene_object", "material", 2, "objects[0].material: 2 is not from 0 to 1"),
     ("scene_object", "vertices", 2, "objects[0].vertices: 2 is not from 3 to 64"),
@@ -173,9 +254,26 @@ def test_wrong_field_is_named(struct, field, value, message):
     ({"width": 7}, "scene: width"),
     ({"frames": 0}, "scene: frames"),
     ({"background": -1}, "scene: background"),
-    ({"materials": [(1, 0), (0, 0)]}, r"scene: materials\[0\].texture"),
+    ({"materials": [Material("affine", texture=1), Material()]}, r"scene: materials\[0\].texture"),
+    ({"materials": [Material("cubic"), Material()]},
+     r"scene: materials\[0\].mapper: 'cubic' is not one of flat, gouraud"),
+    ({"materials": [Material(), Material("affine", gradients="polygon", texture=0)]},
+     r"objects\[1\].vertices: 4, but gradients 'polygon' are for triangles"),
+    ({"materials": [Material(), Material("gouraud")], "vertices": np.full((6, 5), 256 << 16)},
+     r"objects\[1\]: shade: 16777216 is not from 0 to 16777215"),
+    ({"textures": [Texture(np.zeros((9, 7), np.uint8), "linear")], "vertices": np.full((6, 5), -1),
+      "materials": [Material(), Material("arbitrary", texture=0)]},
+     r"objects\[1\]: s: -1 is not from 0 to 16777216"),
+    ({"textures": [Texture(np.zeros((8, 4), np.uint8), "linear")],
+      "vertices": np.full((6, 5), 256 << 16),
+      "materials": [Material(), Material("arbitrary", texture=0)]},
+     r"objects\[1\]: texel of s: 524288 is not from 0 to 262144"),
+    ({"textures": [Texture(np.zeros((8, 8), np.uint16), "columns")]}, r"textures\[0\].texel_bytes"),
+    ({"pixel_bytes": 2}, r"textures\[0\].layout: 'page' is not for these pixels"),
+    ({"pixel_bytes": 2, "textures": [], "materials": [Material("gouraud"), Material()]},
+     r"materials\[0\].mapper: 'gouraud' is not for pixels of 2 bytes"),
     ({"objects": [Object(0, 0, 3, 0, 5, 0)]}, r"scene: objects\[0\].pose"),
-    ({"vertices": np.full((6, 4), 2**31)}, "scene_vertex.x does not fit 32 bits"),
+    ({"vertices": np.full((6, 5), 2**31)}, "scene_vertex.x does not fit 32 bits"),
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
 ])
 def test_bad_scenes_are_not_written(change, message):

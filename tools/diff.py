@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from . import maps
 from .errors import UserError
+from .scene_file import TEXEL
 
 DEFAULT_WIDTH = 320  # pixels of a dump without a run.json beside it
 FRAMES = "frame_*.chunky"
@@ -37,13 +39,15 @@ class Difference:
 class Frame:
     """A frame to compare and how to show it."""
 
-    values: np.ndarray  # uint8, (h, w) indices or (h, w, 3) colours
+    values: np.ndarray  # uint8: (h, w) indices or (h, w, 3) colours; uint16 (h, w): RGB565
     palette: np.ndarray | None = None  # uint8 (256, 3), of indices
 
     def picture(self) -> np.ndarray:
         """uint8 (h, w, 3); indices without a palette are shown as greys."""
         if self.values.ndim == 3:
             return self.values
+        if self.values.dtype == TEXEL[2]:
+            return maps.from_rgb565(self.values)
         greys = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
         return (greys if self.palette is None else self.palette)[self.values]
 
@@ -55,7 +59,7 @@ def differing(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def compare(a: np.ndarray, b: np.ndarray) -> Difference:
-    """The difference of two frames of one shape, (h, w) or (h, w, 3) uint8."""
+    """The difference of two frames of one shape and kind, as in ``Frame``."""
     if a.shape != b.shape:
         raise ValueError(f"shapes {a.shape} and {b.shape}")
     y, x = np.nonzero(differing(a, b))
@@ -77,25 +81,28 @@ def panels(a: Frame, b: Frame) -> np.ndarray:
 
 
 def load_dump(path: Path) -> Frame:
-    """A raw dump, one byte a pixel, with what run.json beside it says of its size and colours."""
-    data = np.frombuffer(path.read_bytes(), np.uint8)
-    about, described = {}, path.with_name("run.json")
+    """A raw dump with what run.json beside it says of its size, pixels and colours."""
+    data = path.read_bytes()
+    described = path.with_name("run.json")
+    width, height, palette = DEFAULT_WIDTH, len(data) // DEFAULT_WIDTH, None
+    pixel = TEXEL[1]
     if described.exists():
         try:
             about = json.loads(described.read_text())
             width = int(about.get("width", DEFAULT_WIDTH))
-            height = int(about.get("height", len(data) // width))
+            pixel = TEXEL[about.get("pixel_bytes", 1)]
+            height = int(about.get("height", len(data) // (width * pixel.itemsize)))
             palette = about.get("palette")
             if palette is not None:
                 palette = np.array(palette, np.uint8).reshape(256, 3)
-        except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError):
-            raise UserError(f"{described}: width, height or palette cannot be used") from None
-    else:
-        width, palette = DEFAULT_WIDTH, None
-        height = len(data) // width
-    if len(data) == 0 or width < 1 or len(data) != width * height:
-        raise UserError(f"{path}: {len(data)} bytes is not {width}x{height or '?'} pixels")
-    return Frame(data.reshape(height, width), palette)
+        except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError, KeyError):
+            raise UserError(f"{described}: width, height, pixel_bytes or palette cannot be used"
+                            ) from None
+    if len(data) == 0 or width < 1 or len(data) != width * height * pixel.itemsize:
+        of = " of 2 bytes" if pixel.itemsize == 2 else ""
+        raise UserError(f"{path}: {len(data)} bytes is not {width}x{height or '?'} pixels{of}")
+    values = np.frombuffer(data, pixel.newbyteorder(">")).astype(pixel)
+    return Frame(values.reshape(height, width), palette)
 
 
 def load_frame(path: Path) -> Frame:
@@ -122,6 +129,9 @@ def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
     if shapes[0] != shapes[1]:
         sizes = " and ".join(f"{shape[1]}x{shape[0]}" for shape in shapes)
         raise UserError(f"{a} and {b}: {sizes} pixels")
+    sizes = [frame.values.itemsize for frame in frames]
+    if sizes[0] != sizes[1]:
+        raise UserError(f"{a} and {b}: {sizes[0]} and {sizes[1]} bytes a pixel")
     return frames
 
 

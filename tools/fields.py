@@ -59,6 +59,16 @@ def text(value, where):
     return value
 
 
+def one_of(*names: str):
+    """One of these words."""
+    def check(value, where):
+        text(value, where)
+        if value not in names:
+            fail(where, f"{value!r} is not one of {', '.join(names)}")
+        return value
+    return check
+
+
 def colour(value, where):
     """``#rrggbb`` to (red, green, blue)."""
     text(value, where)

@@ -1,4 +1,4 @@
-"""Texture pictures: found, checked and cut to 256x256 RGB."""
+"""Texture pictures: found, checked and cut to a map's size in RGB."""
 
 import os
 import warnings
@@ -10,7 +10,7 @@ from PIL import Image, ImageOps
 
 from .errors import UserError
 
-SIDE = 256
+SIDE = 256  # texels of a map, unless it says otherwise
 SIDE_MAX = 8192  # pixels; more is a mistake or an attack
 PACKAGE = "package:"
 
@@ -52,8 +52,11 @@ def decode(path: Path) -> Image.Image:
         return ImageOps.exif_transpose(image).convert("RGB")
 
 
-def load(reference: str, folder: Path, where: str) -> np.ndarray:
-    """The referenced picture's centred square as uint8 (256, 256, 3), row 0 on top.
+def load(reference: str, folder: Path, where: str, width: int = SIDE,
+         height: int = SIDE) -> np.ndarray:
+    """The middle of the referenced picture as uint8 (height, width, 3), row 0 on top.
+
+    It is cut to the shape of width x height, then resized.
 
     ``where`` (scene file and field) starts the message of every refusal.
     """
@@ -67,7 +70,9 @@ def load(reference: str, folder: Path, where: str) -> np.ndarray:
     except Exception as error:  # a damaged file fails in as many ways as there are decoders
         text = " ".join(str(error).split()) or type(error).__name__
         raise UserError(f"{where}: {reference}: cannot be read: {text}") from None
-    side = min(image.size)
-    left, top = (image.width - side) // 2, (image.height - side) // 2
-    square = image.crop((left, top, left + side, top + side))
-    return np.array(square.resize((SIDE, SIDE), Image.Resampling.LANCZOS))
+    wide, high = image.size
+    cut_wide = max(1, min(wide, high * width // height))
+    cut_high = max(1, min(high, wide * height // width))
+    left, top = (wide - cut_wide) // 2, (high - cut_high) // 2
+    middle = image.crop((left, top, left + cut_wide, top + cut_high))
+    return np.array(middle.resize((width, height), Image.Resampling.LANCZOS))

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .clip import clip, frame_window, mul_div
+from .errors import UserError
 
 FAR = 16384 << 16
 EDGE_ERROR = 1024
@@ -391,29 +392,50 @@ def coordinates(line: Line):
     return (line.u + n * signed(line.dudx)) & M32, (line.v + n * signed(line.dvdx)) & M32
 
 
+def adapt(vertices, mapper: str, longer: int) -> list[tuple]:
+    """(x, y, s, t, shade) as ``set_up`` takes them: s and t in texels of a map whose
+    longer side is given, rounded down, or the shade as u."""
+    if mapper == "gouraud":
+        return [(x, y, shade, 0) for x, y, _, _, shade in vertices]
+    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8)) for x, y, s, t, _ in vertices]
+
+
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int) -> None:
-    """Draws a set-up polygon into ``frame`` (uint8, height x width)."""
+    """Draws a set-up polygon into ``frame`` (height x width).
+
+    ``texture``: [v][u], sides powers of two; None: u is the pixel, or it is flat.
+    """
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
         if not polygon.textured:
             frame[y, line.left:line.right] = colour
+            continue
+        u, v = (c >> 16 for c in coordinates(line))
+        if texture is None:
+            frame[y, line.left:line.right] = u & 255
         else:
-            u, v = coordinates(line)
-            frame[y, line.left:line.right] = texture[v >> 16 & 255, u >> 16 & 255]
+            height, width = texture.shape
+            frame[y, line.left:line.right] = texture[v & height - 1, u & width - 1]
 
 
 def render(scene, number: int) -> np.ndarray:
-    """Frame ``number`` of a scene (tools.scene_file.Scene), uint8, height x width."""
-    from .scene_file import vertices_at
+    """Frame ``number`` of a scene (tools.scene_file.Scene), height x width of its pixels."""
+    from .scene_file import TEXEL, vertices_at
 
-    frame = np.full((scene.height, scene.width), scene.background, np.uint8)
+    frame = np.full((scene.height, scene.width), scene.background, TEXEL[scene.pixel_bytes])
     for obj in scene.objects:
         if not obj.first_frame <= number < obj.first_frame + obj.poses:
             continue
-        texture, colour = scene.materials[obj.material]
-        vertices = vertices_at(scene, obj, number)
-        polygon = set_up(vertices, scene.width, scene.height, texture >= 0)
+        material = scene.materials[obj.material]
+        texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+        vertices = adapt(vertices_at(scene, obj, number), material.mapper,
+                         256 if texture is None else max(texture.shape))
+        polygon = set_up(vertices, scene.width, scene.height, material.mapper != "flat",
+                         Settings(material.edges, material.gradients, material.start,
+                                  material.clip))
+        if polygon and material.mapper not in ("flat", "gouraud", "affine"):
+            raise UserError(f"the model has no mapper {material.mapper!r} yet")
         if polygon:
-            draw(frame, polygon, scene.textures[texture] if texture >= 0 else None, colour)
+            draw(frame, polygon, texture, material.colour)
     return frame

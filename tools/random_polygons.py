@@ -9,7 +9,7 @@ import random
 import numpy as np
 
 from . import model
-from .scene_file import Object, Scene
+from .scene_file import Material, Object, Scene, Texture
 
 IDENTITY = (65536, 0, 0, 65536, 0, 0)
 
@@ -80,13 +80,14 @@ def covering_polygon(rng: random.Random, width: int, height: int):
 def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Scene:
     """``count`` polygons, one a frame: number k depends on seed and first + k alone."""
     noise = np.random.default_rng(seed)
-    texture = noise.integers(0, 256, (1, 256, 256), dtype=np.uint8)
+    texture = Texture(noise.integers(0, 256, (256, 256), dtype=np.uint8))
     palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)
     objects, vertices = [], []
     for k in range(count):
         rng = random.Random(f"{seed} {first + k}")
         points, plane = covering_polygon(rng, width, height)
         objects.append(Object(0 if rng.random() < 0.85 else 1, len(vertices), len(points), 0, 1, k))
-        vertices += [(*p, *q) for p, q in zip(points, plane)]
-    return Scene(width, height, count, 7, palette, texture, [(0, 0), (-1, 200)], objects,
+        vertices += [(*p, *q, 0) for p, q in zip(points, plane)]
+    return Scene(width, height, count, 7, palette, [texture],
+                 [Material("affine", texture=0), Material(colour=200)], objects,
                  np.array(vertices), np.array([IDENTITY]))

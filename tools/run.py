@@ -12,10 +12,10 @@ from PIL import Image
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from . import emulator, model, provenance
+from . import emulator, maps, model, provenance
 from .errors import UserError
 from .scene import compile_scene, parse
-from .scene_file import Scene, write
+from .scene_file import SETTINGS, TEXEL, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_PER_TICK = 20  # of the E-clock
@@ -67,7 +67,7 @@ def check_frame(frame: np.ndarray, scene: Scene, number: int) -> None:
 
 
 def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
-    """All frames, uint8 (height, width) palette indices, checked."""
+    """All frames, (height, width) pixels (palette indices or RGB565), checked."""
     names = [f"frame_{number:03}.chunky" for number in range(scene.frames)]
     found = sorted(path.name for path in volume.glob("frame_*.chunky"))
     if found != names:
@@ -75,11 +75,14 @@ def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
         raise UserError(f"render: {odd} is {'missing' if odd in names else 'one frame too many'}")
     frames = []
     for number, name in enumerate(names):
-        data = np.fromfile(volume / name, np.uint8)
-        if len(data) != scene.width * scene.height:
+        data = (volume / name).read_bytes()
+        if len(data) != scene.width * scene.height * scene.pixel_bytes:
             raise UserError(f"render: {name} has {len(data)} bytes, not "
-                            f"{scene.width}x{scene.height}")
-        frames.append(data.reshape(scene.height, scene.width))
+                            f"{scene.width}x{scene.height}"
+                            + (f"x{scene.pixel_bytes}" if scene.pixel_bytes > 1 else ""))
+        pixel = TEXEL[scene.pixel_bytes]
+        found = np.frombuffer(data, pixel.newbyteorder(">")).astype(pixel)
+        frames.append(found.reshape(scene.height, scene.width))
         check_frame(frames[-1], scene, number)
     return frames
 
@@ -119,14 +122,23 @@ def as_json(about: dict) -> str:
     return "{\n " + ",\n ".join(f'"{key}": {text}' for key, text in texts.items()) + "\n}\n"
 
 
+def picture_of(frame: np.ndarray, palette: np.ndarray) -> Image.Image:
+    """A frame as a picture; palette uint8 (256, 3) of one with a byte a pixel."""
+    if frame.dtype == TEXEL[2]:
+        return Image.fromarray(maps.from_rgb565(frame))
+    picture = Image.fromarray(frame, "P")
+    picture.putpalette(palette.tobytes())
+    return picture
+
+
 def save(folder: Path, frames: list[np.ndarray], palette: np.ndarray, about: dict) -> None:
     """Writes dumps, pictures and run.json; palette uint8 (256, 3)."""
     pictures = []
     for number, frame in enumerate(frames):
-        picture = Image.fromarray(frame, "P")
-        picture.putpalette(palette.tobytes())
+        picture = picture_of(frame, palette)
         picture.save(folder / f"frame_{number:03}.png")
-        (folder / f"frame_{number:03}.chunky").write_bytes(frame.tobytes())
+        dump = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
+        (folder / f"frame_{number:03}.chunky").write_bytes(dump)
         pictures.append(picture)
     if len(pictures) > 1:
         pictures[0].save(folder / "animation.gif", save_all=True, append_images=pictures[1:],
@@ -183,9 +195,14 @@ def command(path: Path, out: Path, machine: str, frames: int | None, form: str) 
     check_directory(out)
     scene = compile_scene(path, frames)
     dumps, figures = render(scene, machine, form)
-    about = {"scene": path.stem, "title": parse(path)["title"], "machine": machine, "form": form,
+    content = parse(path)
+    settings = {name: {kind: getattr(material, kind) for kind in SETTINGS}
+                for name, material in zip(content["materials"], scene.materials)}
+    about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form,
              **provenance.record(), "width": scene.width, "height": scene.height,
-             "palette": scene.palette.tolist(), "cycles_unit": CYCLES_UNIT,
+             "pixel_bytes": scene.pixel_bytes, "materials": settings,
+             "palette": scene.palette.tolist() if scene.pixel_bytes == 1 else None,
+             "cycles_unit": CYCLES_UNIT,
              "frames": figures, "totals": total(figures)}
     publish(out, dumps, scene.palette, about)
     print_report(about, out)

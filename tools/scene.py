@@ -11,14 +11,15 @@ from pathlib import Path
 
 import numpy as np
 
-from . import images, layout, palette
-from .fields import (REQUIRED, choice, colour, fail, integer, join, named, number, rows, table,
-                     text)
+from . import layout, materials
+from .fields import REQUIRED, choice, colour, fail, integer, named, number, rows, table, text
 from .scene_file import Object, Scene
 
 ONE = 65536  # 1.0 in 16.16
-MAP_CENTRE = 128.0  # texels
+MAP_CENTRE = 128.0  # of s along the longer side
 CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
+UNEVEN = 1 / 64  # of s or t a corner may be off the plane where the map does not repeat
+UNEVEN_SHADE = 0.5
 
 
 def scaling(value, where):
@@ -40,7 +41,8 @@ def schema(limits: dict[str, int]):
         "sides": {"sides": (integer(3, corners), REQUIRED),
                   "radius": (number(0.01, far), REQUIRED),
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
-                  "map_turn": (number(-360, 360), 0.0)},  # degrees
+                  "map_turn": (number(-360, 360), 0.0),  # degrees
+                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)},
         "vertices": {"vertices": (rows(rows(place, 2, 4), 3, corners), REQUIRED)}}
     placing = {
         "material": (text, REQUIRED),
@@ -54,22 +56,30 @@ def schema(limits: dict[str, int]):
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
         "height": (integer(1, side), REQUIRED),
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-        "background": (colour, REQUIRED),
-        "textures": (named(table({"image": (text, REQUIRED)})), {}),
-        "materials": (named(choice({"texture": {"texture": (text, REQUIRED)},
-                                    "colour": {"colour": (colour, REQUIRED)}}, {})), REQUIRED),
+        "bits": (materials.bits, 8), "background": (colour, REQUIRED),
+        "textures": (named(materials.texture_schema()), {}),
+        "materials": (named(materials.material_schema()), REQUIRED),
         "objects": (rows(choice(shapes, placing), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
 
 
-def regular(spec: dict) -> list[list[float]]:
-    """The vertices of a regular polygon, clockwise from the top: x, y, s, t."""
+def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
+    """The vertices of a regular polygon, clockwise from the top: x, y, s, t, shade.
+
+    ``extent``: s and t at the far ends of the map, 256 for the longer side.
+    """
+    wide, high = (end / (2 * MAP_CENTRE) for end in extent)
+    shades = spec["shades"]
+    if shades is None and spec["sides"] == 3:
+        shades = [0.0, materials.SHADES - 1.0]
     out = []
     for i in range(spec["sides"]):
         angle = math.tau * i / spec["sides"]
         on_map = angle - math.radians(spec["map_turn"])
+        shade = (materials.SHADES - 1) * (1 - math.cos(angle)) / 2  # down the polygon
         out.append([spec["radius"] * math.sin(angle), -spec["radius"] * math.cos(angle),
-                    MAP_CENTRE + spec["map_radius"] * math.sin(on_map),
-                    MAP_CENTRE - spec["map_radius"] * math.cos(on_map)])
+                    wide * (MAP_CENTRE + spec["map_radius"] * math.sin(on_map)),
+                    high * (MAP_CENTRE - spec["map_radius"] * math.cos(on_map)),
+                    shades[i % len(shades)] if shades else shade])
     return out
 
 
@@ -90,16 +100,73 @@ def check_convex(corners: list[list[float]], where: str) -> None:
         fail(where, "the polygon crosses itself")
 
 
-def corners_of(spec: dict, textured: bool, where: str) -> list[list[float]]:
-    """An object's vertices before its pose: x, y, s, t."""
-    if "sides" in spec:
-        return regular(spec)
+def listed(spec: dict, mapper: str, where: str) -> list[list[float]]:
+    """A vertex list as x, y, s, t, shade."""
+    forms = {"flat": "[x, y, s, t] or, as it is flat, [x, y]", "gouraud": "[x, y, shade]"}
+    lengths = {"flat": (2, 4), "gouraud": (3,)}
+    out = []
     for i, corner in enumerate(spec["vertices"]):
-        if len(corner) != 4 and (textured or len(corner) != 2):
-            fail(f"{where}.vertices[{i}]", "must be [x, y, s, t]" +
-                 ("" if textured else " or, as it is flat, [x, y]"))
-    check_convex(spec["vertices"], f"{where}.vertices")
-    return [corner + [0.0] * (4 - len(corner)) for corner in spec["vertices"]]
+        if len(corner) not in lengths.get(mapper, (4,)):
+            fail(f"{where}[{i}]", f"must be {forms.get(mapper, '[x, y, s, t]')}")
+        if mapper == "gouraud":
+            corner = [*corner[:2], 0.0, 0.0, number(0, materials.SHADES - 1)(
+                corner[2], f"{where}[{i}][2]")]
+        out.append(corner + [0.0] * (5 - len(corner)))
+    check_convex(spec["vertices"], where)
+    return out
+
+
+def check_even(corners: list[list[float]], columns: list[int], most: float, where: str) -> None:
+    """Refuses corners whose values in these columns do not lie on one plane."""
+    points = np.array(corners)
+    basis = np.column_stack([points[:, :2], np.ones(len(points))])
+    found = np.linalg.lstsq(basis, points[:, columns], rcond=None)[0]
+    if abs(basis @ found - points[:, columns]).max() > most:
+        noun = "shades" if columns == [4] else "s and t"
+        fail(where, f"{noun} of more than three corners must lie on one plane")
+
+
+def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> list[list[float]]:
+    """An object's vertices before its pose: x, y, s, t, shade. Refuses what the
+    material cannot draw: ``where`` is the object."""
+    mapper = materials.mapper_of(material)
+    at = f"{where}.vertices" if "vertices" in spec else f"{where}.sides"
+    if spec.get("shades") is not None:
+        if mapper != "gouraud":
+            fail(f"{where}.shades", f"material {spec['material']!r} has no shades")
+        if len(spec["shades"]) > spec["sides"]:
+            fail(f"{where}.shades", f"must have 1 to {spec['sides']} entries, "
+                                    f"not {len(spec['shades'])}")
+    size = (texture["width"], texture["height"]) if texture else (256, 256)
+    extent = tuple(2 * MAP_CENTRE * side / max(size) for side in size)
+    corners = regular(spec, extent) if "sides" in spec else listed(spec, mapper, at)
+    if mapper != "flat" and len(corners) > 3:
+        if material["gradients"] == "polygon":
+            fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
+                     '"polygon", which are for triangles')
+        even = material["gradients"] == "plane"  # others go from edge to edge
+        if mapper == "gouraud" and even:
+            shades_at = at if "vertices" in spec else f"{where}.shades"
+            check_even(corners, [4], UNEVEN_SHADE, shades_at)
+        elif mapper == "arbitrary" and even:
+            check_even(corners, [2, 3], UNEVEN, at)
+    if texture:
+        map_at = at if "vertices" in spec else f"{where}.map_radius"
+        check_map(corners, mapper, size, extent, map_at)
+    return corners
+
+
+def check_map(corners: list[list[float]], mapper: str, size: tuple[int, int],
+              extent: tuple[float, float], where: str) -> None:
+    """Refuses s, t too far away for the set-up, or outside a map that is not repeated."""
+    reach = layout.load().constants["POLYGON_FAR"]
+    for corner in corners:
+        if max(map(abs, corner[2:4])) * max(size) / (2 * MAP_CENTRE) >= reach:
+            fail(where, f"s or t is {reach} texels or more from the map's corner")
+        inside = all(-1e-6 < value < end + 1e-6 for value, end in zip(corner[2:4], extent))
+        if mapper == "arbitrary" and not inside:
+            fail(where, 'mapper "arbitrary" does not repeat: s must be from 0 to '
+                        f"{extent[0]:g}, t from 0 to {extent[1]:g}")
 
 
 def pose_at(spec: dict, age: int, loop: int) -> list[float]:
@@ -145,10 +212,7 @@ def parse(path: Path) -> dict:
     except (ValueError, RecursionError) as error:
         fail(str(path), f"is not TOML: {error}")
     spec = schema(layout.load().constants)(content, where)
-    for name, material in spec["materials"].items():
-        if material.get("texture", None) not in (None, *spec["textures"]):
-            fail(join(f"{where}materials", name) + ".texture",
-                 f"there is no texture {material['texture']!r}")
+    materials.check(spec, where)
     for i, obj in enumerate(spec["objects"]):
         at = f"{where}objects[{i}]"
         if obj["material"] not in spec["materials"]:
@@ -160,15 +224,31 @@ def parse(path: Path) -> dict:
     return spec
 
 
-def place_objects(spec: dict, count: int, where: str) -> tuple[list, list, list]:
+def in_file(corners: list[list[float]], material: dict, texture: dict | None,
+            ramp: tuple[int, int] | None) -> np.ndarray:
+    """Corners as the file has them, 16.16: shades are pixels; rounding does not leave a
+    map that is not repeated."""
+    made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0]
+                  for corner in corners])
+    if materials.mapper_of(material) == "arbitrary":
+        size = np.array([texture["width"], texture["height"]])
+        last = (((size << 16) + 1) * 256 - 1) // max(size)  # its texel is not beyond the side
+        made[:, 2:4] = made[:, 2:4].clip(0, np.minimum(last, 256 * ONE))
+    return made
+
+
+def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
+                  where: str) -> tuple[list, list, list]:
     """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16."""
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
     objects, vertices, poses = [], [], []
     for i, obj in enumerate(spec["objects"]):
         at = f"{where}objects[{i}]"
-        textured = "texture" in spec["materials"][obj["material"]]
-        corners = fixed(corners_of(obj, textured, at))
+        material = spec["materials"][obj["material"]]
+        texture = spec["textures"].get(material.get("texture"))
+        corners = in_file(corners_of(obj, material, texture, at), material, texture,
+                          ramps.get(obj["material"]))
         last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
         lives = last - obj["first"] + 1
         if lives < 1:
@@ -198,17 +278,9 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     if frames is not None:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
     count = frames or spec["frames"]
-    objects, vertices, poses = place_objects(spec, count, where)
-
-    exact = [spec["background"]]
-    exact += [m["colour"] for m in spec["materials"].values() if "colour" in m]
-    entry = {rgb: i for i, rgb in enumerate(dict.fromkeys(exact))}
-    texture_number = {name: i for i, name in enumerate(spec["textures"])}
-    materials = [(limits["NO_TEXTURE"], entry[m["colour"]]) if "colour" in m
-                 else (texture_number[m["texture"]], 0) for m in spec["materials"].values()]
-    pictures = [images.load(t["image"], path.parent, join(f"{where}textures", name) + ".image")
-                for name, t in spec["textures"].items()]
-    colours, maps = palette.build(exact, pictures, f"{where}materials")
-    return Scene(spec["width"], spec["height"], count, entry[spec["background"]], colours, maps,
-                 materials, objects, np.array(vertices, np.int64).reshape(-1, 4),
-                 np.array(poses, np.int64).reshape(-1, 6))
+    pixels = materials.pixels(spec)
+    objects, vertices, poses = place_objects(spec, count, pixels.ramps, where)
+    colours, textures, looks = materials.build(spec, pixels, path.parent, where)
+    return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
+                 textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 5),
+                 np.array(poses, np.int64).reshape(-1, 6), spec["bits"] // 8)

@@ -5,14 +5,49 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout
+from . import layout, maps
 from .errors import UserError
 
-#: (count and offset field, struct of an entry) of each table, in file order. The
-#: palette has no count: it is always whole; both it and maps are plain bytes.
-TABLES = {"materials": "scene_material", "objects": "scene_object",
-          "vertices": "scene_vertex", "poses": "scene_pose"}
+#: (count and offset field, struct of an entry) of each table, in file order; texels
+#: follow. The palette has no count: it is always whole.
+TABLES = {"textures": "scene_texture", "materials": "scene_material",
+          "objects": "scene_object", "vertices": "scene_vertex", "poses": "scene_pose"}
 PALETTE_BYTES = 256 * 4
+#: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
+MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
+                 "tiled": "tiled", "columns": "columns", "generated": "margins"}
+LAYOUTS = ("page", "linear", "tiled", "columns", "margins")
+#: The settings of a material by their names, and the prefix of each one's enumerators.
+SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
+            "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
+            "clip": ("scissor", "vertices")}
+MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
+#: What a texture's bytes are, by pixel_bytes.
+TEXEL = {1: np.dtype(np.uint8), 2: np.dtype(np.uint16)}
+
+
+@dataclass(eq=False)
+class Texture:
+    """A map, and the layout its mapper reads."""
+
+    texels: np.ndarray = field(repr=False)  # uint8 or uint16 (height, width): [t][s]
+    layout: str = "page"  # of LAYOUTS
+
+    def __eq__(self, other) -> bool:
+        return self.layout == other.layout and np.array_equal(self.texels, other.texels)
+
+
+@dataclass(frozen=True)
+class Material:
+    """What a polygon is drawn with: struct scene_material, enumerators by name."""
+
+    mapper: str = "flat"
+    edges: str = "subpixel"
+    gradients: str = "plane"
+    start: str = "subtexel"
+    clip: str = "scissor"
+    texture: int = -1  # index, or NO_TEXTURE
+    colour: int = 0  # pixel
 
 
 @dataclass
@@ -34,30 +69,113 @@ class Scene:
     width: int
     height: int
     frames: int
-    background: int  # palette index
+    background: int  # pixel: palette index or RGB565
     palette: np.ndarray = field(repr=False)  # uint8 (256, 3): red, green, blue
-    textures: np.ndarray = field(repr=False)  # uint8 (n, 256, 256): [texture][t][s]
-    materials: list[tuple[int, int]]  # (texture or NO_TEXTURE, palette index)
+    textures: list[Texture]
+    materials: list[Material]
     objects: list[Object]
-    vertices: np.ndarray = field(repr=False)  # int64 (n, 4): x, y, s, t; 16.16
+    vertices: np.ndarray = field(repr=False)  # int64 (n, 5): x, y, s, t, shade; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
+    pixel_bytes: int = 1  # 2: RGB565
 
 
-def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int]]:
-    """The object's (x, y, s, t) on the screen in a frame, 16.16; empty when it is not there."""
+def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int]]:
+    """(x, y, s, t, shade) of the object in a frame, x, y on the screen; empty when not there."""
     age = frame - obj.first_frame
     if not 0 <= age < obj.poses:
         return []
     xx, xy, yx, yy, x0, y0 = (int(n) for n in scene.poses[obj.pose + age])
     corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices].tolist()
-    return [((xx * x >> 16) + (xy * y >> 16) + x0, (yx * x >> 16) + (yy * y >> 16) + y0, s, t)
-            for x, y, s, t in corners]
+    return [((xx * x >> 16) + (xy * y >> 16) + x0, (yx * x >> 16) + (yy * y >> 16) + y0, *rest)
+            for x, y, *rest in corners]
 
 
 def require(name: str, where: str, value: int, low: int, high: int, unit: str = "") -> None:
     """Refuses a value outside low..high."""
     if not low <= value <= high:
         raise UserError(f"{name}: {where}: {value} is not from {low} to {high}{unit}")
+
+
+def name_of(kind: str, number: int, name: str, where: str) -> str:
+    """The setting with this number."""
+    require(name, where, number, 0, len(SETTINGS[kind]) - 1)
+    return SETTINGS[kind][number]
+
+
+def number_of(kind: str, value: str, name: str, where: str) -> int:
+    """The number of a setting."""
+    if value not in SETTINGS[kind]:
+        raise UserError(f"{name}: {where}: {value!r} is not one of {', '.join(SETTINGS[kind])}")
+    return SETTINGS[kind].index(value)
+
+
+def size_fault(kind: str, width: int, height: int) -> str | None:
+    """What a layout needs and this size is not; None: it fits."""
+    limits = layout.load().constants
+    least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
+    low, high = sorted((width, height))
+    powers = not width & width - 1 and not height & height - 1
+    if kind == "page":
+        fits = powers and least <= low <= high <= page
+        return None if fits else f"sides that are powers of two from {least} to {page}"
+    if kind == "linear":
+        return None if 1 <= low <= high <= most else f"sides from 1 to {most}"
+    if kind == "columns":
+        texels = 1 << limits["MAP_COLUMNS_BITS"]
+        fits = powers and least <= low and width * height <= texels
+        return None if fits else (f"sides that are powers of two from {least} and at most "
+                                  f"{texels} texels")
+    return None if low == high == page else f"{page}x{page}"
+
+
+def check_texture(texture: Texture, pixel_bytes: int, name: str, where: str) -> None:
+    """Refuses a map no mapper could draw."""
+    if texture.layout not in LAYOUTS or pixel_bytes == 2 and texture.layout != "columns":
+        raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
+    if texture.texels.dtype != TEXEL[pixel_bytes]:
+        raise UserError(f"{name}: {where}.texel_bytes: {texture.texels.itemsize} "
+                        f"where {pixel_bytes} is right")
+    height, width = texture.texels.shape
+    needs = size_fault(texture.layout, width, height)
+    if needs:
+        raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
+
+
+def check_material(scene: Scene, material: Material, name: str, where: str) -> None:
+    """Refuses unknown settings and a texture that is not the mapper's."""
+    for kind in SETTINGS:
+        number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
+    if scene.pixel_bytes == 2 and material.mapper not in MAPPERS_16:
+        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of 2 bytes")
+    wanted = MAPPER_LAYOUT[material.mapper]
+    none = layout.load().constants["NO_TEXTURE"]
+    if wanted is None:
+        require(name, f"{where}.texture", material.texture, none, none)
+    else:
+        require(name, f"{where}.texture", material.texture, 0, len(scene.textures) - 1)
+        found = scene.textures[material.texture].layout
+        if found != wanted:
+            raise UserError(f"{name}: {where}.texture: its layout is {found}, not {wanted}")
+    require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel_bytes - 1)
+
+
+def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
+    """Refuses vertices the material cannot have: what leaves the map or the palette."""
+    material = scene.materials[obj.material]
+    if obj.vertices > 3 and material.mapper != "flat" and material.gradients == "polygon":
+        raise UserError(f"{name}: {where}.vertices: {obj.vertices}, but gradients 'polygon' "
+                        "are for triangles")
+    corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices]
+    if material.mapper == "gouraud":
+        require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
+        require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
+    if material.mapper == "arbitrary":
+        height, width = scene.textures[material.texture].texels.shape
+        for noun, column, side in (("s", 2, width), ("t", 3, height)):
+            for value in corners[:, column].tolist():
+                require(name, f"{where}: {noun}", value, 0, 256 << 16)
+                require(name, f"{where}: texel of {noun}", value * max(width, height) >> 8, 0,
+                        side << 16)
 
 
 def check(scene: Scene, name: str) -> None:
@@ -68,13 +186,14 @@ def check(scene: Scene, name: str) -> None:
     if scene.width % 4:
         raise UserError(f"{name}: width: {scene.width} is not a multiple of 4")
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])
-    require(name, "background", scene.background, 0, 255)
-    for table in ("textures", *TABLES):
+    require(name, "pixel_bytes", scene.pixel_bytes, 1, 2)
+    require(name, "background", scene.background, 0, 256**scene.pixel_bytes - 1)
+    for table in TABLES:
         require(name, table, len(getattr(scene, table)), 0, limits["SCENE_COUNT_MAX"], " entries")
-    for i, (texture, colour) in enumerate(scene.materials):
-        require(name, f"materials[{i}].texture", texture, limits["NO_TEXTURE"],
-                len(scene.textures) - 1)
-        require(name, f"materials[{i}].colour", colour, 0, 255)
+    for i, texture in enumerate(scene.textures):
+        check_texture(texture, scene.pixel_bytes, name, f"textures[{i}]")
+    for i, material in enumerate(scene.materials):
+        check_material(scene, material, name, f"materials[{i}]")
     for i, obj in enumerate(scene.objects):
         where = f"objects[{i}]"
         require(name, f"{where}.material", obj.material, 0, len(scene.materials) - 1)
@@ -83,6 +202,27 @@ def check(scene: Scene, name: str) -> None:
         require(name, f"{where}.poses", obj.poses, 1, limits["SCENE_FRAMES_MAX"])
         require(name, f"{where}.pose", obj.pose, 0, len(scene.poses) - obj.poses)
         require(name, f"{where}.first_frame", obj.first_frame, 0, scene.frames - 1)
+        check_vertices(scene, obj, name, where)
+
+
+def ordered(texture: Texture) -> bytes:
+    """The texels as the file has them: in the layout's order, big-endian."""
+    texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
+    if texture.layout == "tiled":
+        texels = maps.to_tiled(texels)
+    elif texture.layout == "columns":
+        texels = maps.to_columns(texels)
+    return texels.tobytes()
+
+
+def linear(data: bytes, width: int, height: int, kind: str, texel: np.dtype) -> Texture:
+    """The inverse of ``ordered``."""
+    texels = np.frombuffer(data, texel.newbyteorder(">")).astype(texel)
+    if kind == "tiled":
+        return Texture(maps.from_tiled(texels, width, height), kind)
+    if kind == "columns":
+        return Texture(maps.from_columns(texels, width, height), kind)
+    return Texture(texels.reshape(height, width), kind)
 
 
 def records(table, struct: layout.Struct) -> bytes:
@@ -105,21 +245,34 @@ def write(scene: Scene) -> bytes:
     header = built.struct("scene_header")
     palette = np.zeros((256, 4), np.uint8)
     palette[:, 1:] = scene.palette
-    objects = [[getattr(o, f) for f in built.struct("scene_object").fields] for o in scene.objects]
-    tables = {"materials": scene.materials, "objects": objects,
-              "vertices": scene.vertices, "poses": scene.poses}
+    tables = {"vertices": scene.vertices, "poses": scene.poses}
+    tables["objects"] = [[getattr(o, f) for f in built.struct("scene_object").fields]
+                         for o in scene.objects]
+    tables["materials"] = [
+        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour]
+        for m in scene.materials]
+    texels = [ordered(texture) for texture in scene.textures]
+    texels = [data + bytes(-len(data) % 4) for data in texels]
+    count = {table: len(getattr(scene, table)) for table in TABLES}
+    at = header.size + PALETTE_BYTES + sum(
+        count[t] * built.struct(s).size for t, s in TABLES.items())
+    tables["textures"] = []
+    for texture, data in zip(scene.textures, texels):
+        height, width = texture.texels.shape
+        tables["textures"].append([width, height, LAYOUTS.index(texture.layout),
+                                   scene.pixel_bytes, at])
+        at += len(data)
+    values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
+                      "version": built.constants["SCENE_VERSION"]}
+    values |= {f: getattr(scene, f)
+               for f in ("width", "height", "frames", "pixel_bytes", "background")}
     parts = {"palette": palette.tobytes()}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
-    parts["textures"] = np.asarray(scene.textures, np.uint8).tobytes()
-    values, at = {}, header.size
+    at = header.size
     for part, data in parts.items():
         values[f"{part}_at"] = at
         at += len(data)
-    values |= {t: len(getattr(scene, t)) for t in ("textures", *TABLES)}
-    values |= {f: getattr(scene, f) for f in ("width", "height", "frames", "background")}
-    values |= {"magic": built.constants["SCENE_MAGIC"], "size": at,
-               "version": built.constants["SCENE_VERSION"]}
-    body = b"".join(parts.values())
+    body = b"".join([*parts.values(), *texels])
     summed = header.fields["width"]["offset"]
     checksum = zlib.crc32(header.pack(**values, checksum=0)[summed:] + body)
     return header.pack(**values, checksum=checksum) + body
@@ -139,28 +292,39 @@ def read(data: bytes, name: str) -> Scene:
         if values[part] != expected:
             raise UserError(f"{name}: {part}: {values[part]:#x} where {expected:#x} is right")
 
-    def part(table: str, count: int, size: int) -> bytes:
-        at = values[f"{table}_at"]
-        require(name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
-        require(name, f"{table}_at", at, header.size, len(data) - count * size)
+    def part(where: str, at: int, size: int) -> bytes:
+        require(name, where, at, header.size, len(data) - size)
         if at % 4:
-            raise UserError(f"{name}: {table}_at: {at} is not a multiple of 4")
-        return data[at:at + count * size]
+            raise UserError(f"{name}: {where}: {at} is not a multiple of 4")
+        return data[at:at + size]
 
     rows = {}
     for table, struct_name in TABLES.items():
-        struct = built.struct(struct_name)
-        found = np.frombuffer(part(table, values[table], struct.size), struct.dtype)
+        struct, count = built.struct(struct_name), values[table]
+        require(name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
+        found = np.frombuffer(part(f"{table}_at", values[f"{table}_at"], count * struct.size),
+                              struct.dtype)
         rows[table] = np.stack([found[f].astype(np.int64) for f in struct.fields], axis=1)
-    palette = np.frombuffer(part("palette", 1, PALETTE_BYTES), np.uint8).reshape(256, 4)
-    textures = np.frombuffer(
-        part("textures", values["textures"], built.constants["MAP_BYTES"]), np.uint8)
+    require(name, "pixel_bytes", values["pixel_bytes"], 1, 2)
+    textures = []
+    for i, (width, height, kind, texel_bytes, at) in enumerate(rows["textures"].tolist()):
+        where = f"textures[{i}]"
+        require(name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
+        require(name, f"{where}.texel_bytes", texel_bytes, *[values["pixel_bytes"]] * 2)
+        needs = size_fault(LAYOUTS[kind], width, height)
+        if needs:
+            raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
+        texels = part(f"{where}.at", at, width * height * texel_bytes)
+        textures.append(linear(texels, width, height, LAYOUTS[kind], TEXEL[texel_bytes]))
+    materials = [Material(*(name_of(kind, number, name, f"materials[{i}].{kind}")
+                            for kind, number in zip(SETTINGS, row)), *row[len(SETTINGS):])
+                 for i, row in enumerate(rows["materials"].tolist())]
+    palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
     object_fields = list(built.struct("scene_object").fields)
     scene = Scene(
         *(values[f] for f in ("width", "height", "frames", "background")),
-        palette=palette[:, 1:].copy(), textures=textures.reshape(-1, 256, 256).copy(),
-        materials=[tuple(row) for row in rows["materials"].tolist()],
+        palette=palette.reshape(256, 4)[:, 1:].copy(), textures=textures, materials=materials,
         objects=[Object(**dict(zip(object_fields, row))) for row in rows["objects"].tolist()],
-        vertices=rows["vertices"], poses=rows["poses"])
+        vertices=rows["vertices"], poses=rows["poses"], pixel_bytes=values["pixel_bytes"])
     check(scene, name)
     return scene

@@ -32,8 +32,9 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     uint8 *memory;
     int32 bytes;
 
-    frame->width = frame->pitch = scene->header->width;
-    frame->pixel_bytes = 1;
+    frame->width = scene->header->width;
+    frame->pixel_bytes = (int32)scene->header->pixel_bytes;
+    frame->pitch = frame->width * frame->pixel_bytes;
     frame->height = scene->header->height;
     bytes = frame->pitch * frame->height + 2 * GUARD;
     if (!mem_alloc(&memory, bytes, kind))

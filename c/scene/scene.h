@@ -7,12 +7,18 @@
 
 struct scene {
     const struct scene_header *header;
+    const struct scene_texture *textures;
     const struct scene_material *materials;
     const struct scene_object *objects;
     const struct scene_vertex *vertices;
     const struct scene_pose *poses;
-    uint8 *maps;                /* the first texture, at a multiple of 65,536 */
+    struct map *maps;           /* one a texture */
+    struct material *drawn;     /* one a material, with its map */
 };
+
+/* Puts the textures of a checked scene into memory of the kind given, each as its
+   layout wants it; 0 where memory is short. */
+int32 scene_make_maps(struct scene *scene, int32 kind);
 
 /* Loads and checks a scene; textures go to memory of the kind given. Prints a line
    naming file and field and returns 0 where something is wrong. */

@@ -3,6 +3,18 @@
 #include "polygon/plane.h"
 #include "span/scanline.h"
 
+static void clear_16(const struct frame *frame, uint32 colour)
+{
+    uint32 both = colour << 16 | colour;
+
+    for (int32 y = 0; y < frame->height; y++) {
+        uint32 *to = (uint32 *)(frame->pixels + y * frame->pitch);
+
+        for (int32 pairs = frame->width >> 1; pairs > 0; pairs--)
+            *to++ = both;
+    }
+}
+
 /* The background is a span of the whole width on every line. */
 static void clear(const struct frame *frame, uint32 colour)
 {
@@ -29,7 +41,7 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
         to->y = mul_fix(pose->yx, from->x) + mul_fix(pose->yy, from->y) + pose->y0;
         to->s = from->s;
         to->t = from->t;
-        to->shade = 0;
+        to->shade = from->shade;
     }
 }
 
@@ -39,27 +51,18 @@ void scene_draw(const struct scene *scene, const struct frame *frame, int32 numb
     const struct scene_object *object = scene->objects;
     struct vertex vertices[POLYGON_VERTICES_MAX];
 
-    clear(frame, scene->header->background);
+    if (frame->pixel_bytes == 2)
+        clear_16(frame, scene->header->background);
+    else
+        clear(frame, scene->header->background);
     for (uint32 i = 0; i < scene->header->objects; i++, object++) {
-        const struct scene_material *from = &scene->materials[object->material];
         uint32 age = (uint32)number - object->first_frame;
-        struct material material;
-        struct map map;
 
         if ((uint32)number < object->first_frame || age >= object->poses)
             continue;
-        map.texels = scene->maps + (uint32)from->texture * MAP_BYTES;
-        map.width = map.height = MAP_PAGE_SIDE;
-        map.scale = 65536;
-        material.map = from->texture == NO_TEXTURE ? 0 : &map;
-        material.mapper = material.map ? MAPPER_AFFINE : MAPPER_FLAT;
-        material.colour = from->colour;
-        material.edges = EDGES_SUBPIXEL;
-        material.gradients = GRADIENTS_PLANE;
-        material.start = START_SUBTEXEL;
-        material.clip = CLIP_SCISSOR;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
               &scene->poses[object->pose + age]);
-        polygon_draw(frame, vertices, (int32)object->vertices, &material, form, counts);
+        polygon_draw(frame, vertices, (int32)object->vertices,
+                     &scene->drawn[object->material], form, counts);
     }
 }

@@ -9,12 +9,11 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 1,
+    SCENE_VERSION = 2,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     POLYGON_VERTICES_MAX = 64,
-    MAP_BYTES = 65536,          /* 256x256 texels of 8 bits */
     NO_TEXTURE = -1
 };
 
@@ -25,16 +24,27 @@ struct scene_header {
     uint32 checksum;            /* CRC-32 of the file from `width` on */
     int32 width, height;        /* of the frame, pixels; width a multiple of 4 */
     int32 frames;
-    uint32 background;          /* palette index */
+    uint32 pixel_bytes;         /* 1: palette indices; 2: RGB565, big-endian */
+    uint32 background;          /* pixel */
     uint32 textures, materials, objects, vertices, poses;       /* counts */
     uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
-    uint32 textures_at;         /* maps of MAP_BYTES each: row 0 is t = 0 */
-    uint32 materials_at, objects_at, vertices_at, poses_at;
+    uint32 textures_at, materials_at, objects_at, vertices_at, poses_at;
 };
 
+/* A map, width x height texels in the order of its layout; MAP_PAGE and MAP_MARGINS
+   without what they repeat, row by row. What each layout takes: c/texture/map.h. */
+struct scene_texture {
+    int32 width, height;        /* texels */
+    uint32 layout;              /* enum map_layout */
+    uint32 texel_bytes;         /* as pixel_bytes; 2 in MAP_COLUMNS alone */
+    uint32 at;                  /* of its texels */
+};
+
+/* With 2 bytes a pixel: flat or columns. */
 struct scene_material {
-    int32 texture;              /* index, or NO_TEXTURE: flat */
-    uint32 colour;              /* palette index of a flat material */
+    uint32 mapper, edges, gradients, start, clip;   /* enums of c/polygon/polygon.h */
+    int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
+    uint32 colour;              /* pixel of a flat material */
 };
 
 /* One convex polygon that moves: in frame f it is drawn with pose
@@ -42,15 +52,16 @@ struct scene_material {
    in the order of the file. */
 struct scene_object {
     uint32 material;            /* index */
-    uint32 vertex, vertices;    /* first vertex, how many */
+    uint32 vertex, vertices;    /* first vertex, how many: 3 where gradients need it */
     uint32 pose, poses;         /* first pose, how many frames it lives */
     uint32 first_frame;
 };
 
-/* Before the pose: x, y relative to the object; s, t are the texture's,
-   0 to 256 along a side, y and t downwards. All 16.16. */
+/* Before the pose: x, y relative to the object; s, t are the texture's, 0 to 256
+   along its longer side and, for MAPPER_ARBITRARY, inside it; y and t downwards.
+   shade is a Gouraud material's pixel, 0 to 255. All 16.16. */
 struct scene_vertex {
-    fix16 x, y, s, t;
+    fix16 x, y, s, t, shade;
 };
 
 /* screen x = xx * x + xy * y + x0; screen y = yx * x + yy * y + y0, each product

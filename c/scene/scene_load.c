@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "polygon/plane.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -17,7 +18,12 @@ static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
         && table_inside(at, count, size, bytes);
 }
 
-/* The name of the first field that is wrong, or 0. */
+static uint32 pixel_max(const struct scene_header *h)
+{
+    return h->pixel_bytes == 2 ? 0xffff : 0xff;
+}
+
+/* The name of the first field that is wrong, or 0; so below. */
 static const char *wrong_header(const struct scene_header *h, uint32 bytes)
 {
     const uint32 summed = (uint32)((const uint8 *)&h->width - (const uint8 *)h);
@@ -38,11 +44,13 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "height";
     if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
         return "frames";
-    if (h->background > 255)
+    if (h->pixel_bytes != 1 && h->pixel_bytes != 2)
+        return "pixel_bytes";
+    if (h->background > pixel_max(h))
         return "background";
     if (!table_usable(h->palette_at, 256, 4, bytes))
         return "palette_at";
-    if (!table_usable(h->textures_at, h->textures, MAP_BYTES, bytes))
+    if (!table_usable(h->textures_at, h->textures, sizeof(struct scene_texture), bytes))
         return "textures or textures_at";
     if (!table_usable(h->materials_at, h->materials, sizeof(struct scene_material), bytes))
         return "materials or materials_at";
@@ -55,39 +63,165 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
     return 0;
 }
 
-static const char *wrong_entries(const struct scene *scene)
+static int32 is_power_of_two(int32 side)
 {
+    return !(side & (side - 1));
+}
+
+static int32 size_usable(int32 width, int32 height, enum map_layout layout)
+{
+    int32 smaller = width < height ? width : height, larger = width < height ? height : width;
+
+    switch (layout) {
+    case MAP_PAGE:
+        return smaller >= MAP_SIDE_MIN && larger <= MAP_PAGE_SIDE
+            && is_power_of_two(width) && is_power_of_two(height);
+    case MAP_LINEAR:
+        return smaller >= 1 && larger <= MAP_LINEAR_MAX;
+    case MAP_COLUMNS:
+        return smaller >= MAP_SIDE_MIN && larger <= 1 << (MAP_COLUMNS_BITS - 3)
+            && is_power_of_two(width) && is_power_of_two(height)
+            && width * height <= 1 << MAP_COLUMNS_BITS;
+    default:
+        return smaller == MAP_PAGE_SIDE && larger == MAP_PAGE_SIDE;
+    }
+}
+
+static const char *wrong_texture(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+
+    for (uint32 i = 0; i < h->textures; i++) {
+        const struct scene_texture *t = &scene->textures[i];
+
+        if (t->layout >= MAP_LAYOUTS || (h->pixel_bytes == 2 && t->layout != MAP_COLUMNS))
+            return "texture.layout";
+        if (t->texel_bytes != h->pixel_bytes)
+            return "texture.texel_bytes";
+        if (!size_usable(t->width, t->height, (enum map_layout)t->layout))
+            return "texture.width or texture.height";
+        if (t->at < sizeof *h
+            || !table_inside(t->at, (uint32)(t->width * t->height), t->texel_bytes, h->size))
+            return "texture.at";
+    }
+    return 0;
+}
+
+static const char *wrong_material(const struct scene *scene)
+{
+    /* What each mapper wants; MAP_LAYOUTS: none. */
+    static const uint8 layouts[MAPPER_KINDS] = {
+        MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS
+    };
     const struct scene_header *h = scene->header;
 
     for (uint32 i = 0; i < h->materials; i++) {
         const struct scene_material *m = &scene->materials[i];
 
-        if (m->texture != NO_TEXTURE && (uint32)m->texture >= h->textures)
+        if (m->mapper >= MAPPER_KINDS
+            || (h->pixel_bytes == 2 && m->mapper != MAPPER_FLAT && m->mapper != MAPPER_COLUMNS))
+            return "material.mapper";
+        if (m->edges >= EDGES_KINDS)
+            return "material.edges";
+        if (m->gradients >= GRADIENTS_KINDS)
+            return "material.gradients";
+        if (m->start >= START_KINDS)
+            return "material.start";
+        if (m->clip >= CLIP_KINDS)
+            return "material.clip";
+        if (layouts[m->mapper] == MAP_LAYOUTS ? m->texture != NO_TEXTURE
+            : (uint32)m->texture >= h->textures
+              || scene->textures[m->texture].layout != layouts[m->mapper])
             return "material.texture";
-        if (m->colour > 255)
+        if (m->colour > pixel_max(h))
             return "material.colour";
     }
+    return 0;
+}
+
+/* Only what a mapper does not repeat: texels inside the map, shades inside the palette. */
+static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
+{
+    const struct scene_material *m = &scene->materials[object->material];
+    const struct scene_vertex *v = &scene->vertices[object->vertex];
+
+    for (uint32 left = object->vertices; left; left--, v++) {
+        if (m->mapper == MAPPER_GOURAUD && (v->shade < 0 || v->shade >= 256 << 16))
+            return "vertex.shade";
+        if (m->mapper == MAPPER_ARBITRARY) {
+            const struct scene_texture *t = &scene->textures[m->texture];
+            fix16 scale = map_scale(t->width, t->height);
+
+            if (v->s < 0 || v->s > 256 << 16 || mul_fix(v->s, scale) > t->width << 16)
+                return "vertex.s";
+            if (v->t < 0 || v->t > 256 << 16 || mul_fix(v->t, scale) > t->height << 16)
+                return "vertex.t";
+        }
+    }
+    return 0;
+}
+
+static const char *wrong_object(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+
     for (uint32 i = 0; i < h->objects; i++) {
         const struct scene_object *o = &scene->objects[i];
+        const struct scene_material *m;
+        const char *wrong;
 
         if (o->material >= h->materials)
             return "object.material";
+        m = &scene->materials[o->material];
         if (o->vertices < 3 || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
-            || o->vertices > h->vertices - o->vertex)
+            || o->vertices > h->vertices - o->vertex
+            || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON))
             return "object.vertices";
         if (o->poses < 1 || o->pose > h->poses || o->poses > h->poses - o->pose)
             return "object.poses";
         if (o->first_frame >= (uint32)h->frames)
             return "object.first_frame";
+        wrong = wrong_vertex(scene, o);
+        if (wrong)
+            return wrong;
     }
     return 0;
+}
+
+static const char *wrong_entry(const struct scene *scene)
+{
+    const char *wrong = wrong_texture(scene);
+
+    if (!wrong)
+        wrong = wrong_material(scene);
+    return wrong ? wrong : wrong_object(scene);
+}
+
+static int32 make_materials(struct scene *scene)
+{
+    uint32 count = scene->header->materials;
+    const struct scene_material *from = scene->materials;
+    struct material *to;
+
+    if (!mem_alloc(&scene->drawn, (int32)(count * sizeof *to), MEMORY_ANY))
+        return 0;
+    for (to = scene->drawn; count; count--, from++, to++) {
+        to->mapper = (uint8)from->mapper;
+        to->edges = (uint8)from->edges;
+        to->gradients = (uint8)from->gradients;
+        to->start = (uint8)from->start;
+        to->clip = (uint8)from->clip;
+        to->colour = from->colour;
+        to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
+    }
+    return 1;
 }
 
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     const struct scene_header *header;
     const char *wrong;
-    uint8 *data, *maps;
+    uint8 *data;
     uint32 bytes;
 
     if (!file_load(name, &data, &bytes))
@@ -96,24 +230,17 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     wrong = wrong_header(header, bytes);
     if (wrong)
         return refuse(name, wrong);
+    scene->textures = (const struct scene_texture *)(data + header->textures_at);
     scene->materials = (const struct scene_material *)(data + header->materials_at);
     scene->objects = (const struct scene_object *)(data + header->objects_at);
     scene->vertices = (const struct scene_vertex *)(data + header->vertices_at);
     scene->poses = (const struct scene_pose *)(data + header->poses_at);
-    wrong = wrong_entries(scene);
+    wrong = wrong_entry(scene);
     if (wrong)
         return refuse(name, wrong);
-    scene->maps = 0;
-    if (header->textures) {
-        const uint32 *from = (const uint32 *)(data + header->textures_at);
-        uint32 longs = header->textures * (MAP_BYTES / 4);
-        uint32 *to;
-
-        if (!mem_alloc(&maps, (int32)((header->textures + 1) * MAP_BYTES), kind))
-            return text_refuse(name, "not enough memory for the textures");
-        scene->maps = maps + ((0 - (uint32)maps) & (MAP_BYTES - 1));
-        for (to = (uint32 *)scene->maps; longs; longs--)
-            *to++ = *from++;
-    }
+    if (!scene_make_maps(scene, kind))
+        return text_refuse(name, "not enough memory for the textures");
+    if (!make_materials(scene))
+        return text_refuse(name, "not enough memory for the materials");
     return 1;
 }

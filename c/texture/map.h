@@ -31,6 +31,9 @@ struct map {
     uint8 texel_bytes;          /* 1: palette index; 2: RGB565, big-endian */
 };
 
+/* The scale of a map of this size. */
+fix16 map_scale(int32 width, int32 height);
+
 /* Column layout, from a map's size: fields of a packed coordinate, 1 integer bit a
    texel, a gap bit, 13 fraction bits (bits 12 to 0):
      u   tttt----------uu0fffffffffffff   t: column, u: texel in it

@@ -1,0 +1,106 @@
+/* Textures from the scene file into the memory the mappers read. */
+#include "scene/scene.h"
+
+#include "system/system.h"
+
+enum map_memory {
+    PAGE_BYTES = MAP_PAGE_SIDE * MAP_PAGE_SIDE,
+    HALF_PAGE = PAGE_BYTES / 2,
+    BYTES_MAX = 0x40000000      /* far more than there is; sums stay inside 32 bits */
+};
+
+static void copy(uint8 *to, const uint8 *from, uint32 bytes)
+{
+    uint32 *to_long = (uint32 *)to;
+    const uint32 *from_long = (const uint32 *)from;
+
+    for (; bytes >= 4; bytes -= 4)
+        *to_long++ = *from_long++;
+    to = (uint8 *)to_long;
+    from = (const uint8 *)from_long;
+    while (bytes--)
+        *to++ = *from++;
+}
+
+/* A map of power-of-two sides, at least a longword wide, repeated on a page. */
+static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height)
+{
+    for (int32 v = 0; v < MAP_PAGE_SIDE; v++)
+        for (int32 u = 0; u < MAP_PAGE_SIDE; u += width, page += width)
+            copy(page, from + (v & (height - 1)) * width, (uint32)width);
+}
+
+/* Bytes of a texture in memory, so that what follows lies at a multiple of 4. */
+static uint32 map_bytes(const struct scene_texture *t)
+{
+    if (t->layout == MAP_PAGE)
+        return PAGE_BYTES;
+    if (t->layout == MAP_MARGINS)
+        return 2 * PAGE_BYTES;
+    return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
+}
+
+/* Copies a texture to its place, given where the map's memory begins. */
+static void make_map(struct map *map, const struct scene_texture *t, const uint8 *from,
+                     uint8 *texels)
+{
+    if (t->layout == MAP_PAGE) {
+        make_page(texels, from, t->width, t->height);
+    } else if (t->layout == MAP_MARGINS) {
+        copy(texels, from + HALF_PAGE, HALF_PAGE);
+        texels += HALF_PAGE;
+        copy(texels, from, PAGE_BYTES);
+        copy(texels + PAGE_BYTES, from, HALF_PAGE);
+    } else {
+        copy(texels, from, (uint32)(t->width * t->height) * t->texel_bytes);
+    }
+    map->texels = texels;
+    map->width = t->width;
+    map->height = t->height;
+    map->scale = map_scale(t->width, t->height);
+    map->layout = (uint8)t->layout;
+    map->texel_bytes = (uint8)t->texel_bytes;
+}
+
+/* All maps lie in one block, layout by layout: those of a page, from a multiple of
+   65,536; those with margins, which begin half a page behind one; then the others. */
+int32 scene_make_maps(struct scene *scene, int32 kind)
+{
+    static const uint8 order[MAP_LAYOUTS] = {
+        MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LINEAR, MAP_COLUMNS
+    };
+    uint32 count = scene->header->textures, bytes = 0, align = 4, gap = 0;
+    uint8 *at;
+
+    if (!mem_alloc(&scene->maps, (int32)(count * sizeof *scene->maps), MEMORY_ANY))
+        return 0;
+    if (!count)
+        return 1;
+    for (uint32 i = 0; i < count; i++) {
+        const struct scene_texture *t = &scene->textures[i];
+
+        if (t->layout != MAP_LINEAR && t->layout != MAP_COLUMNS)
+            align = PAGE_BYTES;
+        if (t->layout == MAP_MARGINS)
+            gap = HALF_PAGE;
+        bytes += map_bytes(t);
+        if (bytes > BYTES_MAX)
+            return 0;
+    }
+    if (!mem_alloc(&at, (int32)(bytes + align + gap), kind))
+        return 0;
+    at += (0 - (uint32)at) & (align - 1);
+    for (uint32 k = 0; k < MAP_LAYOUTS; k++) {
+        if (order[k] == MAP_MARGINS)
+            at += gap;
+        for (uint32 i = 0; i < count; i++) {
+            const struct scene_texture *t = &scene->textures[i];
+
+            if (t->layout != order[k])
+                continue;
+            make_map(&scene->maps[i], t, (const uint8 *)scene->header + t->at, at);
+            at += map_bytes(t);
+        }
+    }
+    return 1;
+}

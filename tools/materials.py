@@ -1,0 +1,142 @@
+"""The colours of a scene: textures, materials, ramps and the palette they share."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from . import images, maps, palette
+from .fields import REQUIRED, choice, colour, fail, integer, join, one_of, rows, table, text
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, SETTINGS, TEXEL, Material,
+                         Texture, size_fault)
+
+SIDE_MAX = 1 << 15  # texels, of any map
+TEXELS_MAX = 1 << 20
+SHADES = 256  # a vertex has one from 0 to 255
+BITS = (8, 16)
+
+
+def bits(value, where):
+    """Bits a pixel."""
+    integer(min(BITS), max(BITS))(value, where)
+    if value not in BITS:
+        fail(where, "must be 8 or 16")
+    return value
+
+
+def texture_schema():
+    """The check of a texture."""
+    side = integer(1, SIDE_MAX)
+    return table({"image": (text, REQUIRED), "width": (side, images.SIDE),
+                  "height": (side, images.SIDE)})
+
+
+def material_schema():
+    """The check of a material."""
+    settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
+                for name in SETTINGS if name != "mapper"}
+    mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
+    return choice({
+        "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
+        "colour": {"colour": (colour, REQUIRED)},
+        "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
+        settings)
+
+
+def mapper_of(material: dict) -> str:
+    """The mapper of a checked material."""
+    return material.get("mapper", "gouraud" if "shades" in material else "flat")
+
+
+def check(spec: dict, where: str) -> None:
+    """Refuses textures and materials that do not fit each other or the scene's pixels."""
+    for name, texture in spec["textures"].items():
+        if texture["width"] * texture["height"] > TEXELS_MAX:
+            fail(join(f"{where}textures", name) + ".width",
+                 f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
+    for name, material in spec["materials"].items():
+        at = join(f"{where}materials", name)
+        mapper = mapper_of(material)
+        if spec["bits"] == 16 and mapper not in MAPPERS_16:
+            fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
+                 'a scene of 16 bits has flat colours and the mapper "columns" only')
+        if "texture" not in material:
+            continue
+        if material["texture"] not in spec["textures"]:
+            fail(f"{at}.texture", f"there is no texture {material['texture']!r}")
+        texture = spec["textures"][material["texture"]]
+        needs = size_fault(MAPPER_LAYOUT[mapper], texture["width"], texture["height"])
+        if needs:
+            fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {material["texture"]!r} is '
+                                 f"{texture['width']}x{texture['height']}")
+
+
+@dataclass
+class Pixels:
+    """The exact colours of a scene: what pixel each is, and the palette's first entries."""
+
+    of: dict[tuple, int]  # flat colour: pixel
+    ramps: dict[str, tuple[int, int]]  # Gouraud material: first entry, steps
+    exact: list[tuple[int, int, int]] = field(default_factory=list)
+
+
+def pixels(spec: dict) -> Pixels:
+    """Palette entries, or RGB565 numbers."""
+    materials = spec["materials"]
+    flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
+                                                     if "colour" in m)]))
+    if spec["bits"] == 16:
+        return Pixels(dict(zip(flat, maps.to_rgb565(np.array(flat)).tolist())), {})
+    made = Pixels({rgb: i for i, rgb in enumerate(flat)}, {}, list(flat))
+    known = {}
+    for name, material in materials.items():
+        if "shades" not in material:
+            continue
+        steps, key = material["steps"], (*material["shades"], material["steps"])
+        if key not in known:
+            known[key] = len(made.exact)
+            low, high = np.array(material["shades"], float)
+            part = np.linspace(0, 1, steps)[:, None]
+            made.exact += map(tuple, np.rint(low + (high - low) * part).astype(int).tolist())
+        made.ramps[name] = known[key], steps
+    return made
+
+
+def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
+    """The pixel coordinate of a shade: half a step inside the ramp, so that the
+    nearest entry is its floor and rounding cannot leave the ramp."""
+    first, steps = ramp
+    return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
+
+
+def texels_16(picture: np.ndarray) -> np.ndarray:
+    """A picture in RGB565, uint16."""
+    return maps.to_rgb565(picture).astype(TEXEL[2])
+
+
+def build(spec: dict, made: Pixels, folder: Path,
+          where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
+    """Palette, uint8 (256, 3), textures and materials; a texture once a layout."""
+    wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]])
+              for m in spec["materials"].values() if "texture" in m}
+    pictures = {}
+    for name, texture in spec["textures"].items():
+        at = join(f"{where}textures", name) + ".image"
+        picture = images.load(texture["image"], folder, at, texture["width"], texture["height"])
+        if any(name == used for used, _ in wanted):
+            pictures[name] = picture
+    if spec["bits"] == 16:
+        colours, texels = np.zeros((256, 3), np.uint8), map(texels_16, pictures.values())
+    else:
+        colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials")
+    stored, number = [], {}
+    for name, array in zip(pictures, texels):
+        for layout in LAYOUTS:
+            if (name, layout) in wanted:
+                number[name, layout] = len(stored)
+                stored.append(Texture(array, layout))
+    return colours, stored, [
+        Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"],
+                 number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
+                 made.of[m["colour"]] if "colour" in m else 0)
+        for m in spec["materials"].values()]
