@@ -22,6 +22,8 @@ PAIRS = ((0, -0x80), (0, -0x100), (0, -0x180), (3 * ONE, -0x12345), (-2 * ONE, -
          (-ONE, -0x30000), (5 * ONE, -0x8001), (0x100, -0x100), (0xFFFF, -0xFFFF), (0x8000, -7 * ONE),
          (0xFF, 0xFF), (-0xFF, 0x1FF), (2, 0x40), (2, -0x40), (0, -128 * ONE), (-128 * ONE, ONE))
 COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
+#: Fields of a span_plan that not every trial sets.
+PLAN_REST = {"dudx", "dvdx", "colour", "map_width", "map_height", "columns", "code"}
 TURN = 1 << 24  # u and v repeat after 256 texels
 
 
@@ -62,36 +64,34 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
     return u, v // TURN * TURN + start, count
 
 
-def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
-    """One table: every count at all four alignments, with a start of its own."""
-    counts, pitch = size
-    far, frame_at, map_at = picture_memory()
+def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
+                upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
+                code: bytes | None = None, **plan_values: int) -> Trial:
+    """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
+    the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
+    the routine leaves at the end of its plan's code, but for 2 bytes."""
+    far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
-    starts = [(count, k) for count in counts for k in range(4)]
     table = np.zeros(len(starts), shape.dtype)
     lines = []      # count, u, v and where the first pixel is
-    for index, (count, k) in enumerate(starts):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel == "span_affine_addx":
-            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
-        packed = pack("addx" if "addx" in kernel else "plain", u, v)
-        if "addx" in kernel:  # room in v--U, used by the edges' additions
+    for index, (count, u, v) in enumerate(starts):
+        packed = pack(form, u, v)
+        if form == "addx":  # room in v--U, used by the edges' additions
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        left = BIAS + k + 4 * int(rng.integers(4))
+        left = BIAS + index % 4 + 4 * int(rng.integers(4))
         for field, value in (packed | dict(left=left, count=count)).items():
             table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
         lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
     memory = Memory(int(rng.integers(1 << 30)))
     first_row = lines[0][3] - int(table["left"][0])
-    plan = memory.struct(
-        "span_plan", dict(lines=memory.add(table.tobytes(), name="lines", shape=shape)),
-        dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
-        dudx=dudx, dvdx=dvdx, colour=colour)
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return bytes([colour & 255]) * count if kernel == "span_fill" else \
-            texels(u, v, dudx, dvdx, count).tobytes()
+    near = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
+    if code is not None:
+        size = layout.load().constants["CODE_BYTES"]
+        near["code"] = memory.add(memory.noise.bytes(size), name="code")
+    values_of_plan = dict(count=len(lines), pitch=-pitch if upwards else pitch) | plan_values
+    plan = memory.struct("span_plan", near, dict(row=first_row, map=map_at),
+                         **dict.fromkeys(PLAN_REST - near.keys(), 0) | values_of_plan)
 
     def where(offset: int, far: bool) -> str | None:
         if not far or not frame_at <= offset < frame_at + FRAME:
@@ -107,13 +107,38 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         beyond = offset - at - count + 1
         return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else f"{line}: pixel {offset - at}"
 
-    step = values(colour=colour) if kernel == "span_fill" else \
-        values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
+    writes = [Write(at, drawn(count, u, v), far=True) for count, u, v, at in lines if count > 0]
+    if code:
+        writes.append(Write(near["code"] + size - 2 - len(code), code))
     return Trial(
         Case(kernel, memory, pointers={"a0": plan}, far=far),
-        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}",
-        writes=[Write(at, drawn(count, u, v), far=True) for count, u, v, at in lines if count > 0],
-        where=where)
+        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
+
+
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
+    """One table: every count at all four alignments, with a start of its own."""
+    counts, pitch = size
+    starts = []
+    for count in (count for count in counts for _ in range(4)):
+        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        if kernel == "span_affine_addx":
+            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
+        starts.append((count, u, v))
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return bytes([colour & 255]) * count if kernel == "span_fill" else \
+            texels(u, v, dudx, dvdx, count).tobytes()
+
+    return table_trial(
+        kernel, "addx" if "addx" in kernel else "plain", starts, pitch, rng, upwards,
+        picture_memory(), drawn,
+        values(colour=colour) if kernel == "span_fill" else steps_text(dudx, dvdx),
+        dudx=dudx, dvdx=dvdx, colour=colour)
+
+
+def steps_text(dudx: int, dvdx: int) -> str:
+    """Steps, for a title."""
+    return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
 
 
 def span_trials(kernel: str, rng) -> list[Trial]:

@@ -321,16 +321,54 @@ def coordinates(line: Line):
     return (line.u + n * signed(line.dudx)) & M32, (line.v + n * signed(line.dvdx)) & M32
 
 
-def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int) -> None:
+def generated_offsets(dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """Bytes from a line's first texel to its others, as generated code has them."""
+    n = np.arange(count, dtype=np.int64)
+    far = 256 * (n * signed(dvdx) >> 16) + (n * signed(dudx) >> 16)
+    return (far + 32768 & 0xFFFF) - 32768
+
+
+def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """Where generated code fetches a line's pixels: offsets from texel (0, 0), margins included."""
+    return (v >> 8 & 0xFF00 | u >> 16 & 0xFF) + generated_offsets(dudx, dvdx, count)
+
+
+def pixels_shade(line: Line, texture: np.ndarray | None) -> np.ndarray:
+    """A line of interpolated shades."""
+    return (coordinates(line)[0] >> 16 & 255).astype(np.uint8)
+
+
+def pixels_page(line: Line, texture: np.ndarray) -> np.ndarray:
+    """A line of a 256x256 map that repeats."""
+    u, v = coordinates(line)
+    return texture[v >> 16 & 255, u >> 16 & 255]
+
+
+def pixels_arbitrary(line: Line, texture: np.ndarray) -> np.ndarray:
+    """A line of a map of any size; u and v are inside it."""
+    u, v = coordinates(line)
+    return texture[v >> 16, u >> 16]
+
+
+def pixels_generated(line: Line, texture: np.ndarray) -> np.ndarray:
+    """A line of a 256x256 map drawn by generated code: its margins repeat it."""
+    at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
+    return texture.reshape(-1)[at & 0xFFFF]
+
+
+#: A line's pixels, by mapper.
+PIXELS = {"gouraud": pixels_shade, "affine": pixels_page, "arbitrary": pixels_arbitrary,
+          "generated": pixels_generated}
+
+
+def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
+         mapper: str = "affine") -> None:
     """Draws a set-up polygon into ``frame`` (uint8, height x width)."""
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        if polygon.texturing is None:
-            frame[y, line.left:line.right] = colour
-        else:
-            u, v = coordinates(line)
-            frame[y, line.left:line.right] = texture[v >> 16 & 255, u >> 16 & 255]
+        frame[y, line.left:line.right] = \
+            colour if polygon.texturing is None else PIXELS[mapper](line, texture)
 
 
 def render(scene, number: int) -> np.ndarray:
