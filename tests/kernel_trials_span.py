@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write, values
+from kernel_checker import Memory, Trial, Write, both, values
 from kernel_trials_edge import BIAS, ONE
 from tools import layout
 from tools.kernels import Case
@@ -62,56 +62,48 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
     return u, v // TURN * TURN + start, count
 
 
-def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
-    """One table: every count at all four alignments, with a start of its own."""
-    counts, pitch = size
-    far, frame_at, map_at = picture_memory()
+def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
+                upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
+                code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
+                **plan_values: int) -> Trial:
+    """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
+    the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
+    the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
+    each line, are read instead of the plan's and told ``drawn``."""
+    far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
-    starts = [(count, k) for count in counts for k in range(4)]
     table = np.zeros(len(starts), shape.dtype)
-    own_steps = []  # of each line, where the kernel reads them
-    lines = []      # count, u, v, dudx, dvdx and where the first pixel is
-    for index, (count, k) in enumerate(starts):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel == "span_affine_addx":
-            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
-        form = "addx" if "addx" in kernel or "scanline" in kernel else "plain"
+    lines = []      # count, u, v and where the first pixel is
+    for index, (count, u, v) in enumerate(starts):
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by the edges' additions
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        left = BIAS + k + 4 * int(rng.integers(4))
+        left = BIAS + index % 4 + 4 * int(rng.integers(4))
         for field, value in (packed | dict(left=left, count=count)).items():
             table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
-        own = (dudx, dvdx) if index % 3 else \
-            tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2))
-        own_steps.append(own)
-        steps = own if "scanline" in kernel else (dudx, dvdx)
-        lines.append((count, u, v, *steps, frame_at + 64 + row * pitch + left - BIAS))
+        lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
     memory = Memory(int(rng.integers(1 << 30)))
-    first_row = lines[0][-1] - int(table["left"][0])
-    pointers = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
-    if "scanline" in kernel:
-        step = layout.load().struct("scanline_step")
-        pointers["steps"] = memory.add(
-            b"".join(step.pack(dudx=du, dvdx=dv) for du, dv in own_steps), name="steps", shape=step)
-    plan = add_span_plan(
-        memory, pointers,
-        dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
-        dudx=dudx, dvdx=dvdx, colour=colour)
-
-    def drawn(count: int, u: int, v: int, dudx: int, dvdx: int) -> bytes:
-        return bytes([colour & 255]) * count if kernel == "span_fill" else \
-            texels(u, v, dudx, dvdx, count).tobytes()
+    first_row = lines[0][3] - int(table["left"][0])
+    near = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
+    if code is not None:
+        size = layout.load().constants["CODE_BYTES"]
+        near["code"] = memory.add(memory.noise.bytes(size), name="code")
+    if own_steps:
+        shape_of_steps = layout.load().struct("scanline_step")
+        near["steps"] = memory.add(
+            b"".join(shape_of_steps.pack(dudx=du, dvdx=dv) for du, dv in own_steps),
+            name="steps", shape=shape_of_steps)
+    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at), count=len(lines),
+                         pitch=-pitch if upwards else pitch, **plan_values)
 
     def where(offset: int, far: bool) -> str | None:
         if not far or not frame_at <= offset < frame_at + FRAME:
             return None
         index = min(range(len(lines)), key=lambda k: max(
-            lines[k][-1] - offset, offset - lines[k][-1] - max(lines[k][0], 0) + 1))
-        count, u, v, du, dv, at = lines[index]
-        line = (f"line {index} (left {table['left'][index]}, count {count}, "
-                f"{values(u=u, v=v, dudx=du, dvdx=dv)})")
+            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) + 1))
+        count, u, v, at = lines[index]
+        line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
         if count <= 0:
             return f"{line}: byte {offset - at}"
         if offset < at:
@@ -119,13 +111,43 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         beyond = offset - at - count + 1
         return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else f"{line}: pixel {offset - at}"
 
-    step = values(colour=colour) if kernel == "span_fill" else \
-        values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
+    writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else ())), far=True)
+              for k, (count, u, v, at) in enumerate(lines) if count > 0]
+    if code:
+        writes.append(Write(near["code"] + size - 2 - len(code), code))
     return Trial(
         Case(kernel, memory, pointers={"a0": plan}, far=far),
-        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}",
-        writes=[Write(at, drawn(*line), far=True) for *line, at in lines if line[0] > 0],
-        where=where)
+        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
+
+
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
+    """One table: every count at all four alignments, with a start of its own."""
+    counts, pitch = size
+    starts = []
+    for count in (count for count in counts for _ in range(4)):
+        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        if kernel == "span_affine_addx":
+            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
+        starts.append((count, u, v))
+
+    def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
+        return bytes([colour & 255]) * count if kernel == "span_fill" else \
+            texels(u, v, dudx, dvdx, count).tobytes()
+
+    own_steps = None
+    if kernel == "span_affine_scanline":
+        own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
+                     for k in range(len(starts))]
+    return table_trial(
+        kernel, "addx" if "addx" in kernel or own_steps else "plain", starts, pitch, rng, upwards,
+        picture_memory(), drawn,
+        values(colour=colour) if kernel == "span_fill" else steps_text(dudx, dvdx),
+        own_steps=own_steps, dudx=dudx, dvdx=dvdx, colour=colour)
+
+
+def steps_text(dudx: int, dvdx: int) -> str:
+    """Steps, for a title."""
+    return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
 
 
 def span_trials(kernel: str, rng) -> list[Trial]:

@@ -3,6 +3,7 @@ its contract block and to a reference in Python."""
 
 import kernel_checker
 import kernel_trials_edge
+import kernel_trials_mappers
 import kernel_trials_math
 import kernel_trials_pixel
 import kernel_trials_scanline
@@ -24,7 +25,8 @@ def called(request):
     wanted = {item.callspec.params["kernel"] for item in request.session.items
               if item.path == request.path and hasattr(item, "callspec")}
     trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
-                                 kernel_trials_pixel, kernel_trials_scanline)
+                                 kernel_trials_mappers, kernel_trials_pixel,
+                                 kernel_trials_scanline)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

@@ -141,10 +141,12 @@ def errors(name: str, settings: Settings) -> Errors:
     """What a combination is off on a set."""
     total = Errors()
     for vertices in set_polygons(name, settings.mapper):
-        seen = model.interpolated(vertices, settings.mapper, 65536)
-        exact = ideal.Picture(seen, polygon_sets.WIDTH, polygon_sets.HEIGHT)
-        polygon = model.set_up(seen, polygon_sets.WIDTH, polygon_sets.HEIGHT,
-                               settings.mapper != "flat", settings)
+        wanted = [(x, y, shade, 0) if settings.mapper == "gouraud" else (x, y, s, t)
+                  for x, y, s, t, shade in vertices]
+        exact = ideal.Picture(wanted, polygon_sets.WIDTH, polygon_sets.HEIGHT)
+        polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
+                               polygon_sets.HEIGHT, settings.mapper != "flat", settings,
+                               (256, 256))
         total.add(polygon, exact, settings)
     return total
 

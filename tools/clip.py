@@ -3,12 +3,9 @@
 Coordinates are 16.16; a vertex is a tuple that begins with x and y.
 """
 
+from .fixed import mul_div
+
 ONE = 65536
-
-
-def mul_div(a: int, b: int, c: int) -> int:
-    """a * b / c rounded to the nearest integer, c > 0."""
-    return (a * b + (c >> 1)) // c
 
 
 def cut(inside: tuple, outside: tuple, axis: int, part: int, whole: int, limit: int) -> tuple:

@@ -14,133 +14,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .clip import clip, frame_window, mul_div
-from .errors import UserError
+from .clip import clip, frame_window
+from .fixed import M32, ceil16, signed
+from .model_edges import Edge, measure, side
+from .model_spans import coordinates, pixels
+from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
+                              scanline_line)
+
+__all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "ceil16",
+           "coordinates", "draw", "render", "scanline_line", "set_up", "signed"]
 
 FAR = 16384 << 16
-EDGE_ERROR = 1024
-M32 = (1 << 32) - 1
-
-
-def signed(value: int, bits: int = 32) -> int:
-    """The low ``bits`` of a value as a two's complement number."""
-    value &= (1 << bits) - 1
-    return value - (value >> (bits - 1) << bits)
-
-
-def ceil16(x: int) -> int:
-    """The smallest integer not below a 16.16 number."""
-    return (x + 0xFFFF) >> 16
-
-
-def mul(a: int, b: int) -> int:
-    """a * b of two 16.16 numbers, rounded down."""
-    return a * b >> 16
-
-
-def quotient(n: int, d: int) -> int:
-    """n / d in 32.32 modulo 2^64, as ``gradients`` divides: d keeps 32 bits."""
-    if n == 0:
-        return 0
-    sign = -1 if (n < 0) != (d < 0) else 1
-    n, d = abs(n), abs(d)
-    shifts_n, shifts_d = 64 - n.bit_length(), 64 - d.bit_length()
-    upper = (d << shifts_d) >> 32
-    q = ((n << shifts_n >> 1) << 32) // upper
-    right = 31 + shifts_n - shifts_d
-    q = q >> right if right >= 0 else q << -right
-    return signed(sign * (q & ((1 << 64) - 1)), 64)
-
-
-def wide_mul(gradient: int, offset: int) -> int:
-    """A 32.32 gradient times a 16.16 offset, in 16.16 modulo 2^32."""
-    return (gradient * offset + (1 << 31)) >> 32 & M32
-
-
-def step(gradient: int, spare: int) -> int:
-    """A 32.32 gradient as a 16.16 step modulo 2^32 whose ``spare`` low bits are 0."""
-    return ((gradient + (0x8000 << spare)) >> 16 & M32) >> spare << spare
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How a polygon is drawn: the choices of struct material."""
-
-    edges: str = "subpixel"  # integer, subpixel, exact
-    gradients: str = "plane"  # scanline, polygon, plane
-    start: str = "subtexel"  # truncated, subtexel
-    clip: str = "scissor"  # scissor, vertices
-
-
-@dataclass
-class Edge:
-    """A side's section: from one vertex to a lower one, drawn on lines top to end - 1."""
-
-    upper: tuple
-    lower: tuple
-    top: int
-    end: int
-    exact: bool
-
-    @property
-    def first(self) -> int:
-        """The first line at or below the upper vertex."""
-        return ceil16(self.upper[1])
-
-    @property
-    def slope(self) -> int:
-        """Pixels a line, 16.16; 0 where the edge has one line only."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        return mul_div(width, 65536, height) if ceil16(self.lower[1]) - self.first > 1 else 0
-
-    def at(self, line: int) -> int:
-        """x on a line, 16.16, rounded at the first line and in every step."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        x = self.upper[0] + mul_div(width, (self.first << 16) - self.upper[1], height)
-        return x + (line - self.first) * self.slope
-
-    def column(self, line: int) -> int:
-        """The first pixel at or right of the edge."""
-        if not self.exact:
-            return ceil16(self.at(line))
-        (x0, y0, *_), (x1, y1, *_) = self.upper, self.lower
-        n = x0 * (y1 - y0) + (x1 - x0) * ((line << 16) - y0)
-        return -(-n // (y1 - y0 << 16))
-
-    @property
-    def whole(self) -> int:
-        """Whole pixels a line."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        return width // height if self.exact else self.slope >> 16
-
-
-@dataclass
-class Texturing:
-    """Steps of u and v, 16.16 modulo 2^32; on the plane also u at pixel (i, j), v alike."""
-
-    dudx: int
-    dvdx: int
-    spare: int  # 1: u's lowest bit is kept free ...
-    guard: int  # ... and holds this
-    wraps: bool
-    dudy: int = 0
-    dvdy: int = 0
-    u: int = 0
-    v: int = 0
-    i: int = 0
-    j: int = 0
-
-
-@dataclass
-class Line:
-    """Pixels left to right - 1 of a line; u, v and their steps at pixel left."""
-
-    left: int
-    right: int
-    u: int = 0
-    v: int = 0
-    dudx: int = 0
-    dvdx: int = 0
+INSET = 65536 // 16  # see c/polygon/material.c
+STEEP = 4 << 16
 
 
 @dataclass
@@ -160,188 +46,58 @@ class Polygon:
         return sum(max(0, line.right - line.left) for line in self.lines)
 
 
-@dataclass
-class Sides:
-    """Top, bottom and the vertex farthest from the line between them (indices), which
-    way the left side runs, and the box of pixels: left, top, right, bottom."""
-
-    corners: tuple[int, int, int]
-    direction: int
-    box: tuple[int, int, int, int]
+def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
+    """Whether an edge's error may lead further out of the vertices' range than INSET."""
+    return settings.gradients != "plane" or not all(
+        -STEEP < signed(step) < STEEP for step in (dudx, dvdx))
 
 
-def measure(vertices, width: int, height: int) -> Sides | None:
-    """The sides of a polygon; None where it covers nothing."""
-    n = len(vertices)
-    if n < 3:
+def held_range(vertices, settings: Settings, size: tuple[int, int] | None, steep: bool):
+    """(low, high) of u and of v where lines must be held in a range; else None."""
+    low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
+    if settings.mapper == "gouraud":
+        return [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)] if steep else None
+    if settings.mapper != "arbitrary":
         return None
-    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
-    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
-    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
-    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
-           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
-    if box[0] >= box[2] or box[1] >= box[3]:
-        return None
-    ax, ay = vertices[top][:2]
-    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
-    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
-    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
-    if turns[apex] == 0:
-        return None
-    forward = (apex - top) % n < (bottom - top) % n
-    return Sides((top, bottom, apex), 1 if (turns[apex] > 0) == forward else -1, box)
+    ends = [(side << 16) - 1 for side in size]
+    inside = all(a >= INSET and b <= end - INSET for a, b, end in zip(low, high, ends))
+    return None if inside and not steep else [(0, end) for end in ends]
 
 
-def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
-    """The edges of one side from the top vertex on, between two lines."""
-    edges, index, upper = [], start, vertices[start]
-    while top < bottom:
-        index = (index + direction) % len(vertices)
-        lower = vertices[index]
-        end = min(ceil16(lower[1]), bottom)
-        if end > top and lower[1] > upper[1]:
-            edges.append(Edge(upper, lower, top, end, exact))
-            top = end
-        upper = lower
-    return edges
+def hold(lines: list[Line], ranges) -> None:
+    """Moves the lines, all of the same steps, so that no pixel leaves the ranges."""
+    counts = [line.right - line.left for line in lines]
+    longest_line = max(*counts, 1) - 1
+    for line, count in zip(lines, counts):
+        for coordinate, (low, high) in zip("uv", ranges):
+            step = signed(getattr(line, f"d{coordinate}dx"))
+            if longest_line:
+                most = (high - low) // longest_line
+                step = min(max(step, -most), most)
+            setattr(line, f"d{coordinate}dx", step & M32)
+            if count > 0:
+                travel, start = (count - 1) * step, signed(getattr(line, coordinate))
+                start = min(max(start, low - min(travel, 0)), high - max(travel, 0))
+                setattr(line, coordinate, start & M32)
 
 
-def guarded(dvdx: int, width: int, inside: bool) -> tuple[int, int, bool]:
-    """spare, guard and wraps of struct texturing."""
-    speed = signed(dvdx, 24)
-    once = ((abs(speed) >> 8) + 1) * width <= 0x10000
-    spare = int(not inside and once)
-    return spare, spare & (speed < 0), not inside and not once
+def scanline_lines(left: list[Edge], right: list[Edge], lines: list[Line],
+                   settings: Settings) -> None:
+    """Sets u, v and steps of each line by two divides."""
+    sides = ([point for edge in edges for point in along(edge)] for edges in (left, right))
+    for line, a, b in zip(lines, *sides):
+        if line.right > line.left:
+            scanline_line(line, a, b, settings.start == "truncated")
 
 
-def plane(vertices, corners, box, subtexel: bool) -> Texturing | None:
-    """The texture plane through three corners (indices), seen from the box's middle."""
-    a, b, c = (vertices[k] for k in corners)
-    e1, e2 = ([p - q for p, q in zip(v, a)] for v in (b, c))
-
-    def cross(p, q):
-        return e1[p] * e2[q] - e2[p] * e1[q]
-
-    d = cross(0, 1)
-    if d == 0:
-        return None
-    dsdx, dsdy = quotient(cross(2, 1), d), quotient(cross(0, 2), d)
-    dtdx, dtdy = quotient(cross(3, 1), d), quotient(cross(0, 3), d)
-    left, top, right, bottom = box
-    i, j = (left + right) >> 1, (top + bottom) >> 1
-    x, y = signed((i << 16) - a[0]), signed((j << 16) - a[1])
-    u = a[2] + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
-    v = a[3] + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
-    dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
-
-    travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
-    travel = ((travel_x + 1) * ((right - left + 1) >> 1)
-              + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
-    inside = (subtexel and travel_x < 0x10000 and travel_y < 0x10000
-              and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
-    spare, guard, wraps = guarded(dvdx, right - left, inside)
-    return Texturing(step(dsdx, spare), dvdx, spare, guard, wraps, step(dsdy, spare), dvdy,
-                     u & ~spare | guard, v, i, j)
-
-
-def saturated_step(part: int, whole: int) -> int:
-    """part / whole in 16.16, at most the largest number."""
-    if abs(part) >> 15 >= abs(whole):
-        return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
-    return mul_div(-part, 65536, -whole) if whole < 0 else mul_div(part, 65536, whole)
-
-
-def longest(vertices, corners, box) -> Texturing:
-    """A triangle's steps from its longest scanline, the one through the middle vertex."""
-    top, bottom, middle = (vertices[k] for k in corners)
-    whole, part = ([p - q for p, q in zip(v, top)] for v in (bottom, middle))
-    if whole[1] > 0:
-        y = part[1]
-        part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
-    dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
-    spare, guard, wraps = guarded(dvdx, box[2] - box[0], False)
-    return Texturing(dudx & ~spare & M32, dvdx & M32, spare, guard, wraps)
-
-
-def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
-    """u and v at a pixel."""
-    x, y = column - t.i, line - t.j
-    return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
-
-
-def along(edge: Edge) -> list[tuple[int, int, int]]:
-    """x, u and v where an edge crosses its lines, 16.16."""
-    whole = [b - a for a, b in zip(edge.upper, edge.lower)]
-    y = (edge.top << 16) - edge.upper[1]
-    several = edge.end - edge.top > 1
-    first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
-    steps = [mul_div(whole[k], 65536, whole[1]) if several else 0 for k in (2, 3)]
-    return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
-            for n, line in enumerate(range(edge.top, edge.end))]
-
-
-def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
-    """u and v of an edge's lines at their first pixels, modulo 2^32."""
-    columns = [edge.column(line) for line in range(edge.top, edge.end)]
-    if settings.gradients == "plane" and settings.start == "subtexel":
-        return [on_plane(t, c, line) for line, c in enumerate(columns, edge.top)]
-    x, slope = edge.at(edge.top), edge.slope
-    prestep = signed((columns[0] << 16) - x)
-    moves = [signed(t.dudx), signed(t.dvdx)]
-    if settings.gradients == "plane":
-        first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
-        steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
-    else:
-        crossings = along(edge)
-        first = list(crossings[0][1:])
-        steps = [b - a for a, b in zip(first, crossings[min(1, len(crossings) - 1)][1:])]
-        if settings.start == "subtexel":
-            first = [f + mul(m, prestep) for f, m in zip(first, moves)]
-            steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
-    first[0] = first[0] & ~t.spare | t.guard
-    steps[0] &= ~t.spare
-    starts = []
-    for n, column in enumerate(columns):
-        more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
-        starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
-    return starts
-
-
-def cut_quotient(n: int, d: int) -> int:
-    """n / d cut towards zero, d > 0."""
-    return n // d if n >= 0 else -(-n // d)
-
-
-def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> None:
-    """Sets u, v and steps of a line with pixels by two divides."""
-    rise = [signed(b - a) for a, b in zip(left[1:], right[1:])]
-    if truncated:
-        first = ceil16(left[0])
-        pixels = ceil16(right[0]) - first
-        steps = [cut_quotient(r, pixels) if pixels > 0 else 0 for r in rise]
-        moves = [(line.left - first) * s for s in steps]
-    else:
-        width, prestep = right[0] - left[0], (line.left << 16) - left[0]
-        if width >= 65536:
-            steps = [cut_quotient(r << 16, width) for r in rise]
-            moves = [mul(s, prestep) for s in steps]
-        else:
-            prestep = min(max(prestep, 0), width)
-            steps = [0, 0]
-            moves = [cut_quotient(r * prestep, width) if width > 0 else 0 for r in rise]
-    line.u, line.v = (a + m & M32 for a, m in zip(left[1:], moves))
-    line.dudx, line.dvdx = (s & M32 for s in steps)
-
-
-def set_up(vertices, width: int, height: int, textured: bool,
-           settings: Settings = Settings()) -> Polygon | None:
+def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
+           size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
 
-    ``vertices``: a list of (x, y, s, t), 16.16, as polygon_draw takes them.
+    ``vertices``: a list of (x, y, u, v), 16.16, as ``adapt`` gives them; ``size`` is the
+    map's, in texels.
     """
     n = len(vertices)
-    if settings.edges == "integer":
-        vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if not 3 <= n <= 64 or any(not -FAR < c < FAR for v in vertices for c in v):
         return None
     if textured and settings.gradients == "polygon" and n != 3:
@@ -363,60 +119,50 @@ def set_up(vertices, width: int, height: int, textured: bool,
     rights = side(edge_vertices, top, -direction, box[1], box[3], exact)
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
-    if not textured:
-        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
-        return Polygon(box[1], lines, None, lefts, rights, False)
-    if settings.gradients == "scanline":
-        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
-        sides = ([point for e in edges for point in along(e)] for edges in (lefts, rights))
-        for line, a, b in zip(lines, *sides):
-            if line.right > line.left:
-                scanline_line(line, a, b, settings.start == "truncated")
-        return Polygon(box[1], lines, None, lefts, rights, True)
-    t = plane(vertices, corners, box, settings.start == "subtexel") \
-        if settings.gradients == "plane" else longest(vertices, corners, box)
-    if t is None:
-        return None
-    starts = [start for e in lefts for start in edge_starts(t, e, settings)]
-    lines = []
-    for a, b, (u, v) in zip(left, right, starts):  # the frame's columns cut a line
-        cut = max(-a, 0)
-        lines.append(Line(max(a, 0), min(b, width), u + cut * t.dudx & M32, v + cut * t.dvdx & M32,
-                          t.dudx, t.dvdx))
-    return Polygon(box[1], lines, t, lefts, rights, True)
+    lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+    t = None
+    if textured and settings.gradients == "scanline":
+        scanline_lines(lefts, rights, lines, settings)
+        groups = [[line] for line in lines if line.right > line.left]
+    elif textured:
+        t = plane(vertices, corners, box, settings) if settings.gradients == "plane" \
+            else longest(vertices, corners, box, settings)
+        if t is None:
+            return None
+        starts = [start for e in lefts for start in edge_starts(t, e, settings)]
+        for line, a, (u, v) in zip(lines, left, starts):
+            cut = line.left - a  # the frame's columns cut a line
+            line.u, line.v = u + cut * t.dudx & M32, v + cut * t.dvdx & M32
+            line.dudx, line.dvdx = t.dudx & M32, t.dvdx & M32
+        groups = [lines]
+    for group in groups if textured else []:
+        ranges = held_range(vertices, settings, size,
+                            is_steep(settings, group[0].dudx, group[0].dvdx))
+        if ranges:
+            hold(group, ranges)
+    return Polygon(box[1], lines, t, lefts, rights, textured)
 
 
-def coordinates(line: Line):
-    """u and v of a line's pixels, int64 arrays, 16.16 modulo 2^32."""
-    n = np.arange(line.right - line.left, dtype=np.int64)
-    return (line.u + n * signed(line.dudx)) & M32, (line.v + n * signed(line.dvdx)) & M32
-
-
-def adapt(vertices, mapper: str, longer: int) -> list[tuple]:
-    """(x, y, s, t, shade) as ``set_up`` takes them: s and t in texels of a map whose
-    longer side is given, rounded down, or the shade as u."""
-    if mapper == "gouraud":
-        return [(x, y, shade, 0) for x, y, _, _, shade in vertices]
+def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
+    """(x, y, s, t, shade) as ``set_up`` takes them: x and y in whole pixels where edges are;
+    s and t in texels of a map whose longer side is given, rounded down, or the shade as u,
+    kept INSET inside the range of the pixels it may become."""
+    if settings.edges == "integer":
+        vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
+    if settings.mapper == "gouraud":
+        shades = [v[4] for v in vertices]
+        low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
+        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade in vertices]
     return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8)) for x, y, s, t, _ in vertices]
 
 
-def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int) -> None:
-    """Draws a set-up polygon into ``frame`` (height x width).
-
-    ``texture``: [v][u], sides powers of two; None: u is the pixel, or it is flat.
-    """
+def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
+         mapper: str = "affine") -> None:
+    """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]."""
     for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right <= line.left:
-            continue
-        if not polygon.textured:
-            frame[y, line.left:line.right] = colour
-            continue
-        u, v = (c >> 16 for c in coordinates(line))
-        if texture is None:
-            frame[y, line.left:line.right] = u & 255
-        else:
-            height, width = texture.shape
-            frame[y, line.left:line.right] = texture[v & height - 1, u & width - 1]
+        if line.right > line.left:
+            frame[y, line.left:line.right] = pixels(line, mapper, texture) if polygon.textured \
+                else colour
 
 
 def render(scene, number: int) -> np.ndarray:
@@ -428,14 +174,13 @@ def render(scene, number: int) -> np.ndarray:
         if not obj.first_frame <= number < obj.first_frame + obj.poses:
             continue
         material = scene.materials[obj.material]
+        settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                            material.mapper)
         texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-        vertices = adapt(vertices_at(scene, obj, number), material.mapper,
+        vertices = adapt(vertices_at(scene, obj, number), settings,
                          256 if texture is None else max(texture.shape))
-        polygon = set_up(vertices, scene.width, scene.height, material.mapper != "flat",
-                         Settings(material.edges, material.gradients, material.start,
-                                  material.clip))
-        if polygon and material.mapper not in ("flat", "gouraud", "affine"):
-            raise UserError(f"the model has no mapper {material.mapper!r} yet")
+        polygon = set_up(vertices, scene.width, scene.height, material.mapper != "flat", settings,
+                         None if texture is None else texture.shape[::-1])
         if polygon:
-            draw(frame, polygon, texture, material.colour)
+            draw(frame, polygon, texture, material.colour, material.mapper)
     return frame

@@ -19,8 +19,8 @@ span_table macro
         lea     (a5,d0.l*2),a5
         endm
 
-; Reads a table entry: a1 first pixel, d7 count - 1, \1 start0:start1, \2 start2.
-; Goes to .line_next where there is nothing to draw.
+; Reads a table entry: a1 first pixel, d7 count - 1, \1 start0:start1, \2 start2 (it
+; may be left out). Goes to .line_next where there is nothing to draw.
 span_line macro
         bra.s   .line
 .empty  addq.l  #4,a0
@@ -32,7 +32,11 @@ span_line macro
         swap    d7
         subq.w  #1,d7
         bmi.s   .empty
+        ifb     \2
+        addq.l  #4,a0
+        else
         move.l  (a0)+,\2
+        endc
         endm
 
 ; The way into a loop of 2^\1 pixels: d7 = rounds - 1, d6 = -(pixels of the short
@@ -64,15 +68,24 @@ span_enter_18 macro
         endm
 
 ; The end of the pixels and of the table's loop. \1: where the pitch is, (sp) or
-; a register that was spare.
+; a register that was spare; \2: bytes on the stack, if not the pitch alone.
 span_close macro
 .pixels_end
         dbra    d7,.pixels
+        span_next \1,\2
+        endm
+
+; The end of the table's loop alone.
+span_next macro
 .line_next
         adda.l  \1,a6
         cmpa.l  a5,a0
         bne     .line
+        ifb     \2
         addq.l  #4,sp
+        else
+        addq.l  #\2,sp
+        endc
         movem.l (sp)+,d2-d7/a2-a6
         rts
         endm

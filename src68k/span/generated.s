@@ -1,0 +1,104 @@
+        include "routine.i"
+        include "layout.i"
+        include "span.i"
+        include "amiga.i"
+
+LENGTH_MAX      equ     (CODE_BYTES-4)/4
+TO_PIXEL        equ     $132a           ; move.b d16(a2),-(a1)
+RETURN          equ     $4ed3           ; jmp (a3)
+
+;==============================================================================
+; span_generated - draws a scanline table by code written for the polygon's steps
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps, the code
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start1 = UU, start2 = VVvv), the map with its
+;          margins (MAP_MARGINS, texel (0, 0) at a multiple of 65536)
+; writes:  the pixels of the lines; the last 4 bytes of the code for each pixel of
+;          the longest line and the 2 behind them
+; formats: u, v 16.16, both wrap at 256; lines of 1024 pixels at most
+; error:   less than 1 texel in u and v: the fractions of the line's start are
+;          dropped. Pixel n is fetched 256 floor(n dvdx) + floor(n dudx) bytes,
+;          modulo 65536, from the first one's texel: where u leaves 0 to 255 inside
+;          the line it goes on in the row beside
+; cost:    bench row generated: lines of one length, with the writing of the code
+;          and CacheClearU (exec). 4 bytes of code a pixel: the instruction cache
+;          does not hold a line of more than 64 pixels
+;==============================================================================
+; The code ends with pixel 0, so that a line of n pixels is its last n instructions:
+; nothing has to be patched, and the cache is flushed once a polygon.
+; The writing: d0 uu--, d1 vv--, d4 opcode:offset. V's carry becomes 256 or 0 below
+; uu, where the step adds the integers; u's carry goes into the offset. The sum
+; below uu shall not carry: from a step of -256 on, v runs the other way (-v, -256).
+
+        routine span_generated,a0
+        span_open
+        move.l  a0,-(sp)
+        movea.l a5,a0
+        moveq   #0,d7
+.count  addq.l  #scanline_count,a0
+        cmp.w   (a0),d7
+        bge.s   .shorter
+        move.w  (a0),d7
+.shorter
+        addq.l  #scanline_sizeof-scanline_count,a0
+        subq.l  #1,d0
+        bne.s   .count
+        movea.l (sp),a0
+        tst.w   d7
+        beq     .done
+
+        move.l  span_plan_dudx(a0),d3
+        move.l  span_plan_dvdx(a0),d5
+        move.l  d5,d6
+        swap    d6
+        lsl.w   #8,d6
+        swap    d3                      ; uuUU
+        add.w   d6,d3                   ; uu:step
+        swap    d5
+        clr.w   d5                      ; vv--
+        moveq   #0,d0
+        moveq   #0,d1
+        move.w  #255,d2                 ; with X: 256
+        cmp.w   #-256,d3
+        blo.s   .forward
+        neg.l   d5
+        beq.s   .forward                ; v never carries
+        subq.l  #1,d1
+        clr.w   d1                      ; of -0, less 1/65536, it is the same
+        add.w   #256,d3
+        move.w  #-257,d2
+.forward
+        movea.l span_plan_code(a0),a1
+        lea     CODE_BYTES-4(a1),a1
+        move.w  #RETURN,(a1)
+        move.l  #TO_PIXEL<<16,d4
+        subq.w  #1,d7
+.write  move.l  d4,-(a1)
+        add.l   d5,d1
+        subx.w  d0,d0                   ; uu:-1 after v's carry
+        and.w   d2,d0
+        addx.l  d3,d0
+        addx.w  d0,d4
+        dbra    d7,.write
+        movea.l 4.w,a6
+        lvo     CacheClearU
+.done   movea.l (sp)+,a0
+        movea.l span_plan_row(a0),a6
+        movea.l span_plan_code(a0),a4
+        lea     CODE_BYTES-4(a4),a4
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_count(a0),d0
+        move.l  (sp),d5
+        lea     .line_next(pc),a3
+        span_table
+        span_line d0,d1
+        lsr.l   #8,d1
+        move.w  d1,d4
+        move.b  d0,d4                   ; mmVU
+        movea.l d4,a2
+        lea     1(a1,d7.w),a1
+        not.w   d7
+        jmp     (a4,d7.w*4)
+        span_next d5

@@ -1,0 +1,54 @@
+        include "routine.i"
+        include "layout.i"
+        include "span.i"
+
+;==============================================================================
+; span_gouraud - draws a scanline table with interpolated shades
+;
+; in:      a0  span_plan*  the table, the frame, the step dudx
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = ss, start1 = SS)
+; writes:  the pixels of the lines, nothing else
+; formats: s 16.16, pixels are its integer modulo 256; dudx shades a pixel. Of it
+;          counts what is left modulo 256, -128 to 127.99: times count up to 64,000
+; error:   none: pixel n is floor(s + n dudx)
+; cost:    bench row gouraud
+;==============================================================================
+; One register that carries into itself:
+;       d0  ss-S        S with a byte of room above it
+; Its fraction runs one step ahead, so that the carry it gave is ready when S needs
+; it; MOVE, JMP and DBRA keep X between pixels. Room is 00 with a step from 0 on: S
+; never carries into ss. With a negative one it is FF: S always does, and the step
+; of ss is one less.
+
+pixel   macro
+        move.b  d0,(a1)+
+        addx.l  d2,d0
+        endm
+
+        routine span_gouraud,a0
+        span_open
+        move.l  span_plan_dudx(a0),d2
+        span_table
+        swap    d2
+        ext.w   d2                      ; ss-S
+        bpl.s   .packed
+        sub.l   #$10000,d2
+        bcc.s   .packed
+        subq.w  #1,d2                   ; nothing to borrow from: ss always carries
+.packed move.l  d2,d5
+        clr.b   d5
+        movea.l d5,a4                   ; ss-0: a step of ss alone
+        move.l  (sp),d4
+        lea     .pixels_end-4(pc),a3
+        span_line d0
+        span_rounds 5
+        move.b  d0,d5
+        move.w  d5,d0
+        add.l   a4,d0
+        jmp     (a3,d6.w*4)
+.pixels rept    32
+        pixel
+        endr
+        span_close d4

@@ -1,0 +1,53 @@
+"""Fixed-point arithmetic as src68k/math does it, in Python integers."""
+
+M32 = (1 << 32) - 1
+
+
+def signed(value: int, bits: int = 32) -> int:
+    """The low ``bits`` of a value as a two's complement number."""
+    value &= (1 << bits) - 1
+    return value - (value >> (bits - 1) << bits)
+
+
+def ceil16(x: int) -> int:
+    """The smallest integer not below a 16.16 number."""
+    return (x + 0xFFFF) >> 16
+
+
+def mul(a: int, b: int) -> int:
+    """a * b of two 16.16 numbers, rounded down."""
+    return a * b >> 16
+
+
+def mul_div(a: int, b: int, c: int) -> int:
+    """a * b / c rounded to the nearest integer, c > 0."""
+    return (a * b + (c >> 1)) // c
+
+
+def cut_quotient(n: int, d: int) -> int:
+    """n / d cut towards zero, d > 0."""
+    return n // d if n >= 0 else -(-n // d)
+
+
+def quotient(n: int, d: int) -> int:
+    """n / d in 32.32 modulo 2^64, as ``gradients`` divides: d keeps 32 bits."""
+    if n == 0:
+        return 0
+    sign = -1 if (n < 0) != (d < 0) else 1
+    n, d = abs(n), abs(d)
+    shifts_n, shifts_d = 64 - n.bit_length(), 64 - d.bit_length()
+    upper = (d << shifts_d) >> 32
+    q = ((n << shifts_n >> 1) << 32) // upper
+    right = 31 + shifts_n - shifts_d
+    q = q >> right if right >= 0 else q << -right
+    return signed(sign * (q & ((1 << 64) - 1)), 64)
+
+
+def wide_mul(gradient: int, offset: int) -> int:
+    """A 32.32 gradient times a 16.16 offset, in 16.16 modulo 2^32."""
+    return (gradient * offset + (1 << 31)) >> 32 & M32
+
+
+def step(gradient: int, spare: int) -> int:
+    """A 32.32 gradient as a 16.16 step modulo 2^32 whose ``spare`` low bits are 0."""
+    return ((gradient + (0x8000 << spare)) >> 16 & M32) >> spare << spare

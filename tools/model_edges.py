@@ -1,0 +1,95 @@
+"""The integer model's edges: c/polygon/sides.c and edges.c, src68k/math's edge routines."""
+
+from dataclasses import dataclass
+
+from .fixed import ceil16, mul_div
+
+EDGE_ERROR = 1024  # pixels that an edge's x may lie beyond its vertices, 16.16
+
+
+@dataclass
+class Edge:
+    """A side's section: from one vertex to a lower one, drawn on lines top to end - 1."""
+
+    upper: tuple
+    lower: tuple
+    top: int
+    end: int
+    exact: bool
+
+    @property
+    def first(self) -> int:
+        """The first line at or below the upper vertex."""
+        return ceil16(self.upper[1])
+
+    @property
+    def slope(self) -> int:
+        """Pixels a line, 16.16; 0 where the edge has one line only."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        return mul_div(width, 65536, height) if ceil16(self.lower[1]) - self.first > 1 else 0
+
+    def at(self, line: int) -> int:
+        """x on a line, 16.16, rounded at the first line and in every step."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        x = self.upper[0] + mul_div(width, (self.first << 16) - self.upper[1], height)
+        return x + (line - self.first) * self.slope
+
+    def column(self, line: int) -> int:
+        """The first pixel at or right of the edge."""
+        if not self.exact:
+            return ceil16(self.at(line))
+        (x0, y0, *_), (x1, y1, *_) = self.upper, self.lower
+        n = x0 * (y1 - y0) + (x1 - x0) * ((line << 16) - y0)
+        return -(-n // (y1 - y0 << 16))
+
+    @property
+    def whole(self) -> int:
+        """Whole pixels a line."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        return width // height if self.exact else self.slope >> 16
+
+
+@dataclass
+class Sides:
+    """Top, bottom and the vertex farthest from the line between them (indices), which
+    way the left side runs, and the box of pixels: left, top, right, bottom."""
+
+    corners: tuple[int, int, int]
+    direction: int
+    box: tuple[int, int, int, int]
+
+
+def measure(vertices, width: int, height: int) -> Sides | None:
+    """The sides of a polygon; None where it covers nothing."""
+    n = len(vertices)
+    if n < 3:
+        return None
+    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
+    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
+    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
+    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
+           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
+    if box[0] >= box[2] or box[1] >= box[3]:
+        return None
+    ax, ay = vertices[top][:2]
+    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
+    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
+    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    if turns[apex] == 0:
+        return None
+    forward = (apex - top) % n < (bottom - top) % n
+    return Sides((top, bottom, apex), 1 if (turns[apex] > 0) == forward else -1, box)
+
+
+def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
+    """The edges of one side from the top vertex on, between two lines."""
+    edges, index, upper = [], start, vertices[start]
+    while top < bottom:
+        index = (index + direction) % len(vertices)
+        lower = vertices[index]
+        end = min(ceil16(lower[1]), bottom)
+        if end > top and lower[1] > upper[1]:
+            edges.append(Edge(upper, lower, top, end, exact))
+            top = end
+        upper = lower
+    return edges

@@ -1,0 +1,47 @@
+"""The integer model's spans: which texel a mapper shows at each pixel of a line."""
+
+import numpy as np
+
+from .fixed import M32, signed
+from .model_texturing import Line
+
+#: Bits that a mapper cuts off the fractions of u and v, of starts and of steps.
+CUT = {"tiled": (0, 1), "columns": (3, 3)}
+
+
+def coordinates(line: Line, mapper: str = "affine") -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a line's pixels as the mapper steps them, int64, 16.16 modulo 2^32."""
+    n = np.arange(line.right - line.left, dtype=np.int64)
+    start, cuts = (line.u, line.v), CUT.get(mapper, (0, 0))
+    if mapper == "generated":  # only the texel of the start counts
+        start = [c & ~0xFFFF for c in start]
+    steps = (signed(line.dudx), signed(line.dvdx))
+    u, v = (((c >> cut) + n * (step >> cut)) << cut & M32
+            for c, step, cut in zip(start, steps, cuts))
+    return u, v
+
+
+def generated_offsets(dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """Bytes from a line's first texel to its others, as generated code has them."""
+    n = np.arange(count, dtype=np.int64)
+    far = 256 * (n * signed(dvdx) >> 16) + (n * signed(dudx) >> 16)
+    return (far + 32768 & 0xFFFF) - 32768
+
+
+def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """Where generated code fetches a line's pixels: offsets from texel (0, 0), margins included."""
+    return (v >> 8 & 0xFF00 | u >> 16 & 0xFF) + generated_offsets(dudx, dvdx, count)
+
+
+def pixels(line: Line, mapper: str, texture: np.ndarray | None) -> np.ndarray:
+    """A line's pixels. ``texture``: [v][u]."""
+    if mapper == "generated":
+        at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
+        return texture.reshape(-1)[at & 0xFFFF]  # the margins repeat the map
+    u, v = (c >> 16 for c in coordinates(line, mapper))
+    if mapper == "gouraud":
+        return u & 255
+    height, width = texture.shape
+    if mapper == "arbitrary":
+        return texture[v, u]  # u and v are inside: an index beyond is an error
+    return texture[v & height - 1, u & width - 1]
