@@ -1,0 +1,59 @@
+"""Texture maps in the layouts of c/texture/map.h, and 16-bit colours.
+
+Every conversion has its inverse; pictures are numpy arrays [height][width], maps in
+memory have one dimension. A 16-bit map in memory is big-endian (``>u2``).
+"""
+
+import numpy as np
+
+TILE = 8  # texels a side
+COLUMN = 4  # texels a row
+RGB565 = np.dtype(">u2")
+
+
+def to_tiled(picture: np.ndarray) -> np.ndarray:
+    """MAP_TILED: tiles of 8x8, a column of tiles after the other."""
+    height, width = picture.shape
+    tiles = picture.reshape(height, width // TILE, TILE)
+    return tiles.transpose(1, 0, 2).reshape(-1)
+
+
+def from_tiled(texels: np.ndarray, width: int = 256, height: int = 256) -> np.ndarray:
+    """The picture of a map in MAP_TILED."""
+    return texels.reshape(width // TILE, height, TILE).transpose(1, 0, 2).reshape(height, width)
+
+
+def to_columns(picture: np.ndarray) -> np.ndarray:
+    """MAP_COLUMNS: columns 4 texels wide, one after the other."""
+    height, width = picture.shape
+    return picture.reshape(height, width // COLUMN, COLUMN).transpose(1, 0, 2).reshape(-1)
+
+
+def from_columns(texels: np.ndarray, width: int, height: int) -> np.ndarray:
+    """The picture of a map in MAP_COLUMNS."""
+    return texels.reshape(width // COLUMN, height, COLUMN).transpose(1, 0, 2).reshape(height, width)
+
+
+def widened(bits: int) -> np.ndarray:
+    """The 8-bit value of each ``bits``-bit one: its upper bits follow once more."""
+    values = np.arange(1 << bits)
+    return (values << 8 - bits | values >> 2 * bits - 8).astype(np.uint8)
+
+
+def narrowed(bits: int) -> np.ndarray:
+    """The ``bits``-bit value whose ``widened`` one is nearest, the smaller of two."""
+    values = widened(bits).astype(int)
+    return np.abs(np.arange(256)[:, None] - values).argmin(axis=1)
+
+
+def to_rgb565(colours: np.ndarray) -> np.ndarray:
+    """uint8 [...][3] as RGB565, each part to the nearest."""
+    red, green, blue = (colours[..., k] for k in range(3))
+    return (narrowed(5)[red] << 11 | narrowed(6)[green] << 5 | narrowed(5)[blue]).astype(RGB565)
+
+
+def from_rgb565(pixels: np.ndarray) -> np.ndarray:
+    """RGB565 as uint8 [...][3]."""
+    pixels = pixels.astype(int)
+    return np.stack([widened(5)[pixels >> 11], widened(6)[pixels >> 5 & 63],
+                     widened(5)[pixels & 31]], axis=-1)
