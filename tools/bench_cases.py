@@ -56,8 +56,6 @@ def span_case(kernel: str, form: str, length: int):
     starts = []
     for k in range(lines):
         u, v = int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))
-        if "columns" in kernel:
-            u, v = u & ~7, v & ~7  # 13 fraction bits
         starts.append((u, v))
         for field, value in pack(form, u, v).items():
             entries[k][field] = value
