@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import layout, model
+from . import layout, maps, model
 from .kernels import M32, Arena, Case, Result
 from .scanline import MASKS, add_span_plan, pack, rounded_edge
 
@@ -46,7 +46,12 @@ def span_case(kernel: str, form: str, length: int):
     pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
     constants = layout.load().constants
     arena, far, picture = Arena(), Arena(), texture()
-    map_at = far.add(picture.tobytes(), constants["ARENA_ALIGN"])
+    if kernel.endswith("_16"):
+        picture = (picture.astype(int) << 8 | picture.T).astype(maps.RGB565)
+    size = picture.itemsize
+    stored = maps.to_tiled(picture) if "tiled" in kernel else \
+        maps.to_columns(picture) if "columns" in kernel else picture
+    map_at = far.add(stored.tobytes(), constants["ARENA_ALIGN"])
     entries = np.zeros(lines, layout.load().struct("scanline").dtype)
     starts = []
     for k in range(lines):
@@ -59,19 +64,21 @@ def span_case(kernel: str, form: str, length: int):
     if "scanline" in kernel:
         pointers["steps"] = arena.add(layout.load().struct("scanline_step").pack(
             dudx=DU, dvdx=DV) * lines)
-    frame_at = far.add(bytes(pitch * lines))
+    if "columns" in kernel:
+        pointers["columns"] = arena.struct("column_layout", {}, v_bits=8, u_mask=0xFC03,
+                                           v_mask=0x3FC)
+    frame_at = far.add(bytes(pitch * lines * size))
     plan_at = add_span_plan(
-        arena, pointers,
-        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at),
-        count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
-    expected = np.zeros((lines, pitch), np.uint8)
+        arena, pointers, dict(row=frame_at - constants["EDGE_BIAS"] * size, map=map_at),
+        count=lines, pitch=pitch * size, dudx=DU, dvdx=DV, colour=0x5C)
+    expected = np.zeros((lines, pitch), picture.dtype)
     n = np.arange(length)
     for k, (u, v) in enumerate(starts):
         texels = picture[(v + n * DV) >> 16 & 255, (u + n * DU) >> 16 & 255]
         expected[k, k % 4:k % 4 + length] = 0x5C if kernel == "span_fill" else texels
 
     def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
+        found = np.frombuffer(result.far_memory, picture.dtype, expected.size, frame_at)
         return first_difference(expected, found.reshape(expected.shape))
 
     return lines * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
@@ -288,7 +295,9 @@ def pixel_rows(chip: bool) -> list[Row]:
     rows = []
     for length in SPAN_LENGTHS:
         for name, form in (("affine_addx", "addx"), ("affine_addx_wrap", "addx"),
-                           ("affine_scanline", "addx"), ("affine_swap", "plain"), ("affine_c", "plain"), ("fill", "flat")):
+                           ("affine_scanline", "addx"), ("affine_swap", "plain"), ("affine_c", "plain"),
+                           ("tiled", "plain"), ("columns", "plain"), ("columns_16", "plain"),
+                           ("fill", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
     for count in (1, 2, 3):
         for form in ("swap", "addx", "chain"):

@@ -9,7 +9,8 @@ enum map_layout {
     MAP_PAGE,                   /* 256 v + u, modulo 256 each: a 256x256 page at a multiple
                                    of 65,536; a smaller map is repeated in it */
     MAP_LINEAR,                 /* width v + u; any address */
-    MAP_TILED,                  /* 256x256 in tiles of 8x8: 2048 (u/8) + 8 v + u%8 */
+    MAP_TILED,                  /* 256x256 in tiles of 8x8: 2048 (u/8) + 8 v + u%8; at a
+                                   multiple of 65,536 */
     MAP_COLUMNS,                /* columns 4 texels wide: 4 height (u/4) + 4 v + u%4 */
     MAP_MARGINS,                /* MAP_PAGE, its second half once more before it and its
                                    first half once more behind */
@@ -34,16 +35,11 @@ struct map {
 /* The scale of a map of this size. */
 fix16 map_scale(int32 width, int32 height);
 
-/* Column layout, from a map's size: fields of a packed coordinate, 1 integer bit a
-   texel, a gap bit, 13 fraction bits (bits 12 to 0):
-     u   tttt----------uu0fffffffffffff   t: column, u: texel in it
-     v   ----vvvvvvvvvv--0fffffffffffff   v_bits bits of v
-   Filling a step's gaps with ones lets a carry jump over them. */
+/* Column layout, from a map's size: where the index of a texel has its parts.
+     tttttvvvvvvvuu      t: column, v: row (v_bits of it), u: texel in the column     */
 struct column_layout {
-    uint32 v_bits;
-    uint32 t_mask, v_mask;      /* where t and v lie */
-    uint32 u_clear, v_clear;    /* what stays of a packed coordinate after a step */
-    uint32 u_fill, v_fill;      /* the gaps, to be set in a step */
+    uint32 v_bits;              /* 3 to 15 */
+    uint32 u_mask, v_mask;      /* t and u; v */
 };
 
 /* Fills in a column layout; 0: the map's size has none (8 to 2^15 each side, powers of

@@ -20,13 +20,14 @@ span_table macro
         endm
 
 ; Reads a table entry: a1 first pixel, d7 count - 1, \1 start0:start1, \2 start2 (it
-; may be left out). Goes to .line_next where there is nothing to draw.
+; may be left out). Goes to .line_next where there is nothing to draw. \3: *2 for
+; pixels of two bytes.
 span_line macro
         bra.s   .line
 .empty  addq.l  #4,a0
         bra     .line_next
 .line   move.l  (a0)+,\1                ; start0:left
-        lea     (a6,\1.w),a1
+        lea     (a6,\1.w\3),a1
         move.l  (a0)+,d7                ; count:start1
         move.w  d7,\1
         swap    d7
