@@ -57,8 +57,8 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     materials, objects, vertices = [], [], []
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
-        materials.append(Material(s.mapper, s.edges, s.gradients, s.start,
-                                  layouts.index(layout) if layout else -1, 200))
+        materials.append(Material(s.mapper, s.edges, s.gradients, s.start, colour=200,
+                                  texture=layouts.index(layout) if layout else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
@@ -262,7 +262,7 @@ def swimming_scene() -> Scene:
     corners = [(6, 4, 0, 0, 0), (52, 22, 92, 36, 0), (17, 56, 22, 104, 0)]
     vertices = [tuple(c << 16 for c in corner) for corner in corners]
     for number, s in enumerate(SWIMMERS):
-        materials.append(Material("affine", s.edges, s.gradients, s.start, 0, 0))
+        materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))
         objects.append(Object(number, 0, 3, len(poses), SWIM_FRAMES, 0))
         poses += [(65536, 0, 0, 65536, (number * SWIM_SIDE << 16) + k * 8192, k * 4096)
                   for k in range(SWIM_FRAMES)]

@@ -36,7 +36,22 @@ static const struct {
     [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
                               span_affine_scanline},
     [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
+    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
+    [SPAN_GOURAUD] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud},
+    [SPAN_ARBITRARY] = {edge_plain, edge_plain_exact, scissor_plain, span_arbitrary},
+    [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
+    [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
+    [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16},
+    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated}
+};
+
+/* The layout that each mapper with a map reads. */
+static const uint8 layout_of[MAPPER_KINDS] = {
+    [MAPPER_AFFINE] = MAP_PAGE,
+    [MAPPER_ARBITRARY] = MAP_LINEAR,
+    [MAPPER_TILED] = MAP_TILED,
+    [MAPPER_COLUMNS] = MAP_COLUMNS,
+    [MAPPER_GENERATED] = MAP_MARGINS
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -161,21 +176,38 @@ static enum polygon_result set_sides(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-static void set_span(struct setup *s)
+/* What the mapper needs of map and frame. */
+static enum polygon_result set_map(struct setup *s)
+{
+    static struct column_layout columns;
+    static uint32 code[(CODE_BYTES + 3) / 4];
+    const struct map *map = s->material->map;
+    enum mapper mapper = s->material->mapper;
+
+    if (mapper == MAPPER_FLAT || mapper == MAPPER_GOURAUD)
+        return POLYGON_DRAWN;
+    if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes)
+        return POLYGON_WRONG_MAP;
+    s->span.map = map->texels;
+    s->span.map_width = map->width;
+    s->span.map_height = map->height;
+    s->span.columns = &columns;
+    s->span.code = code;
+    if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
+        return POLYGON_WRONG_MAP;
+    return POLYGON_DRAWN;
+}
+
+static enum polygon_result set_span(struct setup *s)
 {
     const struct frame *frame = s->frame;
-    const struct map *map = s->material->map;
 
     s->span.lines = lines;
     s->span.count = s->box.bottom - s->box.top;
     s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
     s->span.pitch = frame->pitch;
     s->span.colour = s->material->colour;
-    if (map) {
-        s->span.map = map->texels;
-        s->span.map_width = map->width;
-        s->span.map_height = map->height;
-    }
+    return set_map(s);
 }
 
 /* Steps of the whole polygon, and starts on its left edges. */
@@ -298,7 +330,9 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_sides(&s);
     if (result != POLYGON_DRAWN)
         return result;
-    set_span(&s);
+    result = set_span(&s);
+    if (result != POLYGON_DRAWN)
+        return result;
     texturing.wraps = 0;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
