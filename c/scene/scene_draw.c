@@ -33,12 +33,24 @@ static void clear(const struct frame *frame, uint32 colour)
     span_fill(&plan);
 }
 
+/* Whether a pose only moves. */
+static int32 is_upright(const struct scene_pose *pose)
+{
+    return pose->xx == 65536 && pose->yy == 65536 && !pose->xy && !pose->yx;
+}
+
 static void place(struct vertex *to, const struct scene_vertex *from, uint32 count,
                   const struct scene_pose *pose)
 {
+    int32 upright = is_upright(pose);
+
     for (; count; count--, from++, to++) {
-        to->x = mul_fix(pose->xx, from->x) + mul_fix(pose->xy, from->y) + pose->x0;
-        to->y = mul_fix(pose->yx, from->x) + mul_fix(pose->yy, from->y) + pose->y0;
+        to->x = from->x + pose->x0;
+        to->y = from->y + pose->y0;
+        if (!upright) {
+            to->x = mul_fix(pose->xx, from->x) + mul_fix(pose->xy, from->y) + pose->x0;
+            to->y = mul_fix(pose->yx, from->x) + mul_fix(pose->yy, from->y) + pose->y0;
+        }
         to->s = from->s;
         to->t = from->t;
         to->shade = from->shade;
