@@ -18,6 +18,7 @@
 #define EDGE_ERROR 1024
 
 static struct scanline lines[SCENE_SIDE_MAX];
+static uint32 code[CODE_BYTES / 4];     /* of span_generated, at whole longwords */
 
 typedef void edge_routine(const struct edge_plan *plan);
 
@@ -28,11 +29,14 @@ static const struct {
     void (*span)(const struct span_plan *plan);
 } routines[SPAN_KINDS] = {
     [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
+    [SPAN_GOURAUD] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud},
     [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
     [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
                                span_affine_addx_wrap},
     [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
+    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
+    [SPAN_ARBITRARY] = {edge_plain, edge_plain_exact, scissor_plain, span_arbitrary},
+    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated}
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -151,6 +155,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     span.row = frame->pixels + box.top * frame->pitch - EDGE_BIAS;
     span.pitch = frame->pitch;
     span.colour = material->colour;
+    span.code = code;
     if (material->map) {
         span.map = material->map->texels;
         span.map_width = material->map->width;
