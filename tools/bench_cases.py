@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import layout, maps, model
+from .bench_mappers import first_difference, mapper_case
 from .kernels import M32, Arena, Case, Result
 from .scanline import MASKS, add_span_plan, pack, rounded_edge
 
@@ -82,16 +83,6 @@ def span_case(kernel: str, form: str, length: int):
         return first_difference(expected, found.reshape(expected.shape))
 
     return lines * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
-
-
-def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
-    """Where two pictures first differ, in words; None where they are equal."""
-    wrong = np.argwhere(expected != found)
-    if not len(wrong):
-        return None
-    y, x = wrong[0]
-    return (f"{len(wrong)} pixels differ, the first at ({x}, {y}): "
-            f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
 
 
 def edge_case(name: str):
@@ -299,6 +290,11 @@ def pixel_rows(chip: bool) -> list[Row]:
                            ("tiled", "plain"), ("columns", "plain"), ("columns_16", "plain"),
                            ("fill", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
+        for name in ("gouraud", "arbitrary", "generated"):
+            rows.append(Row(name, length, *mapper_case(name, length)))
+        rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
+    # One line: written, flushed and drawn once.
+    rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))
     for count in (1, 2, 3):
         for form in ("swap", "addx", "chain"):
             rows.append(Row(f"step_{form}_{count}", 1024, *step_case(form, count)))

@@ -3,8 +3,9 @@
 import numpy as np
 
 from . import layout
-from .kernels import M32, Arena, Case, Result
-from .scanline import pack
+from .kernels import Arena, Case, Result
+from .model import texel_generated
+from .scanline import add_span_plan, pack
 
 DU, DV, DS = 0x18000, 0x14000, 0xA000  # texels and shades a pixel, 16.16
 PICTURE = 331, 417  # rows and columns of the arbitrary map: at an odd address
@@ -20,28 +21,20 @@ def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
             f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
 
 
-def gouraud(rng, n):
-    s = int(rng.integers(0, 90 << 16))
-    return (s, 0), (s + n * DS) >> 16
-
-
-def mapper_case(name: str, length: int, du: int = DU, dv: int = DV):
+def mapper_case(name: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
     """A table of spans of one length, as tools.bench_cases.span_case."""
     rng = np.random.default_rng(length)
-    lines = min(128, max(16, 2048 // length))
-    pitch = length + 4
+    lines = lines or min(128, max(16, 2048 // length))
+    pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
     constants = layout.load().constants
     arena, far, n = Arena(), Arena(), np.arange(length)
     rows, columns = PICTURE if name == "arbitrary" else (256, 256)
     picture = rng.integers(0, 256, (rows, columns), dtype=np.uint8)
     if name == "generated":
-        half = picture[128:].tobytes()
-        map_at = far.add(bytes(32768) + half + picture.tobytes() + picture[:128].tobytes(), 65536)
-        map_at += 65536
+        lying = np.concatenate([picture[128:], picture, picture[:128]]).tobytes()
+        map_at = far.add(bytes(32768) + lying, 65536) + 65536
     else:
         map_at = far.add(b"\0" + picture.tobytes()) + 1
-    flat = np.concatenate([picture[128:].reshape(-1), picture.reshape(-1),
-                           picture[:128].reshape(-1)])
     entries = np.zeros(lines, layout.load().struct("scanline").dtype)
     expected = np.zeros((lines, pitch), np.uint8)
     for k in range(lines):
@@ -55,8 +48,7 @@ def mapper_case(name: str, length: int, du: int = DU, dv: int = DV):
             drawn = picture[(v + n * dv) >> 16, (u + n * du) >> 16]
         else:
             u, v = (int(x) for x in rng.integers(0, 256 << 16, 2))
-            far_from = 256 * (n * dv >> 16) + (n * du >> 16) + 32768 & 65535
-            drawn = flat[(v >> 8 & 0xFF00) + (u >> 16) + far_from]
+            drawn = picture.reshape(-1)[texel_generated(u, v, du, dv, length) & 0xFFFF]
         for field, value in pack("plain", u, v).items():
             entries[k][field] = value
         entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
@@ -64,10 +56,10 @@ def mapper_case(name: str, length: int, du: int = DU, dv: int = DV):
     table_at = arena.add(entries.tobytes())
     code_at = arena.add(bytes(constants["CODE_BYTES"]))
     frame_at = far.add(bytes(pitch * lines))
-    plan_at = arena.struct(
-        "span_plan", dict(lines=table_at, code=code_at),
+    plan_at = add_span_plan(
+        arena, dict(lines=table_at, code=code_at),
         dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch,
-        dudx=DS if name == "gouraud" else du, dvdx=dv, map_width=columns, map_height=rows, colour=0, columns=0)
+        dudx=DS if name == "gouraud" else du, dvdx=dv, map_width=columns, map_height=rows)
 
     def check(result: Result) -> str | None:
         found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)

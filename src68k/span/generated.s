@@ -22,8 +22,8 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ;          dropped. Pixel n is fetched 256 floor(n dvdx) + floor(n dudx) bytes,
 ;          modulo 65536, from the first one's texel: where u leaves 0 to 255 inside
 ;          the line it goes on in the row beside
-; cost:    bench row generated: lines of one length, with the writing of the code
-;          and CacheClearU (exec). 4 bytes of code a pixel: the instruction cache
+; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
+;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes of code a pixel: the instruction cache
 ;          does not hold a line of more than 64 pixels
 ;==============================================================================
 ; The code ends with pixel 0, so that a line of n pixels is its last n instructions:
