@@ -1,5 +1,7 @@
 """Trials of the span routines: every pixel against the texel of its own u and v."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -40,6 +42,20 @@ def picture_memory() -> tuple[Memory, int, int]:
     return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
 
 
+@dataclass(frozen=True)
+class Ground:
+    """What spans are drawn on and from: a far arena, where its frame and map begin, bytes
+    of a pixel; ``texels(u, v, dudx, dvdx, count)`` gives a span's pixels."""
+
+    memory: Memory
+    frame_at: int
+    map_at: int
+    texels: Callable[[int, int, int, int, int], np.ndarray]
+    pixel_bytes: int = 1
+    columns: dict[str, int] | None = None  # struct column_layout
+    name: str = ""
+
+
 def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
     """The pixels of a span."""
     n = np.arange(count, dtype=np.int64)
@@ -62,10 +78,12 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
     return u, v // TURN * TURN + start, count
 
 
-def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
+               ground: Ground | None = None) -> Trial:
     """One table: every count at all four alignments, with a start of its own."""
+    ground = ground or Ground(*picture_memory(), texels)
+    far, frame_at, wide = ground.memory, ground.frame_at, ground.pixel_bytes
     counts, pitch = size
-    far, frame_at, map_at = picture_memory()
     shape = layout.load().struct("scanline")
     starts = [(count, k) for count in counts for k in range(4)]
     table = np.zeros(len(starts), shape.dtype)
@@ -87,28 +105,31 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
             tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2))
         own_steps.append(own)
         steps = own if "scanline" in kernel else (dudx, dvdx)
-        lines.append((count, u, v, *steps, frame_at + 64 + row * pitch + left - BIAS))
+        lines.append((count, u, v, *steps, frame_at + 64 + (row * pitch + left - BIAS) * wide))
     memory = Memory(int(rng.integers(1 << 30)))
-    first_row = lines[0][-1] - int(table["left"][0])
+    first_row = lines[0][-1] - int(table["left"][0]) * wide
     pointers = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
     if "scanline" in kernel:
         step = layout.load().struct("scanline_step")
         pointers["steps"] = memory.add(
             b"".join(step.pack(dudx=du, dvdx=dv) for du, dv in own_steps), name="steps", shape=step)
+    if ground.columns:
+        pointers["columns"] = memory.struct("column_layout", {}, **ground.columns)
+    pitch *= wide
     plan = add_span_plan(
         memory, pointers,
-        dict(row=first_row, map=map_at), count=len(lines), pitch=-pitch if upwards else pitch,
-        dudx=dudx, dvdx=dvdx, colour=colour)
+        dict(row=first_row, map=ground.map_at), count=len(lines),
+        pitch=-pitch if upwards else pitch, dudx=dudx, dvdx=dvdx, colour=colour)
 
     def drawn(count: int, u: int, v: int, dudx: int, dvdx: int) -> bytes:
         return bytes([colour & 255]) * count if kernel == "span_fill" else \
-            texels(u, v, dudx, dvdx, count).tobytes()
+            ground.texels(u, v, dudx, dvdx, count).tobytes()
 
     def where(offset: int, far: bool) -> str | None:
         if not far or not frame_at <= offset < frame_at + FRAME:
             return None
         index = min(range(len(lines)), key=lambda k: max(
-            lines[k][-1] - offset, offset - lines[k][-1] - max(lines[k][0], 0) + 1))
+            lines[k][-1] - offset, offset - lines[k][-1] - max(lines[k][0], 0) * wide + 1))
         count, u, v, du, dv, at = lines[index]
         line = (f"line {index} (left {table['left'][index]}, count {count}, "
                 f"{values(u=u, v=v, dudx=du, dvdx=dv)})")
@@ -116,14 +137,15 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
             return f"{line}: byte {offset - at}"
         if offset < at:
             return f"{line}: {at - offset} byte(s) before its start"
-        beyond = offset - at - count + 1
-        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else f"{line}: pixel {offset - at}"
+        beyond = offset - at - count * wide + 1
+        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
+            f"{line}: pixel {(offset - at) // wide}"
 
     step = values(colour=colour) if kernel == "span_fill" else \
         values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
     return Trial(
         Case(kernel, memory, pointers={"a0": plan}, far=far),
-        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}",
+        f"{ground.name}{len(lines)} lines {'up' if upwards else 'down'}, {step}",
         writes=[Write(at, drawn(*line), far=True) for *line, at in lines if line[0] > 0],
         where=where)
 

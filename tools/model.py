@@ -10,10 +10,11 @@ plane are 32.32 before they are rounded to steps.
 What it may be off from the ideal, and why, stands in tools/ideal.py.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from . import maps
 from .clip import clip, frame_window, mul_div
 
 FAR = 16384 << 16
@@ -391,16 +392,48 @@ def coordinates(line: Line):
     return (line.u + n * signed(line.dudx)) & M32, (line.v + n * signed(line.dvdx)) & M32
 
 
-def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int) -> None:
-    """Draws a set-up polygon into ``frame`` (uint8, height x width)."""
+#: Low bits of u and of v that a mapper's spans have no room for, in starts and steps.
+#: Rounded down, start and step lose less than 2^bits/65536 texel each: pixel n shows the
+#: texel of a place less than (n + 1) 2^bits/65536 texel up or left of the exact one.
+CUT = {"tiled": (0, 1), "columns": (3, 3)}
+
+
+def cut(line: Line, mapper: str) -> Line:
+    """A line as a mapper's spans take it."""
+    u, v = CUT.get(mapper, (0, 0))
+    return replace(line, u=line.u >> u << u, dudx=line.dudx >> u << u,
+                   v=line.v >> v << v, dvdx=line.dvdx >> v << v)
+
+
+def texel_tiled(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Where MAP_TILED has the texels of u and v, 16.16."""
+    x, y = u >> 16 & 255, v >> 16 & 255
+    return 2048 * (x // 8) + 8 * y + x % 8
+
+
+def texel_columns(u: np.ndarray, v: np.ndarray, width: int, height: int) -> np.ndarray:
+    """Where MAP_COLUMNS has the texels of u and v, 16.16; both sides repeat."""
+    x, y = (u >> 16) % width, (v >> 16) % height
+    return 4 * height * (x // 4) + 4 * y + x % 4
+
+
+def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
+         mapper: str = "affine") -> None:
+    """Draws a set-up polygon into ``frame`` (height x width); ``texture`` is linear."""
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
         if not polygon.textured:
             frame[y, line.left:line.right] = colour
         else:
-            u, v = coordinates(line)
-            frame[y, line.left:line.right] = texture[v >> 16 & 255, u >> 16 & 255]
+            u, v = coordinates(cut(line, mapper))
+            if mapper == "tiled":
+                texels = maps.to_tiled(texture)[texel_tiled(u, v)]
+            elif mapper == "columns":
+                texels = maps.to_columns(texture)[texel_columns(u, v, *texture.shape[::-1])]
+            else:
+                texels = texture[v >> 16 & 255, u >> 16 & 255]
+            frame[y, line.left:line.right] = texels
 
 
 def render(scene, number: int) -> np.ndarray:

@@ -36,7 +36,10 @@ static const struct {
     [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
                               span_affine_scanline},
     [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c}
+    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
+    [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
+    [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
+    [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16}
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -161,7 +164,20 @@ static enum polygon_result set_sides(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-static void set_span(struct setup *s)
+/* The layout that column spans need. */
+static enum polygon_result set_columns(struct setup *s)
+{
+    static struct column_layout layout;
+    const struct map *map = s->material->map;
+
+    if (!map || map->layout != MAP_COLUMNS || map->texel_bytes != s->frame->pixel_bytes
+        || !column_layout_make(&layout, map->width, map->height))
+        return POLYGON_WRONG_MAP;
+    s->span.columns = &layout;
+    return POLYGON_DRAWN;
+}
+
+static enum polygon_result set_span(struct setup *s)
 {
     const struct frame *frame = s->frame;
     const struct map *map = s->material->map;
@@ -176,6 +192,7 @@ static void set_span(struct setup *s)
         s->span.map_width = map->width;
         s->span.map_height = map->height;
     }
+    return s->material->mapper == MAPPER_COLUMNS ? set_columns(s) : POLYGON_DRAWN;
 }
 
 /* Steps of the whole polygon, and starts on its left edges. */
@@ -298,7 +315,9 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_sides(&s);
     if (result != POLYGON_DRAWN)
         return result;
-    set_span(&s);
+    result = set_span(&s);
+    if (result != POLYGON_DRAWN)
+        return result;
     texturing.wraps = 0;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
