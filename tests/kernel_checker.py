@@ -211,7 +211,7 @@ def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list
 
 
 def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | str | None]:
-    """Calls all trials in one boot: results in their order.
+    """Calls all trials in a few boots: results in their order.
 
     A crash ends a boot: then it is sought among the trials of the routine that it was
     in, and by halves. Its trial gets the crash report instead of a result, and no other
@@ -242,7 +242,10 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
         for index, result in zip(part, called):
             results[index] = result
 
-    attempt(list(range(len(trials))))
+    done = 0
+    for batch in kernels.batches([trial.case for trial in trials]):
+        attempt(list(range(done, done + len(batch))))
+        done += len(batch)
     return results
 
 

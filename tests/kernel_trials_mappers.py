@@ -8,7 +8,7 @@ from kernel_checker import Memory, Trial
 from kernel_trials_edge import ONE
 from kernel_trials_span import (
     FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory, steps_text, table_trial, texture)
-from tools import model
+from tools import model_spans
 
 #: Maps of any size: columns, rows.
 SIZES = (1, 1), (1, 7), (7, 1), (3, 5), (100, 37), (255, 257), (320, 200), (1024, 1024)
@@ -117,9 +117,9 @@ def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
               for count in counts for _ in range(4)]
 
     def drawn(count: int, u: int, v: int) -> bytes:
-        return lying[far[2] + model.texel_generated(u, v, dudx, dvdx, count)].tobytes()
+        return lying[far[2] + model_spans.texel_generated(u, v, dudx, dvdx, count)].tobytes()
 
-    offsets = model.generated_offsets(dudx, dvdx, max(0, *counts))
+    offsets = model_spans.generated_offsets(dudx, dvdx, max(0, *counts))
     code = b"".join(b"\x13\x2a" + int(o & 0xFFFF).to_bytes(2, "big") for o in offsets[::-1])
     return table_trial("span_generated", "plain", starts, pitch, rng, upwards, far, drawn,
                        steps_text(dudx, dvdx), code + b"\x4e\xd3" if len(offsets) else b"",

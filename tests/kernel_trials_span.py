@@ -1,5 +1,7 @@
 """Trials of the span routines: every pixel against the texel of its own u and v."""
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -40,6 +42,20 @@ def picture_memory() -> tuple[Memory, int, int]:
     return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
 
 
+@dataclass(frozen=True)
+class Ground:
+    """What spans are drawn on and from: a far arena, where its frame and map begin, bytes
+    of a pixel; ``texels(u, v, dudx, dvdx, count)`` gives a span's pixels."""
+
+    memory: Memory
+    frame_at: int
+    map_at: int
+    texels: Callable[[int, int, int, int, int], np.ndarray]
+    pixel_bytes: int = 1
+    columns: dict[str, int] | None = None  # struct column_layout
+    name: str = ""
+
+
 def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
     """The pixels of a span."""
     n = np.arange(count, dtype=np.int64)
@@ -65,11 +81,11 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
 def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
                 upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
                 code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
-                **plan_values: int) -> Trial:
+                wide: int = 1, columns: dict[str, int] | None = None, **plan_values: int) -> Trial:
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``."""
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
     table = np.zeros(len(starts), shape.dtype)
@@ -82,9 +98,10 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         for field, value in (packed | dict(left=left, count=count)).items():
             table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
-        lines.append((count, u, v, frame_at + 64 + row * pitch + left - BIAS))
+        lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))
     memory = Memory(int(rng.integers(1 << 30)))
-    first_row = lines[0][3] - int(table["left"][0])
+    first_row = lines[0][3] - int(table["left"][0]) * wide
+    pitch *= wide
     near = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
     if code is not None:
         size = layout.load().constants["CODE_BYTES"]
@@ -94,6 +111,8 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         near["steps"] = memory.add(
             b"".join(shape_of_steps.pack(dudx=du, dvdx=dv) for du, dv in own_steps),
             name="steps", shape=shape_of_steps)
+    if columns:
+        near["columns"] = memory.struct("column_layout", {}, **columns)
     plan = add_span_plan(memory, near, dict(row=first_row, map=map_at), count=len(lines),
                          pitch=-pitch if upwards else pitch, **plan_values)
 
@@ -101,15 +120,16 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         if not far or not frame_at <= offset < frame_at + FRAME:
             return None
         index = min(range(len(lines)), key=lambda k: max(
-            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) + 1))
+            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) * wide + 1))
         count, u, v, at = lines[index]
         line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
         if count <= 0:
             return f"{line}: byte {offset - at}"
         if offset < at:
             return f"{line}: {at - offset} byte(s) before its start"
-        beyond = offset - at - count + 1
-        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else f"{line}: pixel {offset - at}"
+        beyond = offset - at - count * wide + 1
+        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
+            f"{line}: pixel {(offset - at) // wide}"
 
     writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else ())), far=True)
               for k, (count, u, v, at) in enumerate(lines) if count > 0]
@@ -120,8 +140,10 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
 
 
-def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool) -> Trial:
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
+               ground: Ground | None = None) -> Trial:
     """One table: every count at all four alignments, with a start of its own."""
+    ground = ground or Ground(*picture_memory(), texels)
     counts, pitch = size
     starts = []
     for count in (count for count in counts for _ in range(4)):
@@ -132,7 +154,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
 
     def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
         return bytes([colour & 255]) * count if kernel == "span_fill" else \
-            texels(u, v, dudx, dvdx, count).tobytes()
+            ground.texels(u, v, dudx, dvdx, count).tobytes()
 
     own_steps = None
     if kernel == "span_affine_scanline":
@@ -140,9 +162,9 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
                      for k in range(len(starts))]
     return table_trial(
         kernel, "addx" if "addx" in kernel or own_steps else "plain", starts, pitch, rng, upwards,
-        picture_memory(), drawn,
-        values(colour=colour) if kernel == "span_fill" else steps_text(dudx, dvdx),
-        own_steps=own_steps, dudx=dudx, dvdx=dvdx, colour=colour)
+        (ground.memory, ground.frame_at, ground.map_at), drawn,
+        ground.name + (values(colour=colour) if kernel == "span_fill" else steps_text(dudx, dvdx)),
+        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx, colour=colour)
 
 
 def steps_text(dudx: int, dvdx: int) -> str:

@@ -1,6 +1,8 @@
 """Every routine of src68k/math, edge and span, called on the emulated A1200 and held to
 its contract block and to a reference in Python."""
 
+from dataclasses import replace
+
 import kernel_checker
 import kernel_trials_edge
 import kernel_trials_mappers
@@ -8,6 +10,7 @@ import kernel_trials_math
 import kernel_trials_pixel
 import kernel_trials_scanline
 import kernel_trials_span
+import kernel_trials_tiled
 import pytest
 
 from tools import contracts, paths
@@ -16,7 +19,9 @@ from tools import contracts, paths
 IN_C = contracts.Contract(
     "span_affine_c", "c/span/affine.c", 1, "span_affine_swap in C", (), (),
     contracts.expand("d0-d1/a0-a1"), *[""] * 5)
-CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C]}
+COLUMNS_IN_C = replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
+                       summary="where a column map has its texels")
+CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C, COLUMNS_IN_C]}
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +31,7 @@ def called(request):
               if item.path == request.path and hasattr(item, "callspec")}
     trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
                                  kernel_trials_mappers, kernel_trials_pixel,
-                                 kernel_trials_scanline)
+                                 kernel_trials_scanline, kernel_trials_tiled)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

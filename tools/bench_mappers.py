@@ -4,7 +4,7 @@ import numpy as np
 
 from . import layout
 from .kernels import Arena, Case, Result
-from .model import texel_generated
+from .model_spans import texel_generated
 from .scanline import add_span_plan, pack
 
 DU, DV, DS = 0x18000, 0x14000, 0xA000  # texels and shades a pixel, 16.16

@@ -127,16 +127,20 @@ def plan(cases: list[Case]) -> bytes:
 
 
 def batches(cases: list[Case]) -> list[list[Case]]:
-    """The cases in runs whose images fit the guest's memory beside their arena."""
+    """The cases in runs whose images fit the guest's memory beside their arenas; equal
+    images are in a plan once."""
     runs: list[list[Case]] = []
-    room = 0
+    kept: dict[bytes, None] = {}
     for case in cases:
-        size = len(case.arena.data) + len(case.far.data)
-        if not runs or size > room:
+        images = [case.arena.image, case.far.image]
+        more = sum(len(image) for image in images if image not in kept)
+        if not runs or more > room:
             runs.append([])
-            room = BATCH_BYTES
+            kept.clear()
+            room, more = BATCH_BYTES, sum(map(len, images))
+        kept.update(dict.fromkeys(images))
         runs[-1].append(case)
-        room -= size
+        room -= more
     return runs
 
 

@@ -57,3 +57,15 @@ def from_rgb565(pixels: np.ndarray) -> np.ndarray:
     pixels = pixels.astype(int)
     return np.stack([widened(5)[pixels >> 11], widened(6)[pixels >> 5 & 63],
                      widened(5)[pixels & 31]], axis=-1)
+
+
+def texel_tiled(u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Where MAP_TILED has the texels of u and v, 16.16."""
+    x, y = u >> 16 & 255, v >> 16 & 255
+    return 2048 * (x // 8) + 8 * y + x % 8
+
+
+def texel_columns(u: np.ndarray, v: np.ndarray, width: int, height: int) -> np.ndarray:
+    """Where MAP_COLUMNS has the texels of u and v, 16.16; both sides repeat."""
+    x, y = (u >> 16) % width, (v >> 16) % height
+    return 4 * height * (x // 4) + 4 * y + x % 4

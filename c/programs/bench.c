@@ -8,6 +8,14 @@
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
+#include "texture/map.h"
+
+/* column_layout_make as a kernel: its arguments are in a plan, the result in count. */
+static void make_columns(struct span_plan *plan)
+{
+    plan->count = column_layout_make((struct column_layout *)plan->columns, plan->map_width,
+                                     plan->map_height);
+}
 
 static void nothing(void)
 {
@@ -16,6 +24,7 @@ static void nothing(void)
 /* Beside the assembly: what is written in C, and what costs nothing. */
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
+    {"column_layout_make", (void (*)(void))make_columns},
     {"nothing", nothing},
     {0, 0}
 };

@@ -58,6 +58,7 @@ pack_18 macro
         and.w   \1,d7
         or.w    d7,d4
         and.l   d6,d4
+        and.l   #~FRACTION,d4
         swap    \2                      ; vv:VV
         moveq   #0,d7
         move.w  \2,d7
