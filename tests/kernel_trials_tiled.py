@@ -86,8 +86,8 @@ def column_trials(kernel: str, texel: str, rng) -> list[Trial]:
     trials = []
     for size in SIZES:
         on = column_ground(*size, texel)
-        short = steps[::2] if size == SIZES[0] else some(steps, 3, rng)
-        long = some(steps, 12 if size == SIZES[0] else 2, rng)
+        short, long = (steps[::2], some(steps, 12, rng)) if size == SIZES[0] else \
+            (some(steps, 1, rng), some(steps, 1, rng)[2:])
         trials += trials_on(kernel, on, short, long, rng)
     return trials
 

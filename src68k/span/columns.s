@@ -144,7 +144,8 @@ columns_18_\1:
 ; formats: u, v 16.16, both wrap at the map's sides; 8-bit texels and pixels
 ; error:   pixel n shows texel (floor((u8 + n du8) / 8192), the same of v), where
 ;          u8 = floor(u / 8) and so on: u and v are cut to 13 fraction bits
-; cost:    bench row columns
+; cost:    bench row columns; maps of more than 65,536 texels 2 cycles a pixel more
+;          (frame and map in chip RAM 8)
 ;==============================================================================
         routine span_columns,a0
         column_span b,1
@@ -159,7 +160,8 @@ columns_18_\1:
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_columns
 ; error:   as span_columns
-; cost:    bench row columns_16
+; cost:    bench row columns_16; maps of more than 65,536 texels 2 cycles a pixel more
+;          (frame and map in chip RAM 8)
 ;==============================================================================
         routine span_columns_16,a0
         column_span w,2
