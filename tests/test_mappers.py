@@ -1,0 +1,68 @@
+"""Every mapper with every setting, from a scene file to the frame: bit for bit the model."""
+
+import itertools
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import model
+from tools.__main__ import main
+from tools.scene import compile_scene
+from tools.scene_file import SETTINGS
+
+HEAD = """\
+width = 96
+height = 64
+background = "#102030"
+[textures]
+full = {image = "noise.png"}
+odd = {image = "noise.png", width = 100, height = 37}
+high = {image = "noise.png", width = 64, height = 512}
+[materials]
+"""
+#: mapper: (what the material has besides, radius on the map)
+LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
+         "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
+         "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300)}
+MACHINES = {8: "a1200-fast", 16: "a1200"}
+
+
+def scene(bits: int) -> str:
+    """A frame for each mapper and combination of settings, polygons of 3 to 7 corners,
+    some larger than the frame."""
+    choices = {kind: names for kind, names in SETTINGS.items() if kind != "mapper"}
+    materials = objects = ""
+    mappers = ["columns"] if bits == 16 else LOOKS
+    for n, (mapper, *names) in enumerate(itertools.product(mappers, *choices.values())):
+        look, map_radius = LOOKS[mapper]
+        settings = dict(zip(choices, names)) | ({"mapper": mapper} if map_radius else {})
+        materials += f"m{n} = {{{look}" + "".join(f', {k} = "{v}"' for k, v in settings.items())
+        materials += "}\n"
+        sides = 3 if settings["gradients"] == "polygon" else 3 + n % 5
+        objects += (f'[[objects]]\nmaterial = "m{n}"\nsides = {sides}\nangle = {7 * n}\n'
+                    f"radius = {47.3 if n % 3 else 11.7}\nmap_radius = {map_radius}\n"
+                    f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n")
+    return f"frames = {n + 1}\nbits = {bits}\n" + HEAD + materials + objects
+
+
+@pytest.mark.parametrize("bits", [8, 16])
+def test_every_mapper_is_the_models(tmp_path, bits):
+    noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
+    Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
+    (tmp_path / "all.toml").write_text(scene(bits))
+    made, out = compile_scene(tmp_path / "all.toml"), tmp_path / "out"
+    assert main(["run", str(tmp_path / "all.toml"), "-o", str(out),
+                 "--machine", MACHINES[bits]]) == 0
+    wrong = []
+    for number, obj in enumerate(made.objects):
+        found = np.fromfile(out / f"frame_{number:03}.chunky", ">u2" if bits == 16 else np.uint8)
+        differing = np.count_nonzero(found != model.render(made, number).reshape(-1))
+        if differing:
+            wrong.append(f"frame {number}: {differing} pixels, {made.materials[obj.material]}")
+    assert not wrong, "\n".join(wrong)
+    about = json.loads((out / "run.json").read_text())
+    assert about["pixel_bytes"] == bits // 8
+    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else set(LOOKS))
+    assert all(frame["pixels"] > 100 for frame in about["frames"])
