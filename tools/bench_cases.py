@@ -60,7 +60,8 @@ def span_case(kernel: str, form: str, length: int):
     frame_at = far.add(bytes(pitch * lines))
     plan_at = arena.struct(
         "span_plan", dict(lines=table_at),
-        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch, dudx=DU, dvdx=DV, colour=0x5C)
+        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch,
+        dudx=DU, dvdx=DV, colour=0x5C, map_width=0, map_height=0, columns=0, code=0)
     expected = np.zeros((lines, pitch), np.uint8)
     n = np.arange(length)
     for k, (u, v) in enumerate(starts):
