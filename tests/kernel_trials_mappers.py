@@ -119,7 +119,7 @@ def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
     def drawn(count: int, u: int, v: int) -> bytes:
         return lying[far[2] + model_spans.texel_generated(u, v, dudx, dvdx, count)].tobytes()
 
-    offsets = model_spans.generated_offsets(dudx, dvdx, max(0, *counts))
+    offsets = model_spans.generated_offsets(dudx, dvdx, -(-max(0, *counts) // 8) * 8)
     code = b"".join(b"\x13\x2a" + int(o & 0xFFFF).to_bytes(2, "big") for o in offsets[::-1])
     return table_trial("span_generated", "plain", starts, pitch, rng, upwards, far, drawn,
                        steps_text(dudx, dvdx), code + b"\x4e\xd3" if len(offsets) else b"",

@@ -3,7 +3,6 @@
         include "span.i"
         include "amiga.i"
 
-LENGTH_MAX      equ     (CODE_BYTES-4)/4
 TO_PIXEL        equ     $132a           ; move.b d16(a2),-(a1)
 RETURN          equ     $4ed3           ; jmp (a3)
 
@@ -15,8 +14,8 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start1 = UU, start2 = VVvv), the map with its
 ;          margins (MAP_MARGINS, texel (0, 0) at a multiple of 65536)
-; writes:  the pixels of the lines; the last 4 bytes of the code for each pixel of
-;          the longest line and the 2 behind them
+; writes:  the pixels of the lines; of the code, 4 bytes for each pixel of the longest
+;          line (their number rounded up to a multiple of 8), and 2 behind them
 ; formats: u, v 16.16, both wrap at 256; lines of 1024 pixels at most
 ; error:   less than 1 texel in u and v: the fractions of the line's start are
 ;          dropped. Pixel n is fetched 256 floor(n dvdx) + floor(n dudx) bytes,
@@ -75,12 +74,15 @@ RETURN          equ     $4ed3           ; jmp (a3)
         move.w  #RETURN,(a1)
         move.l  #TO_PIXEL<<16,d4
         subq.w  #1,d7
-.write  move.l  d4,-(a1)
+        lsr.w   #3,d7
+.write  rept    8
+        move.l  d4,-(a1)
         add.l   d5,d1
         subx.w  d0,d0                   ; uu:-1 after v's carry
         and.w   d2,d0
         addx.l  d3,d0
         addx.w  d0,d4
+        endr
         dbra    d7,.write
         movea.l 4.w,a6
         lvo     CacheClearU
