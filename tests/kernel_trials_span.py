@@ -17,6 +17,8 @@ FRAME = 65024
 #: Pixels of the lines and bytes from line to line: room for a guard between lines.
 SHORT = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41)), 128
 LONG = (0, 48, 49, 63, 64, 65, 80, 127, 128, 255, 256, 257, 320, 1024), 1152
+#: As LONG, for two bytes a pixel in the same frame.
+LONG_WIDE = (0, 48, 63, 64, 65, 257, 1024), LONG[1]
 STEPS = (0, 1, -1, ONE, -ONE, 0x18000, -0x18000, 128 * ONE - 1, -128 * ONE + 1)
 #: Pairs (dudx, dvdx) that the grid of STEPS leaves out: negative dvdx with an integer
 #: dudx and a low byte, or none; slopes that a byte can just hold, or not.
@@ -144,6 +146,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
                ground: Ground | None = None) -> Trial:
     """One table: every count at all four alignments, with a start of its own."""
     ground = ground or Ground(*picture_memory(), texels)
+    is_fill = kernel.startswith("span_fill")
     counts, pitch = size
     starts = []
     for count in (count for count in counts for _ in range(4)):
@@ -153,7 +156,8 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         starts.append((count, u, v))
 
     def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
-        return bytes([colour & 255]) * count if kernel == "span_fill" else \
+        wide = ground.pixel_bytes
+        return (colour & (1 << 8 * wide) - 1).to_bytes(wide, "big") * count if is_fill else \
             ground.texels(u, v, dudx, dvdx, count).tobytes()
 
     own_steps = None
@@ -163,7 +167,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     return table_trial(
         kernel, "addx" if "addx" in kernel or own_steps else "plain", starts, pitch, rng, upwards,
         (ground.memory, ground.frame_at, ground.map_at), drawn,
-        ground.name + (values(colour=colour) if kernel == "span_fill" else steps_text(dudx, dvdx)),
+        ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
         own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx, colour=colour)
 
 
@@ -174,9 +178,11 @@ def steps_text(dudx: int, dvdx: int) -> str:
 
 def span_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds on short lines, some of them on long ones."""
-    if kernel == "span_fill":
-        return [span_trial(kernel, 0, 0, colour, size, rng, upwards)
-                for colour in COLOURS for size in (SHORT, LONG) for upwards in (False, True)]
+    if kernel.startswith("span_fill"):
+        wide = kernel == "span_fill_16"
+        ground = Ground(*picture_memory(), texels, 1 + wide)
+        return [span_trial(kernel, 0, 0, colour, size, rng, upwards, ground) for colour in COLOURS
+                for size in (SHORT, LONG_WIDE if wide else LONG) for upwards in (False, True)]
     steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
     steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
     steps += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
@@ -191,6 +197,6 @@ def span_trials(kernel: str, rng) -> list[Trial]:
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
-             "span_affine_c", "span_affine_scanline")
+             "span_affine_c", "span_affine_scanline", "span_fill_16")
     return [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]

@@ -6,7 +6,7 @@ import numpy as np
 
 from kernel_checker import Memory, Trial, Write
 from kernel_trials_edge import ONE
-from kernel_trials_span import FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, Ground, span_trial, \
+from kernel_trials_span import FRAME, LONG, LONG_WIDE, MAP_ALIGN, PAIRS, SHORT, STEPS, Ground, span_trial, \
     texels, texture
 from tools import layout, maps
 from tools.kernels import Case
@@ -15,8 +15,6 @@ from tools.scanline import add_span_plan
 #: Of column maps: many trials for the first, some for the others.
 SIZES = ((256, 256), (8, 8), (64, 32), (8, 512), (512, 8), (128, 512), (512, 512), (1024, 256),
          (2048, 128), (8, 32768), (32768, 8), (8, 16384), (16384, 8))
-#: As LONG, for two bytes a pixel in the same frame.
-LONG_WIDE = (0, 48, 63, 64, 65, 257, 1024), LONG[1]
 
 
 @cache

@@ -30,6 +30,7 @@ static const struct {
     void (*span)(const struct span_plan *plan);
 } routines[SPAN_KINDS] = {
     [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
+    [SPAN_FILL_16] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_16},
     [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
     [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
                                span_affine_addx_wrap},
@@ -95,7 +96,7 @@ static enum span_kind kind_of(const struct material *material, const struct fram
     case MAPPER_GENERATED:
         return SPAN_GENERATED;
     default:
-        return SPAN_FILL;
+        return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
     }
 }
 
@@ -184,7 +185,9 @@ static enum polygon_result set_map(struct setup *s)
     const struct map *map = s->material->map;
     enum mapper mapper = s->material->mapper;
 
-    if (mapper == MAPPER_FLAT || mapper == MAPPER_GOURAUD)
+    if (mapper == MAPPER_GOURAUD)
+        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
+    if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
     if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes)
         return POLYGON_WRONG_MAP;

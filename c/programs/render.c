@@ -17,8 +17,13 @@
 #define FRAME_LIMIT 650
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline", "affine_swap",
-    "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated"
+    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline",
+    "affine_swap", "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated"
+};
+
+static const char *const why_refused[] = {
+    "", "", "fewer than 3 or more than 64 vertices", "a vertex is out of range",
+    "gradients polygon are for triangles", "its mapper cannot draw its map or this frame"
 };
 
 static int32 fail(const char *why)
@@ -90,13 +95,20 @@ static int32 render(const struct scene *scene, const struct frame *frame, int32 
     for (int32 number = 0; number < frames; number++) {
         struct draw_counts counts = {0};
         char name[20];
+        enum polygon_result refused;
         uint32 ticks;
 
         quiet_enter();
         clock_start(FRAME_LIMIT);
-        scene_draw(scene, frame, number, form, 0);
+        refused = scene_draw(scene, frame, number, form, 0);
         ticks = clock_stop();
         quiet_leave();
+        if (refused != POLYGON_DRAWN) {
+            text_add("frame ");
+            text_number(number);
+            text_refuse(": a polygon cannot be drawn", why_refused[refused]);
+            return RETURN_FAIL;
+        }
         if (count)                      /* again, since counting takes time */
             scene_draw(scene, frame, number, form, &counts);
         if (guards_broken(frame)) {

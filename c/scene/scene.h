@@ -24,8 +24,9 @@ int32 scene_make_maps(struct scene *scene, int32 kind);
    naming file and field and returns 0 where something is wrong. */
 int32 scene_load(struct scene *scene, const char *name, int32 kind);
 
-/* Draws one frame over the background. counts may be 0. */
-void scene_draw(const struct scene *scene, const struct frame *frame, int32 number,
-                enum form form, struct draw_counts *counts);
+/* Draws one frame over the background; returns why a polygon was refused, or
+   POLYGON_DRAWN. counts may be 0. */
+enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
+                               int32 number, enum form form, struct draw_counts *counts);
 
 #endif

@@ -3,18 +3,6 @@
 #include "polygon/plane.h"
 #include "span/scanline.h"
 
-static void clear_16(const struct frame *frame, uint32 colour)
-{
-    uint32 both = colour << 16 | colour;
-
-    for (int32 y = 0; y < frame->height; y++) {
-        uint32 *to = (uint32 *)(frame->pixels + y * frame->pitch);
-
-        for (int32 pairs = frame->width >> 1; pairs > 0; pairs--)
-            *to++ = both;
-    }
-}
-
 /* The background is a span of the whole width on every line. */
 static void clear(const struct frame *frame, uint32 colour)
 {
@@ -27,10 +15,13 @@ static void clear(const struct frame *frame, uint32 colour)
     }
     plan.lines = lines;
     plan.count = frame->height;
-    plan.row = frame->pixels - EDGE_BIAS;
+    plan.row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     plan.pitch = frame->pitch;
     plan.colour = colour;
-    span_fill(&plan);
+    if (frame->pixel_bytes == 2)
+        span_fill_16(&plan);
+    else
+        span_fill(&plan);
 }
 
 /* Whether a pose only moves. */
@@ -57,24 +48,26 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
     }
 }
 
-void scene_draw(const struct scene *scene, const struct frame *frame, int32 number,
-                enum form form, struct draw_counts *counts)
+enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
+                               int32 number, enum form form, struct draw_counts *counts)
 {
+    enum polygon_result refused = POLYGON_DRAWN;
     const struct scene_object *object = scene->objects;
     struct vertex vertices[POLYGON_VERTICES_MAX];
 
-    if (frame->pixel_bytes == 2)
-        clear_16(frame, scene->header->background);
-    else
-        clear(frame, scene->header->background);
+    clear(frame, scene->header->background);
     for (uint32 i = 0; i < scene->header->objects; i++, object++) {
         uint32 age = (uint32)number - object->first_frame;
+        enum polygon_result result;
 
         if ((uint32)number < object->first_frame || age >= object->poses)
             continue;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
               &scene->poses[object->pose + age]);
-        polygon_draw(frame, vertices, (int32)object->vertices,
-                     &scene->drawn[object->material], form, counts);
+        result = polygon_draw(frame, vertices, (int32)object->vertices,
+                              &scene->drawn[object->material], form, counts);
+        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+            refused = result;
     }
+    return refused;
 }

@@ -119,6 +119,7 @@ void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);
 void span_fill(const struct span_plan *plan);
+void span_fill_16(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
 void span_affine_scanline(const struct span_plan *plan);

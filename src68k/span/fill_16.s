@@ -1,0 +1,62 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; span_fill_16 - draws a scanline table in one colour of two bytes
+;
+; in:      a0  span_plan*  the table, the frame, the colour
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and count of its lines
+; writes:  the pixels of the lines, nothing else
+; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
+; error:   none
+; cost:    bench row fill_16
+;==============================================================================
+; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
+
+        routine span_fill_16,a0
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l span_plan_lines(a0),a1
+        move.l  span_plan_count(a0),d7
+        movea.l span_plan_row(a0),a6
+        movea.l span_plan_pitch(a0),a5
+        move.w  span_plan_colour+2(a0),d0
+        move.w  d0,d1
+        swap    d0
+        move.w  d1,d0                   ; two pixels
+        lea     .longwords_end(pc),a3
+        moveq   #scanline_sizeof-6,d6
+        moveq   #15,d5
+        subq.l  #1,d7
+.line   move.l  (a1)+,d2                ; --:left
+        lea     (a6,d2.w*2),a0
+        move.w  (a1)+,d2
+        ble.s   .next
+        move.w  a0,d3
+        btst    #1,d3
+        beq.s   .aligned
+        move.w  d0,(a0)+
+        subq.w  #1,d2
+.aligned
+        move.w  d2,d3
+        lsr.w   #1,d3                   ; longwords
+        move.w  d3,d4
+        and.w   d5,d4
+        neg.w   d4                      ; 2 bytes of code a longword
+        lsr.w   #4,d3
+        jmp     (a3,d4.w*2)
+.longwords
+        rept    16
+        move.l  d0,(a0)+
+        endr
+.longwords_end
+        dbra    d3,.longwords
+        btst    #0,d2
+        beq.s   .next
+        move.w  d0,(a0)+
+.next   adda.l  d6,a1
+        adda.l  a5,a6
+        dbra    d7,.line
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
