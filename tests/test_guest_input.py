@@ -6,7 +6,6 @@ Everything runs in two boots. Scene files are named s0, s1, ..., plans p0, p1, .
 import zlib
 
 import numpy as np
-import pytest
 
 from tools import emulator, kernels, layout, scene_file
 from tools.kernels import Case
@@ -272,8 +271,10 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
     (tmp_path / "volume" / "frame_001.chunky").mkdir(parents=True)
     results = emulator.run_many(good + list(said), files, "a1200", tmp_path)
     for command, result in zip(good, results):
-        assert result.code == 0, f"{command}: {result.output}"
-    pixels = [result.output.split("polygons")[1].split() for result in results[:3 * len(scenes)]]
+        left_out = "render: not all could be drawn: a vertex is out of range\n" in result.output
+        assert result.code == 5 * left_out, f"{command}: {result.output}"
+    lines = [result.output.splitlines()[0] for result in results[:3 * len(scenes)]]
+    pixels = [line.split("polygons")[1].split() for line in lines]
     totals = [(count, sum(map(int, spans[1::2]))) for count, *spans in pixels]
     for number, name in enumerate(scenes):
         assert len(set(totals[3 * number:3 * number + 3])) == 1, f"{name}: {totals}"

@@ -4,6 +4,7 @@
 The guest itself checks the guard bands round the frame (4,096 bytes each side).
 """
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -16,28 +17,41 @@ from tools.paths import BUILD
 
 #: seed: (polygons, width, height)
 SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
-RUNS = [("addx", "a1200-fast", 1), ("addx", "a1200-fast", 2), ("swap", "a1200-fast", 1),
-        ("swap", "a1200-fast", 2), ("addx", "a1200", 2), ("c", "a1200-fast", 2)]
+USUAL = model.Settings()
+EXACT = model.Settings("exact")
+RUNS = [("addx", "a1200-fast", 1, USUAL), ("addx", "a1200-fast", 2, USUAL),
+        ("swap", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
+        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL),
+        ("addx", "a1200-fast", 1, EXACT), ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices"))]
+
+
+def called(run: tuple) -> str:
+    """A run's name in the tests' names."""
+    form, machine, seed, settings = run
+    return f"{form}-{machine}-{seed}-{settings.edges}-{settings.clip}"
 
 
 @cache
-def scene(seed: int) -> scene_file.Scene:
+def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
     """The scene of a seed."""
-    return random_polygons.scene(seed, *SCENES[seed])
+    made = random_polygons.scene(seed, *SCENES[seed])
+    made.materials = [replace(m, edges=settings.edges, clip=settings.clip) for m in made.materials]
+    return made
 
 
 @cache
-def expected(seed: int) -> list[np.ndarray]:
+def expected(seed: int, settings: model.Settings) -> list[np.ndarray]:
     """The model's frames of a seed."""
-    return [model.render(scene(seed), k) for k in range(scene(seed).frames)]
+    this = scene(seed, settings)
+    return [model.render(this, k) for k in range(this.frames)]
 
 
-def explain(seed: int, number: int, found: np.ndarray, again: str) -> str:
+def explain(seed: int, settings: model.Settings, number: int, found: np.ndarray, again: str) -> str:
     """All a person needs to find the cause of one wrong frame."""
-    this, right = scene(seed), expected(seed)[number]
+    this, right = scene(seed, settings), expected(seed, settings)[number]
     y, x = np.argwhere(right != found)[0]
     vertices = scene_file.vertices_at(this, this.objects[number], number)
-    polygon = model.set_up(vertices, this.width, this.height, True)
+    polygon = model.set_up(vertices, this.width, this.height, True, settings)
     picture = BUILD / "failed" / f"polygon_{seed}_{number}.png"
     picture.parent.mkdir(parents=True, exist_ok=True)
     both = Frame(right, this.palette), Frame(found, this.palette)
@@ -57,22 +71,24 @@ def explain(seed: int, number: int, found: np.ndarray, again: str) -> str:
                       f"  again: {again}"])
 
 
-@pytest.mark.parametrize("form, machine, seed", RUNS)
-def test_every_polygon_is_the_models(form: str, machine: str, seed: int) -> None:
+@pytest.mark.parametrize("run", RUNS, ids=called)
+def test_every_polygon_is_the_models(run: tuple) -> None:
     """No byte differs, none outside the frame is touched, whatever the form."""
-    this = scene(seed)
+    form, machine, seed, settings = run
+    this = scene(seed, settings)
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}",
                             {"input.scene": scene_file.write(this)}, machine, directory)
         assert done.code == 0, done.output.splitlines()[-1]
         wrong = []
-        for number, right in enumerate(expected(seed)):
+        for number, right in enumerate(expected(seed, settings)):
             found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
             if not np.array_equal(found, right.reshape(-1)):
                 wrong.append((number, found.reshape(right.shape)))
     again = (".deps/venv/bin/python -m pytest -q 'tests/test_polygons.py::"
-             f"test_every_polygon_is_the_models[{form}-{machine}-{seed}]'")
-    assert not wrong, f"{len(wrong)} polygons are wrong\n" + explain(seed, *wrong[0], again)
+             f"test_every_polygon_is_the_models[{called(run)}]'")
+    assert not wrong, (f"{len(wrong)} polygons are wrong\n"
+                       + explain(seed, settings, *wrong[0], again))
 
 
 @pytest.mark.parametrize("seed", SCENES)
@@ -90,6 +106,21 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
     # The scene is what it claims to be: much is drawn, and the bounds are nearly reached.
     assert worst.pixels > 1_000_000
     assert worst.edge_ratio > 0.9 and worst.texel_ratio > 0.9
+
+
+@pytest.mark.parametrize("seed", SCENES)
+def test_exact_edges_make_no_coverage_error(seed: int) -> None:
+    """However long, thin or steep: every pixel is the rational polygon's."""
+    this, worst = scene(seed), ideal.Deviation()
+    for number, obj in enumerate(this.objects):
+        vertices = scene_file.vertices_at(this, obj, number)
+        polygon = model.set_up(vertices, this.width, this.height, True, EXACT)
+        if polygon:
+            found = ideal.deviation(vertices, polygon, this.width)
+            assert not found.coverage_errors and found.texel_ratio <= 1, (
+                f"seed {seed}, polygon {number}: {found}, vertices {vertices}")
+            worst.merge(found)
+    assert worst.pixels > 1_000_000
 
 
 def test_scenes_hold_what_they_promise() -> None:

@@ -52,14 +52,15 @@ def accuracy(args: argparse.Namespace) -> int:
     """Measures what accuracy costs."""
     build_programs()
     from . import accuracy as tool
-    return tool.command(args.out or BUILD / "accuracy", args.set, args.machine)
+    return tool.command(args.out or BUILD / "accuracy", args.set, args.machine,
+                        args.accept)
 
 
 def polys(args: argparse.Namespace) -> int:
     """Measures polygons a second."""
     build_programs()
     from . import polys as tool
-    return tool.command(args.out or BUILD / "polys", args.machine)
+    return tool.command(args.out or BUILD / "polys", args.machine, args.accept)
 
 
 def readme(args: argparse.Namespace) -> int:
@@ -88,8 +89,9 @@ def parser() -> Parser:
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR",
                          help="where to (build/run/SCENE); results of an earlier run are replaced")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
-                         help="chip RAM only, or 8 MB of fast RAM besides (a1200-fast)")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-030"),
+                         default="a1200-fast", help="chip RAM only; 8 MB of fast RAM besides "
+                         "(a1200-fast); that and a 68EC030 at the same clock")
     command.add_argument("--frames", type=int, metavar="N",
                          help="how many, from the first (as the scene says)")
     command.add_argument("--form", choices=FORMS, default=FORMS[0],
@@ -110,10 +112,14 @@ def parser() -> Parser:
     command.add_argument("--set", action="append", metavar="NAME",
                          help="one set of polygons (small, medium, large, thin, steep); "
                               "may be given several times")
+    command.add_argument("--accept", action="store_true",
+                         help="make the medium set the committed baseline")
 
     command = add(polys, "Count polygons a second, as fatmap2's test program does.")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/polys)")
     command.add_argument("--machine", **machines)
+    command.add_argument("--accept", action="store_true",
+                         help="make the result the committed baseline")
 
     add(readme, "Bring the tables of the README up to date.")
 

@@ -10,16 +10,13 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 
 from . import emulator, ideal, model, polygon_sets, provenance
 from .errors import UserError
 from .model import Settings
+from .paths import ACCURACY_BASELINE
 from .scene_file import MAPPER_LAYOUT, Material, Object, Scene, Texture, write
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 CYCLES_PER_TICK = 20
 IDENTITY = (65536, 0, 0, 65536, 0, 0)
@@ -216,86 +213,26 @@ def report(found: dict) -> str:
     return text
 
 
-LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
-MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v"}
+def as_json(found: dict) -> str:
+    """JSON with a row a line."""
+    head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
+    rows = ",\n  ".join(map(json.dumps, found["rows"]))
+    return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'
 
 
-def plot(rows: list[dict], path: Path) -> None:
-    """Error against cycles of the texture mappers, a panel a set, the frontier drawn."""
-    machine = rows[-1]["machine"]
-    names = list(dict.fromkeys(r["name"] for r in rows))
-    figure, panels = plt.subplots(1, len(names), figsize=(4 * len(names), 4.2), sharey=True,
-                                  layout="constrained", squeeze=False)
-    for axes, name in zip(panels[0], names):
-        chosen = [r for r in rows if r["name"] == name and r["machine"] == machine
-                  and r["mapper"] in MARKS]
-        for mapper, mark in MARKS.items():
-            some = [r for r in chosen if r["mapper"] == mapper]
-            axes.scatter([r["cycles_per_polygon"] for r in some],
-                         [max(r["texel_error_rms"], LEAST) for r in some], marker=mark, s=28,
-                         alpha=0.75, label=mapper)
-        best = sorted((r for r in chosen if r["frontier"]), key=lambda r: r["cycles_per_polygon"])
-        axes.plot([r["cycles_per_polygon"] for r in best],
-                  [max(r["texel_error_rms"], LEAST) for r in best], "k--", lw=1, label="frontier")
-        axes.set_yscale("log")
-        axes.set_title(f"{name}")
-        axes.set_xlabel("cycles a polygon")
-        axes.grid(alpha=0.3)
-    panels[0][0].set_ylabel(f"rms error, texels ({machine})")
-    panels[0][0].legend(fontsize=8)
-    figure.savefig(path, dpi=110)
-    plt.close(figure)
+#: The set whose rows are kept beside the bench's baseline, for README and tests.
+BASELINE_SET = "medium"
 
 
-#: What the swimming picture shows side by side.
-SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
-            Settings("subpixel", "plane", "truncated", mapper="affine"),
-            Settings("exact", "plane", "subtexel", mapper="affine"))
-SWIM_FRAMES = 24
-SWIM_SIDE = 64  # pixels of a panel
-
-
-def swimming_scene() -> Scene:
-    """A small triangle that moves an eighth of a pixel a frame, under three settings."""
-    texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
-    objects, materials, poses = [], [], []
-    corners = [(6, 4, 0, 0, 0), (52, 22, 92, 36, 0), (17, 56, 22, 104, 0)]
-    vertices = [tuple(c << 16 for c in corner) for corner in corners]
-    for number, s in enumerate(SWIMMERS):
-        materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))
-        objects.append(Object(number, 0, 3, len(poses), SWIM_FRAMES, 0))
-        poses += [(65536, 0, 0, 65536, (number * SWIM_SIDE << 16) + k * 8192, k * 4096)
-                  for k in range(SWIM_FRAMES)]
-    grey = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, 1)
-    return Scene(3 * SWIM_SIDE, SWIM_SIDE, SWIM_FRAMES, 96, grey,
-                 [Texture(texture.astype(np.uint8), "page")], materials, objects,
-                 np.array(vertices), np.array(poses))
-
-
-def write_swimming(out: Path) -> None:
-    """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
-    from PIL import Image
-
-    from .run import render
-
-    scene = swimming_scene()
-    frames, _ = render(scene, MACHINES[-1], "addx")
-    pictures = []
-    for frame in frames:
-        big = np.kron(frame, np.ones((5, 5), np.uint8))
-        big[:, 5 * SWIM_SIDE::5 * SWIM_SIDE] = 255
-        pictures.append(Image.fromarray(big))
-    pictures[0].save(out / "swimming.gif", save_all=True, append_images=pictures[1:],
-                     duration=120, loop=0)
-    strip = np.concatenate([np.asarray(p) for p in pictures[::SWIM_FRAMES // 3][:3]])
-    Image.fromarray(strip).save(out / "swimming.png")
-
-
-def command(out: str, names: list[str] | None, machine: str | None) -> int:
+def command(out: str, names: list[str] | None, machine: str | None, accept: bool) -> int:
     """``tmap accuracy``: measures, writes the report into ``out``, prints a table."""
     from rich.progress import Progress
 
+    from . import accuracy_pictures as pictures
+
     folder = Path(out)
+    if accept and (machine or names):
+        raise UserError("accuracy: --accept needs all machines and all sets")
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
     unknown = set(names or ()) - polygon_sets.SHAPES.keys()
@@ -311,10 +248,15 @@ def command(out: str, names: list[str] | None, machine: str | None) -> int:
         "conditions": f"{polygon_sets.COUNT} triangles a set; cycles with set-up, DMA and "
                       "interrupts off; texel error: the larger of u's and v's.", "rows": rows}
     folder.mkdir(parents=True, exist_ok=True)
-    plot(rows, folder / "accuracy.png")
-    write_swimming(folder)
+    pictures.plot(rows, folder / "accuracy.png")
+    pictures.write_swimming(folder)
+    pictures.write_mappers(folder)
     (folder / "accuracy.md").write_text(report(found))
-    (folder / "accuracy.json").write_text(json.dumps(found, indent=1) + "\n")
+    (folder / "accuracy.json").write_text(as_json(found))
     print(table(rows, names[min(1, len(names) - 1)], machines[-1]))
-    print(f"written to {out}: accuracy.json, accuracy.md, accuracy.png, swimming.gif, swimming.png")
+    if accept:
+        kept = [r for r in rows if r["name"] == BASELINE_SET]
+        ACCURACY_BASELINE.write_text(as_json(found | {"rows": kept}))
+    print(f"written to {out}: accuracy.json, accuracy.md, accuracy.png, "
+          "mappers.png, swimming.gif, swimming.png")
     return 0

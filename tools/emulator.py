@@ -24,6 +24,12 @@ from .paths import PROGRAMS
 MACHINES = {
     "a1200": {},
     "a1200-fast": {"fast_memory": "8192"},
+    # A 68EC030 at the same clock, for its data cache.
+    "a1200-030": {"fast_memory": "8192", "cpu": "68EC030", "uae_cpu_model": "68030",
+                  "uae_mmu_model": "0", "uae_cpu_24bit_addressing": "true",
+                  "uae_cpu_compatible": "true", "uae_cpu_cycle_exact": "true",
+                  "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
+                  "uae_cpu_speed": "real"},
 }
 OPTIONS = {
     "amiga_model": "A1200",

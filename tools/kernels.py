@@ -131,6 +131,7 @@ def batches(cases: list[Case]) -> list[list[Case]]:
     images are in a plan once."""
     runs: list[list[Case]] = []
     kept: dict[bytes, None] = {}
+    room = 0
     for case in cases:
         images = [case.arena.image, case.far.image]
         more = sum(len(image) for image in images if image not in kept)

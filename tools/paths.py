@@ -8,3 +8,5 @@ PROGRAMS = BUILD / "programs"
 LAYOUT = BUILD / "gen" / "layout.json"
 SCENES = ROOT / "tests" / "scenes"
 BASELINE = ROOT / "tests" / "baseline" / "bench.json"
+ACCURACY_BASELINE = ROOT / "tests" / "baseline" / "accuracy.json"  # the medium set
+POLYS_BASELINE = ROOT / "tests" / "baseline" / "polys.json"

@@ -4,18 +4,19 @@ Random triangles with x in 0..320, y in 0..200 and texture coordinates anywhere 
 (Mats Byggmastar, fatmap2, 1997, section "Polygons per second", Pentium 120).
 """
 
-import json
 from pathlib import Path
 
 import numpy as np
 
 from . import emulator, model, polygon_sets, provenance
-from .accuracy import CYCLES_PER_TICK, IDENTITY, MACHINES, picture
+from .accuracy import CYCLES_PER_TICK, IDENTITY, MACHINES, as_json, picture
 from .errors import UserError
+from .paths import POLYS_BASELINE
 from .run import CLOCK_HZ
 from .scene_file import MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
 TRIANGLES = 200
+M68030 = "a1200-030"
 #: Row to (mapper, thousand cycles a polygon on the Pentium 120).
 ROWS = {"flat": ("flat", 34.3), "gouraud": ("gouraud", 64.9), "texture": ("affine", 98.8),
         "arbitrary": ("arbitrary", 100.3), "tiled": ("tiled", 78.9)}
@@ -39,12 +40,13 @@ def scene() -> Scene:
                  materials, objects, np.array(vertices), np.array([IDENTITY]))
 
 
-def measure(machine: str) -> list[dict]:
-    """The rows of a machine; every frame is checked against the model."""
+def measure(machine: str, cache: bool = False) -> list[dict]:
+    """The rows of a machine, ``cache``: with a data cache; every frame is checked against
+    the model."""
     this = scene()
     with emulator.workspace() as directory:
-        done = emulator.run("render", "input.scene", {"input.scene": write(this)}, machine,
-                            directory)
+        done = emulator.run("render", "input.scene" + " DCACHE" * cache,
+                            {"input.scene": write(this)}, machine, directory)
         if done.code:
             raise UserError(f"polys: {emulator.last_words(done.output)}")
         for number in range(this.frames):
@@ -55,7 +57,7 @@ def measure(machine: str) -> list[dict]:
     rows = []
     for (name, (_, pentium)), t in zip(ROWS.items(), ticks[1:]):
         each = (t - ticks[0]) * CYCLES_PER_TICK / TRIANGLES
-        rows.append({"name": name, "machine": machine,
+        rows.append({"name": name, "machine": machine + ", data cache" * cache,
                      "polygons_per_second": round(CLOCK_HZ / each, 1),
                      "kilocycles_per_polygon": round(each / 1000, 2),
                      "pentium_kilocycles": pentium})
@@ -74,19 +76,27 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def command(out: str, machine: str | None) -> int:
+def command(out: str, machine: str | None, accept: bool) -> int:
     """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
     folder = Path(out)
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
+    if accept and machine:
+        raise UserError("polys: --accept needs all machines")
     rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
+    cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
     found = provenance.record() | {
         "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
-                      "plane gradients, sub-texel starts; DMA and interrupts off", "rows": rows}
+                      "plane gradients, sub-texel starts; DMA and interrupts off",
+        "rows_68030": cached, "rows": rows}
     folder.mkdir(parents=True, exist_ok=True)
+    text = table(rows) + ("\nA 68EC030 at the same clock, without and with its data cache:\n\n"
+                          + table(cached) if cached else "")
     (folder / "polys.md").write_text("# Polygons a second\n\n" + found["conditions"] + ".\n\n"
-                                     + table(rows))
-    (folder / "polys.json").write_text(json.dumps(found, indent=1) + "\n")
-    print(table(rows))
+                                     + text)
+    (folder / "polys.json").write_text(as_json(found))
+    if accept:
+        POLYS_BASELINE.write_text(as_json(found))
+    print(text)
     print(f"written to {out}: polys.json, polys.md")
     return 0

@@ -1,19 +1,19 @@
-"""``tmap readme``: writes the README's table and picture, so that nobody types them.
+"""``tmap readme``: writes the README's tables and picture, so that nobody types them.
 
-The table stands between two marker lines; its figures are the baseline's.
+Each table stands between two marker lines; its figures are the committed baselines'.
 """
 
 import json
 
 from PIL import Image
 
-from . import bench, emulator, run, scene, scene_file
+from . import bench, emulator, polys, run, scene, scene_file
 from .errors import UserError
-from .paths import BASELINE, ROOT, SCENES
+from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
 README = ROOT / "README.md"
 PICTURE = SCENES / "default.png"
-BEGIN, END = "<!-- addx against swap: written by scripts/tmap readme -->", "<!-- end -->"
+BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
 MACHINES = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
 #: What is compared: title, name with {} for the form, length.
 LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 1024),
@@ -38,12 +38,47 @@ def table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
-def with_table(text: str, baseline: dict) -> str:
-    """The README's text with the table of a baseline."""
-    if BEGIN not in text or END not in text:
-        raise UserError(f"README.md: the lines {BEGIN!r} and {END!r} are not there")
-    head, rest = text.split(BEGIN, 1)
-    return f"{head}{BEGIN}\n{table(baseline)}\n{END}{rest.split(END, 1)[1]}"
+#: What accuracy costs: edges, gradients, start, mapper of the table's lines.
+ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
+                  ("subpixel", "polygon", "truncated", "affine"),
+                  ("subpixel", "polygon", "subtexel", "affine"),
+                  ("subpixel", "plane", "subtexel", "affine"),
+                  ("exact", "plane", "subtexel", "affine"),
+                  ("exact", "scanline", "subtexel", "affine"),
+                  *(("exact", "plane", "subtexel", mapper) for mapper in (
+                      "arbitrary", "tiled", "columns", "generated", "gouraud")))
+
+
+def accuracy_table(baseline: dict) -> str:
+    """Markdown: the medium set in fast RAM."""
+    rows = {(r["edges"], r["gradients"], r["start"], r["mapper"]): r for r in baseline["rows"]
+            if r["machine"] == "a1200-fast"}
+    lines = ["| mapper | edges | gradients | start | cycles a pixel | wrong pixels in 10^6 "
+             "| rms error, texels | wrong texels |", "|---|---|---|---|--:|--:|--:|--:|"]
+    for edges, gradients, start, mapper in ACCURACY_LINES:
+        r = rows[edges, gradients, start, mapper]
+        lines.append(f"| {mapper} | {edges} | {gradients} | {start} | {r['cycles_per_pixel']:.1f} "
+                     f"| {r['coverage_errors_per_million']:,.0f} | {r['texel_error_rms']:.4f} "
+                     f"| {r['wrong_texels_percent']:.2f} % |")
+    return "\n".join(lines)
+
+
+def with_table(text: str, title: str, content: str) -> str:
+    """The README's text with a table between its marker lines."""
+    begin = BEGIN.format(title)
+    if begin not in text or END not in text.split(begin, 1)[1]:
+        raise UserError(f"README.md: the lines {begin!r} and {END!r} are not there")
+    head, rest = text.split(begin, 1)
+    return f"{head}{begin}\n{content}\n{END}{rest.split(END, 1)[1]}"
+
+
+def with_tables(text: str) -> str:
+    """The README's text with all tables as the baselines have them."""
+    text = with_table(text, "addx against swap", table(json.loads(BASELINE.read_text())))
+    text = with_table(text, "what accuracy costs",
+                      accuracy_table(json.loads(ACCURACY_BASELINE.read_text())))
+    rows = json.loads(POLYS_BASELINE.read_text())["rows"]
+    return with_table(text, "polygons a second", polys.table(rows).rstrip())
 
 
 def picture() -> Image.Image:
@@ -60,7 +95,7 @@ def picture() -> Image.Image:
 
 def command() -> int:
     """Writes both."""
-    README.write_text(with_table(README.read_text(), json.loads(BASELINE.read_text())))
+    README.write_text(with_tables(README.read_text()))
     picture().save(PICTURE, optimize=True)
     print(f"written: {README.name}, {PICTURE.relative_to(ROOT)}")
     return 0

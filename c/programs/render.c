@@ -1,9 +1,9 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT).
-   CHIP puts maps and frame into chip RAM. */
+   CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache. */
 #include "scene/scene.h"
 #include "system/file.h"
 #include "system/system.h"
@@ -92,23 +92,21 @@ static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
 static int32 render(const struct scene *scene, const struct frame *frame, int32 frames,
                     enum form form, int32 count)
 {
+    enum polygon_result refused = POLYGON_DRAWN;
+
     for (int32 number = 0; number < frames; number++) {
         struct draw_counts counts = {0};
         char name[20];
-        enum polygon_result refused;
+        enum polygon_result result;
         uint32 ticks;
 
         quiet_enter();
         clock_start(FRAME_LIMIT);
-        refused = scene_draw(scene, frame, number, form, 0);
+        result = scene_draw(scene, frame, number, form, 0);
         ticks = clock_stop();
         quiet_leave();
-        if (refused != POLYGON_DRAWN) {
-            text_add("frame ");
-            text_number(number);
-            text_refuse(": a polygon cannot be drawn", why_refused[refused]);
-            return RETURN_FAIL;
-        }
+        if (result != POLYGON_DRAWN)
+            refused = result;
         if (count)                      /* again, since counting takes time */
             scene_draw(scene, frame, number, form, &counts);
         if (guards_broken(frame)) {
@@ -124,20 +122,24 @@ static int32 render(const struct scene *scene, const struct frame *frame, int32 
             return RETURN_FAIL;
         report(number, ticks, &counts);
     }
+    if (refused != POLYGON_DRAWN) {
+        text_refuse("render: not all could be drawn", why_refused[refused]);
+        return RETURN_WARN;
+    }
     return RETURN_OK;
 }
 
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, ITEMS };
     static int32 args[ITEMS];
     struct scene scene;
     struct frame frame;
     enum form form = FORM_ADDX;
     int32 frames, kind, result;
 
-    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S", args))
-        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP]");
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S", args))
+        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE]");
     if (args[FORM]) {
         const char *name = (const char *)args[FORM];
 
@@ -163,7 +165,13 @@ int main(void)
         return fail("not enough memory for the frame");
     if (!clock_open())
         return fail("another program uses CIA-B's timers");
+    if (args[DCACHE] && !cache_data(1)) {
+        clock_close();
+        return fail("DCACHE: this processor has no data cache");
+    }
     result = render(&scene, &frame, frames, form, args[COUNT]);
+    if (args[DCACHE])
+        cache_data(0);
     clock_close();
     return result;
 }

@@ -1,0 +1,96 @@
+"""Pictures of the accuracy report: error against cycles, swimming, every mapper."""
+
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from PIL import Image
+
+from .accuracy import MACHINES
+from .model import Settings
+from .paths import SCENES
+from .run import render
+from .scene import compile_scene
+from .scene_file import Material, Object, Scene, Texture
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
+MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v"}
+
+
+def plot(rows: list[dict], path: Path) -> None:
+    """Error against cycles of the texture mappers, a panel a set, the frontier drawn."""
+    machine = rows[-1]["machine"]
+    names = list(dict.fromkeys(r["name"] for r in rows))
+    figure, panels = plt.subplots(1, len(names), figsize=(4 * len(names), 4.2), sharey=True,
+                                  layout="constrained", squeeze=False)
+    for axes, name in zip(panels[0], names):
+        chosen = [r for r in rows if r["name"] == name and r["machine"] == machine
+                  and r["mapper"] in MARKS]
+        for mapper, mark in MARKS.items():
+            some = [r for r in chosen if r["mapper"] == mapper]
+            axes.scatter([r["cycles_per_polygon"] / 1000 for r in some],
+                         [max(r["texel_error_rms"], LEAST) for r in some], marker=mark, s=28,
+                         alpha=0.75, label=mapper)
+        best = sorted((r for r in chosen if r["frontier"]), key=lambda r: r["cycles_per_polygon"])
+        axes.plot([r["cycles_per_polygon"] / 1000 for r in best],
+                  [max(r["texel_error_rms"], LEAST) for r in best], "k--", lw=1, label="frontier")
+        axes.set_yscale("log")
+        axes.set_title(f"{name}")
+        axes.set_xlabel("thousand cycles a polygon")
+        axes.grid(alpha=0.3)
+    panels[0][0].set_ylabel(f"rms error, texels ({machine})")
+    panels[0][0].legend(fontsize=8)
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+#: What the swimming picture shows side by side.
+SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
+            Settings("subpixel", "plane", "truncated", mapper="affine"),
+            Settings("exact", "plane", "subtexel", mapper="affine"))
+SWIM_FRAMES = 24
+SWIM_SIDE = 64  # pixels of a panel
+
+
+def swimming_scene() -> Scene:
+    """A small triangle that moves an eighth of a pixel a frame, under three settings."""
+    texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
+    objects, materials, poses = [], [], []
+    corners = [(6, 4, 0, 0, 0), (52, 22, 92, 36, 0), (17, 56, 22, 104, 0)]
+    vertices = [tuple(c << 16 for c in corner) for corner in corners]
+    for number, s in enumerate(SWIMMERS):
+        materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))
+        objects.append(Object(number, 0, 3, len(poses), SWIM_FRAMES, 0))
+        poses += [(65536, 0, 0, 65536, (number * SWIM_SIDE << 16) + k * 8192, k * 4096)
+                  for k in range(SWIM_FRAMES)]
+    grey = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, 1)
+    return Scene(3 * SWIM_SIDE, SWIM_SIDE, SWIM_FRAMES, 96, grey,
+                 [Texture(texture.astype(np.uint8), "page")], materials, objects,
+                 np.array(vertices), np.array(poses))
+
+
+def write_swimming(out: Path) -> None:
+    """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
+    scene = swimming_scene()
+    frames, _ = render(scene, MACHINES[-1], "addx")
+    pictures = []
+    for frame in frames:
+        big = np.kron(frame, np.ones((5, 5), np.uint8))
+        big[:, 5 * SWIM_SIDE::5 * SWIM_SIDE] = 255
+        pictures.append(Image.fromarray(big))
+    pictures[0].save(out / "swimming.gif", save_all=True, append_images=pictures[1:],
+                     duration=120, loop=0)
+    strip = np.concatenate([np.asarray(p) for p in pictures[::SWIM_FRAMES // 3][:3]])
+    Image.fromarray(strip).save(out / "swimming.png")
+
+
+def write_mappers(out: Path) -> None:
+    """mappers.png: a polygon of each mapper, rendered on the emulated machine."""
+    scene = compile_scene(SCENES / "mappers.toml")
+    (frame,), _ = render(scene, MACHINES[-1], "addx")
+    picture = Image.fromarray(frame, "P")
+    picture.putpalette(scene.palette.tobytes())
+    picture.save(out / "mappers.png")
