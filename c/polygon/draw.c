@@ -107,9 +107,9 @@ struct setup {
     const struct vertex *vertices;      /* the whole polygon: what gradients come from */
     int32 count;
     struct sides sides;
-    const struct vertex *clipped;       /* what edges come from */
-    int32 clipped_count;
-    struct sides clipped_sides;
+    const struct vertex *outline;       /* what edges come from: that, or its clipped part */
+    int32 outline_count;
+    const struct sides *outline_sides;
     struct rectangle box;       /* what it may cover of the frame */
     struct edge_plan edges;
     struct span_plan span;
@@ -122,10 +122,10 @@ static struct side_edge left_from[CLIP_VERTICES_MAX], right_from[CLIP_VERTICES_M
 static int32 set_box(struct rectangle *box, const struct sides *sides,
                      const struct vertex *vertices, const struct frame *frame)
 {
-    box->left = maximum(fix_ceil(sides->x_low - EDGE_ERROR), 0);
-    box->right = minimum(fix_ceil(sides->x_high + EDGE_ERROR), frame->width);
-    box->top = maximum(fix_ceil(vertices[sides->top].y), 0);
-    box->bottom = minimum(fix_ceil(vertices[sides->bottom].y), frame->height);
+    box->left = maximum(FIX_CEIL(sides->x_low - EDGE_ERROR), 0);
+    box->right = minimum(FIX_CEIL(sides->x_high + EDGE_ERROR), frame->width);
+    box->top = maximum(FIX_CEIL(vertices[sides->top].y), 0);
+    box->bottom = minimum(FIX_CEIL(vertices[sides->bottom].y), frame->height);
     return box->left < box->right && box->top < box->bottom;
 }
 
@@ -133,18 +133,20 @@ static int32 set_box(struct rectangle *box, const struct sides *sides,
 static enum polygon_result clip_vertices(struct setup *s)
 {
     static struct vertex room[2 * CLIP_VERTICES_MAX];
+    static struct sides sides;
     struct clip_window window;
 
     window.left = window.top = -65536;
     window.right = s->frame->width << 16;
     window.bottom = s->frame->height << 16;
-    s->clipped = polygon_clip(room, s->vertices, &s->clipped_count, &window);
-    if (s->clipped == s->vertices)
+    s->outline = polygon_clip(room, s->vertices, &s->outline_count, &window);
+    if (s->outline == s->vertices)
         return POLYGON_DRAWN;
-    if (s->clipped_count < 3
-        || !sides_measure(&s->clipped_sides, s->clipped, s->clipped_count)
-        || !set_box(&s->box, &s->clipped_sides, s->clipped, s->frame)
-        || !sides_orient(&s->clipped_sides, s->clipped, s->clipped_count))
+    s->outline_sides = &sides;
+    if (s->outline_count < 3
+        || !sides_measure(&sides, s->outline, s->outline_count)
+        || !set_box(&s->box, &sides, s->outline, s->frame)
+        || !sides_orient(&sides, s->outline, s->outline_count))
         return POLYGON_EMPTY;
     return POLYGON_DRAWN;
 }
@@ -159,20 +161,20 @@ static enum polygon_result set_sides(struct setup *s)
     if (!set_box(&s->box, &s->sides, s->vertices, s->frame)
         || !sides_orient(&s->sides, s->vertices, s->count))
         return POLYGON_EMPTY;
-    s->clipped = s->vertices;
-    s->clipped_count = s->count;
-    s->clipped_sides = s->sides;
+    s->outline = s->vertices;
+    s->outline_count = s->count;
+    s->outline_sides = &s->sides;
     if (s->material->clip == CLIP_VERTICES && clip_vertices(s) != POLYGON_DRAWN)
         return POLYGON_EMPTY;
-    step = s->clipped_sides.left_step;
+    step = s->outline_sides->left_step;
     s->edges.lines = lines;
     s->edges.left = left_edges;
     s->edges.right = right_edges;
-    s->edges.lefts = edges_make(left_edges, left_from, &s->clipped_sides, s->clipped,
-                                s->clipped_count, step, s->box.top, s->box.bottom,
+    s->edges.lefts = edges_make(left_edges, left_from, s->outline_sides, s->outline,
+                                s->outline_count, step, s->box.top, s->box.bottom,
                                 s->material->edges);
-    s->edges.rights = edges_make(right_edges, right_from, &s->clipped_sides, s->clipped,
-                                 s->clipped_count, -step, s->box.top, s->box.bottom,
+    s->edges.rights = edges_make(right_edges, right_from, s->outline_sides, s->outline,
+                                 s->outline_count, -step, s->box.top, s->box.bottom,
                                  s->material->edges);
     return POLYGON_DRAWN;
 }
@@ -240,7 +242,8 @@ static void cut_lines(const struct setup *s, void (*routine)(const struct scisso
 {
     struct scissor_plan scissor;
 
-    if (s->clipped_sides.x_low >= 0 && s->clipped_sides.x_high + EDGE_ERROR <= s->frame->width << 16)
+    if (s->outline_sides->x_low >= 0
+        && s->outline_sides->x_high + EDGE_ERROR <= s->frame->width << 16)
         return;
     scissor.lines = lines;
     scissor.count = s->span.count;

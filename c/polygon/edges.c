@@ -5,7 +5,7 @@
 /* Lines of an edge, from the first at or below its upper vertex. */
 static int32 lines_of(const struct side_edge *from)
 {
-    return fix_ceil(from->lower->y) - fix_ceil(from->upper->y);
+    return FIX_CEIL(from->lower->y) - FIX_CEIL(from->upper->y);
 }
 
 fix16 edge_slope(const struct side_edge *from)
@@ -18,7 +18,7 @@ fix16 edge_slope(const struct side_edge *from)
 fix16 edge_x(const struct side_edge *from)
 {
     const struct vertex *upper = from->upper, *lower = from->lower;
-    int32 first = fix_ceil(upper->y);
+    int32 first = FIX_CEIL(upper->y);
     fix16 x = upper->x + mul_div(lower->x - upper->x, (first << 16) - upper->y,
                                  lower->y - upper->y);
 
@@ -43,7 +43,7 @@ int32 edges_make(struct edge *edges, struct side_edge *from, const struct sides 
         else if (i == count)
             i = 0;
         lower = &vertices[i];
-        end = fix_ceil(lower->y);
+        end = FIX_CEIL(lower->y);
         if (end > bottom)
             end = bottom;
         if (end > top && lower->y > upper->y) {

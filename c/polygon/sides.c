@@ -2,50 +2,46 @@
 
 #include "polygon/plane.h"
 
-int32 fix_ceil(fix16 x)
-{
-    return (x + 0xffff) >> 16;
-}
-
 void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {
     out->x = a->x - b->x;
     out->y = a->y - b->y;
     out->s = a->s - b->s;
     out->t = a->t - b->t;
-    out->shade = a->shade - b->shade;
 }
 
-static int32 in_range(fix16 value)
-{
-    const fix16 far = POLYGON_FAR * 65536;
-
-    return value > -far && value < far;
-}
+/* Below POLYGON_FAR in size: one comparison, since it is made without a sign. */
+#define IN_RANGE(value) \
+    ((uint32)(value) + (POLYGON_FAR * 65536u - 1) < 2 * (POLYGON_FAR * 65536u) - 1)
 
 int32 sides_measure(struct sides *sides, const struct vertex *vertices, int32 count)
 {
     const struct vertex *top = vertices, *bottom = vertices, *vertex = vertices;
+    fix16 x_low = vertices->x, x_high = x_low, y_low = vertices->y, y_high = y_low;
 
     sides->top = sides->bottom = 0;
-    sides->x_low = sides->x_high = vertices->x;
     for (int32 i = 0; i < count; i++, vertex++) {
-        if (!in_range(vertex->x) || !in_range(vertex->y)
-            || !in_range(vertex->s) || !in_range(vertex->t))
+        fix16 x = vertex->x, y = vertex->y;
+
+        if (!IN_RANGE(x) || !IN_RANGE(y) || !IN_RANGE(vertex->s) || !IN_RANGE(vertex->t))
             return 0;
-        if (vertex->x < sides->x_low)
-            sides->x_low = vertex->x;
-        if (vertex->x > sides->x_high)
-            sides->x_high = vertex->x;
-        if (vertex->y < top->y || (vertex->y == top->y && vertex->x < top->x)) {
+        if (x < x_low)
+            x_low = x;
+        if (x > x_high)
+            x_high = x;
+        if (y < y_low || (y == y_low && x < top->x)) {
             top = vertex;
+            y_low = y;
             sides->top = i;
         }
-        if (vertex->y > bottom->y || (vertex->y == bottom->y && vertex->x < bottom->x)) {
+        if (y > y_high || (y == y_high && x < bottom->x)) {
             bottom = vertex;
+            y_high = y;
             sides->bottom = i;
         }
     }
+    sides->x_low = x_low;
+    sides->x_high = x_high;
     return 1;
 }
 

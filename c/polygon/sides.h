@@ -12,9 +12,9 @@ struct sides {
 };
 
 /* The smallest integer not below x. */
-int32 fix_ceil(fix16 x);
+#define FIX_CEIL(x) (((x) + 0xffff) >> 16)
 
-/* The difference a - b, component by component. */
+/* The difference a - b of x, y, s and t. */
 void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b);
 
 /* Finds top, bottom and the range of x. 0: a vertex is POLYGON_FAR or more away. */

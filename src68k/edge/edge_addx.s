@@ -6,73 +6,25 @@
         xref    edge_right
         xref    edge_right_exact
 
-; Steps the left side in packed form. \1: what corrects the error d0 after a carry;
-; \2: what steps the right side.
-; u and v move along the edge with the pixel they belong to: a line further and as
-; many pixels to the right as x, which the carry tells. So they stay on the plane
-; without a multiplication a line.
-steps   macro
-        movem.l d2-d7/a2-a6,-(sp)
-        move.l  a0,-(sp)
-        move.l  edge_plan_lefts(a0),-(sp)
-        movea.l edge_plan_left(a0),a5
-        movea.l edge_plan_lines(a0),a0
-
-.left_edge
-        edge_end
-        movea.l 4(sp),a1
-        move.l  edge_whole(a5),d1
-        move.l  edge_du(a5),d0
-        move.l  edge_dv(a5),d5
-        move.l  edge_plan_dudx(a1),d2
-        add.l   d0,d2
-        move.l  edge_plan_dvdx(a1),d7
-        add.l   d5,d7
+addx_steps macro
         pack_uv d0,d5,d4
         whole_pixels d0,d1,d4,b
-        movea.l d0,a2                   ; a line
+        movea.l d0,a2
         pack_uv d2,d7,d6
         addq.l  #1,d1
         whole_pixels d2,d1,d6,b
-        movea.l d2,a3                   ; a line and a pixel
-        move.l  edge_u(a5),d1
-        move.l  edge_v(a5),d3
-        pack_uv d1,d3,d2
-        move.w  edge_x+2(a5),d1         ; uu:left
-        move.l  edge_error(a5),d0
-        movea.l edge_part(a5),a1
-        movea.l edge_height(a5),a6
+        movea.l d2,a3
+        endm
 
-        ; d0 error  a1 its part a line  a6 height
-        ; d1 uu:left  d3 Vv  d2 v--U; steps: a2 d5 d4, after a carry a3 d7 d6
-.left_line
-        move.l  d1,(a0)+                ; uu:left
-        move.l  d3,(a0)+                ; --:Vv, where the count comes later
-        move.l  d2,(a0)+                ; v--U
-        add.l   a1,d0
-        bcs.s   .pixel_more
-        add.l   a2,d1
-        addx.l  d4,d2
-        addx.w  d5,d3
-        cmpa.l  a4,a0
-        bne.s   .left_line
-        bra.s   .left_next
-.pixel_more
-        \1
-        add.l   a3,d1
-        addx.l  d6,d2
-        addx.w  d7,d3
-        cmpa.l  a4,a0
-        bne.s   .left_line
-.left_next
-        lea     edge_sizeof(a5),a5
-        subq.l  #1,(sp)
-        bne     .left_edge
-        addq.l  #4,sp
-        movea.l (sp)+,a6
-        jsr     \2
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+addx_start macro
+        pack_uv d1,d3,d2                ; uu--, ..Vv, v--U
+        endm
+
+; \1 uu:whole pixels, \2 Vv, \3 v--U
+addx_step macro
+        add.l   \1,d1
+        addx.l  \3,d2
+        addx.w  \2,d3
         endm
 
 ;==============================================================================
@@ -89,7 +41,7 @@ steps   macro
 ; cost:    bench row edge_addx
 ;==============================================================================
         routine edge_addx,a0
-        steps   error_rounded,edge_right
+        edge_left addx,error_rounded,edge_right
 
 ;==============================================================================
 ; edge_addx_exact - the same, x by integer quotient and remainder
@@ -104,4 +56,4 @@ steps   macro
 ; cost:    bench row edge_addx_exact
 ;==============================================================================
         routine edge_addx_exact,a0
-        steps   error_exact,edge_right_exact
+        edge_left addx,error_exact,edge_right_exact

@@ -17,3 +17,16 @@ pack_uv macro
         move.b  \1,\3                   ; v--U
         clr.w   \1                      ; uu--
         endm
+
+; A pixel of 14 bytes with S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2,
+; the map's page in d4: P is stepped as a word, so V's overflow is lost instead of
+; entering u.
+pixel_apart macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        add.l   a4,d5
+        addx.l  d3,d1
+        addx.w  d2,d0
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm

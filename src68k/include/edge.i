@@ -64,3 +64,64 @@ error_rounded macro
 error_exact macro
         sub.l   a6,d0
         endm
+
+; Fills the left side of a table whose lines begin with u and v. \1: the form, which
+; names two macros of its file: \1_steps makes a2 d5 d4 of the step du (d0), dv (d5) a
+; line with the whole pixels d1, a3 d7 d6 of du (d2), dv (d7) with one pixel more, and
+; \1_start makes d1 (upper word), d3, d2 of u (d1) and v (d3); \1_step adds such a step
+; to them. \2: error_rounded or error_exact; \3: the routine for the right side.
+; u and v move along the edge with the pixel they belong to: a line further and as
+; many pixels to the right as x, which the carry tells. So they stay on the plane
+; without a multiplication a line.
+edge_left macro
+        movem.l d2-d7/a2-a6,-(sp)
+        move.l  a0,-(sp)
+        move.l  edge_plan_lefts(a0),-(sp)
+        movea.l edge_plan_left(a0),a5
+        movea.l edge_plan_lines(a0),a0
+
+.left_edge
+        edge_end
+        movea.l 4(sp),a1
+        move.l  edge_whole(a5),d1
+        move.l  edge_du(a5),d0
+        move.l  edge_dv(a5),d5
+        move.l  edge_plan_dudx(a1),d2
+        add.l   d0,d2
+        move.l  edge_plan_dvdx(a1),d7
+        add.l   d5,d7
+        \1_steps
+        move.l  edge_u(a5),d1
+        move.l  edge_v(a5),d3
+        \1_start
+        move.w  edge_x+2(a5),d1         ; start0:left
+        move.l  edge_error(a5),d0
+        movea.l edge_part(a5),a1
+        movea.l edge_height(a5),a6
+
+        ; d0 error  a1 its part a line  a6 height  a0 entry  a4 end
+.left_line
+        move.l  d1,(a0)+                ; start0:left
+        move.l  d3,(a0)+                ; --:start1, where the count comes later
+        move.l  d2,(a0)+                ; start2
+        add.l   a1,d0
+        bcs.s   .pixel_more
+        \1_step a2,d5,d4
+        cmpa.l  a4,a0
+        bne.s   .left_line
+        bra.s   .left_next
+.pixel_more
+        \2
+        \1_step a3,d7,d6
+        cmpa.l  a4,a0
+        bne.s   .left_line
+.left_next
+        lea     edge_sizeof(a5),a5
+        subq.l  #1,(sp)
+        bne     .left_edge
+        addq.l  #4,sp
+        movea.l (sp)+,a6
+        jsr     \3
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+        endm

@@ -90,3 +90,19 @@ span_next macro
         movem.l (sp)+,d2-d7/a2-a6
         rts
         endm
+
+; Writes d3 longwords of d0 from (a0) on, 16 at a time. In: a3 = .longwords_end,
+; d5 = 15. Uses d4.
+fill_longwords macro
+        move.w  d3,d4
+        and.w   d5,d4
+        neg.w   d4                      ; 2 bytes of code a longword
+        lsr.w   #4,d3
+        jmp     (a3,d4.w*2)
+.longwords
+        rept    16
+        move.l  d0,(a0)+
+        endr
+.longwords_end
+        dbra    d3,.longwords
+        endm

@@ -19,16 +19,6 @@
 ; instead of entering u. One addition more than the chain: it costs 2 cycles with
 ; the map in fast RAM and none in chip RAM, where the bus is waited for anyway.
 
-pixel   macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        add.l   a4,d5
-        addx.l  d3,d1
-        addx.w  d2,d0
-        movea.l d4,a2
-        move.b  (a2),(a1)+
-        endm
-
         routine span_affine_addx_wrap,a0
         span_open
         move.l  span_plan_map(a0),d4    ; mm00
@@ -44,6 +34,6 @@ pixel   macro
         span_rounds 4
         span_enter_14
 .pixels rept    16
-        pixel
+        pixel_apart
         endr
         span_close (sp)

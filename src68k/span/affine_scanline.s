@@ -17,16 +17,6 @@
 ; cost:    bench row affine_scanline
 ;==============================================================================
 
-pixel   macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        add.l   a4,d5
-        addx.l  d3,d1
-        addx.w  d2,d0
-        movea.l d4,a2
-        move.b  (a2),(a1)+
-        endm
-
         routine span_affine_scanline,a0
         span_open
         move.l  span_plan_steps(a0),-(sp)
@@ -44,7 +34,7 @@ pixel   macro
         span_rounds 3
         span_enter_14
 .pixels rept    8
-        pixel
+        pixel_apart
         endr
 .pixels_end
         dbra    d7,.pixels

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "span.i"
 
 ;==============================================================================
 ; span_fill - draws a scanline table in one colour
@@ -70,17 +71,7 @@ SHORT                   equ     12
 .aligned
         move.w  d2,d3
         lsr.w   #2,d3                   ; longwords
-        move.w  d3,d4
-        and.w   d5,d4
-        neg.w   d4                      ; 2 bytes of code a longword
-        lsr.w   #4,d3
-        jmp     (a3,d4.w*2)
-.longwords
-        rept    16
-        move.l  d0,(a0)+
-        endr
-.longwords_end
-        dbra    d3,.longwords
+        fill_longwords
         btst    #1,d2
         beq.s   .last
         move.w  d0,(a0)+

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "span.i"
 
 ;==============================================================================
 ; span_fill_16 - draws a scanline table in one colour of two bytes
@@ -41,17 +42,7 @@
 .aligned
         move.w  d2,d3
         lsr.w   #1,d3                   ; longwords
-        move.w  d3,d4
-        and.w   d5,d4
-        neg.w   d4                      ; 2 bytes of code a longword
-        lsr.w   #4,d3
-        jmp     (a3,d4.w*2)
-.longwords
-        rept    16
-        move.l  d0,(a0)+
-        endr
-.longwords_end
-        dbra    d3,.longwords
+        fill_longwords
         btst    #0,d2
         beq.s   .next
         move.w  d0,(a0)+
