@@ -13,7 +13,7 @@
 ; writes:  *d0
 ; formats: x, y 16.16, each within 32 bits; the product 32.32, below 2^63
 ; error:   none
-; cost:    about 130 cycles
+; cost:    about 160 cycles
 ;==============================================================================
         routine cross,a0,a1,d0
         movem.l d2-d5,-(sp)

@@ -17,7 +17,7 @@
 ;          line, and that many slopes more at the line asked for; whole and part are the
 ;          slope's halves, x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
 ; error:   of x, n lines below the first: (n + 1) / 2^17 pixels
-; cost:    about 300 cycles
+; cost:    about 430 cycles
 ;==============================================================================
 ; The slope cannot overflow: two lines or more are more than one pixel high.
 

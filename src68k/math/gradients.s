@@ -58,7 +58,7 @@ normalise macro
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
 ; error:   |g| / 2^31 + 1/2^32 texels a pixel: the divisor keeps its upper 32
 ;          significant bits (cut: up to 1 in 2^31), the quotient is cut
-; cost:    about 1,700 cycles
+; cost:    about 1,800 cycles
 ;==============================================================================
 ; Floating point in all but name: dividend and divisor are normalised, so no
 ; quotient can overflow and the smallest sliver keeps 31 significant bits.

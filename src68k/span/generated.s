@@ -22,8 +22,8 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ;          modulo 65536, from the first one's texel: where u leaves 0 to 255 inside
 ;          the line it goes on in the row beside
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
-;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes of code a pixel: the instruction cache
-;          does not hold a line of more than 64 pixels
+;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
+;          of code a pixel: the instruction cache does not hold lines above 64 pixels
 ;==============================================================================
 ; The code ends with pixel 0, so that a line of n pixels is its last n instructions:
 ; nothing has to be patched, and the cache is flushed once a polygon.
