@@ -75,13 +75,26 @@ def diff(args: argparse.Namespace) -> int:
     return tool.diff_command(args.a, args.b, args.out)
 
 
+def to_map(args: argparse.Namespace) -> int:
+    """Converts a picture to a map."""
+    from . import convert as tool
+    return tool.map_command(args.source, args.out, args.layout, args.bits)
+
+
+def to_picture(args: argparse.Namespace) -> int:
+    """Converts a map to a picture."""
+    from . import convert as tool
+    return tool.picture_command(args.source, args.out)
+
+
 def parser() -> Parser:
     """All commands and their arguments."""
     top = Parser(prog="tmap", description="Texture mapping on an emulated Amiga 1200.")
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
-    def add(function, text: str, **options) -> argparse.ArgumentParser:
-        command = commands.add_parser(function.__name__, help=text, description=text, **options)
+    def add(function, text: str) -> argparse.ArgumentParser:
+        name = function.__name__.removeprefix("to_")
+        command = commands.add_parser(name, help=text, description=text)
         command.set_defaults(function=function)
         return command
 
@@ -120,6 +133,17 @@ def parser() -> Parser:
     command.add_argument("--machine", **machines)
     command.add_argument("--accept", action="store_true",
                          help="make the result the committed baseline")
+
+    command = add(to_map, "Write a PNG or JPEG as a texture map in memory layout.")
+    command.add_argument("source", type=Path, metavar="PICTURE")
+    command.add_argument("-o", dest="out", type=Path, metavar="FILE", required=True,
+                         help="the texels; FILE.json beside it says what they are")
+    command.add_argument("--layout", choices=("linear", "tiled", "columns"), default="linear")
+    command.add_argument("--bits", type=int, choices=(8, 16), default=8,
+                         help="palette indices, or RGB565")
+    command = add(to_picture, "Write a texture map as a PNG.")
+    command.add_argument("source", type=Path, metavar="FILE")
+    command.add_argument("-o", dest="out", type=Path, metavar="PICTURE.png", required=True)
 
     add(readme, "Bring the tables of the README up to date.")
 

@@ -1,0 +1,68 @@
+"""Pictures as maps and back, through the command line."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import maps
+from tools.__main__ import main
+
+RNG = np.random.default_rng(8)
+
+
+def there_and_back(tmp_path, image: Image.Image, *options: str) -> Image.Image:
+    """What comes back of a picture."""
+    image.save(tmp_path / "in.png")
+    assert main(["map", str(tmp_path / "in.png"), "-o", str(tmp_path / "a.map"), *options]) == 0
+    assert main(["picture", str(tmp_path / "a.map"), "-o", str(tmp_path / "out.png")]) == 0
+    return Image.open(tmp_path / "out.png")
+
+
+@pytest.mark.parametrize("layout, size", [("linear", (100, 37)), ("linear", (1, 1)),
+                                          ("tiled", (256, 256)), ("columns", (512, 8)),
+                                          ("columns", (16, 128))])
+def test_palette_pictures_come_back(tmp_path, layout: str, size: tuple[int, int]) -> None:
+    """Indices and palette, exactly; the file is the layout's bytes."""
+    pixels = RNG.integers(0, 256, size[::-1], dtype=np.uint8)
+    image = Image.fromarray(pixels, "P")
+    palette = RNG.integers(0, 256, (256, 3), dtype=np.uint8)
+    image.putpalette(palette.tobytes())
+    back = there_and_back(tmp_path, image, "--layout", layout)
+    assert back.mode == "P" and np.array_equal(np.array(back), pixels)
+    assert np.array_equal(np.array(back.convert("RGB")), palette[pixels])
+    stored = np.fromfile(tmp_path / "a.map", np.uint8)
+    if layout == "tiled":
+        assert stored[2048 * 3 + 8 * 77 + 5] == pixels[77, 29]
+    if layout == "columns":
+        assert stored[4 * size[1] * 2 + 4 * 7 + 1] == pixels[7, 9]
+
+
+def test_colours_come_back(tmp_path) -> None:
+    """RGB pictures of 256 colours at 8 bits, and RGB565 ones at 16."""
+    few = RNG.integers(0, 256, (200, 3), dtype=np.uint8)[RNG.integers(0, 200, (8, 24))]
+    assert np.array_equal(np.array(there_and_back(tmp_path, Image.fromarray(few)).convert("RGB")), few)
+    every = maps.from_rgb565(np.arange(65536).reshape(256, 256))
+    back = there_and_back(tmp_path, Image.fromarray(every), "--bits", "16", "--layout", "tiled")
+    assert np.array_equal(np.array(back), every)
+
+
+def test_bad_input_is_one_line(tmp_path, capsys) -> None:
+    """Wrong sizes, missing and damaged files: status 2, nothing written."""
+    Image.new("RGB", (100, 37)).save(tmp_path / "in.png")
+    (tmp_path / "bad.png").write_bytes(b"no picture")
+    out = str(tmp_path / "a.map")
+    for arguments, said in (
+            (["map", str(tmp_path / "in.png"), "-o", out, "--layout", "tiled"], "100x37 texels"),
+            (["map", str(tmp_path / "none.png"), "-o", out], "no such file"),
+            (["map", str(tmp_path / "bad.png"), "-o", out], "not a usable PNG or JPEG"),
+            (["picture", out, "-o", str(tmp_path / "b.png")], "No such file")):
+        assert main(arguments) == 2
+        error = capsys.readouterr().err
+        assert said in error and error.count("\n") == 1
+    assert not list(tmp_path.glob("a.map*"))
+    assert main(["map", str(tmp_path / "in.png"), "-o", out]) == 0
+    (tmp_path / "a.map.json").write_text(json.dumps({"width": 3}))
+    assert main(["picture", out, "-o", str(tmp_path / "b.png")]) == 2
+    assert not (tmp_path / "b.png").exists()

@@ -1,0 +1,95 @@
+"""``tmap map`` and ``tmap picture``: pictures as texture maps in memory layout, and back.
+
+A map file holds the texels alone, as c/texture/map.h lays them; FILE.json beside it says
+width, height, layout, bits and, of 8-bit maps, the palette. Both ways are exact: a PNG with
+a palette, or of at most 256 colours, comes back as it was; at 16 bits every RGB565 colour.
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from . import images, maps
+from .errors import UserError
+from .scene_file import size_fault
+
+LAYOUTS = ("linear", "tiled", "columns")
+
+
+def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Palette indices uint8 [height][width] and the palette, uint8 (256, 3)."""
+    with Image.open(path) as image:
+        if image.mode == "P":
+            found = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
+            return np.array(image), np.pad(found, ((0, 256 - len(found)), (0, 0)))
+    image = images.decode(path)
+    pixels = np.array(image)
+    colours, where = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
+    if len(colours) > 256:
+        reduced = image.quantize(256, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+        colours = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)
+        where = np.array(reduced)
+    return (where.reshape(pixels.shape[:2]).astype(np.uint8),
+            np.pad(colours, ((0, 256 - len(colours)), (0, 0))))
+
+
+def laid_out(picture: np.ndarray, layout: str) -> np.ndarray:
+    """The texels in their order in memory."""
+    return {"linear": np.ravel, "tiled": maps.to_tiled, "columns": maps.to_columns}[layout](picture)
+
+
+def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarray:
+    """The picture of texels in memory."""
+    if layout == "linear":
+        return texels.reshape(height, width)
+    return {"tiled": maps.from_tiled, "columns": maps.from_columns}[layout](texels, width, height)
+
+
+def map_command(source: Path, out: Path, layout: str, bits: int) -> int:
+    """Writes a picture as a map: ``out`` and ``out``.json."""
+    try:
+        if bits == 16:
+            picture, palette = maps.to_rgb565(np.array(images.decode(source))), None
+        else:
+            picture, palette = indices(source)
+    except FileNotFoundError:
+        raise UserError(f"{source}: no such file") from None
+    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+        raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
+    height, width = picture.shape
+    needs = size_fault(layout, width, height)
+    if needs:
+        raise UserError(f"{source}: {width}x{height} texels; layout {layout} needs {needs}")
+    about = {"width": width, "height": height, "layout": layout, "bits": bits,
+             "palette": None if palette is None else palette.tolist()}
+    out.write_bytes(laid_out(picture, layout).tobytes())
+    out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
+    print(f"{out}: {width}x{height}, {layout}, {bits} bits")
+    return 0
+
+
+def picture_command(source: Path, out: Path) -> int:
+    """Writes a map as a PNG."""
+    side = source.with_name(source.name + ".json")
+    try:
+        about = json.loads(side.read_text())
+        width, height, bits = (int(about[key]) for key in ("width", "height", "bits"))
+        layout = about["layout"]
+        palette = np.array(about["palette"] or [], np.uint8).reshape(-1, 3)
+    except (ValueError, KeyError, TypeError) as error:
+        raise UserError(f"{side}: not what tmap map writes: {error}") from None
+    if layout not in LAYOUTS or bits not in (8, 16):
+        raise UserError(f"{side}: layout {layout!r} of {bits} bits is not known")
+    texels = np.frombuffer(source.read_bytes(), np.uint8 if bits == 8 else maps.RGB565)
+    if len(texels) != width * height or size_fault(layout, width, height):
+        raise UserError(f"{source}: has {len(texels)} texels, {side.name} says {width}x{height}")
+    picture = unlaid(texels, layout, width, height)
+    image = Image.fromarray(picture, "P") if bits == 8 else \
+        Image.fromarray(maps.from_rgb565(picture))
+    if bits == 8:
+        image.putpalette(palette.tobytes())
+    image.save(out)
+    print(f"{out}: {width}x{height}")
+    return 0
