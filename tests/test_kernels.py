@@ -1,4 +1,4 @@
-"""Every routine of src68k/math, edge and span, called on the emulated A1200 and held to
+"""Every routine of src68k/math, polygon, edge and span, called on the emulated A1200 and held to
 its contract block and to a reference in Python."""
 
 from dataclasses import replace
@@ -8,6 +8,7 @@ import kernel_trials_edge
 import kernel_trials_mappers
 import kernel_trials_math
 import kernel_trials_pixel
+import kernel_trials_polygon
 import kernel_trials_scanline
 import kernel_trials_span
 import kernel_trials_tiled
@@ -31,7 +32,8 @@ def called(request):
               if item.path == request.path and hasattr(item, "callspec")}
     trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
                                  kernel_trials_mappers, kernel_trials_pixel,
-                                 kernel_trials_scanline, kernel_trials_tiled)
+                                 kernel_trials_scanline, kernel_trials_tiled,
+                                 kernel_trials_polygon)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

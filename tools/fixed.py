@@ -30,17 +30,11 @@ def cut_quotient(n: int, d: int) -> int:
 
 
 def quotient(n: int, d: int) -> int:
-    """n / d in 32.32 modulo 2^64, as ``gradients`` divides: d keeps 32 bits."""
-    if n == 0:
-        return 0
+    """n / d in 32.32 modulo 2^64, as ``texturing_plane`` divides: d keeps 32 bits."""
     sign = -1 if (n < 0) != (d < 0) else 1
     n, d = abs(n), abs(d)
-    shifts_n, shifts_d = 64 - n.bit_length(), 64 - d.bit_length()
-    upper = (d << shifts_d) >> 32
-    q = ((n << shifts_n >> 1) << 32) // upper
-    right = 31 + shifts_n - shifts_d
-    q = q >> right if right >= 0 else q << -right
-    return signed(sign * (q & ((1 << 64) - 1)), 64)
+    cut = max(d.bit_length() - 32, 0)
+    return signed(sign * (((n >> cut) << 32) // (d >> cut)), 64)
 
 
 def wide_mul(gradient: int, offset: int) -> int:

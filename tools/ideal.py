@@ -12,8 +12,9 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 
 * Edge, n lines below its first: its x starts at the nearest unit (1/2) and steps by
   a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
-* Plane gradient g: the divisor is cut to 32 bits (|g| / 2^31), the quotient to
-  1/2^32 texels a pixel: e(g) = |g| / 2^31 + 1/2^32.
+* Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
+  many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
+  1/2^32: e(g) = |g| / 2^31 + 3/2^32.
 * Step: the gradient rounded to a multiple of r: r/2 + e(g) a pixel, r = 1/2^16, or
   1/2^15 for u where its lowest bit is kept spare for a wrap of v.
 * Reference pixel, (x, y) away from the first vertex: two products, each rounded to
@@ -119,7 +120,7 @@ class Plane:
     def bound(self, i: int, j: int, i_ref: int, j_ref: int, spare: int) -> float:
         """The derived bound at pixel (i, j), in texels."""
         gx, gy = abs(self.nx / self.d), abs(self.ny / self.d)
-        ex, ey = gx / 2**31 + 1 / 2**32, gy / 2**31 + 1 / 2**32
+        ex, ey = gx / 2**31 + 3 / 2**32, gy / 2**31 + 3 / 2**32
         away = abs(i_ref - self.x0 * UNIT) * ex + abs(j_ref - self.y0 * UNIT) * ey
         rounding = UNIT / 2 * (1 << spare)
         return (UNIT + spare * UNIT + away

@@ -98,7 +98,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     map's, in texels.
     """
     n = len(vertices)
-    if not 3 <= n <= 64 or any(not -FAR < c < FAR for v in vertices for c in v):
+    if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v):
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None

@@ -46,13 +46,22 @@ class Texturing:
     j: int = 0
 
 
-def guarded(dvdx: int, width: int, inside: bool, mapper: str) -> tuple[int, int, bool]:
-    """spare, guard and wraps of struct texturing."""
-    inside = inside or mapper != "affine"  # only its u and v share a chain
+def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
+    """Whether v, given at the box's middle, stays between two multiples of 256 texels."""
+    left, top, right, bottom = box
+    travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
+    travel = ((travel_x + 1) * ((right - left + 1) >> 1)
+              + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
+    return (travel_x < 0x10000 and travel_y < 0x10000
+            and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
+
+
+def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
+    """spare, guard and wraps of struct texturing, where v may wrap in a chain."""
     speed = signed(dvdx, 24)
     once = ((abs(speed) >> 8) + 1) * width <= 0x10000
-    spare = int(not inside and once)
-    return spare, spare & (speed < 0), not inside and not once
+    spare = int(wraps and once)
+    return spare, spare & (speed < 0), wraps and not once
 
 
 def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
@@ -74,13 +83,9 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     u = a[2] + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
     v = a[3] + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
     dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
-
-    travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
-    travel = ((travel_x + 1) * ((right - left + 1) >> 1)
-              + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
-    inside = (settings.start == "subtexel" and travel_x < 0x10000 and travel_y < 0x10000
-              and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
-    spare, guard, wraps = guarded(dvdx, right - left, inside, settings.mapper)
+    chained = settings.mapper == "affine"  # only its u and v share a chain
+    inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
+    spare, guard, wraps = guarded(dvdx, right - left, chained and not inside)
     return Texturing(step(dsdx, spare), dvdx, spare, guard, wraps, step(dsdy, spare), dvdy,
                      u & ~spare | guard, v, i, j)
 
@@ -100,7 +105,7 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
         y = part[1]
         part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
     dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
-    spare, guard, wraps = guarded(dvdx, box[2] - box[0], False, settings.mapper)
+    spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper == "affine")
     return Texturing(dudx & ~spare & M32, dvdx & M32, spare, guard, wraps)
 
 

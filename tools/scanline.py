@@ -20,8 +20,10 @@ def pack(form: str, u: int, v: int) -> dict[str, int]:
 
 
 def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
-    """struct edge of x and slope in 16.16, EDGE_BIAS included in x."""
+    """struct edge of x and slope in 16.16, EDGE_BIAS included in x; no stepper reads where
+    it comes from."""
     x += 0xFFFF
+    more |= {"upper": 0xDEAD, "lower": 0xDEAD, "top": 0xDEAD}
     return {"lines": lines, "x": x >> 16, "whole": slope >> 16, "error": x << 16 & M32,
             "part": slope << 16 & M32, "height": 0} | more
 

@@ -116,16 +116,13 @@ struct setup {
     enum span_kind kind;
 };
 
-static struct edge left_edges[CLIP_VERTICES_MAX], right_edges[CLIP_VERTICES_MAX];
-static struct side_edge left_from[CLIP_VERTICES_MAX], right_from[CLIP_VERTICES_MAX];
-
 static int32 set_box(struct rectangle *box, const struct sides *sides,
-                     const struct vertex *vertices, const struct frame *frame)
+                     const struct frame *frame)
 {
     box->left = maximum(FIX_CEIL(sides->x_low - EDGE_ERROR), 0);
     box->right = minimum(FIX_CEIL(sides->x_high + EDGE_ERROR), frame->width);
-    box->top = maximum(FIX_CEIL(vertices[sides->top].y), 0);
-    box->bottom = minimum(FIX_CEIL(vertices[sides->bottom].y), frame->height);
+    box->top = maximum(FIX_CEIL(sides->top->y), 0);
+    box->bottom = minimum(FIX_CEIL(sides->bottom->y), frame->height);
     return box->left < box->right && box->top < box->bottom;
 }
 
@@ -144,9 +141,8 @@ static enum polygon_result clip_vertices(struct setup *s)
         return POLYGON_DRAWN;
     s->outline_sides = &sides;
     if (s->outline_count < 3
-        || !sides_measure(&sides, s->outline, s->outline_count)
-        || !set_box(&s->box, &sides, s->outline, s->frame)
-        || !sides_orient(&sides, s->outline, s->outline_count))
+        || sides_find(&sides, s->outline, s->outline_count) != POLYGON_DRAWN
+        || !set_box(&s->box, &sides, s->frame))
         return POLYGON_EMPTY;
     return POLYGON_DRAWN;
 }
@@ -154,28 +150,22 @@ static enum polygon_result clip_vertices(struct setup *s)
 /* Finds what the polygon covers and its edges. */
 static enum polygon_result set_sides(struct setup *s)
 {
-    int32 step;
+    static struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
+    enum polygon_result result = sides_find(&s->sides, s->vertices, s->count);
 
-    if (!sides_measure(&s->sides, s->vertices, s->count))
-        return POLYGON_OUTSIDE_RANGE;
-    if (!set_box(&s->box, &s->sides, s->vertices, s->frame)
-        || !sides_orient(&s->sides, s->vertices, s->count))
+    if (result != POLYGON_DRAWN)
+        return result;
+    if (!set_box(&s->box, &s->sides, s->frame))
         return POLYGON_EMPTY;
     s->outline = s->vertices;
     s->outline_count = s->count;
     s->outline_sides = &s->sides;
     if (s->material->clip == CLIP_VERTICES && clip_vertices(s) != POLYGON_DRAWN)
         return POLYGON_EMPTY;
-    step = s->outline_sides->left_step;
     s->edges.lines = lines;
-    s->edges.left = left_edges;
-    s->edges.right = right_edges;
-    s->edges.lefts = edges_make(left_edges, left_from, s->outline_sides, s->outline,
-                                s->outline_count, step, s->box.top, s->box.bottom,
-                                s->material->edges);
-    s->edges.rights = edges_make(right_edges, right_from, s->outline_sides, s->outline,
-                                 s->outline_count, -step, s->box.top, s->box.bottom,
-                                 s->material->edges);
+    s->edges.left = left;
+    s->edges.right = right;
+    edges_make(&s->edges, s->outline_sides, &s->box, s->material->edges == EDGES_EXACT);
     return POLYGON_DRAWN;
 }
 
@@ -219,17 +209,17 @@ static enum polygon_result set_span(struct setup *s)
 static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
 {
     const struct material *m = s->material;
-    int32 chained = m->mapper == MAPPER_AFFINE;
+    enum chain chain = m->mapper != MAPPER_AFFINE ? CHAIN_NONE
+                     : m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL
+                     ? CHAIN_PLANE : CHAIN_ANYWHERE;
 
-    if (m->gradients == GRADIENTS_PLANE) {
-        if (!texturing_plane(t, s->vertices, &s->sides, &s->box, m->start, chained))
-            return POLYGON_EMPTY;
-    } else {
-        if (s->count != 3)
-            return POLYGON_NO_TRIANGLE;
-        texturing_longest(t, s->vertices, &s->sides, &s->box, chained);
-    }
-    texturing_edges(t, left_edges, left_from, s->edges.lefts, m->gradients, m->start);
+    if (m->gradients == GRADIENTS_PLANE)
+        texturing_plane(t, &s->sides, &s->box, chain);
+    else if (s->count == 3)
+        texturing_longest(t, &s->sides, &s->box, chain);
+    else
+        return POLYGON_NO_TRIANGLE;
+    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start);
     s->span.dudx = t->dudx;
     s->span.dvdx = t->dvdx;
     s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
@@ -270,8 +260,8 @@ static void set_ramps(struct setup *s)
 
     make_lines(s, edge_flat, edge_flat_exact);
     cut_lines(s, scissor_flat);
-    ramps_make(left, left_edges, left_from, s->edges.lefts);
-    ramps_make(right, right_edges, right_from, s->edges.rights);
+    ramps_make(left, s->edges.left, s->edges.lefts);
+    ramps_make(right, s->edges.right, s->edges.rights);
     plan.lines = lines;
     plan.count = s->span.count;
     plan.left = left;

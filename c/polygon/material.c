@@ -1,6 +1,6 @@
 #include "polygon/material.h"
 
-#include "polygon/plane.h"
+#include "polygon/math.h"
 
 /* What u and v may be off from the vertices' range at a pixel's centre: edges are
    within EDGE_ERROR pixels, times STEEP texels a pixel; 1,024 steps round by 1/2^17
@@ -67,9 +67,12 @@ int32 material_range(struct hold_plan *hold, const struct material *material,
                      const struct vertex *vertices, int32 count,
                      const struct span_plan *span)
 {
-    int32 steep = is_steep(material, span);
     fix16 s_low, s_high, t_low, t_high;
+    int32 steep;
 
+    if (material->mapper != MAPPER_GOURAUD && material->mapper != MAPPER_ARBITRARY)
+        return 0;
+    steep = is_steep(material, span);
     if (material->mapper == MAPPER_GOURAUD) {
         range(&vertices->s, count, &s_low, &s_high);
         hold->u_low = s_low & ~0xffff;
@@ -77,8 +80,6 @@ int32 material_range(struct hold_plan *hold, const struct material *material,
         hold->v_low = hold->v_high = 0;
         return steep;
     }
-    if (material->mapper != MAPPER_ARBITRARY)
-        return 0;
     hold->u_low = hold->v_low = 0;
     hold->u_high = (material->map->width << 16) - 1;
     hold->v_high = (material->map->height << 16) - 1;

@@ -6,9 +6,9 @@
 #include "scene/scene_file.h"
 #include "texture/map.h"
 
-/* x, y: pixels, pixel centres at integers, |x|, |y| < POLYGON_FAR.
+/* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded).
    s, t: 0 to 256 along the longer side of the map, whatever its size; any value
-   where the map repeats, |s|, |t| < POLYGON_FAR. shade: 0 to 255. All 16.16. */
+   where the map repeats, in the same range. shade: 0 to 255. All 16.16. */
 struct vertex {
     fix16 x, y, s, t, shade;
 };

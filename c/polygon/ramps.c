@@ -2,16 +2,15 @@
 
 #include "polygon/texturing.h"
 
-void ramps_make(struct ramp *ramp, const struct edge *edge, const struct side_edge *from,
-                int32 count)
+void ramps_make(struct ramp *ramp, const struct edge *edge, int32 count)
 {
-    for (; count > 0; count--, ramp++, edge++, from++) {
-        struct edge along;
+    for (; count > 0; count--, ramp++, edge++) {
+        struct edge along = *edge;
 
-        along.lines = ramp->lines = edge->lines;
-        texturing_along(&along, from);
-        ramp->x = edge_x(from);
-        ramp->dx = edge_slope(from);
+        texturing_along(&along);
+        ramp->lines = edge->lines;
+        ramp->x = edge_x(edge);
+        ramp->dx = edge_slope(edge);
         ramp->u = along.u;
         ramp->v = along.v;
         ramp->du = along.du;

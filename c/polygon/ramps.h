@@ -6,7 +6,6 @@
 #include "span/scanline.h"
 
 /* The way along each edge of a side. */
-void ramps_make(struct ramp *ramps, const struct edge *edges, const struct side_edge *from,
-                int32 count);
+void ramps_make(struct ramp *ramps, const struct edge *edges, int32 count);
 
 #endif

@@ -4,23 +4,26 @@
 
 #include "polygon/polygon.h"
 
+/* An unsigned 32.32 number below 2^63. */
+struct wide {
+    uint32 hi, lo;
+};
+
 struct sides {
-    int32 top, bottom;          /* vertices; of several the leftmost */
-    int32 apex;                 /* the vertex farthest from the line between them */
-    int32 left_step;            /* +1: the left side follows the vertex order; -1 */
+    const struct vertex *first, *last;  /* in the order of the vertices */
+    const struct vertex *top, *bottom;  /* of several the leftmost */
+    const struct vertex *apex;          /* the one farthest from the line between them */
+    struct wide area;                   /* twice that of these three, square pixels */
+    uint8 apex_right;                   /* where the apex lies: 255 right, 0 left */
+    int32 left_step;                    /* bytes to the left side's next vertex; after
+                                           the last comes the first */
     fix16 x_low, x_high;
 };
 
 /* The smallest integer not below x. */
 #define FIX_CEIL(x) (((x) + 0xffff) >> 16)
 
-/* The difference a - b of x, y, s and t. */
-void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b);
-
-/* Finds top, bottom and the range of x. 0: a vertex is POLYGON_FAR or more away. */
-int32 sides_measure(struct sides *sides, const struct vertex *vertices, int32 count);
-
-/* Finds apex and which side is left. 0: the polygon has no area. */
-int32 sides_orient(struct sides *sides, const struct vertex *vertices, int32 count);
+/* src68k/polygon: contract there. */
+enum polygon_result sides_find(struct sides *sides, const struct vertex *vertices, int32 count);
 
 #endif

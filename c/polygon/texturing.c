@@ -1,84 +1,19 @@
 #include "polygon/texturing.h"
 
-#include "polygon/plane.h"
+#include "polygon/math.h"
 
 static int32 magnitude(fix16 value)
 {
     return value < 0 ? -value : value;
 }
 
-/* A 32.32 gradient as a 16.16 step, rounded to the nearest; spare bits below stay 0. */
-static fix16 step(const struct wide *gradient, uint32 spare)
+/* The difference a - b of x, y, s and t. */
+static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {
-    uint32 half = (uint32)0x8000 << spare;
-    uint32 lo = gradient->lo + half;
-    uint32 hi = (uint32)gradient->hi + (lo < half);
-
-    return (fix16)(((hi << 16) | (lo >> 16)) & ~spare);
-}
-
-/* dv as the addx chain steps it: modulo 256 texels, -128 to 128. */
-static fix16 chain_step(fix16 dv)
-{
-    return (fix16)((uint32)dv << 8) >> 8;
-}
-
-/* Whether v stays between two multiples of 256 texels on the whole box. */
-static int32 inside_period(const struct texturing *t, const struct rectangle *box)
-{
-    uint32 travel_x = (uint32)magnitude(t->dvdx) >> 8, travel_y = (uint32)magnitude(t->dvdy) >> 8;
-    uint32 travel, v = (t->v >> 8) & 0xffff;            /* 8.8 */
-
-    if (travel_x >= 0x10000 || travel_y >= 0x10000)
-        return 0;
-    travel = (travel_x + 1) * ((uint32)(box->right - box->left + 1) >> 1)
-           + (travel_y + 1) * ((uint32)(box->bottom - box->top + 1) >> 1) + 1;
-    return v >= travel && v + travel < 0x10000;
-}
-
-/* Where v wraps in a span, the addx chain carries into u's lowest bit: one wrap is
-   caught by keeping that bit spare. More wraps need the longer loop. */
-static void plan_wrap(struct texturing *t, const struct rectangle *box, int32 inside)
-{
-    int32 speed = magnitude(chain_step(t->dvdx));
-
-    t->wraps = 0;
-    t->spare = 0;
-    if (!inside) {
-        if (((speed >> 8) + 1) * (box->right - box->left) <= 0x10000)
-            t->spare = 1;
-        else
-            t->wraps = 1;
-    }
-    t->guard = t->spare & (chain_step(t->dvdx) < 0);
-}
-
-int32 texturing_plane(struct texturing *t, const struct vertex *vertices,
-                      const struct sides *sides, const struct rectangle *box,
-                      enum start start, int32 chained)
-{
-    const struct vertex *a = &vertices[sides->top];
-    struct vertex e1, e2;
-    struct plane plane;
-    int32 x, y;
-
-    vertex_difference(&e1, &vertices[sides->bottom], a);
-    vertex_difference(&e2, &vertices[sides->apex], a);
-    if (gradients(&e1, &e2, &plane) == 0)
-        return 0;
-    t->i = (box->left + box->right) >> 1;
-    t->j = (box->top + box->bottom) >> 1;
-    x = (fix16)((uint32)t->i << 16) - a->x;
-    y = (fix16)((uint32)t->j << 16) - a->y;
-    t->u = (uint32)a->s + (uint32)wide_mul(&plane.dsdx, x) + (uint32)wide_mul(&plane.dsdy, y);
-    t->v = (uint32)a->t + (uint32)wide_mul(&plane.dtdx, x) + (uint32)wide_mul(&plane.dtdy, y);
-    t->dvdx = step(&plane.dtdx, 0);
-    t->dvdy = step(&plane.dtdy, 0);
-    plan_wrap(t, box, !chained || (start == START_SUBTEXEL && inside_period(t, box)));
-    t->dudx = step(&plane.dsdx, t->spare);
-    t->dudy = step(&plane.dsdy, t->spare);
-    t->u = (t->u & ~t->spare) | t->guard;
-    return 1;
+    out->x = a->x - b->x;
+    out->y = a->y - b->y;
+    out->s = a->s - b->s;
+    out->t = a->t - b->t;
 }
 
 /* part * 65536 / whole, or the largest step: a narrow triangle's may be any. */
@@ -91,12 +26,10 @@ static fix16 saturated_step(fix16 part, fix16 whole)
     return whole < 0 ? mul_div(-part, 65536, -whole) : mul_div(part, 65536, whole);
 }
 
-void texturing_longest(struct texturing *t, const struct vertex *vertices,
-                       const struct sides *sides, const struct rectangle *box,
-                       int32 chained)
+void texturing_longest(struct texturing *t, const struct sides *sides,
+                       const struct rectangle *box, enum chain chain)
 {
-    const struct vertex *top = &vertices[sides->top], *bottom = &vertices[sides->bottom];
-    const struct vertex *middle = &vertices[sides->apex];
+    const struct vertex *top = sides->top, *bottom = sides->bottom, *middle = sides->apex;
     struct vertex whole, part;
 
     vertex_difference(&whole, bottom, top);
@@ -111,28 +44,17 @@ void texturing_longest(struct texturing *t, const struct vertex *vertices,
         t->dudx = saturated_step(part.s, part.x);
         t->dvdx = saturated_step(part.t, part.x);
     }
-    plan_wrap(t, box, !chained);
+    texturing_wrap(t, box, chain);
     t->dudx &= (fix16)~t->spare;
 }
 
-/* On the plane, u and v are functions of the pixel. */
-static void on_plane(const struct texturing *t, struct edge *edge, const struct side_edge *from)
+void texturing_along(struct edge *edge)
 {
-    uint32 x = edge->x - EDGE_BIAS - (uint32)t->i, y = (uint32)(from->top - t->j);
-
-    edge->u = t->u + x * (uint32)t->dudx + y * (uint32)t->dudy;
-    edge->v = t->v + x * (uint32)t->dvdx + y * (uint32)t->dvdy;
-    edge->du = t->dudy + (fix16)((uint32)edge->whole * (uint32)t->dudx);
-    edge->dv = t->dvdy + (fix16)((uint32)edge->whole * (uint32)t->dvdx);
-}
-
-void texturing_along(struct edge *edge, const struct side_edge *from)
-{
-    const struct vertex *upper = from->upper;
-    fix16 y = (from->top << 16) - upper->y;
+    const struct vertex *upper = edge->upper;
+    fix16 y = (edge->top << 16) - upper->y;
     struct vertex whole;
 
-    vertex_difference(&whole, from->lower, upper);
+    vertex_difference(&whole, edge->lower, upper);
     edge->u = (uint32)(upper->s + mul_div(whole.s, y, whole.y));
     edge->v = (uint32)(upper->t + mul_div(whole.t, y, whole.y));
     edge->du = edge->dv = 0;
@@ -143,10 +65,10 @@ void texturing_along(struct edge *edge, const struct side_edge *from)
 }
 
 /* Moves u and v from where the edge crosses the lines to the first pixels. */
-static void to_pixels(const struct texturing *t, struct edge *edge, fix16 x, fix16 slope)
+static void to_pixels(const struct texturing *t, struct edge *edge)
 {
-    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - x;
-    fix16 step = (edge->whole << 16) - slope;
+    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);
+    fix16 step = (edge->whole << 16) - edge_slope(edge);
 
     edge->u += (uint32)mul_fix(t->dudx, prestep);
     edge->v += (uint32)mul_fix(t->dvdx, prestep);
@@ -155,9 +77,10 @@ static void to_pixels(const struct texturing *t, struct edge *edge, fix16 x, fix
 }
 
 /* The other way: the plane's values where the edge crosses the lines. */
-static void to_crossing(const struct texturing *t, struct edge *edge, fix16 x, fix16 slope)
+static void to_crossing(const struct texturing *t, struct edge *edge)
 {
-    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - x;
+    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);
+    fix16 slope = edge_slope(edge);
 
     edge->u -= (uint32)mul_fix(t->dudx, prestep);
     edge->v -= (uint32)mul_fix(t->dvdx, prestep);
@@ -165,21 +88,23 @@ static void to_crossing(const struct texturing *t, struct edge *edge, fix16 x, f
     edge->dv = t->dvdy + mul_fix(t->dvdx, slope);
 }
 
-void texturing_edges(const struct texturing *t, struct edge *edge,
-                     const struct side_edge *from, int32 count,
+void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
                      enum gradients gradients, enum start start)
 {
-    for (; count > 0; count--, edge++, from++) {
+    if (gradients == GRADIENTS_PLANE) {
+        texturing_starts(t, edges, count);
+        if (start == START_SUBTEXEL)
+            return;
+    }
+    for (; count > 0; count--, edges++) {
         if (gradients == GRADIENTS_PLANE) {
-            on_plane(t, edge, from);
-            if (start == START_TRUNCATED)
-                to_crossing(t, edge, edge_x(from), edge_slope(from));
+            to_crossing(t, edges);
         } else {
-            texturing_along(edge, from);
+            texturing_along(edges);
             if (start == START_SUBTEXEL)
-                to_pixels(t, edge, edge_x(from), edge_slope(from));
+                to_pixels(t, edges);
         }
-        edge->u = (edge->u & ~t->spare) | t->guard;
-        edge->du &= (fix16)~t->spare;
+        edges->u = (edges->u & ~t->spare) | t->guard;
+        edges->du &= (fix16)~t->spare;
     }
 }

@@ -6,10 +6,6 @@
 #include "polygon/polygon.h"
 #include "polygon/sides.h"
 
-struct rectangle {
-    int32 left, top, right, bottom;     /* pixels; right and bottom excluded */
-};
-
 /* All in 16.16 modulo 2^32. */
 struct texturing {
     fix16 dudx, dvdx;           /* texels a pixel */
@@ -23,23 +19,28 @@ struct texturing {
     int32 i, j;
 };
 
-/* The plane through top, bottom and apex. 0: they are on one line. chained: u and v
-   share the addx chain, so a wrap of v must be provided for. */
-int32 texturing_plane(struct texturing *t, const struct vertex *vertices,
-                      const struct sides *sides, const struct rectangle *box,
-                      enum start start, int32 chained);
+/* How u and v share an addx chain, in which a wrap of v must be provided for. */
+enum chain {
+    CHAIN_NONE,                 /* not at all */
+    CHAIN_ANYWHERE,             /* v may be anywhere */
+    CHAIN_PLANE                 /* v is on the plane, within the box */
+};
+
+/* src68k/polygon: contracts there. */
+void texturing_plane(struct texturing *t, const struct sides *sides,
+                     const struct rectangle *box, enum chain chain);
+void texturing_wrap(struct texturing *t, const struct rectangle *box, enum chain chain);
+void texturing_starts(const struct texturing *t, struct edge *edges, int32 count);
 
 /* A triangle's steps from its longest scanline, the one through the middle vertex. */
-void texturing_longest(struct texturing *t, const struct vertex *vertices,
-                       const struct sides *sides, const struct rectangle *box,
-                       int32 chained);
+void texturing_longest(struct texturing *t, const struct sides *sides,
+                       const struct rectangle *box, enum chain chain);
 
 /* u, v and their steps a line between an edge's ends, where it crosses the lines. */
-void texturing_along(struct edge *edge, const struct side_edge *from);
+void texturing_along(struct edge *edge);
 
 /* u, v and their steps on left edges, GRADIENTS_PLANE or GRADIENTS_POLYGON. */
-void texturing_edges(const struct texturing *t, struct edge *edge,
-                     const struct side_edge *from, int32 count,
+void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
                      enum gradients gradients, enum start start);
 
 #endif

@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "polygon/plane.h"
+#include "polygon/math.h"
 #include "span/scanline.h"
 
 /* The background is a span of the whole width on every line. */

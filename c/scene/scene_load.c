@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "polygon/plane.h"
+#include "polygon/math.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"

@@ -27,6 +27,8 @@ struct scanline {
     uint32 start2;
 };
 
+struct vertex;
+
 /* One side of a section: the lines between two vertices of one polygon side. x moves
    by whole pixels a line; the error grows by part, and where it reaches 2^32, x moves
    one pixel more. With height 0 that is 32-bit fixed point. With a height h it is the
@@ -39,13 +41,16 @@ struct edge {
     uint32 height;              /* what a carry takes from the error; 0: nothing */
     uint32 u, v;                /* left edges: at the first line's first pixel and ... */
     fix16 du, dv;               /* ... a line and `whole` pixels on; 16.16 modulo 2^32 */
+
+    /* Where it comes from; no stepper reads this. */
+    const struct vertex *upper, *lower;
+    int32 top;                  /* the first line in the frame */
 };
 
 /* Everything a scanline stepper needs. */
 struct edge_plan {
     struct scanline *lines;     /* the first line's entry */
-    const struct edge *left;
-    const struct edge *right;
+    struct edge *left, *right;
     int32 lefts, rights;        /* how many of each; both cover the same lines */
     fix16 dudx, dvdx;           /* texels for the pixel that a carry adds */
 };

@@ -6,24 +6,22 @@
 ;
 ; in:      a0  edge*    what is filled in
 ;          a1  vertex*  upper end, 16.16
-;          d0  vertex*  lower end, below the upper one
+;          a2  vertex*  lower end, below the upper one
 ;          d1  int32    line, between the two
 ; out:     -
-; trashes: d0-d1/a0-a1
+; trashes: d0-d7
 ; reads:   x, y of both ends
 ; writes:  edge: x, whole, error, part, height
 ; formats: with W x H the edge's extent and A = ceil(x's fraction * H + W * dy) in
 ;          units of H pixels: x = ceil(A / H) + whole part, error = 2^32 - 1 -
 ;          (that ceil * H - A), whole = floor(W / H), part = W modulo H
 ; error:   none: every ceil is the rational one
-; cost:    about 370 cycles
+; cost:    about 260 cycles
 ;==============================================================================
 ; The numerator is kept in 64 bits. What it has below 1/65536 never changes from line
 ; to line, so its ceil may be taken once.
 
-        routine edge_exact,a0,a1,d0,d1
-        movem.l d2-d7/a2,-(sp)
-        movea.l d0,a2
+        routine edge_exact
         swap    d1
         clr.w   d1
         sub.l   vertex_y(a1),d1         ; dy
@@ -67,5 +65,4 @@
         subq.l  #1,d5
 .floor  move.l  d2,edge_part(a0)
         move.l  d5,edge_whole(a0)
-        movem.l (sp)+,d2-d7/a2
         rts

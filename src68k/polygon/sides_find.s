@@ -1,0 +1,156 @@
+        include "routine.i"
+        include "layout.i"
+
+; Goes to .far where \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
+; of such a 16.16 number differ. Uses d0.
+in_range macro
+        move.l  \1,d0
+        add.l   d0,d0
+        bvs     .far
+        endm
+
+;==============================================================================
+; sides_find - a polygon's top and bottom vertex, and which side is left
+;
+; in:      a0  sides*   what is filled in
+;          a1  vertex*  the vertices, in order
+;          d0  int32    how many, 3 or more
+; out:     d0  int32    POLYGON_DRAWN; POLYGON_OUTSIDE_RANGE: a coordinate is not in
+;                       -POLYGON_FAR to POLYGON_FAR; POLYGON_EMPTY: no area
+; trashes: d0-d1/a0-a1
+; reads:   x, y, s, t of the vertices
+; writes:  *sides; not all of it where the polygon is refused
+; formats: 16.16; area 32.32, below 2^63
+; error:   none
+; cost:    about 600 cycles for a triangle
+;==============================================================================
+        routine sides_find,a0,a1,d0
+        movem.l d2-d7/a2-a4,-(sp)
+        subq.w  #1,d0
+        move.w  d0,d7
+        move.l  a1,sides_first(a0)
+        movea.l a1,a2                   ; top
+        movea.l a1,a3                   ; bottom
+        move.l  vertex_y(a1),d3         ; its y
+        move.l  d3,d4                   ; the bottom's
+        move.l  vertex_x(a1),d5         ; least x
+        move.l  d5,d6                   ; greatest
+
+.vertex move.l  vertex_x(a1),d1
+        in_range d1
+        move.l  vertex_y(a1),d2
+        in_range d2
+        in_range vertex_s(a1)
+        in_range vertex_t(a1)
+        cmp.l   d5,d1
+        bge.s   .not_least
+        move.l  d1,d5
+.not_least
+        cmp.l   d6,d1
+        ble.s   .not_greatest
+        move.l  d1,d6
+.not_greatest
+        cmp.l   d3,d2
+        bgt.s   .not_top
+        blt.s   .top
+        cmp.l   vertex_x(a2),d1
+        bge.s   .not_top
+.top    move.l  d2,d3
+        movea.l a1,a2
+.not_top
+        cmp.l   d4,d2
+        blt.s   .not_bottom
+        bgt.s   .bottom
+        cmp.l   vertex_x(a3),d1
+        bge.s   .not_bottom
+.bottom move.l  d2,d4
+        movea.l a1,a3
+.not_bottom
+        lea     vertex_sizeof(a1),a1
+        dbra    d7,.vertex
+
+        move.l  d5,sides_x_low(a0)
+        move.l  d6,sides_x_high(a0)
+        move.l  a2,sides_top(a0)
+        move.l  a3,sides_bottom(a0)
+        lea     -vertex_sizeof(a1),a4
+        move.l  a4,sides_last(a0)
+        sub.l   d3,d4                   ; down: from top to bottom
+        move.l  vertex_x(a3),d5
+        sub.l   vertex_x(a2),d5
+        moveq   #0,d6                   ; d6:d7 the largest cross product so far
+        moveq   #0,d7
+
+        ; The apex is the vertex farthest from the line from top to bottom; of several
+        ; the topmost, then the leftmost, so that their order does not matter.
+        movea.l sides_first(a0),a1
+.turn   cmpa.l  a1,a2
+        beq.s   .turned
+        cmpa.l  a1,a3
+        beq.s   .turned
+        move.l  vertex_y(a1),d1
+        sub.l   vertex_y(a2),d1
+        muls.l  d5,d0:d1
+        move.l  vertex_x(a1),d3
+        sub.l   vertex_x(a2),d3
+        muls.l  d4,d2:d3
+        sub.l   d3,d1
+        subx.l  d2,d0
+        smi     d2                      ; on the right
+        bpl.s   .size
+        neg.l   d1
+        negx.l  d0
+.size   cmp.l   d6,d0
+        bhi.s   .apex
+        bne.s   .turned
+        cmp.l   d7,d1
+        bhi.s   .apex
+        bne.s   .turned
+        move.l  d0,d3
+        or.l    d1,d3
+        beq.s   .turned                 ; on the line
+        move.l  vertex_y(a1),d3
+        cmp.l   vertex_y(a4),d3
+        blt.s   .apex
+        bne.s   .turned
+        move.l  vertex_x(a1),d3
+        cmp.l   vertex_x(a4),d3
+        bge.s   .turned
+.apex   move.l  d0,d6
+        move.l  d1,d7
+        movea.l a1,a4
+        move.b  d2,sides_apex_right(a0)
+.turned cmpa.l  sides_last(a0),a1
+        lea     vertex_sizeof(a1),a1
+        bne.s   .turn
+
+        move.l  d6,d0
+        or.l    d7,d0
+        beq.s   .empty
+        movem.l d6-d7,sides_area(a0)
+        move.l  a4,sides_apex(a0)
+
+        ; Of top < apex, apex < bottom and bottom < top two hold where the vertices come
+        ; in that order, and one where they come in the other.
+        cmpa.l  a4,a2
+        scs     d0
+        cmpa.l  a3,a4
+        scs     d1
+        eor.b   d1,d0
+        cmpa.l  a2,a3
+        scs     d1
+        eor.b   d1,d0                   ; 0: the apex comes before the bottom
+        move.b  sides_apex_right(a0),d1
+        eor.b   d1,d0                   ; 0: and is on the left; or neither
+        moveq   #vertex_sizeof,d1
+        tst.b   d0
+        beq.s   .step
+        neg.l   d1
+.step   move.l  d1,sides_left_step(a0)
+        moveq   #POLYGON_DRAWN,d0
+.done   movem.l (sp)+,d2-d7/a2-a4
+        rts
+.far    moveq   #POLYGON_OUTSIDE_RANGE,d0
+        bra.s   .done
+.empty  moveq   #POLYGON_EMPTY,d0
+        bra.s   .done

@@ -1,0 +1,182 @@
+        include "routine.i"
+        include "layout.i"
+
+        xref    texturing_wrap
+
+; d1:d2 = (p1 q2 - p2 q1) / D in 32.32, cut towards zero; p, q: \1, \2. D and the
+; numerator have been shifted right by d6, which leaves 32 bits of D, in d7; d5 =
+; 32 - d6. a2, a3: the two vectors from the first vertex.
+gradient macro
+        move.l  vertex_\1(a2),d1
+        muls.l  vertex_\2(a3),d0:d1
+        move.l  vertex_\1(a3),d3
+        muls.l  vertex_\2(a2),d2:d3
+        sub.l   d3,d1
+        subx.l  d2,d0
+        move.l  d0,d4                   ; sign
+        bpl.s   .positive\@
+        neg.l   d1
+        negx.l  d0
+.positive\@
+        move.l  d0,d3
+        lsr.l   d6,d0
+        lsr.l   d6,d1
+        lsl.l   d5,d3
+        or.l    d3,d1
+        cmp.l   d7,d0
+        blo.s   .fits\@
+        moveq   #0,d3                   ; only its remainder counts, modulo 2^64
+        divu.l  d7,d3:d0
+        move.l  d3,d0
+.fits\@ divu.l  d7,d0:d1
+        moveq   #0,d2
+        divu.l  d7,d0:d2
+        tst.l   d4
+        bpl.s   .signed\@
+        neg.l   d2
+        negx.l  d1
+.signed\@
+        endm
+
+; Adds the gradient d1:d2 times the offset \1 to the field \2, rounded to the
+; nearest. Uses d0/d3-d4.
+rise    macro
+        move.l  \1,d0
+        move.l  d0,d3
+        mulu.l  d2,d4:d3
+        tst.l   d0
+        bpl.s   .unsigned\@
+        sub.l   d2,d4                   ; the offset was taken as 2^32 too large
+.unsigned\@
+        muls.l  d1,d0
+        add.l   d4,d0
+        add.l   d3,d3                   ; half a unit
+        moveq   #0,d3
+        addx.l  d3,d0
+        add.l   d0,texturing_\2(a6)
+        endm
+
+; Puts the gradient d1:d2 into the field \2 as a step, rounded to the nearest multiple
+; of 1 << \1 units. Uses d0.
+step    macro
+        move.l  #$8000,d0
+        lsl.l   \1,d0
+        add.l   d0,d2
+        bcc.s   .carried\@
+        addq.l  #1,d1
+.carried\@
+        move.w  d1,d2
+        swap    d2
+        lsr.l   \1,d2
+        lsl.l   \1,d2
+        move.l  d2,texturing_\2(a6)
+        endm
+
+;==============================================================================
+; texturing_plane - how s and t run over the plane of a polygon
+;
+; in:      a0  texturing*  what is filled in
+;          a1  sides*      the polygon, its area not 0
+;          d0  rectangle*  the pixels that it may cover
+;          d1  int32       enum chain
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   *sides, top, bottom and apex vertex, the rectangle
+; writes:  *texturing
+; formats: with vectors from the top vertex to the bottom (1) and the apex (2), D =
+;          x1 y2 - x2 y1 = +-area:
+;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
+;          in 32.32 modulo 2^64; rounded to the nearest 16.16 (for u: to a multiple of
+;          1 + spare units) they are the steps. i, j: the box's middle; u = s + (i - x)
+;          dsdx + (j - y) dsdy there, each product rounded to the nearest unit
+; error:   of a gradient g: |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
+;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
+; cost:    about 2,000 cycles
+;==============================================================================
+        routine texturing_plane,a0,a1,d0,d1
+        movem.l d2-d7/a2-a6,-(sp)
+        move.l  d1,-(sp)                ; chain
+        move.l  d0,-(sp)                ; box
+        movea.l a0,a6
+        movea.l d0,a0
+
+        movea.l sides_top(a1),a2
+        movem.l (a2),d4-d7
+        move.l  d6,texturing_u(a6)
+        move.l  d7,texturing_v(a6)
+        movea.l sides_apex(a1),a2
+        movem.l (a2),d0-d3
+        sub.l   d4,d0
+        sub.l   d5,d1
+        sub.l   d6,d2
+        sub.l   d7,d3
+        movem.l d0-d3,-(sp)
+        movea.l sp,a3
+        movea.l sides_bottom(a1),a2
+        movem.l (a2),d0-d3
+        sub.l   d4,d0
+        sub.l   d5,d1
+        sub.l   d6,d2
+        sub.l   d7,d3
+        movem.l d0-d3,-(sp)
+        movea.l sp,a2
+        tst.b   sides_apex_right(a1)
+        beq.s   .turned
+        exg     a2,a3                   ; now D is positive
+.turned
+        move.l  rectangle_left(a0),d0
+        add.l   rectangle_right(a0),d0
+        asr.l   #1,d0
+        move.l  d0,texturing_i(a6)
+        swap    d0
+        clr.w   d0
+        sub.l   d4,d0
+        movea.l d0,a4                   ; from the first vertex to (i, j)
+        move.l  rectangle_top(a0),d0
+        add.l   rectangle_bottom(a0),d0
+        asr.l   #1,d0
+        move.l  d0,texturing_j(a6)
+        swap    d0
+        clr.w   d0
+        sub.l   d5,d0
+        movea.l d0,a5
+
+        move.l  sides_area+wide_hi(a1),d0
+        move.l  sides_area+wide_lo(a1),d7
+        bfffo   d0{0:32},d5
+        moveq   #32,d6
+        sub.l   d5,d6
+        lsr.l   d6,d7
+        lsl.l   d5,d0                   ; a shift by 32 gives 0
+        or.l    d0,d7
+
+        gradient t,y
+        rise    a4,v
+        moveq   #0,d3
+        step    d3,dvdx
+        gradient x,t
+        rise    a5,v
+        moveq   #0,d3
+        step    d3,dvdy
+
+        movea.l a6,a0
+        movea.l 32(sp),a1
+        move.l  36(sp),d0
+        bsr     texturing_wrap
+
+        gradient s,y
+        rise    a4,u
+        move.l  texturing_spare(a6),d3
+        step    d3,dudx
+        gradient x,s
+        rise    a5,u
+        move.l  texturing_spare(a6),d3
+        step    d3,dudy
+        move.l  texturing_u(a6),d0
+        lsr.l   d3,d0
+        lsl.l   d3,d0
+        or.l    texturing_guard(a6),d0
+        move.l  d0,texturing_u(a6)
+        lea     40(sp),sp
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
