@@ -101,14 +101,10 @@ def edge_trial(kernel: str, lefts, rights, steps: dict[str, int], rng) -> Trial:
     plan = memory.struct("edge_plan", dict(lines=table, left=places[0], right=places[1]),
                          lefts=len(lefts), rights=len(rights), **steps)
     form = FORMS[kernel.split("_")[1]]
-    if kernel.startswith("edge_right"):  # left is there already
-        left = [int(x) for x in rng.integers(1, 2 * BIAS, len(left))]
-        for write in table_writes(table, [{"left": x} for x in left]):
-            memory.data[write.at:write.at + 2] = write.expected
-        lines = [{"count": b - a} for a, b in zip(left, right)]
-    else:
-        lines = [{"left": a, "count": b - a} | start
-                 for a, b, start in zip(left, right, starts(lefts, form, **steps))]
+    lines = [{"left": a, "last": b - 1} | start
+             for a, b, start in zip(left, right, starts(lefts, form, **steps))]
+    if kernel.startswith("edge_right"):
+        lines = [{"last": line["last"]} for line in lines]
     register = "a6" if kernel.startswith("edge_right") else "a0"
     sides = "; ".join(
         f"{name} " + ", ".join(f"{e['lines']} lines: " + values(
@@ -143,8 +139,8 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     form = kernel.split("_")[1]
     near = [0, 1, 2, 100, BIAS - 1]
     lefts = {BIAS - k for k in near if k < BIAS} | {BIAS + k for k in near} \
-        | {BIAS + width + k for k in (-1, 0, 1)} | {1, 2 * BIAS}
-    pairs = [(a, b) for a in lefts for b in lefts if 0 < a <= 2 * BIAS and 0 < b <= 2 * BIAS]
+        | {BIAS + width + k for k in (-1, 0, 1)} | {0, 1, 2 * BIAS}
+    pairs = [(a, b) for a in lefts for b in lefts if a <= 2 * BIAS and b <= 2 * BIAS]
     pairs += [tuple(int(x) for x in rng.integers(1, 2 * BIAS, 2)) for _ in range(20)]
     pairs = sorted(pairs)
     memory = Memory(int(rng.integers(1 << 30)))
@@ -156,28 +152,29 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by additions before
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        for field, value in (packed | {"left": left, "count": right - left}).items():
+        for field, value in (packed | {"left": left, "last": right - 1}).items():
             table[index][field] = value
         before.append(f"(from column {left - BIAS} to {right - BIAS}, {values(u=u, v=v)})")
         first, end = max(left, BIAS), min(right, BIAS + width)
-        lines.append({"left": first, "count": end - first} | pack(
+        lines.append({"left": first, "last": end - 1} | pack(
             form, u + (first - left) * dudx, v + (first - left) * dvdx))
     at = memory.add(table.tobytes(), name="lines", shape=shape)
     plan = memory.struct("scissor_plan", dict(lines=at), count=len(lines), width=width,
                          dudx=dudx, dvdx=dvdx)
-    # A line with nothing left may hold anything, but for a count above 0.
+    # A line with nothing left may hold anything that is empty to a span routine.
     writes = []
     for write, line in zip(table_writes(at, lines, form),
                            (line for line in lines for _ in line)):
-        is_empty = line["count"] <= 0
+        is_empty = line["last"] < line["left"]
         writes.append(write._replace(mask=bytes(len(write.mask))) if is_empty else write)
 
     def emptied(result) -> str | None:
         found = np.frombuffer(result.memory, shape.dtype, len(lines), at)
         for index, line in enumerate(lines):
-            if line["count"] <= 0 < found["count"][index]:
+            is_drawn = (int(found["last"][index]) - int(found["left"][index])) & 0xFFFF < 0x8000
+            if line["last"] < line["left"] and is_drawn:
                 return (f"lines[{index}] {before[index]} lies outside: "
-                        f"count {found['count'][index]}")
+                        f"left {found['left'][index]}, last {found['last'][index]}")
         return None
 
     def where(offset: int, far: bool) -> str | None:

@@ -48,8 +48,7 @@ def ramp_trial(rng, truncated: bool, packed: bool, gap: int) -> Trial:
     before, after, steps = [], [], []
     for a, b in zip(points(left), points(right)):
         line = model.Line(max(model.ceil16(a[0]), 0), min(model.ceil16(b[0]), 320))
-        before.append({"left": (line.left + BIAS) & 0xFFFF,
-                       "count": max(line.right - line.left, -5)})
+        before.append({"left": line.left + BIAS, "last": max(line.right, line.left - 5) + BIAS - 1})
         if line.right > line.left:
             model.scanline_line(line, a, b, truncated)
             after.append(pack("addx" if packed else "plain", line.u, line.v))
@@ -116,7 +115,7 @@ def hold_trial(rng, most: int) -> Trial:
                  for name in "uv"}
         if rng.integers(10) == 0:
             start = {name: int(rng.integers(-1 << 30, 1 << 30)) for name in "uv"}
-        before.append(pack("plain", start["u"], start["v"]) | {"left": BIAS, "count": count})
+        before.append(pack("plain", start["u"], start["v"]) | {"left": BIAS, "last": BIAS + count - 1})
         kept = [held(start[n], limited[s], count, plan[f"{n}_low"], plan[f"{n}_high"])
                 for n, s in (("u", "dudx"), ("v", "dvdx"))]
         after.append(pack("plain", *kept) if count > 0 else {})

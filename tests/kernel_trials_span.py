@@ -97,7 +97,7 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         if form == "addx":  # room in v--U, used by the edges' additions
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
         left = BIAS + index % 4 + 4 * int(rng.integers(4))
-        for field, value in (packed | dict(left=left, count=count)).items():
+        for field, value in (packed | dict(left=left, last=left + count - 1)).items():
             table[index][field] = value
         row = len(starts) - 1 - index if upwards else index
         lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))

@@ -60,7 +60,8 @@ def span_case(kernel: str, form: str, length: int):
         starts.append((u, v))
         for field, value in pack(form, u, v).items():
             entries[k][field] = value
-        entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
+        entries[k]["left"] = constants["EDGE_BIAS"] + k % 4
+        entries[k]["last"] = entries[k]["left"] + length - 1
     pointers = dict(lines=arena.add(entries.tobytes()))
     if "scanline" in kernel:
         pointers["steps"] = arena.add(layout.load().struct("scanline_step").pack(
@@ -120,7 +121,7 @@ def edge_case(name: str):
         found = np.frombuffer(result.memory, shape.dtype, EDGE_LINES, table_at)
         for k, (left, right) in enumerate(zip(*columns)):
             moved = left - columns[0][0]
-            wanted = {"left": left, "count": right - left} | pack(
+            wanted = {"left": left, "last": right - 1} | pack(
                 form, (100 << 16) - k * DV + moved * DU, (50 << 16) + k * DU + moved * DV)
             for field, value in wanted.items():
                 if (int(found[k][field]) ^ value) & MASKS[form].get(field, M32):
@@ -143,7 +144,7 @@ def ramp_case():
     lines = []
     for entry, left, right in zip(table, *points):
         line = model.Line(model.ceil16(left[0]), model.ceil16(right[0]))
-        entry["left"], entry["count"] = line.left + bias, line.right - line.left
+        entry["left"], entry["last"] = line.left + bias, line.right - 1 + bias
         model.scanline_line(line, left, right, truncated=False)
         lines.append(line)
     table_at = arena.add(table.tobytes())

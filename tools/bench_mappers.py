@@ -51,7 +51,8 @@ def mapper_case(name: str, length: int, du: int = DU, dv: int = DV, lines: int =
             drawn = picture.reshape(-1)[texel_generated(u, v, du, dv, length) & 0xFFFF]
         for field, value in pack("plain", u, v).items():
             entries[k][field] = value
-        entries[k]["left"], entries[k]["count"] = constants["EDGE_BIAS"] + k % 4, length
+        entries[k]["left"] = constants["EDGE_BIAS"] + k % 4
+        entries[k]["last"] = entries[k]["left"] + length - 1
         expected[k, k % 4:k % 4 + length] = drawn
     table_at = arena.add(entries.tobytes())
     code_at = arena.add(bytes(constants["CODE_BYTES"]))

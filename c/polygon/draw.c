@@ -70,8 +70,8 @@ static void count_pixels(uint32 *pixels, int32 count)
     const struct scanline *line = lines;
 
     for (; count > 0; count--, line++)
-        if (line->count > 0)
-            *pixels += (uint32)line->count;
+        if (line->last >= line->left)
+            *pixels += (uint32)(line->last - line->left + 1);
 }
 
 /* What draws a polygon of this material. */
@@ -299,7 +299,7 @@ static void draw_each_line(const struct setup *s)
         line.lines = &lines[i];
         line.dudx = s->span.steps[i].dudx;
         line.dvdx = s->span.steps[i].dvdx;
-        if (lines[i].count > 0) {
+        if (lines[i].last >= lines[i].left) {
             hold_lines(s, &line);
             routines[s->kind].span(&line);
         }

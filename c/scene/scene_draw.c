@@ -11,7 +11,7 @@ static void clear(const struct frame *frame, uint32 colour)
 
     for (int32 i = 0; i < frame->height; i++) {
         lines[i].left = EDGE_BIAS;
-        lines[i].count = (int16)frame->width;
+        lines[i].last = (int16)(EDGE_BIAS + frame->width - 1);
     }
     plan.lines = lines;
     plan.count = frame->height;

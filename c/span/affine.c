@@ -11,7 +11,7 @@ void span_affine_c(const struct span_plan *plan)
 
     do {
         uint8 *pixel = row + line->left;
-        int32 count = line->count;
+        int32 count = line->last - line->left + 1;
         uint32 u = (uint32)line->start1 << 16 | line->start0, v = line->start2;
 
         while (--count >= 0) {

@@ -21,8 +21,8 @@ enum scanline_constants {
      plain: start0 = uu, start1 = UU, start2 = VVvv   (16.16)                   */
 struct scanline {
     uint16 start0;
-    uint16 left;                /* x of the first pixel + EDGE_BIAS */
-    int16 count;                /* pixels; 0 to -32767: none */
+    uint16 left;                /* x of the first pixel + EDGE_BIAS, up to 32768 */
+    int16 last;                 /* of the last one + EDGE_BIAS; below left: none */
     uint16 start1;
     uint32 start2;
 };
@@ -70,7 +70,7 @@ struct ramp {
 
 /* Everything edge_ramp needs. */
 struct ramp_plan {
-    struct scanline *lines;     /* the first line's entry; left and count are there */
+    struct scanline *lines;     /* the first line's entry; left and last are there */
     int32 count;                /* lines, 1 or more */
     struct ramp *left, *right;  /* both cover the lines; the routine uses them up */
     struct scanline_step *steps;        /* one a line */

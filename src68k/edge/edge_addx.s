@@ -28,14 +28,14 @@ addx_step macro
         endm
 
 ;==============================================================================
-; edge_addx - fills a scanline table: left, count and packed u, v
+; edge_addx - fills a scanline table: left, last and packed u, v
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: x with EDGE_BIAS, 0 < x < 32,768; start0 = uu, start1 = Vv,
+; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
 ;          start2 = v--U
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
 ; cost:    bench row edge_addx

@@ -10,16 +10,13 @@ steps   macro
         movem.l d2-d7/a2-a6,-(sp)
         movea.l a0,a6
         movea.l edge_plan_lines(a6),a0
+        addq.l  #scanline_left,a0
         movea.l edge_plan_left(a6),a5
         move.l  edge_plan_lefts(a6),d5
-        edge_loop write_left,\1
+        edge_loop \1,0
         jsr     \2
         movem.l (sp)+,d2-d7/a2-a6
         rts
-        endm
-
-write_left macro
-        move.w  d1,scanline_left(a0)
         endm
 
 ;==============================================================================
@@ -29,8 +26,8 @@ write_left macro
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, of its edges lines, x, whole, error and part
-; writes:  left and count of plan->lines[0 .. lines of one side - 1]
-; formats: x with EDGE_BIAS, 0 < x < 32,768
+; writes:  left and last of plan->lines[0 .. lines of one side - 1]
+; formats: x with EDGE_BIAS, 0 to 32,768
 ; error:   none
 ; cost:    bench row edge_flat
 ;==============================================================================
@@ -44,7 +41,7 @@ write_left macro
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, of its edges lines, x, whole, error, part and height
-; writes:  left and count of plan->lines[0 .. lines of one side - 1]
+; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: as edge_flat
 ; error:   none, and x is the rational one on every line
 ; cost:    bench row edge_flat_exact

@@ -70,8 +70,9 @@ limit   macro
         ; the longest line
         movea.l hold_plan_lines(a6),a4
         move.l  hold_plan_count(a6),d6
-        moveq   #1,d7
-.longer move.w  scanline_count(a4),d0
+        moveq   #0,d7
+.longer move.w  scanline_last(a4),d0
+        sub.w   scanline_left(a4),d0
         cmp.w   d0,d7
         bge.s   .shorter
         move.w  d0,d7
@@ -79,7 +80,7 @@ limit   macro
         lea     scanline_sizeof(a4),a4
         subq.l  #1,d6
         bne.s   .longer
-        subq.l  #1,d7
+        tst.l   d7                      ; its pixels less one
         beq.s   .limited
         limit   hold_plan_dudx(a6),hold_plan_u_low(a6),hold_plan_u_high(a6)
         limit   hold_plan_dvdx(a6),hold_plan_v_low(a6),hold_plan_v_high(a6)
@@ -91,9 +92,9 @@ limit   macro
         movea.l hold_plan_v_high(a6),a3
         movea.l hold_plan_dudx(a6),a0
         movea.l hold_plan_dvdx(a6),a1
-.line   move.w  scanline_count(a4),d6
-        ble.s   .next
-        subq.w  #1,d6
+.line   move.w  scanline_last(a4),d6
+        sub.w   scanline_left(a4),d6
+        blt.s   .next
         ext.l   d6
         move.w  scanline_start1(a4),d0
         swap    d0

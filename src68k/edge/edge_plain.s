@@ -41,14 +41,14 @@ plain_step macro
         endm
 
 ;==============================================================================
-; edge_plain - fills a scanline table: left, count and u, v in 16.16
+; edge_plain - fills a scanline table: left, last and u, v in 16.16
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: x with EDGE_BIAS, 0 < x < 32,768; start0 = uu, start1 = UU,
+; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
 ; cost:    bench row edge_plain

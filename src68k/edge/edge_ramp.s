@@ -8,7 +8,7 @@
 ; in:      a0  ramp_plan*  the table, both sides' ramps, where the steps go
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, left and count of its lines
+; reads:   the plan, left and last of its lines
 ; writes:  start0, start1, start2 of lines with pixels and their entry of steps; the
 ;          ramps, which run down
 ; formats: x, u, v 16.16; starts plain, or packed as the addx form has them.
@@ -30,8 +30,9 @@
         movea.l ramp_plan_right(a6),a2
         move.l  ramp_plan_count(a6),d7
 
-.line   tst.w   scanline_count(a4)
-        ble     .next
+.line   move.w  scanline_last(a4),d0
+        cmp.w   scanline_left(a4),d0
+        blt     .next
         move.l  ramp_u(a2),d0
         sub.l   ramp_u(a1),d0           ; u1 - u0
         move.l  ramp_v(a2),d1

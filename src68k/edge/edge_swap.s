@@ -17,7 +17,7 @@ joined  macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: x with EDGE_BIAS, 0 < x < 32,768; start0 = uu, start1 = UU,
+; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv; of error and part the upper 16 bits
 ; error:   none: the same numbers as edge_plain
 ; cost:    bench row edge_swap; some 13 cycles of it because u's halves lie apart in
@@ -84,8 +84,8 @@ joined  macro
 .right_line
         move.l  d0,d1
         swap    d1
-        sub.w   scanline_left(a0),d1
-        move.w  d1,scanline_count(a0)
+        subq.w  #1,d1
+        move.w  d1,scanline_last(a0)
         adda.l  d5,a0
         add.l   d2,d0
         dbra    d6,.right_line

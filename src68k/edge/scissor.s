@@ -3,7 +3,7 @@
         include "chain.i"
 
 ; Cuts the lines of a table to the frame's columns. \1: what moves the start of the
-; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4 free.
+; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4-d5 free.
 scissor macro
         movem.l d2-d7/a2-a6,-(sp)
         movea.l scissor_plan_lines(a0),a4
@@ -11,31 +11,28 @@ scissor macro
         movea.l scissor_plan_dudx(a0),a2
         movea.l scissor_plan_dvdx(a0),a3
         move.w  scissor_plan_width+2(a0),d6
-        add.w   #EDGE_BIAS,d6
+        add.w   #EDGE_BIAS-1,d6
         subq.l  #1,d7
-.line   move.w  scanline_left(a4),d5
-        move.w  d5,d0
-        add.w   scanline_count(a4),d0   ; end of the line
-        cmp.w   d6,d0
-        bls.s   .right_inside
-        move.w  d6,d0
+.line   cmp.w   scanline_left(a4),d6
+        blo.s   .outside
+        cmp.w   scanline_last(a4),d6
+        bge.s   .right_inside
+        move.w  d6,scanline_last(a4)
 .right_inside
         move.w  #EDGE_BIAS,d3
-        sub.w   d5,d3                   ; pixels beyond the left border
+        sub.w   scanline_left(a4),d3    ; pixels beyond the left border
         bls.s   .left_inside
         move.w  #EDGE_BIAS,scanline_left(a4)
         ext.l   d3
-        move.w  d0,d5
         \1
-        move.w  d5,d0
-        move.w  #EDGE_BIAS,d5
 .left_inside
-        sub.w   d5,d0
-        move.w  d0,scanline_count(a4)
         lea     scanline_sizeof(a4),a4
         dbra    d7,.line
         movem.l (sp)+,d2-d7/a2-a6
         rts
+.outside
+        move.l  #EDGE_BIAS<<16+EDGE_BIAS-1,scanline_left(a4)    ; and last
+        bra.s   .left_inside
         endm
 
 start_flat macro
@@ -83,9 +80,9 @@ start_addx macro
 ; in:      a0  scissor_plan*  the table and the frame's width
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, left and count of its lines
-; writes:  left and count of its lines
-; formats: left with EDGE_BIAS; a line wholly outside gets a count of 0 or less
+; reads:   the plan, left and last of its lines
+; writes:  left and last of its lines
+; formats: x with EDGE_BIAS, 0 to 32,768; of a line wholly outside last is below left
 ; error:   none
 ; cost:    about 50 cycles a line
 ;==============================================================================
@@ -100,7 +97,7 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: left with EDGE_BIAS; start0 = uu, start1 = Vv, start2 = v--U
+; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv, start2 = v--U
 ; error:   none: u, v as at the pixel on the uncut line, modulo 256
 ; cost:    about 50 cycles a line, 180 where its left end is cut
 ;==============================================================================
@@ -115,7 +112,7 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: left with EDGE_BIAS; start0 = uu, start1 = UU, start2 = VVvv
+; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
 ; cost:    about 50 cycles a line, 130 where its left end is cut
 ;==============================================================================

@@ -23,25 +23,35 @@ whole_pixels macro
         add.l   \2,\1
         endm
 
-; The loop over the edges from a5 on (d5 of them) and their lines: \1 is done with x
-; in d1 on each line, whose entry is a0; \2 moves x and its error (d0) a line further:
-; a1 the error's part, d4 whole pixels, d7 height. Uses d2-d3/d6/a4.
+; Writes x of the edges from a5 on (d5 of them) to the table: to a0, and each line's
+; entry on. \1: what moves x (d1) and its error (d0) a line further: a1 the error's part,
+; d4 whole pixels, d7 height. \2: added to x. Two lines a round, of an odd number one
+; first. Uses d3/d6/a4.
 edge_loop macro
-        movea.w #scanline_sizeof,a4
-.edge   move.l  edge_lines(a5),d6
-        subq.l  #1,d6
-        move.w  edge_x+2(a5),d1
+        movea.w #2*scanline_sizeof,a4
+.edge   moveq   #\2,d1
+        add.w   edge_x+2(a5),d1
         move.l  edge_whole(a5),d4
         move.l  edge_error(a5),d0
         movea.l edge_part(a5),a1
         move.l  edge_height(a5),d7
-.line   \1
+        move.l  edge_lines(a5),d6
+        lsr.w   #1,d6
+        bcs.s   .odd
+        subq.w  #1,d6
+.lines  move.w  d1,(a0)
+        \1
+.line   move.w  d1,scanline_sizeof(a0)
         adda.l  a4,a0
-        \2
-        dbra    d6,.line
+        \1
+        dbra    d6,.lines
         lea     edge_sizeof(a5),a5
         subq.l  #1,d5
         bne.s   .edge
+        bra.s   .stepped
+.odd    lea     -scanline_sizeof(a0),a0
+        bra.s   .line
+.stepped
         endm
 
 edge_step macro
@@ -63,6 +73,14 @@ error_rounded macro
 
 error_exact macro
         sub.l   a6,d0
+        endm
+
+; Writes a line's entry and steps x's error: carry where x moves a pixel more.
+left_line macro
+        move.l  d1,(a0)+                ; start0:left
+        move.l  d3,(a0)+                ; --:start1, where last comes later
+        move.l  d2,(a0)+                ; start2
+        add.l   a1,d0
         endm
 
 ; Fills the left side of a table whose lines begin with u and v. \1: the form, which
@@ -100,21 +118,32 @@ edge_left macro
         movea.l edge_height(a5),a6
 
         ; d0 error  a1 its part a line  a6 height  a0 entry  a4 end
-.left_line
-        move.l  d1,(a0)+                ; start0:left
-        move.l  d3,(a0)+                ; --:start1, where the count comes later
-        move.l  d2,(a0)+                ; start2
-        add.l   a1,d0
-        bcs.s   .pixel_more
+        ; two lines a round, of an odd number one first
+        btst    #0,edge_lines+3(a5)
+        bne.s   .second
+.first  left_line
+        bcs.s   .first_more
+        \1_step a2,d5,d4
+.second left_line
+        bcs.s   .second_more
         \1_step a2,d5,d4
         cmpa.l  a4,a0
-        bne.s   .left_line
+        bne.s   .first
         bra.s   .left_next
-.pixel_more
+.first_more
+        \2
+        \1_step a3,d7,d6
+        left_line
+        bcs.s   .second_more
+        \1_step a2,d5,d4
+        cmpa.l  a4,a0
+        bne.s   .first
+        bra.s   .left_next
+.second_more
         \2
         \1_step a3,d7,d6
         cmpa.l  a4,a0
-        bne.s   .left_line
+        bne.s   .first
 .left_next
         lea     edge_sizeof(a5),a5
         subq.l  #1,(sp)

@@ -19,19 +19,20 @@ span_table macro
         lea     (a5,d0.l*2),a5
         endm
 
-; Reads a table entry: a1 first pixel, d7 count - 1, \1 start0:start1, \2 start2 (it
+; Reads a table entry: a1 first pixel, d7 pixels - 1, \1 start0:start1, \2 start2 (it
 ; may be left out). Goes to .line_next where there is nothing to draw. \3: *2 for
-; pixels of two bytes.
+; pixels of two bytes. Uses a2.
 span_line macro
         bra.s   .line
 .empty  addq.l  #4,a0
         bra     .line_next
 .line   move.l  (a0)+,\1                ; start0:left
+        movea.w \1,a2
         lea     (a6,\1.w\3),a1
-        move.l  (a0)+,d7                ; count:start1
+        move.l  (a0)+,d7                ; last:start1
         move.w  d7,\1
         swap    d7
-        subq.w  #1,d7
+        sub.w   a2,d7
         bmi.s   .empty
         ifb     \2
         addq.l  #4,a0

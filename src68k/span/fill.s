@@ -8,7 +8,7 @@
 ; in:      a0  span_plan*  the table, the frame, the colour
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, left and count of its lines
+; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels
 ; error:   none
@@ -33,7 +33,7 @@ SHORT                   equ     12
         swap    d0
         move.w  d1,d0                   ; four pixels
         lea     .longwords_end(pc),a3
-        lea     .bytes_end(pc),a4
+        lea     .bytes_end-2(pc),a4
         moveq   #scanline_sizeof-6,d6
         moveq   #15,d5
         subq.l  #1,d7
@@ -51,14 +51,17 @@ SHORT                   equ     12
 
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w),a0
+        move.w  d2,d3
         move.w  (a1)+,d2
-        ble.s   .next
+        sub.w   d3,d2                   ; pixels - 1
+        bmi.s   .next
         cmp.w   #SHORT,d2
-        bhi.s   .long
+        bhs.s   .long
         neg.w   d2                      ; 2 bytes of code a pixel
         jmp     (a4,d2.w*2)
 
-.long   move.w  a0,d3
+.long   addq.w  #1,d2
+        move.w  a0,d3
         btst    #0,d3
         beq.s   .even
         move.b  d0,(a0)+

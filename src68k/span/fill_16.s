@@ -8,7 +8,7 @@
 ; in:      a0  span_plan*  the table, the frame, the colour
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the plan, left and count of its lines
+; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
 ; error:   none
@@ -32,8 +32,11 @@
         subq.l  #1,d7
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w*2),a0
+        move.w  d2,d3
         move.w  (a1)+,d2
-        ble.s   .next
+        sub.w   d3,d2
+        bmi.s   .next
+        addq.w  #1,d2
         move.w  a0,d3
         btst    #1,d3
         beq.s   .aligned

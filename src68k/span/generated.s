@@ -35,15 +35,17 @@ RETURN          equ     $4ed3           ; jmp (a3)
         span_open
         move.l  a0,-(sp)
         movea.l a5,a0
-        moveq   #0,d7
-.count  addq.l  #scanline_count,a0
-        cmp.w   (a0),d7
+        moveq   #0,d7                   ; pixels of the longest line
+.longer move.w  scanline_last(a0),d1
+        sub.w   scanline_left(a0),d1
+        addq.w  #1,d1
+        cmp.w   d1,d7
         bge.s   .shorter
-        move.w  (a0),d7
+        move.w  d1,d7
 .shorter
-        addq.l  #scanline_sizeof-scanline_count,a0
+        lea     scanline_sizeof(a0),a0
         subq.l  #1,d0
-        bne.s   .count
+        bne.s   .longer
         movea.l (sp),a0
         tst.w   d7
         beq     .done
