@@ -132,13 +132,13 @@ def test_widths():
 def test_places():
     """Offsets are named by block, field and guard."""
     memory = kernel_checker.Memory()
-    lines, plane = memory.room("scanline", 3, "lines"), memory.room("plane")
+    lines, sides = memory.room("scanline", 3, "lines"), memory.room("sides")
     last = memory.add(b"1234567", name="last")
-    assert lines >= kernel_checker.GUARD and plane - lines - 36 >= kernel_checker.GUARD
+    assert lines >= kernel_checker.GUARD and sides - lines - 36 >= kernel_checker.GUARD
     assert len(memory.data) - last - 7 >= kernel_checker.GUARD
     names = {lines - 1: "1 byte before lines", lines + 36: "1 byte past the end of lines",
-             lines + 12 + 5: "lines[1].count", plane + 2: "plane.dsdx[0]", plane + 13: "plane.dsdy[1]",
-             plane - 2: "2 bytes before plane", last + 3: "last + 3",
+             lines + 12 + 5: "lines[1].last", sides + 22: "sides.area[0]", sides + 25: "sides.area[1]",
+             sides - 2: "2 bytes before sides", last + 3: "last + 3",
              last + 9: "3 bytes past the end of last"}
     assert {at: memory.place(at).name for at in names} == names
-    assert memory.place(plane + 13) == ("plane.dsdy[1]", plane + 12, 4)
+    assert memory.place(sides + 25) == ("sides.area[1]", sides + 24, 4)

@@ -14,10 +14,10 @@ struct sides {
     const struct vertex *top, *bottom;  /* of several the leftmost */
     const struct vertex *apex;          /* the one farthest from the line between them */
     struct wide area;                   /* twice that of these three, square pixels */
-    uint8 apex_right;                   /* where the apex lies: 255 right, 0 left */
     int32 left_step;                    /* bytes to the left side's next vertex; after
                                            the last comes the first */
     fix16 x_low, x_high;
+    uint8 apex_right;                   /* where the apex lies: 255 right, 0 left */
 };
 
 /* The smallest integer not below x. */

@@ -22,7 +22,7 @@ in_range macro
 ; writes:  *sides; not all of it where the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
 ; error:   none
-; cost:    about 600 cycles for a triangle
+; cost:    about 1,000 cycles for a triangle, with a cold cache
 ;==============================================================================
         routine sides_find,a0,a1,d0
         movem.l d2-d7/a2-a4,-(sp)

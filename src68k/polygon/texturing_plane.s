@@ -91,7 +91,7 @@ step    macro
 ;          dsdx + (j - y) dsdy there, each product rounded to the nearest unit
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
-; cost:    about 2,000 cycles
+; cost:    about 2,600 cycles with a cold cache
 ;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
         movem.l d2-d7/a2-a6,-(sp)

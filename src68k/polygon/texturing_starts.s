@@ -15,7 +15,7 @@
 ;          u + x dudx + y dudy at the first pixel of line top, and
 ;          du = dudy + whole dudx
 ; error:   none
-; cost:    about 330 cycles an edge
+; cost:    about 500 cycles an edge, with a cold cache
 ;==============================================================================
         routine texturing_starts,a0,a1,d0
         movem.l d2-d7,-(sp)

@@ -28,7 +28,9 @@ span    macro
         movea.l span_plan_map(a0),a2
 .line   move.w  scanline_left(a1),d0
         lea     (a6,d0.w),a3
-        move.w  scanline_count(a1),d6
+        move.w  scanline_last(a1),d6
+        sub.w   scanline_left(a1),d6
+        addq.w  #1,d6
         ble     .next
         move.w  scanline_start1(a1),d2
         swap    d2
