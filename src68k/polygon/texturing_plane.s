@@ -3,6 +3,19 @@
 
         xref    texturing_wrap
 
+; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to that of the sides a1, and
+; makes \2 its address. Uses d0-d3/a2.
+vector  macro
+        movea.l sides_\1(a1),a2
+        movem.l (a2),d0-d3
+        sub.l   d4,d0
+        sub.l   d5,d1
+        sub.l   d6,d2
+        sub.l   d7,d3
+        movem.l d0-d3,-(sp)
+        movea.l sp,\2
+        endm
+
 ; d1:d2 = (p1 q2 - p2 q1) / D in 32.32, cut towards zero; p, q: \1, \2. D and the
 ; numerator have been shifted right by d6, which leaves 32 bits of D, in d7; d5 =
 ; 32 - d6. a2, a3: the two vectors from the first vertex.
@@ -104,22 +117,8 @@ step    macro
         movem.l (a2),d4-d7
         move.l  d6,texturing_u(a6)
         move.l  d7,texturing_v(a6)
-        movea.l sides_apex(a1),a2
-        movem.l (a2),d0-d3
-        sub.l   d4,d0
-        sub.l   d5,d1
-        sub.l   d6,d2
-        sub.l   d7,d3
-        movem.l d0-d3,-(sp)
-        movea.l sp,a3
-        movea.l sides_bottom(a1),a2
-        movem.l (a2),d0-d3
-        sub.l   d4,d0
-        sub.l   d5,d1
-        sub.l   d6,d2
-        sub.l   d7,d3
-        movem.l d0-d3,-(sp)
-        movea.l sp,a2
+        vector  apex,a3
+        vector  bottom,a2
         tst.b   sides_apex_right(a1)
         beq.s   .turned
         exg     a2,a3                   ; now D is positive

@@ -1,6 +1,22 @@
         include "routine.i"
         include "layout.i"
 
+; \1 (u or v) and its step where the edge begins: d2, d3 from pixel (i, j), d4 whole
+; pixels a line. Uses d0-d1/d5.
+start   macro
+        move.l  texturing_d\1dx(a0),d0
+        move.l  d0,d1
+        muls.l  d2,d0
+        muls.l  d4,d1
+        move.l  texturing_d\1dy(a0),d5
+        add.l   d5,d1
+        move.l  d1,edge_d\1(a1)
+        muls.l  d3,d5
+        add.l   d5,d0
+        add.l   texturing_\1(a0),d0
+        move.l  d0,edge_\1(a1)
+        endm
+
 ;==============================================================================
 ; texturing_starts - u and v where left edges begin, on the polygon's plane
 ;
@@ -28,30 +44,8 @@
         sub.l   texturing_j(a0),d3
         move.l  edge_whole(a1),d4
 
-        move.l  texturing_dudx(a0),d0
-        move.l  d0,d1
-        muls.l  d2,d0
-        muls.l  d4,d1
-        move.l  texturing_dudy(a0),d5
-        add.l   d5,d1
-        move.l  d1,edge_du(a1)
-        muls.l  d3,d5
-        add.l   d5,d0
-        add.l   texturing_u(a0),d0
-        move.l  d0,edge_u(a1)
-
-        move.l  texturing_dvdx(a0),d0
-        move.l  d0,d1
-        muls.l  d2,d0
-        muls.l  d4,d1
-        move.l  texturing_dvdy(a0),d5
-        add.l   d5,d1
-        move.l  d1,edge_dv(a1)
-        muls.l  d3,d5
-        add.l   d5,d0
-        add.l   texturing_v(a0),d0
-        move.l  d0,edge_v(a1)
-
+        start   u
+        start   v
         lea     edge_sizeof(a1),a1
         dbra    d7,.edge
         movem.l (sp)+,d2-d7

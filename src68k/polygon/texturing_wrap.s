@@ -1,6 +1,26 @@
         include "routine.i"
         include "layout.i"
 
+; \4 = travel of v by step \1 over half the box, from \2 to \3, 8.8, rounded up; a
+; step of 256 texels or more goes to .may_wrap. Uses d4, leaves it 0.
+travel  macro
+        move.l  texturing_\1(a0),\4
+        bpl.s   .\1
+        neg.l   \4
+.\1    lsr.l   #8,\4
+        swap    \4
+        tst.w   \4
+        bne     .may_wrap
+        swap    \4
+        addq.l  #1,\4
+        move.l  rectangle_\3(a1),d4
+        sub.l   rectangle_\2(a1),d4
+        addq.l  #1,d4
+        lsr.l   #1,d4
+        mulu.l  d4,\4
+        moveq   #0,d4
+        endm
+
 ;==============================================================================
 ; texturing_wrap - how a polygon's spans live with wraps of v in the addx chain
 ;
@@ -28,36 +48,9 @@
         subq.l  #CHAIN_PLANE,d0
         bne     .may_wrap
 
-        ; travel of v from the box's middle to its farthest corner, 8.8, rounded up
-        move.l  texturing_dvdx(a0),d0
-        bpl.s   .dvdx
-        neg.l   d0
-.dvdx   lsr.l   #8,d0
-        swap    d0
-        tst.w   d0
-        bne     .may_wrap
-        swap    d0
-        addq.l  #1,d0
-        move.l  rectangle_right(a1),d1
-        sub.l   rectangle_left(a1),d1
-        addq.l  #1,d1
-        lsr.l   #1,d1
-        mulu.l  d1,d0
-        move.l  texturing_dvdy(a0),d1
-        bpl.s   .dvdy
-        neg.l   d1
-.dvdy   lsr.l   #8,d1
-        swap    d1
-        tst.w   d1
-        bne     .may_wrap
-        swap    d1
-        addq.l  #1,d1
-        move.l  rectangle_bottom(a1),d4
-        sub.l   rectangle_top(a1),d4
-        addq.l  #1,d4
-        lsr.l   #1,d4
-        mulu.l  d4,d1
-        moveq   #0,d4
+        ; from the box's middle to its farthest corner
+        travel  dvdx,left,right,d0
+        travel  dvdy,top,bottom,d1
         add.l   d1,d0
         addq.l  #1,d0
         move.l  texturing_v(a0),d1
