@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run bench accuracy polys test diff clean programs setup FORCE
+.PHONY: help run bench accuracy polys fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -10,7 +10,7 @@ ifeq ($(filter gcc vbcc,$(CC68K)),)
 $(error CC68K is gcc or vbcc, not "$(CC68K)")
 endif
 SCENE ?= tests/scenes/default.toml
-export SCENE MACHINE FRAMES A B
+export SCENE MACHINE FRAMES SEED COUNT A B
 
 PYTHON := .deps/venv/bin/python
 VASM := scripts/vasm
@@ -50,6 +50,7 @@ help:
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
+	@echo 'make fuzz [SEED=N] [COUNT=N] [MACHINE=NAME]       random polygons against model and bounds'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
 	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
@@ -67,6 +68,10 @@ accuracy: programs
 
 polys: programs
 	@scripts/tmap polys $${MACHINE:+--machine "$$MACHINE"} -o build/polys
+
+fuzz: programs
+	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
+	  $${MACHINE:+--machine "$$MACHINE"}
 
 test: programs
 	@$(PYTHON) -m pytest -q tests

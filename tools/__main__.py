@@ -63,6 +63,13 @@ def polys(args: argparse.Namespace) -> int:
     return tool.command(args.out or BUILD / "polys", args.machine, args.accept)
 
 
+def fuzz(args: argparse.Namespace) -> int:
+    """Holds random polygons to the model and the bounds."""
+    build_programs()
+    from . import fuzz as tool
+    return tool.command(args.seed, args.first, args.count, args.machine, args.keep)
+
+
 def readme(args: argparse.Namespace) -> int:
     """Types the tables of the README."""
     from . import readme as tool
@@ -133,6 +140,14 @@ def parser() -> Parser:
     command.add_argument("--machine", **machines)
     command.add_argument("--accept", action="store_true",
                          help="make the result the committed baseline")
+
+    command = add(fuzz, "Draw random polygons and hold each to the model and to the derived bounds.")
+    command.add_argument("--seed", type=int, default=1, metavar="N", help="which polygons (1)")
+    command.add_argument("--count", type=int, default=20_000, metavar="N", help="how many (20000)")
+    command.add_argument("--first", type=int, default=0, metavar="N", help="from which on (0)")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
+    command.add_argument("--keep", metavar="NAME",
+                         help="add the smallest failing polygon to the hard cases")
 
     command = add(to_map, "Write a PNG or JPEG as a texture map in memory layout.")
     command.add_argument("source", type=Path, metavar="PICTURE")

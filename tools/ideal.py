@@ -117,10 +117,14 @@ class Plane:
         error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
         return (error + 32768) % 65536 - 32768
 
+    @staticmethod
+    def cut(gradient: float) -> float:
+        """e(g): how far a gradient may be off before it is rounded to a step."""
+        return abs(gradient) / 2**31 + 3 / 2**32
+
     def bound(self, i: int, j: int, i_ref: int, j_ref: int, spare: int) -> float:
         """The derived bound at pixel (i, j), in texels."""
-        gx, gy = abs(self.nx / self.d), abs(self.ny / self.d)
-        ex, ey = gx / 2**31 + 3 / 2**32, gy / 2**31 + 3 / 2**32
+        ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
         away = abs(i_ref - self.x0 * UNIT) * ex + abs(j_ref - self.y0 * UNIT) * ey
         rounding = UNIT / 2 * (1 << spare)
         return (UNIT + spare * UNIT + away

@@ -1,9 +1,10 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT).
-   CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache. */
+   CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
+   DIGEST writes a struct frame_digest for each frame into one file instead. */
 #include "scene/scene.h"
 #include "system/file.h"
 #include "system/system.h"
@@ -12,6 +13,7 @@
 /* Bytes before and behind the frame that nobody may touch. */
 #define GUARD 4096
 #define GUARD_BYTE 0xa5
+#define GUARD_LONGWORD 0xa5a5a5a5u
 
 /* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
 #define FRAME_LIMIT 650
@@ -50,14 +52,15 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     return 1;
 }
 
+/* Longwords of both guard bands that are not what they were. */
 static int32 guards_broken(const struct frame *frame)
 {
-    const uint8 *before = frame->pixels - GUARD;
-    const uint8 *behind = frame->pixels + frame->pitch * frame->height;
+    const uint32 *before = (const uint32 *)(frame->pixels - GUARD);
+    const uint32 *behind = (const uint32 *)(frame->pixels + frame->pitch * frame->height);
     int32 broken = 0;
 
-    for (int32 i = 0; i < GUARD; i++)
-        broken += (before[i] != GUARD_BYTE) + (behind[i] != GUARD_BYTE);
+    for (int32 i = 0; i < GUARD / 4; i++)
+        broken += (*before++ != GUARD_LONGWORD) + (*behind++ != GUARD_LONGWORD);
     return broken;
 }
 
@@ -89,39 +92,87 @@ static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
     text_print();
 }
 
-static int32 render(const struct scene *scene, const struct frame *frame, int32 frames,
-                    enum form form, int32 count)
+/* How a run goes. */
+struct run {
+    int32 frames;
+    enum form form;
+    int32 count;                /* pixels are counted */
+    const char *digest;         /* name of the file, or 0: dumps */
+};
+
+/* Draws a frame, between quiet_enter and quiet_leave, and looks at the guard bands. */
+static int32 draw(const struct scene *scene, const struct frame *frame, int32 number,
+                  enum form form, struct frame_digest *drawn)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
+    enum polygon_result result;
 
-    for (int32 number = 0; number < frames; number++) {
+    quiet_enter();
+    clock_start(FRAME_LIMIT);
+    result = scene_draw(scene, frame, number, form, 0);
+    drawn->ticks = clock_stop();
+    quiet_leave();
+    drawn->result = result;
+    if (guards_broken(frame)) {
+        text_add("frame ");
+        text_number(number);
+        text_add(": longwords outside the frame were written: ");
+        text_number(guards_broken(frame));
+        text_print();
+        return 0;
+    }
+    return 1;
+}
+
+/* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
+static int32 dump_frames(const struct scene *scene, const struct frame *frame,
+                         const struct run *run, uint32 *refused)
+{
+    for (int32 number = 0; number < run->frames; number++) {
         struct draw_counts counts = {0};
+        struct frame_digest drawn;
         char name[20];
-        enum polygon_result result;
-        uint32 ticks;
 
-        quiet_enter();
-        clock_start(FRAME_LIMIT);
-        result = scene_draw(scene, frame, number, form, 0);
-        ticks = clock_stop();
-        quiet_leave();
-        if (result != POLYGON_DRAWN)
-            refused = result;
-        if (count)                      /* again, since counting takes time */
-            scene_draw(scene, frame, number, form, &counts);
-        if (guards_broken(frame)) {
-            text_add("frame ");
-            text_number(number);
-            text_add(": bytes outside the frame were written: ");
-            text_number(guards_broken(frame));
-            text_print();
-            return RETURN_FAIL;
-        }
+        if (!draw(scene, frame, number, run->form, &drawn))
+            return 0;
+        if (drawn.result != POLYGON_DRAWN)
+            *refused = drawn.result;
+        if (run->count)                 /* again, since counting takes time */
+            scene_draw(scene, frame, number, run->form, &counts);
         frame_name(name, number);
         if (!file_save(name, frame->pixels, (uint32)(frame->pitch * frame->height)))
-            return RETURN_FAIL;
-        report(number, ticks, &counts);
+            return 0;
+        report(number, drawn.ticks, &counts);
     }
+    return 1;
+}
+
+/* The same, but for the frames' digests in one file, and a line now and then. */
+static int32 digest_frames(const struct scene *scene, const struct frame *frame,
+                           const struct run *run)
+{
+    static struct frame_digest digests[SCENE_FRAMES_MAX];
+
+    for (int32 number = 0; number < run->frames; number++) {
+        if (number % 50 == 0) {
+            text_add("from frame ");
+            text_number(number);
+            text_print();
+        }
+        if (!draw(scene, frame, number, run->form, &digests[number]))
+            return 0;
+        digests[number].crc = crc32(frame->pixels, (uint32)(frame->pitch * frame->height));
+    }
+    return file_save(run->digest, digests, (uint32)run->frames * sizeof *digests);
+}
+
+static int32 render(const struct scene *scene, const struct frame *frame, const struct run *run)
+{
+    uint32 refused = POLYGON_DRAWN;
+
+    if (run->digest)
+        return digest_frames(scene, frame, run) ? RETURN_OK : RETURN_FAIL;
+    if (!dump_frames(scene, frame, run, &refused))
+        return RETURN_FAIL;
     if (refused != POLYGON_DRAWN) {
         text_refuse("render: not all could be drawn", why_refused[refused]);
         return RETURN_WARN;
@@ -131,35 +182,38 @@ static int32 render(const struct scene *scene, const struct frame *frame, int32 
 
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, ITEMS };
     static int32 args[ITEMS];
     struct scene scene;
     struct frame frame;
-    enum form form = FORM_ADDX;
-    int32 frames, kind, result;
+    struct run run = {0, FORM_ADDX, 0, 0};
+    int32 kind, result;
 
-    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S", args))
-        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE]");
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K", args))
+        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
+                    "[DIGEST name]");
     if (args[FORM]) {
         const char *name = (const char *)args[FORM];
 
         if (text_same(name, "swap"))
-            form = FORM_SWAP;
+            run.form = FORM_SWAP;
         else if (text_same(name, "c"))
-            form = FORM_C;
+            run.form = FORM_C;
         else if (!text_same(name, "addx"))
             return fail("FORM: not one of addx, swap, c");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
     if (!scene_load(&scene, (const char *)args[SCENE], kind))
         return RETURN_FAIL;
-    frames = scene.header->frames;
+    run.count = args[COUNT];
+    run.digest = (const char *)args[DIGEST];
+    run.frames = scene.header->frames;
     if (args[FRAMES]) {
         int32 asked = *(const int32 *)args[FRAMES];
 
-        if (asked < 1 || asked > frames)
+        if (asked < 1 || asked > run.frames)
             return fail("FRAMES: not between 1 and the scene's frames");
-        frames = asked;
+        run.frames = asked;
     }
     if (!make_frame(&frame, &scene, kind))
         return fail("not enough memory for the frame");
@@ -169,7 +223,7 @@ int main(void)
         clock_close();
         return fail("DCACHE: this processor has no data cache");
     }
-    result = render(&scene, &frame, frames, form, args[COUNT]);
+    result = render(&scene, &frame, &run);
     if (args[DCACHE])
         cache_data(0);
     clock_close();

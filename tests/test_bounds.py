@@ -1,0 +1,121 @@
+"""The derived bounds: nothing exceeds them, much comes near, and wrong renderers do exceed them."""
+
+import itertools
+import random
+from dataclasses import replace
+
+import pytest
+
+from tools import bounds, fuzz_polygons, model_edges, model_texturing, polygon_sets
+from tools.fixed import ceil16
+from tools.model import Settings
+
+WIDTH, HEIGHT = 320, 256
+ALL = [Settings(edges, gradients, start) for edges, gradients, start in itertools.product(
+    ("integer", "subpixel", "exact"), ("scanline", "polygon", "plane"), ("truncated", "subtexel"))]
+
+
+def triangles(count: int) -> list[list[tuple]]:
+    """Of every named set, and random ones all over the frame."""
+    sets = [p for name in polygon_sets.SHAPES for p in polygon_sets.polygons(name)[::4]]
+    return sets + polygon_sets.random_triangles(count, seed=4)
+
+
+def worst(settings: Settings, polygons) -> bounds.Verdict:
+    """Of some polygons under one setting."""
+    total = bounds.Verdict()
+    for vertices in polygons:
+        total.merge(bounds.judge(vertices, settings, WIDTH, HEIGHT))
+    return total
+
+
+@pytest.mark.parametrize("settings", ALL, ids=lambda s: f"{s.edges}-{s.gradients}-{s.start}")
+def test_every_setting_keeps_its_bound(settings: Settings) -> None:
+    """And nearly reaches it: a bound that is never met says nothing."""
+    found = worst(settings, triangles(40))
+    assert not found.complaint
+    assert 0.3 < found.texel_ratio <= bounds.FLOAT, found
+    if settings.edges == "exact":
+        assert not found.coverage_errors
+
+
+@pytest.mark.parametrize("mapper", ["gouraud", "tiled", "columns", "generated"])
+def test_every_mapper_keeps_its_bound(mapper: str) -> None:
+    """What it cuts off is in its bound."""
+    for settings in ALL:
+        found = worst(replace(settings, mapper=mapper), triangles(8))
+        assert not found.complaint, (settings, found.complaint)
+
+
+def cut(bits: int):
+    """A quotient that keeps so many fraction bits of a 32.32 gradient."""
+    def quotient(n: int, d: int) -> int:
+        return (n << 32) // d >> 32 - bits << 32 - bits
+    return quotient
+
+
+#: What is patched, by what: (module or class, name, replacement).
+WRONG = {
+    "ceil off by one": (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1 + (y & 1)),
+    "a pixel centre belongs to its left edge's outside":
+        (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1),
+    "wrong fill rule": (model_edges.Edge, "column", lambda e, y: e.at(y) + 0x8000 >> 16),
+    "missing prestep": (model_edges.Edge, "at",
+                        lambda e, y: e.upper[0] + (y - e.first) * e.slope),
+    "drift of an edge": (model_edges.Edge, "slope", property(lambda e: (
+        (e.lower[0] - e.upper[0] << 8) // max(e.lower[1] - e.upper[1], 1) << 8))),
+    "truncated gradient": (model_texturing, "quotient", cut(8)),
+    "drift of a span": (model_texturing, "step", lambda g, spare: g >> 24 << 8),
+    "missing sub-texel start": (model_texturing, "on_plane", lambda t, column, line: (
+        t.u + (column - t.i) * t.dudx + (line - t.j) * t.dudy + (t.dudx >> 1),
+        t.v + (column - t.i) * t.dvdx + (line - t.j) * t.dvdy + (t.dvdx >> 1))),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
+    """Each defect exceeds a bound on ordinary triangles, under the usual settings."""
+    where, name, replacement = WRONG[wrong]
+    snapped = [[(x + 0x8000 & ~0xFFFF, y + 0x8000 & ~0xFFFF, *rest) for x, y, *rest in p]
+               for p in triangles(10)]
+    polygons = triangles(20) + snapped
+    assert not worst(Settings(), polygons).complaint
+    monkeypatch.setattr(where, name, replacement)
+    assert worst(Settings(), polygons).complaint
+
+
+def test_coverage_is_judged_on_the_edge_alone() -> None:
+    """A pixel on an edge's wrong side is a complaint in exact, and counted."""
+    vertices = [(0, 0, 0, 0, 0), (8 << 16, 0, 0, 0, 0), (0, 8 << 16, 0, 0, 0)]
+    good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
+    assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
+    moved = [(x + 0x1000, *rest) for x, *rest in vertices]
+    from tools import model
+    polygon = model.set_up([v[:4] for v in moved], 16, 16, False, Settings("exact", mapper="flat"))
+    errors, complaint = bounds.judge_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
+                                              16, 16)
+    assert errors == 16 and "left out" in complaint and "0.0" in complaint
+
+
+def test_ideal_is_defined_for_convex_polygons_only() -> None:
+    """What integer edges dent, or what goes round twice, has none."""
+    square = [(0, 0, 0, 0), (ceil16(9 << 16) << 16, 0, 0, 0), (9 << 16, 9 << 16, 0, 0), (0, 9 << 16, 0, 0)]
+    star = [square[0], square[2], square[1], square[3]]
+    assert fuzz_polygons.has_ideal(square) and not fuzz_polygons.has_ideal(star)
+    twice = square * 2
+    assert not fuzz_polygons.has_ideal(twice)
+    assert not fuzz_polygons.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
+
+
+def test_random_polygons_have_all_that_is_promised() -> None:
+    """Every setting and mapper, planes for what is judged, some of everything that is hard."""
+    some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
+    for kind, names in fuzz_polygons.SETTINGS.items():
+        assert {getattr(p.settings, kind) for p in some} == set(names)
+    far = sum(any(abs(c) >= 1 << 30 for v in p.vertices for c in v[:4]) for p in some)
+    assert 20 < far < 300
+    assert {len(p.vertices) for p in some} >= set(range(3, 10))
+    assert sum(not fuzz_polygons.has_ideal([v[:4] for v in p.vertices]) for p in some) > 100
+    rng = random.Random(1)
+    plane = fuzz_polygons.plane_of(rng, [(0, 0), (1 << 29, 0), (1 << 29, 1 << 29), (0, 1 << 29)], 1 << 30)
+    assert all(abs(c) < 1 << 30 for pair in plane for c in pair)

@@ -1,0 +1,115 @@
+"""The fuzzer: a fixed slice holds on the emulated 68020, and what does not hold is found, made
+smaller and explained."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges
+from tools.__main__ import main
+from tools.errors import UserError
+
+SEED, COUNT = 2026, 4000
+
+
+def test_a_fixed_slice_holds() -> None:
+    """Every frame is the model's, every polygon with an ideal within its bounds."""
+    found = fuzz.run(SEED, 0, COUNT)
+    assert not found.failed, {n: f.text for n, f in found.failed.items()}
+    assert found.polygons == COUNT and found.drawn > COUNT / 2 and found.refused > COUNT / 100
+    assert found.judged > COUNT / 3 and found.coverage_errors["exact"] == 0
+    assert set(found.worst) == set(fuzz_polygons.MAPPER_LAYOUT)
+
+
+def test_digests_are_those_of_the_dumps() -> None:
+    """The guest's digest is the CRC-32 of the frame it would dump."""
+    polygons = [fuzz_polygons.polygon(SEED, k) for k in range(5)]
+    digests, = fuzz.draw([(fuzz_polygons.scene(SEED, 0, polygons), "addx")], fuzz.MACHINE)
+    for each, digest in zip(polygons[:2], digests):
+        frame = fuzz.frame_of(each, SEED, 0, "addx", fuzz.MACHINE)
+        assert fuzz.zlib.crc32(frame.tobytes()) == digest["crc"] and digest["ticks"] > 0
+
+
+def wrong_ceil(edge, line: int) -> int:
+    """A pixel centre on the edge belongs to nobody."""
+    return (edge.at(line) >> 16) + 1
+
+
+def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
+    """Here the model is the one that is wrong: the first difference is made small, printed with
+    all that is needed, and kept."""
+    monkeypatch.setattr(model_edges.Edge, "column", wrong_ceil)
+    monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
+    monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
+        seed, range(first, first + count), machine))
+    assert main(["fuzz", "--seed", "1", "--first", "600", "--count", "60", "--keep", "wrong_ceil"]) == 1
+    text = capsys.readouterr().out
+    for part in ("60 polygons", "failed: ", "seed 1, polygon 6", "the guest's frame is not the model's",
+                 "expected and found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
+                 "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
+        assert part in text, f"{part!r} is missing in\n{text}"
+    kept, = json.loads((tmp_path / "found.json").read_text())
+    assert kept["name"] == "wrong_ceil" and len(kept["vertices"]) == 3
+    assert sum(abs(c) for vertex in kept["vertices"] for c in vertex) < 200 << 16
+
+
+def test_faults_of_each_kind_are_told_apart(monkeypatch) -> None:
+    """Pixels, results and bounds."""
+    each = fuzz_polygons.polygon(SEED, 3)
+    checked = fuzz.check(each, SEED, 0)
+    good = {"result": checked.result, "crc": fuzz.zlib.crc32(checked.frame.tobytes())}
+    assert fuzz.compare(checked, good) is None
+    assert fuzz.compare(checked, good | {"result": 3}).kind == "refused"
+    assert fuzz.compare(checked, good | {"crc": 1}).kind == "differs"
+    checked.verdict.complaint = "too far"
+    assert fuzz.compare(checked, good) == fuzz.Fault("bound", "too far")
+
+
+def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
+    """The polygon that ends a boot is found; the others are still judged."""
+    polygons = [fuzz_polygons.polygon(SEED, k) for k in range(9)]
+    checks = {id(p): fuzz.check(p, SEED, 0) for p in polygons}
+    right = [(c.result, fuzz.zlib.crc32(c.frame.tobytes())) for c in checks.values()]
+
+    def draw(scenes, machine, on_output=None):
+        (this, _), = scenes
+        corners = [tuple(map(int, v)) for v in this.vertices]
+        if polygons[5].vertices[0] in corners:
+            raise UserError("render crashed: exception 5")
+        return [np.array([right[polygons.index(p)] for p in polygons
+                          if p.vertices[0] in corners], [("result", int), ("crc", int)])]
+
+    monkeypatch.setattr(fuzz, "draw", draw)
+    assert fuzz.faults(polygons, SEED, 0, "addx", "a1200-fast") == {
+        5: fuzz.Fault("crash", "render crashed: exception 5")}
+
+
+def test_shrinking_ends_at_the_simplest() -> None:
+    """Vertices, settings and numbers that do not matter go; what matters stays."""
+    start = next(p for p in (fuzz_polygons.polygon(SEED, k) for k in range(500))
+                 if len(p.vertices) > 4 and p.settings.edges == "subpixel"
+                 and max(v[0] for v in p.vertices) > 40 << 16)
+
+    def failing(some):
+        return {k: "wide" for k, p in enumerate(some)
+                if max(v[0] for v in p.vertices) > 40 << 16 and p.settings.edges == "subpixel"}
+
+    found, fault = fuzz_shrink.shrink(start, "wide", failing)
+    assert fault == "wide" and len(found.vertices) == 3
+    plain = {"clip": "scissor", "start": "subtexel", "gradients": "plane", "edges": "subpixel"}
+    assert found.settings == replace(start.settings, **plain)
+    numbers = sorted(abs(c) for v in found.vertices for c in v)
+    assert numbers[:-1] == [0] * 14 and 40 << 16 < numbers[-1] < 84 << 16
+
+
+@pytest.mark.parametrize("arguments, complaint", [
+    (["--count", "0"], "fuzz: --count must be 1 or more"),
+    (["--seed", "-1"], "fuzz: --count must be 1 or more, --first and --seed 0 or more"),
+    (["--count", "x"], "fuzz: argument --count: invalid int value: 'x'"),
+    (["--machine", "z80"], "fuzz: argument --machine: invalid choice: 'z80'")])
+def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
+    """One line, status 2."""
+    assert main(["fuzz", *arguments]) == 2
+    assert complaint in capsys.readouterr().err

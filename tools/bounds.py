@@ -1,0 +1,305 @@
+"""How far every setting may be from the exact ideal, and whether a polygon keeps to it.
+
+All bounds follow from formats and roundings alone. 1 unit = U = 1/2^16, of a pixel or a
+texel. Vertices are those that ``model.adapt`` gives: `integer` edges are judged on the
+vertices they cut, shades and texels on what the vertices say after their rounding.
+
+**Edges.** `exact`: none. Rounded ones, line j, the edge's first line f: x starts at the
+nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less what
+comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
+within E(j) of its centre, and none where E is 0.
+Polygons cut to the window have new vertices: each cut rounds one coordinate (U/2), an edge
+is cut four times at most, so it moves by 2U across its direction at most, besides.
+
+**Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
+
+* `plane`: d = r + e(g), e from tools/ideal.py, r = U/2, or U for u where its lowest bit is
+  kept spare (spare = 1).
+* `polygon`: the longest line's width w and rise have U/2 each, their quotient U/2:
+  d = (1 + |g|) U/2 / (w - U/2) + U/2 + spare U. It saturates at 32,768 texels a pixel: with
+  g near that, or w below U, d = |g| + 32,768.
+
+**Start of line j**, whose edge crosses at x and has its first pixel at c; n lines below
+the edge's first line in the frame:
+
+* `plane`, `subtexel`: on the plane, see tools/ideal.py.
+* `plane`, `truncated`: the plane's value at the first line's pixel, moved back to the crossing
+  by a product cut to U and a prestep that is off by E, then n steps of dudy + slope *
+  dudx, each with the plane's rounding in y, a product cut to U, a slope rounded to U/2:
+  p + U + |g| E(j0) + d + n (d_y + U + |g| U/2 + |slope| d) + (n + 1) spare U, p the plane's bound
+  there. It is the value of the crossing, not of the pixel: |g| (c - x) more.
+* `polygon`: along the edge, nearest unit at the start and in each step: (n + 1) U/2. `truncated`:
+  |g| (c - x) more. `subtexel`: a product at the start and in each step, cut, which move by
+  c - x' in all, x' being the rounded crossing: (n + 1) U + |g| E(j) + |c - x'| d.
+
+From there i - c steps: (i - c) d.
+
+**Two divides a line** (`scanline`): the ideal is linear along both exact edges and between
+them. u at a crossing has a = (n + 1) U/2, x has E(j); an end is off by b = a + |g| E. Between
+the ends no more than the larger b, at a distance of i - x' a step cut to U: max(b0, b1) (1 + 2E) +
+(|i - x'| + 1) U, and where a line is under one pixel wide, |u1 - u0| + a0 + a1 + U at most.
+`truncated` has rise / whole pixels P from the crossing on: g ((i - c)(w / P - 1) - (c - x))
+by its nature, and 2 a0 + a1 + (i - c) U.
+
+**Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
+bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. What is held
+in a range (edge_hold): with B the largest bound of the polygon a step shrinks by 2B over the
+longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
+6B + 2U.
+"""
+
+from dataclasses import dataclass
+
+from . import ideal, model
+from .fixed import ceil16, signed
+from .ideal import UNIT
+from .model_edges import Edge
+from .model_spans import CUT
+from .model_texturing import Line, Settings
+
+LARGEST = 32768.0  # texels: all is modulo twice that
+#: Double precision's own share when a bound is evaluated and compared.
+FLOAT = 1 + 1e-9
+
+
+@dataclass
+class Verdict:
+    """What one polygon is off. Texel errors in texels (shades), at the worst pixel."""
+
+    pixels: int = 0
+    coverage_errors: int = 0  # pixels lit or left out against the exact polygon
+    texel_error: float = 0.0
+    texel_bound: float = 0.0  # of the pixel with the worst error / bound
+    texel_ratio: float = 0.0
+    complaint: str = ""  # the first excess found, in words
+
+    def merge(self, other: "Verdict") -> None:
+        """Takes the worse of both."""
+        self.pixels += other.pixels
+        self.coverage_errors += other.coverage_errors
+        self.texel_error = max(self.texel_error, other.texel_error)
+        if other.texel_ratio > self.texel_ratio:
+            self.texel_ratio, self.texel_bound = other.texel_ratio, other.texel_bound
+        self.complaint = self.complaint or other.complaint
+
+
+def edge_bound(edge: Edge, line: int) -> float:
+    """E(j) of rounded numbers, pixels; a quotient that comes out even adds nothing."""
+    (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
+    width, height = x1 - x0, y1 - y0
+    start, step = width * ((edge.first << 16) - y0) % height, (width << 16) % height
+    return ((start != 0) + (line - edge.first) * (step != 0)) * UNIT / 2
+
+
+def crossing(edge: Edge, line: int) -> float:
+    """Where the exact edge crosses a line, pixels."""
+    (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
+    return (x0 + (x1 - x0) * ((line << 16) - y0) / (y1 - y0)) * UNIT
+
+
+def across(vertices, i: int, j: int) -> float:
+    """The distance of pixel (i, j) from the nearest of a polygon's edges' lines, pixels."""
+    best = LARGEST
+    for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
+        dx, dy = x1 - x0, y1 - y0
+        length = (dx * dx + dy * dy) ** 0.5
+        if length:
+            best = min(best, abs(dx * ((j << 16) - y0) - ((i << 16) - x0) * dy) / length * UNIT)
+    return best
+
+
+def edges_by_line(edges: list[Edge]) -> dict[int, Edge]:
+    """The edge of each line."""
+    return {line: edge for edge in edges for line in range(edge.top, edge.end)}
+
+
+def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
+                   height: int) -> tuple[int, str]:
+    """Wrong pixels of a convex polygon, and the first that lies too far from its edge."""
+    exact = {}
+    ys = [v[1] for v in vertices]
+    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height)):
+        exact[y] = [(n, d, min(max(-(-n // (d << 16)), 0), width))
+                    for n, d in ideal.extent(vertices, y)]
+    lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
+    wrong, complaint = 0, ""
+    clipped = 2 * UNIT if settings.clip == "vertices" else 0.0
+    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] \
+        if polygon else [{}, {}]
+    for y in exact.keys() | lines.keys():
+        found = [lines[y].left, lines[y].right] if y in lines else [0, 0]
+        ends = [end for _, _, end in exact[y]] if y in exact else [0, 0]
+        found, ends = ([a, max(a, b)] for a, b in (found, ends))
+        pixels = set(range(*found)) ^ set(range(*ends))
+        wrong += len(pixels)
+        for i in sorted(pixels):
+            rounded = settings.edges != "exact"
+            allowed = max((edge_bound(s[y], y) for s in sides if y in s), default=0.0) * rounded
+            off = min((abs(i - n / d * UNIT) for n, d, _ in exact.get(y, ())), default=LARGEST)
+            if (off > allowed * FLOAT or not allowed) and not (clipped and across(vertices, i, y)
+                                              <= (allowed + clipped) * FLOAT):
+                complaint = complaint or (
+                    f"pixel ({i}, {y}) is {'lit' if i in range(*found) else 'left out'}: its centre is "
+                    f"{off:.9f} pixels from the exact edge, {allowed + clipped:.9f} are allowed")
+    return wrong, complaint
+
+
+@dataclass
+class Coordinate:
+    """u or v of a polygon: the exact plane and the bounds of what does not change."""
+
+    plane: ideal.Plane
+    spare: int
+    g: float  # texels a pixel, a line
+    h: float
+    step: float  # d, of a pixel
+    down: float  # d_y, of a line (plane)
+
+
+def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
+    """The plane of ``vertices`` [key] through the corners ``three`` and its steps' bounds."""
+    points = [vertices[k] for k in three]
+    plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
+    spare = t.spare if t and key == 2 else 0
+    g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
+    if settings.gradients == "plane":
+        rounding = UNIT / 2 * (1 << spare)
+        return Coordinate(plane, spare, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
+    top, bottom, middle = points
+    height = bottom[1] - top[1]
+    width = abs(plane.d / height) * UNIT if height else 0.0
+    step = g + LARGEST
+    if width > UNIT:
+        rounded = (1 + g) * UNIT / 2 / (width - UNIT / 2) + UNIT / 2 + spare * UNIT
+        if g + rounded < LARGEST - 1:
+            step = rounded
+    return Coordinate(plane, spare, g, h, step, 0.0)
+
+
+def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column: int,
+                settings: Settings) -> float:
+    """The bound of u at the first pixel ``column`` of a line, uncut (not plane + subtexel)."""
+    n, off = line - edge.top, abs(column - crossing(edge, line))
+    if settings.gradients == "plane":
+        first = c.plane.bound(edge.column(edge.top), edge.top, t.i, t.j, c.spare)
+        slope = abs(edge.slope) * UNIT
+        return (first + UNIT + c.g * edge_bound(edge, edge.top) + c.step
+                + n * (c.down + UNIT + c.g * UNIT / 2 + slope * c.step)
+                + (n + 1) * c.spare * UNIT + c.g * off)
+    along = (n + 1) * (UNIT / 2 + c.spare * UNIT)
+    if settings.start == "truncated":
+        return along + c.g * off
+    rounded = edge_bound(edge, line)
+    return along + (n + 1) * UNIT + c.g * rounded + (off + rounded) * c.step
+
+
+def found_at(line: Line, key: str, mapper: str, i: int) -> int:
+    """u or v of pixel i as the mapper steps it, 16.16 modulo 2^32."""
+    start, cut = getattr(line, key), CUT.get(mapper, (0, 0))["uv".index(key)]
+    if mapper == "generated":
+        start &= ~0xFFFF
+    step = signed(getattr(line, f"d{key}dx")) >> cut
+    return (start >> cut) + (i - line.left) * step << cut
+
+
+def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
+                settings: Settings) -> float:
+    """Of u at a pixel, one step over the whole polygon."""
+    if settings.gradients == "plane" and settings.start == "subtexel":
+        return c.plane.bound(i, y, t.i, t.j, c.spare)
+    column = edge.column(y)
+    return start_bound(c, t, edge, y, column, settings) + abs(i - column) * c.step
+
+
+def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
+                   settings: Settings) -> tuple[float, float]:
+    """u at a pixel between both exact edges, and the bound where each line has its steps."""
+    index = "uv".index(key) + 2
+    x, u, a, off = [], [], [], []
+    for edge in edges:
+        part = ((y << 16) - edge.upper[1]) / (edge.lower[1] - edge.upper[1])
+        x.append(crossing(edge, y))
+        u.append((edge.upper[index] + (edge.lower[index] - edge.upper[index]) * part) * UNIT)
+        a.append((y - edge.top + 1) * UNIT / 2)
+        off.append(edge_bound(edge, y))
+    width, rise = x[1] - x[0], u[1] - u[0]
+    g = rise / width if width > 0 else 0.0
+    exact, rounded = u[0] + g * (i - x[0]), [edge.at(y) for edge in edges]
+    if settings.start == "truncated":
+        first = ceil16(rounded[0])
+        pixels = ceil16(rounded[1]) - first
+        stretch = width / pixels - 1 if pixels > 0 else -1.0
+        return exact, (abs(g * ((i - first) * stretch - (first - x[0])))
+                       + 2 * a[0] + a[1] + (abs(i - first) + 1) * UNIT)
+    ends = max(b + abs(g) * e for b, e in zip(a, off)) * (1 + 2 * max(off))
+    bound = ends + (abs(i - x[0]) + 1) * UNIT
+    if rounded[1] - rounded[0] < 65536:
+        bound = max(bound, abs(rise) + a[0] + a[1] + UNIT)
+    return exact, bound
+
+
+def judge_texels(vertices, polygon: model.Polygon, settings: Settings, held: bool,
+                 out: Verdict) -> None:
+    """Adds the error of u and v at both ends of every line inside the exact polygon: between
+    them both are linear."""
+    three, mapper, t = ideal.corners(vertices), settings.mapper, polygon.texturing
+    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
+    planes = {key: coordinate(vertices, three, index, t, settings)
+              for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
+    found = []  # error, bound, coordinate, pixel
+    for y, line in enumerate(polygon.lines, polygon.top):
+        ends = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        left, right = max(line.left, ends[0]), min(line.right, ends[1])
+        for i in {left, right - 1} if left < right else ():
+            for key, c in planes.items():
+                value = found_at(line, key, mapper, i)
+                if settings.gradients == "scanline":
+                    exact, bound = scanline_ideal(key, y, (sides[0][y], sides[1][y]), i, settings)
+                    error = abs((value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST)
+                else:
+                    error = abs(c.plane.error(value, i, y))
+                    bound = plane_bound(c, t, sides[0][y], i, y, settings)
+                cut = CUT.get(mapper, (0, 0))["uv".index(key)]
+                bound += (i - line.left + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
+                found.append((error, bound, key, (i, y)))
+    if held:
+        most = max((bound for _, bound, *_ in found), default=0.0)
+        found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
+    for error, bound, key, pixel in found:
+        out.texel_error = max(out.texel_error, error)
+        if bound < LARGEST and error / bound > out.texel_ratio:
+            out.texel_ratio, out.texel_bound = error / bound, bound
+            if error > bound * FLOAT and not out.complaint:
+                out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
+                                 f"{bound:.9f} are allowed")
+
+
+def is_held(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int]) -> bool:
+    """Whether lines are held in a range."""
+    t = polygon.texturing
+    steep = t is None or model.is_steep(settings, t.dudx, t.dvdx)
+    return bool(model.held_range(vertices, settings, size, steep))
+
+
+def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, width: int,
+                 height: int, size: tuple[int, int]) -> Verdict:
+    """``judge`` of what ``model.adapt`` and ``model.set_up`` made already."""
+    out = Verdict(pixels=polygon.pixels if polygon else 0)
+    out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
+    on_plane = settings.gradients == "plane" and settings.start == "subtexel"
+    if polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
+        judge_texels(adapted, polygon, settings, is_held(adapted, polygon, settings, size), out)
+    return out
+
+
+def judge(vertices, settings: Settings, width: int, height: int,
+          size: tuple[int, int] = (256, 256)) -> Verdict:
+    """Holds a convex polygon of planar texture to the bounds of its settings.
+
+    ``vertices``: (x, y, s, t, shade), 16.16, as a scene has them; ``size``: of the map.
+    Polygons cut to the window are judged on their pixels, and on u and v where those come
+    from the plane.
+    """
+    adapted = [v[:4] for v in model.adapt(vertices, settings, max(size))]
+    polygon = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
+    return judge_set_up(adapted, polygon, settings, width, height, size)

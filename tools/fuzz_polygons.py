@@ -1,0 +1,181 @@
+"""Random polygons for the fuzzer: number k of a seed is the same in every run.
+
+Ordinary ones and everything that is known to break rasterisers, with every setting and
+mapper. A block of BLOCK polygons shares a frame size and maps, as one scene file.
+"""
+
+import random
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from .fixed import ceil16
+from .model import FAR
+from .model_texturing import Settings
+from .random_polygons import IDENTITY, convex_polygon, fix, is_convex
+from .scene_file import MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture
+
+BLOCK = 1000
+#: Width and height of a block's frame: small ones are quick, long ones show drift.
+FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
+ONE = 65536
+SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
+#: Of every map that takes any size.
+ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
+
+
+@dataclass(frozen=True)
+class Fuzzed:
+    """One polygon, how it is drawn, on what."""
+
+    vertices: tuple[tuple[int, int, int, int, int], ...]  # x, y, s, t, shade; 16.16
+    settings: Settings
+    texture: int  # index in its block's textures; -1: none
+
+
+def has_ideal(vertices) -> bool:
+    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
+    and convex (integer edges may dent a polygon)."""
+    points = [v[:2] for v in vertices]
+    inside = all(-FAR <= c < FAR for v in vertices for c in v)
+    return inside and (len(points) == 3 or is_convex(points) and winds_once(points))
+
+
+def winds_once(points) -> bool:
+    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
+    signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
+    return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
+
+
+@cache
+def textures(seed: int, block: int) -> list[Texture]:
+    """The maps of a block: some of each layout."""
+    rng = random.Random(f"{seed} maps {block}")
+    noise = np.random.default_rng([seed, block])
+    sizes = [("page", (256, 256)), ("page", (rng.choice(SIDES["page"]), rng.choice(SIDES["page"]))),
+             ("tiled", (256, 256)), ("margins", (256, 256))]
+    sizes += [("linear", (rng.choice(ODD_SIDES), rng.choice(ODD_SIDES))) for _ in range(3)]
+    sizes += [("columns", (rng.choice(SIDES["columns"]), rng.choice(SIDES["columns"])))
+              for _ in range(2)]
+    return [Texture(noise.integers(0, 256, (h, w), dtype=np.uint8), layout)
+            for layout, (w, h) in sizes]
+
+
+def corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
+    """x and y of a polygon, 16.16."""
+    kind = rng.random()
+    if kind < 0.5:
+        points = convex_polygon(rng, width, height)
+    elif kind < 0.6:  # a sliver: three points of a line, one moved a little
+        x, y = fix(rng.uniform(0, width)), fix(rng.uniform(0, height))
+        dx, dy = (rng.randint(-ONE << 7, ONE << 7) >> rng.randrange(16) for _ in range(2))
+        a, b = rng.randint(-3, 3), rng.randint(-3, 3)
+        points = [(x, y), (x + dx, y + dy), (x + 2 * dx + a, y + 2 * dy + b)]
+    elif kind < 0.7:  # within a pixel or two
+        x, y = rng.randrange(width) * ONE, rng.randrange(height) * ONE
+        points = [(x + rng.randint(-ONE, ONE), y + rng.randint(-ONE, ONE)) for _ in range(3)]
+    elif kind < 0.8:  # anything in range
+        points = [(rng.randint(-FAR, FAR - 1), rng.randint(-FAR, FAR - 1)) for _ in range(3)]
+    elif kind < 0.87:  # around the frame, on whole and half pixels
+        points = [(rng.randint(-4, 2 * width + 4) * ONE // 2, rng.randint(-4, 2 * height + 4) * ONE // 2)
+                  for _ in range(3)]
+    elif kind < 0.92:  # repeated and collinear vertices
+        points = convex_polygon(rng, width, height)
+        at = rng.randrange(len(points))
+        a, b = points[at], points[(at + 1) % len(points)]
+        middle = a if rng.random() < 0.5 else ((a[0] + b[0]) // 2, (a[1] + b[1]) // 2)
+        points.insert(at + 1, middle)
+    elif kind < 0.97:  # any order: crossing itself
+        points = [(fix(rng.uniform(-width, 2 * width)), fix(rng.uniform(-height, 2 * height)))
+                  for _ in range(rng.randint(3, 12))]
+    else:  # any bits
+        points = [(rng.randint(-1 << 31, (1 << 31) - 1) >> rng.randrange(4),
+                   rng.randint(-1 << 31, (1 << 31) - 1) >> rng.randrange(4)) for _ in range(3)]
+    return points
+
+
+def visible_corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
+    """Corners whose box covers a pixel of the frame, nine times in ten."""
+    for _ in range(1 if rng.random() < 0.1 else 20):
+        points = corners(rng, width, height)
+        ends = [(min(axis), max(axis)) for axis in zip(*points)]
+        if all(max(ceil16(low), 0) < min(ceil16(high), side)
+               for (low, high), side in zip(ends, (width, height))):
+            break
+    return points
+
+
+def plane_of(rng: random.Random, points, most: int) -> list[tuple[int, int]]:
+    """s and t of the corners, from one affine function of x and y; |s|, |t| < ``most``."""
+    if len(points) == 3 and rng.random() < 0.4:  # three vertices are a plane, whatever they say
+        return [(rng.randint(-most, most - 1) >> rng.randrange(12),
+                 rng.randint(-most, most - 1) >> rng.randrange(12)) for _ in points]
+    gradients = [rng.choice((0, 1, -1, rng.uniform(-2, 2), rng.uniform(-16, 16),
+                             rng.uniform(-256, 256))) for _ in range(4)]
+    base = [rng.randint(-300, 300) * ONE + rng.choice((0, ONE // 2, rng.randrange(ONE)))
+            for _ in range(2)]
+    x0, y0 = points[0]
+    plane = [tuple(base[k] + round(gradients[2 * k] * (x - x0) + gradients[2 * k + 1] * (y - y0))
+                   for k in range(2)) for x, y in points]
+    largest = max(abs(c) for pair in plane for c in pair)
+    if largest >= most:  # flatter, but still one plane
+        shrink = most / (largest + 1)
+        plane = [tuple(int(c * shrink) if len(points) == 3 else 0 for c in pair) for pair in plane]
+    return plane
+
+
+def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
+    """s and t moved and shrunk into a map that does not repeat, 0 to 256 along its longer
+    side; only for three vertices, whose texture is a plane whatever they say."""
+    longer = max(size)
+    made = []
+    for k, side in enumerate(size):
+        limit = side * 256 * ONE // longer
+        made.append([c % (limit + 1) for c in (pair[k] for pair in plane)])
+    return list(zip(*made))
+
+
+@cache
+def polygon(seed: int, number: int) -> Fuzzed:
+    """Polygon ``number`` of a seed."""
+    rng = random.Random(f"{seed} fuzz {number}")
+    block = number // BLOCK
+    width, height = FRAMES[block % len(FRAMES)]
+    points = visible_corners(rng, width, height)
+    mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated")
+                        + 4 * ("affine",))
+    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items() if kind != "mapper"}
+    settings = Settings(mapper=mapper, **choices)
+    if len(points) > 3 and settings.gradients == "polygon":
+        settings = replace(settings, gradients="plane")
+    layout, texture = MAPPER_LAYOUT[mapper], -1
+    maps = textures(seed, block)
+    if layout:
+        texture = rng.choice([k for k, t in enumerate(maps) if t.layout == layout])
+    plane = plane_of(rng, points, FAR)
+    if mapper == "arbitrary":
+        points = points[:3]
+        plane = inside_map(plane[:3], maps[texture].texels.shape[::-1])
+    shades = [rng.choice((0, 255 * ONE, 256 * ONE - 1, rng.randrange(256 * ONE))) for _ in points]
+    if len(points) > 3:  # planar: along y, over the polygon's height
+        low, high = min(y for _, y in points), max(y for _, y in points)
+        shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
+    return Fuzzed(tuple((*p, *q, shade) for p, q, shade in zip(points, plane, shades)), settings,
+                  texture)
+
+
+def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
+    """The polygons on a block's frame and maps, one a frame."""
+    materials: dict[Material, int] = {}
+    objects, vertices = [], []
+    for number, each in enumerate(polygons):
+        s = each.settings
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, each.texture,
+                            200 if s.mapper == "flat" else 0)
+        objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
+                              len(each.vertices), 0, 1, number))
+        vertices += each.vertices
+    palette = np.zeros((256, 3), np.uint8)
+    return Scene(*FRAMES[block % len(FRAMES)], len(polygons), 7, palette, textures(seed, block),
+                 list(materials), objects, np.array(vertices), np.array([IDENTITY]))
