@@ -1,0 +1,201 @@
+"""The hard-case page of ``tmap accuracy``: every named case under every setting it concerns, its
+worst error beside the derived bound, and its cycles; ideal, ours and their difference as pictures.
+
+The guest draws every case; its frames must be the model's. The pictures are the model's, on a map
+that eyes can read.
+"""
+
+import html
+import json
+import zlib
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from . import bounds, fuzz, hard_cases, ideal, model
+from .diff import MARK
+from .errors import UserError
+from .fixed import ceil16
+from .fuzz_polygons import has_ideal
+from .hard_cases import HEIGHT, WIDTH, Case
+from .model_texturing import Settings
+
+CYCLES_PER_TICK = 20
+#: Drawings of one scene; a frame more is empty.
+PART = 999
+#: What a picture shows: the first of these that the case concerns.
+SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
+SCALE = 2  # screen pixels a pixel
+COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "cycles", "coverage_errors", "texel_error",
+           "texel_bound")
+
+
+@dataclass
+class Row:
+    """One case under one setting. Errors in texels (shades), or None where no ideal is defined."""
+
+    case: str
+    mapper: str
+    edges: str
+    gradients: str
+    start: str
+    clip: str
+    cycles: int
+    pixels: int
+    coverage_errors: int | None = None
+    texel_error: float | None = None
+    texel_bound: float | None = None  # at the pixel with the worst error / bound
+    complaint: str = ""
+
+
+def judged(case: Case, settings: Settings, cycles: int) -> Row:
+    """A row, held to its bounds."""
+    size = hard_cases.map_size(case, settings.mapper)
+    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
+    row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
+    if has_ideal(adapted):
+        verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
+        row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
+        if verdict.texel_ratio:
+            row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
+    return row
+
+
+def measure(machine: str, on_part: Callable[[int, int], None] | None = None) -> list[Row]:
+    """All rows; frames that are not the model's end it. ``on_part`` is told how many of all
+    drawings are done."""
+    drawings = [(case, s) for case in hard_cases.cases() for s in hard_cases.combinations(case)]
+    rows = []
+    for first in range(0, len(drawings), PART):
+        part = drawings[first:first + PART]
+        scene = hard_cases.scene(part)
+        scene.frames += 1
+        digests, = fuzz.draw([(scene, "addx")], machine)
+        empty = int(digests[-1]["ticks"])
+        for number, ((case, settings), digest) in enumerate(zip(part, digests)):
+            frame = model.render(scene, number)
+            if zlib.crc32(frame.tobytes()) != int(digest["crc"]):
+                raise UserError(f"accuracy: case {case.name}, {settings}: the frame is not the model's")
+            rows.append(judged(case, settings, (int(digest["ticks"]) - empty) * CYCLES_PER_TICK))
+        if on_part:
+            on_part(len(rows), len(drawings))
+    return rows
+
+
+def readable_map(width: int, height: int) -> np.ndarray:
+    """Palette indices: squares of 8 texels in two colours by turns, brighter to the right and
+    down; 16 levels each."""
+    v, u = np.mgrid[:height, :width]
+    level = (u * 8 // width + v * 8 // height).clip(0, 15)
+    return (16 + (u // 8 + v // 8) % 2 * 16 + level).astype(np.uint8)
+
+
+def palette() -> np.ndarray:
+    """uint8 (256, 3): shades as greys; 16 to 47 the readable map's colours."""
+    colours = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
+    level = np.arange(16)[:, None]
+    colours[16:32] = 40 + level * np.array([12, 8, 4])
+    colours[32:48] = 40 + level * np.array([4, 9, 13])
+    return colours
+
+
+def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
+    """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one."""
+    if not has_ideal(vertices):
+        return None
+    frame = np.full((HEIGHT, WIDTH), -1, np.int16)
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    planes = [ideal.Plane([p[:2] for p in three], [p[k] for p in three]) for k in (2, 3)]
+    if not planes[0].d:
+        return frame
+    ys = [v[1] for v in vertices]
+    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
+        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in ideal.extent(vertices, y))
+        for x in range(left, right):
+            u, v = (int(plane.at(x << 16, y << 16) // 65536) for plane in planes)
+            frame[y, x] = (200 if settings.mapper == "flat" else u & 255 if settings.mapper == "gouraud"
+                           else texels[v % texels.shape[0], u % texels.shape[1]])
+    return frame
+
+
+def picture(case: Case) -> np.ndarray:
+    """uint8 RGB: the exact ideal, ours (exact, plane, sub-texel) and the difference."""
+    mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
+    settings, size = Settings("exact", mapper=mapper), hard_cases.map_size(case, mapper)
+    texels = readable_map(*size)
+    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    ours = np.full((HEIGHT, WIDTH), -1, np.int16)
+    made = model.set_up(adapted, WIDTH, HEIGHT, mapper != "flat", settings, size)
+    if made:
+        model.draw(ours, made, texels, 200, mapper)
+    exact = exact_picture(adapted, settings, texels)
+    colours, ground = palette(), np.array([24, 28, 48], np.uint8)
+    panels = [np.where((values < 0)[..., None], ground, colours[values.clip(0)])
+              for values in (ours if exact is None else exact, ours)]
+    marked = (panels[1] // 3).astype(np.uint8)
+    if exact is not None:
+        marked[exact != ours] = MARK
+    gap = np.full((HEIGHT, 4, 3), 255, np.uint8)
+    joined = np.concatenate([panels[0], gap, panels[1], gap, marked], axis=1)
+    return joined.repeat(SCALE, axis=0).repeat(SCALE, axis=1)
+
+
+def cell(value) -> str:
+    """A value of a table as text."""
+    return "-" if value is None else f"{value:.6f}" if isinstance(value, float) else html.escape(
+        f"{value:,}" if isinstance(value, int) else str(value))
+
+
+def section(case: Case, rows: list[Row]) -> str:
+    """One case of the page."""
+    name = html.escape(case.name)
+    body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
+        f"<td>{cell(getattr(row, column))}" for column in COLUMNS) + "\n" for row in rows)
+    ratios = [row.texel_error / row.texel_bound for row in rows if row.texel_error and row.texel_bound]
+    head = "".join(f"<th>{column.replace('_', ' ')}" for column in COLUMNS)
+    return (f'<section id="{name}"><h2>{name}</h2><p>{html.escape(case.sentence)}</p>'
+            f'<img src="{name}.png" alt="exact ideal, ours, difference" loading="lazy">'
+            f"<details><summary>{len(rows)} settings, {min(r.cycles for r in rows):,} to "
+            f"{max(r.cycles for r in rows):,} cycles, {max(r.pixels for r in rows):,} pixels"
+            + (f", error at most {max(ratios):.3f} of its bound" if ratios else "")
+            + f"</summary><div><table><tr>{head}\n{body}</table></div></details></section>\n")
+
+
+STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:auto;padding:1rem}
+img{max-width:100%;image-rendering:pixelated}div{overflow-x:auto}table{border-collapse:collapse}
+td,th{padding:.1rem .5rem;text-align:right;border-bottom:1px solid #ccc}.bad{background:#fbb}
+h2{margin:2rem 0 0}"""
+
+
+def page(rows: list[Row], conditions: str) -> str:
+    """index.html."""
+    by_case: dict[str, list[Row]] = {}
+    for row in rows:
+        by_case.setdefault(row.case, []).append(row)
+    excess = [row for row in rows if row.complaint]
+    summary = (f"{len(by_case)} cases, {len(rows)} drawings, every frame the integer model's; "
+               + (f"<b>{len(excess)} exceed a bound</b>" if excess else "none exceeds its bound"))
+    return (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Hard cases</title>'
+            f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
+            f"<h1>Hard cases</h1><p>{summary}. {html.escape(conditions)} Errors in texels (shades) "
+            "against the exact rational ideal; pictures: the ideal, ours (exact edges, plane, "
+            "sub-texel), and what differs.</p>\n"
+            + "".join(section(case, by_case[case.name]) for case in hard_cases.cases())
+            + "</html>\n")
+
+
+def write(folder: Path, machine: str, conditions: str,
+          on_part: Callable[[int, int], None] | None = None) -> list[Row]:
+    """Measures and writes the page, its pictures and hard.json into ``folder``."""
+    rows = measure(machine, on_part)
+    folder.mkdir(parents=True, exist_ok=True)
+    for case in hard_cases.cases():
+        Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
+    (folder / "index.html").write_text(page(rows, conditions))
+    lines = ",\n".join(json.dumps(asdict(row)) for row in rows)
+    (folder / "hard.json").write_text(f'{{"conditions": {json.dumps(conditions)}, "rows": [\n{lines}\n]}}\n')
+    return rows
