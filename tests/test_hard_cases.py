@@ -1,0 +1,104 @@
+"""The corpus of hard polygons: what it promises, and every case drawn by the 68020.
+
+A case has up to 60 drawings: its mappers with their settings. ``make test`` draws a
+third of them, chosen by the case's name, so that each mapper of each case is there and
+all settings meet every family; HARD_CASES=all draws all.
+"""
+
+import os
+import random
+from itertools import groupby
+from math import ceil
+
+import numpy as np
+import pytest
+from polygon_report import explain
+
+from tools import emulator, hard_cases, ideal, model, scene_file
+from tools.errors import UserError
+from tools.hard_case import FAR, laid, make
+from tools.hard_cases import HEIGHT, WIDTH, Case
+
+CASES = hard_cases.cases()
+FRAMES = 1000  # a scene's most
+PART = 1 if os.environ.get("HARD_CASES") == "all" else 3
+UNIT = 1 / 65536
+
+
+def chosen(case: Case) -> list[hard_cases.Drawing]:
+    """The case's drawings that are run: of each mapper every PART-th."""
+    rng, drawings = random.Random(case.name), []
+    for _, same in groupby(hard_cases.combinations(case), lambda settings: settings.mapper):
+        ways = list(same)
+        drawings += [(case, s) for s in rng.sample(ways, ceil(len(ways) / PART))]
+    return drawings
+
+
+ADDX = [drawing for case in CASES for drawing in chosen(case)]
+#: Form to what it draws: the other mappers are the same in both.
+DRAWINGS = {"addx": ADDX, "swap": [d for d in ADDX if d[1].mapper == "affine"][::4]}
+RUNS = [(form, first) for form, drawings in DRAWINGS.items()
+        for first in range(0, len(drawings), FRAMES)]
+
+
+def called(drawing: hard_cases.Drawing) -> str:
+    """A drawing's name in messages."""
+    case, s = drawing
+    return f"{case.name}: {case.sentence} {s.mapper}, {s.edges}, {s.gradients}, {s.start}, {s.clip}"
+
+
+@pytest.mark.parametrize("form, first", RUNS)
+def test_every_case_is_the_models(form: str, first: int) -> None:
+    """No byte differs, none outside the frame is touched, no fault, no endless loop."""
+    drawings = DRAWINGS[form][first:first + FRAMES]
+    scene = hard_cases.scene(drawings)
+    again = (f"{'HARD_CASES=all ' if PART == 1 else ''}.deps/venv/bin/python -m pytest -q "
+             f"'tests/test_hard_cases.py::test_every_case_is_the_models[{form}-{first}]'")
+    with emulator.workspace() as directory:
+        try:
+            end = emulator.run("render", f"input.scene FORM {form}",
+                               {"input.scene": scene_file.write(scene)}, "a1200-fast",
+                               directory).output.splitlines()[-1]
+        except UserError as error:
+            end = str(error)
+        dumps = sorted((directory / "volume").glob("frame_*.chunky"))
+        assert len(dumps) == len(drawings), f"{called(drawings[len(dumps)])}\n  {end}\n  again: {again}"
+        wrong = []
+        for number, dump in enumerate(dumps):
+            found = np.fromfile(dump, np.uint8).reshape(HEIGHT, WIDTH)
+            if not np.array_equal(found, model.render(scene, number)):
+                wrong.append((number, found))
+    assert not wrong, (f"{len(wrong)} drawings are wrong, of the cases "
+                       f"{', '.join(dict.fromkeys(drawings[n][0].name for n, _ in wrong))}\n"
+                       + explain(scene, *wrong[0], called(drawings[wrong[0][0]]), again))
+
+
+def test_names_say_which_case_it_is() -> None:
+    """Unique snake_case names, a sentence each, every family and mapper."""
+    names = [case.name for case in CASES]
+    assert len(set(names)) == len(names) > 250
+    for case in CASES:
+        assert case.name.replace("_", "").replace(".", "").isalnum() and case.name.islower(), case.name
+        assert case.sentence.endswith(".") and case.sentence.count(".") == 1 + sum(
+            a.isdigit() and b == "." for a, b in zip(case.sentence, case.sentence[1:])), case
+    families = {family.__name__: list(family()) for family in hard_cases.FAMILIES}
+    assert all(len(made) >= 5 for made in families.values()) and len(families) == 26
+    assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPER_LAYOUT)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_case_can_be_drawn(case: Case) -> None:
+    """Coordinates in range, maps too, and a texture that is planar to its rounding."""
+    assert 3 <= len(case.vertices) <= 64
+    assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v)
+    scene_file.check(hard_cases.scene([(case, s) for s in hard_cases.combinations(case)]), case.name)
+    a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
+    area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+    if len(case.vertices) == 3 or not area:
+        return
+    for k in (2, 3, 4):
+        plane = ideal.Plane((a[:2], b[:2], c[:2]), (a[k], b[k], c[k]))
+        for x, y, *rest in case.vertices:
+            exact = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
+            off = (rest[k - 2] - plane.value0) - exact / plane.d
+            assert abs(off) <= 3, f"{'xyst'[k] if k < 4 else 'shade'} at {x}, {y}: {off} units"
