@@ -7,6 +7,8 @@ all settings meet every family; HARD_CASES=all draws all.
 
 import os
 import random
+import re
+from dataclasses import replace
 from itertools import groupby
 from math import ceil
 
@@ -16,13 +18,12 @@ from polygon_report import explain
 
 from tools import emulator, hard_cases, ideal, model, scene_file
 from tools.errors import UserError
-from tools.hard_case import FAR, laid, make
+from tools.hard_case import FAR
 from tools.hard_cases import HEIGHT, WIDTH, Case
 
 CASES = hard_cases.cases()
 FRAMES = 1000  # a scene's most
 PART = 1 if os.environ.get("HARD_CASES") == "all" else 3
-UNIT = 1 / 65536
 
 
 def chosen(case: Case) -> list[hard_cases.Drawing]:
@@ -74,31 +75,64 @@ def test_every_case_is_the_models(form: str, first: int) -> None:
 
 
 def test_names_say_which_case_it_is() -> None:
-    """Unique snake_case names, a sentence each, every family and mapper."""
+    """Unique names in snake_case, one sentence each."""
     names = [case.name for case in CASES]
-    assert len(set(names)) == len(names) > 250
+    assert len(set(names)) == len(names)
     for case in CASES:
-        assert case.name.replace("_", "").replace(".", "").isalnum() and case.name.islower(), case.name
-        assert case.sentence.endswith(".") and case.sentence.count(".") == 1 + sum(
-            a.isdigit() and b == "." for a, b in zip(case.sentence, case.sentence[1:])), case
-    families = {family.__name__: list(family()) for family in hard_cases.FAMILIES}
-    assert all(len(made) >= 5 for made in families.values()) and len(families) == 26
+        assert re.fullmatch("[a-z0-9]+(_[a-z0-9]+)*", case.name), case.name
+        assert re.fullmatch(r"[A-Z0-9](?:[^.\n]|\.\d)*\.", case.sentence), case.sentence
+
+
+def test_every_family_is_there() -> None:
+    """All that issue 4 names has its own family, and together they concern every mapper."""
+    families = {family.__name__: len(list(family())) for family in hard_cases.FAMILIES}
+    assert families.keys() == {
+        "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
+        "collinear_vertices", "on_centres", "level_edges", "between_lines", "slopes", "sizes",
+        "off_screen", "at_the_border", "vertex_counts", "windings", "nearly_concave", "long_edges",
+        "far_outside", "on_texel_borders", "gradients", "mirrored", "seams",
+        "up_to_the_last_texel", "shades", "long_spans", "map_sizes"}
+    assert min(families.values()) >= 5
     assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPER_LAYOUT)
 
 
-@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
-def test_case_can_be_drawn(case: Case) -> None:
-    """Coordinates in range, maps too, and a texture that is planar to its rounding."""
-    assert 3 <= len(case.vertices) <= 64
-    assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v)
-    scene_file.check(hard_cases.scene([(case, s) for s in hard_cases.combinations(case)]), case.name)
-    a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
-    area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-    if len(case.vertices) == 3 or not area:
-        return
-    for k in (2, 3, 4):
-        plane = ideal.Plane((a[:2], b[:2], c[:2]), (a[k], b[k], c[k]))
-        for x, y, *rest in case.vertices:
-            exact = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
-            off = (rest[k - 2] - plane.value0) - exact / plane.d
-            assert abs(off) <= 3, f"{'xyst'[k] if k < 4 else 'shade'} at {x}, {y}: {off} units"
+def test_vertices_are_what_the_format_takes() -> None:
+    """3 to 64, every coordinate in range."""
+    for case in CASES:
+        assert 3 <= len(case.vertices) <= 64, case.name
+        assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v), case.name
+
+
+def test_textures_are_planar() -> None:
+    """s, t and shade of every vertex lie on the plane of three: each of the four is rounded by
+    half a unit, and a plane through three corners doubles that at most."""
+    planar = 0
+    for case in CASES:
+        a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
+        area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+        if len(case.vertices) == 3 or not area:
+            continue
+        planar += 1
+        for noun, k in (("s", 2), ("t", 3), ("shade", 4)):
+            plane = ideal.Plane((a[:2], b[:2], c[:2]), (a[k], b[k], c[k]))
+            for x, y, *rest in case.vertices:
+                exact = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
+                off = rest[k - 2] - plane.value0 - exact / plane.d
+                assert abs(off) <= 2.5, f"{case.name}: {noun} at {x}, {y} is {off} units off"
+    assert planar > 100
+
+
+def test_kept_case_joins_the_corpus(tmp_path, monkeypatch) -> None:
+    """Sorted by name, read back as it was; a name that exists is refused, and nothing written."""
+    monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "hard_cases.json")
+    assert hard_cases.found_cases() == []
+    later, earlier = (replace(CASES[0], name=name, mappers=("flat", "columns"), map_size=(8, 16))
+                      for name in ("found_b", "found_a"))
+    hard_cases.keep(later)
+    hard_cases.keep(earlier)
+    assert hard_cases.found_cases() == [earlier, later] == hard_cases.cases()[-2:]
+    text = hard_cases.FOUND.read_text()
+    for name in ("found_a", CASES[0].name):
+        with pytest.raises(UserError, match=f"there is a case called {name} already"):
+            hard_cases.keep(replace(earlier, name=name))
+    assert hard_cases.FOUND.read_text() == text

@@ -80,7 +80,8 @@ def make(name: str, sentence: str, points, texture: Texture | None = None, shade
 
 
 def label(value) -> str:
-    """A length for a name: "3", or in units of 1/65536 where it has a fraction: "32768_units"."""
-    value = Fraction(value)
-    sign, value = "minus_" if value < 0 else "", abs(value)
-    return sign + (str(value) if value.denominator == 1 else f"{value / UNIT}_units")
+    """A number for a name: "3", or in units of 1/65536 where it has a fraction: "32768_units"."""
+    whole = Fraction(value).denominator == 1
+    count = abs(value) if whole else abs(value) / UNIT
+    return ("minus_" if value < 0 else "") + str(count) + (
+        "" if whole else "_unit" if count == 1 else "_units")

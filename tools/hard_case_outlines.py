@@ -187,8 +187,8 @@ def sizes() -> Iterator[Case]:
                    ring(6, Fraction(size, 2)))
     yield make("box_of_the_whole_range", "All coordinates are the first or the last there is.",
                box(-FAR, -FAR, FARTHEST, FARTHEST))
-    yield make("triangle_of_the_whole_range", "Half of the whole range of coordinates.",
-               [(-FAR, -FAR), (FARTHEST, -FAR), (-FAR, FARTHEST)])
+    yield make("triangle_of_the_whole_range", "Half of the whole range of coordinates, cut along the "
+               "diagonal.", [(-FAR, -FAR), (FARTHEST, FARTHEST), (-FAR, FARTHEST)])
 
 
 def off_screen() -> Iterator[Case]:

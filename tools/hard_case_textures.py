@@ -28,7 +28,7 @@ def far_outside() -> Iterator[Case]:
             yield make(f"texture_{label(far)}_outside_{way}", f"The map is met {far} texels from "
                        "its origin.", QUAD, **on_map((20.5 + far * s, 30.25 + far * t),
                                                      (1, 0.25), (-0.25, 1)))
-    yield make("texture_over_the_whole_range", "s and t run through all values they can have.",
+    yield make("texture_over_the_whole_range", "Both s and t run through all values they can have.",
                [(0, 0), (WIDTH, 0), (0, HEIGHT)],
                **on_map((-FAR, -FAR), (255.5, 0), (0, 340)))
 
@@ -47,7 +47,7 @@ def on_texel_borders() -> Iterator[Case]:
 
 def gradients() -> Iterator[Case]:
     """From 0 to 256 texels a pixel, level and upright, in triangles that cross the screen."""
-    for step in (0, UNIT, Fraction(1, 256), Fraction(1, 3), 1, 4, 16, 128, 255, 256):
+    for step in (0, UNIT, Fraction(1, 256), Fraction(1, 4), 1, 4, 16, 128, 255, 256):
         start = (-step * 50, -step * 40)
         mappers = {} if step > 1 else {"mappers": REPEATING + ("arbitrary",)}
         start = (3.5, 7.25) if mappers else start
