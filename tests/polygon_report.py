@@ -26,7 +26,8 @@ def explain(scene: scene_file.Scene, number: int, found: np.ndarray, what: str, 
              f"(x {x}, y {y}): expected {right[y, x]}, found {found[y, x]}",
              f"  {scene.materials[obj.material]}"]
     for k, vertex in enumerate(scene_file.vertices_at(scene, obj, number)):
-        lines.append(f"  vertex {k}: " + ", ".join(map(numbers, ("x", "y", "s", "t", "shade"), vertex)))
+        each = map(numbers, ("x", "y", "s", "t", "shade"), vertex)
+        lines.append(f"  vertex {k}: " + ", ".join(each))
     polygon = model.prepare(scene, obj, number)
     for name in ("left", "right") if polygon else ():
         lines += [f"  {name} edge, lines {e.top} to {e.end - 1}: {numbers('slope', e.slope)}"

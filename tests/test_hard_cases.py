@@ -63,7 +63,8 @@ def test_every_case_is_the_models(form: str, first: int) -> None:
         except UserError as error:
             end = str(error)
         dumps = sorted((directory / "volume").glob("frame_*.chunky"))
-        assert len(dumps) == len(drawings), f"{called(drawings[len(dumps)])}\n  {end}\n  again: {again}"
+        assert len(dumps) == len(drawings), (
+            f"{called(drawings[len(dumps)])}\n  {end}\n  again: {again}")
         wrong = []
         for number, dump in enumerate(dumps):
             found = np.fromfile(dump, np.uint8).reshape(HEIGHT, WIDTH)

@@ -80,7 +80,8 @@ def repeated_vertices() -> Iterator[Case]:
     for k, place in enumerate(("top", "right", "bottom", "left")):
         yield make(f"repeated_{place}_vertex", f"Its {place} vertex is there twice, one after the "
                    "other.", quad[:k + 1] + quad[k:])
-    yield make("repeated_every_vertex", "Every vertex is there twice.", [p for p in quad for _ in "12"])
+    yield make("repeated_every_vertex", "Every vertex is there twice.",
+               [vertex for vertex in quad for _ in range(2)])
     yield make("repeated_in_triangle", "A triangle with two equal vertices has no area.",
                [quad[0], quad[0], quad[1]])
     yield make("repeated_62_times", "64 vertices of which 62 are one.", [quad[0]] * 62 + quad[1:3])
@@ -128,7 +129,8 @@ def on_centres() -> Iterator[Case]:
     for shape, points in shapes.items():
         for where, move in moves.items():
             yield make(f"{shape}_{where}", f"Vertices lie {where.replace('_', ' ')}: the fill rule "
-                       "alone decides about whole edges.", [(x + move, y + move) for x, y in points])
+                       "alone decides about whole edges.",
+                       [(x + move, y + move) for x, y in points])
 
 
 def level_edges() -> Iterator[Case]:
@@ -180,15 +182,15 @@ def slopes() -> Iterator[Case]:
 def sizes() -> Iterator[Case]:
     """From one pixel to the whole range of coordinates."""
     for size in (1, 2, 4, 16, 64, 256, 1024, 4096, FAR):
-        yield make(f"triangle_{size}_pixels", f"A triangle of {size} pixels round the screen's middle.",
+        yield make(f"triangle_{size}_pixels", f"A triangle {size} pixels large round the middle.",
                    ring(3, Fraction(size, 2)))
     for size in (1, 128, FAR):
-        yield make(f"hexagon_{size}_pixels", f"A hexagon of {size} pixels round the screen's middle.",
+        yield make(f"hexagon_{size}_pixels", f"A hexagon {size} pixels large round the middle.",
                    ring(6, Fraction(size, 2)))
     yield make("box_of_the_whole_range", "All coordinates are the first or the last there is.",
                box(-FAR, -FAR, FARTHEST, FARTHEST))
-    yield make("triangle_of_the_whole_range", "Half of the whole range of coordinates, cut along the "
-               "diagonal.", [(-FAR, -FAR), (FARTHEST, FARTHEST), (-FAR, FARTHEST)])
+    yield make("triangle_of_the_whole_range", "Half of the whole range of coordinates, cut "
+               "along the diagonal.", [(-FAR, -FAR), (FARTHEST, FARTHEST), (-FAR, FARTHEST)])
 
 
 def off_screen() -> Iterator[Case]:
@@ -216,7 +218,8 @@ def at_the_border() -> Iterator[Case]:
         for side, points in places.items():
             yield make(f"{what}_{side}_border", "The polygon lies outside but for a corner at the "
                        f"{side} border.", points)
-    yield make("exactly_the_screen", "Its edges are the screen's borders.", box(0, 0, WIDTH, HEIGHT))
+    yield make("exactly_the_screen", "Its edges are the screen's borders.",
+               box(0, 0, WIDTH, HEIGHT))
     yield make("one_unit_round_the_screen", "It is a unit larger than the screen on all sides.",
                box(-UNIT, -UNIT, WIDTH + UNIT, HEIGHT + UNIT))
     yield make("one_unit_inside_the_screen", "It is a unit smaller than the screen on all sides.",
@@ -239,9 +242,10 @@ def windings() -> Iterator[Case]:
     for shape, points in shapes.items():
         for first in range(0, len(points), 2):
             turned = points[first:] + points[:first]
-            yield make(f"{shape}_clockwise_from_{first}", f"Clockwise, vertex {first} first.", turned)
-            yield make(f"{shape}_anticlockwise_from_{first}", f"Anticlockwise, vertex {first} last.",
-                       turned[::-1])
+            yield make(f"{shape}_clockwise_from_{first}", f"Clockwise, vertex {first} first.",
+                       turned)
+            yield make(f"{shape}_anticlockwise_from_{first}",
+                       f"Anticlockwise, vertex {first} last.", turned[::-1])
 
 
 def nearly_concave() -> Iterator[Case]:
@@ -249,9 +253,10 @@ def nearly_concave() -> Iterator[Case]:
     for bulge in (UNIT, 16 * UNIT, -UNIT):
         what = "dented" if bulge < 0 else "bulging"
         size = label(abs(bulge))
-        yield make(f"{what}_{size}_right", f"A right side {what} by {size.replace('_', ' ')}.",
+        by = f"{what} by {size.replace('_', ' ')}"
+        yield make(f"{what}_{size}_right", f"A right side {by}.",
                    [(30, 5), (90, 5), (90 + bulge, 50), (90, 90), (30, 90)])
-        yield make(f"{what}_{size}_left", f"A leaning left side {what} by {size.replace('_', ' ')}.",
+        yield make(f"{what}_{size}_left", f"A leaning left side {by}.",
                    [(100, 4), (110, 90), (20, 84), (60 - bulge, 44)])
     yield make("bulging_1_unit_top", "A level top with a vertex 1 unit above it.",
                [(20, 20), (64, 20 - UNIT), (110, 20), (64, 80)])
@@ -268,13 +273,17 @@ def long_edges() -> Iterator[Case]:
                    [(x0, -FAR), (x1 / 50 + 100, 90.5), (x1 / 50, 91.25)])
     for way, units in (("down", Fraction(69, 20)), ("up", Fraction(71, 20))):
         lean = leaning(units, FAR + HEIGHT)
-        yield make(f"long_edge_ends_at_right_border_rounded_{way}", "A right side from "
-                   "the first line of all ends a unit from the screen's right border, and may drift "
-                   "across it.", [(1, -FAR), (WIDTH - UNIT - lean, -FAR), (WIDTH - UNIT, HEIGHT),
-                                  (1, HEIGHT)])
-        yield make(f"long_edge_at_the_last_column_rounded_{way}", "A right side "
-                   "from the first line of all ends at the last x there is, and may drift across it.",
+        yield make(f"long_edge_ends_at_right_border_rounded_{way}", "A right side from the first "
+                   "line of all ends a unit from the screen's right border: it must not drift "
+                   "across.", [(1, -FAR), (WIDTH - UNIT - lean, -FAR), (WIDTH - UNIT, HEIGHT),
+                               (1, HEIGHT)])
+        yield make(f"long_edge_at_the_last_column_rounded_{way}", "A right side from the first "
+                   "line of all ends at the last x there is: it must not drift across.",
                    [(0, -FAR), (FARTHEST - lean, -FAR), (FARTHEST, HEIGHT), (0, HEIGHT)])
+    lean = 53 * UNIT  # in 97 lines: less than a unit a line, rounded to one
+    yield make("sides_drift_apart_at_the_whole_range", "Its sides step a little too far out and "
+               "leave the range of coordinates, each at one end.",
+               [(lean - FAR, 0), (FARTHEST - lean, 0), (FARTHEST, HEIGHT + 1), (-FAR, HEIGHT + 1)])
 
 
 FAMILIES = (slivers, needles, without_area, repeated_vertices, inside_one_pixel,

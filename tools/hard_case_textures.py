@@ -89,8 +89,8 @@ def seams() -> Iterator[Case]:
         yield make(f"seam_{way}", f"Lines cross the map's seam, {way.replace('_', ' ')}.",
                    box(3, 10, 120, 80), **on_map(start, along, (0, Fraction(1, 4))))
     for move in (-UNIT, 0, UNIT):
-        yield make(f"seam_at_the_last_pixel_{label(move)}", "Each line reaches t = 256, or one unit "
-                   "beside, at its last pixel.", box(0, 10, WIDTH, 80),
+        yield make(f"seam_at_the_last_pixel_{label(move)}", "Each line reaches t = 256, or one "
+                   "unit beside, at its last pixel.", box(0, 10, WIDTH, 80),
                    **on_map((10, PAGE - (WIDTH - 1) + move), (0, 1)))
     yield make("seam_upright", "Lines lie before the seam above and behind it below.",
                box(3, 10, 120, 80), **on_map((10.5, 220.5), (1, 0), (0, 1)))
@@ -103,13 +103,14 @@ def up_to_the_last_texel() -> Iterator[Case]:
     for shape, points in outlines.items():
         wide, high = points[2][0] - points[0][0], points[2][1] - points[0][1]
         for short in (0, UNIT):
-            step = (Fraction(PAGE - short) / Fraction(wide), Fraction(PAGE - short) / Fraction(high))
-            yield make(f"last_texel_{shape}_{label(short)}_short", "Opposite corners have the map's "
-                       "first and last coordinates.", points,
+            step = [Fraction(PAGE - short) / Fraction(side) for side in (wide, high)]
+            yield make(f"last_texel_{shape}_{label(short)}_short", "Opposite corners have the "
+                       "map's first and last coordinates.", points,
                        laid((0, 0), (step[0], 0), (0, step[1])))
             yield make(f"last_texel_{shape}_mirrored_{label(short)}_short", "The same, mirrored.",
                        points, laid((PAGE - short,) * 2, (-step[0], 0), (0, -step[1])))
-    triangle = make("last_texel_triangle", "A triangle whose corners are corners of the map.", TRIANGLE)
+    triangle = make("last_texel_triangle", "A triangle whose corners are corners of the map.",
+                    TRIANGLE)
     texels = ((0, 0), (PAGE << 16, 0), (0, PAGE << 16))
     yield replace(triangle, vertices=tuple(
         (x, y, *texel, shade) for (x, y, _, _, shade), texel in zip(triangle.vertices, texels)))
@@ -144,9 +145,9 @@ def long_spans() -> Iterator[Case]:
         left = 43 + Fraction(1, 20)
         start = Fraction(1, 16) if where == "first" else PAGE - Fraction(1, 16) - UNIT
         away = step * (60 - left)
-        case = make(f"long_edge_beside_the_{where}_texel", "A left side has drifted from the first "
-                    "line of all on, beside the end of map and palette: a pixel too far left is "
-                    "beyond it.",
+        case = make(f"long_edge_beside_the_{where}_texel", "A left side from the first line of "
+                    "all, beside the end of map and palette: were it to drift, a pixel too far left "
+                    "would be beyond it.",
                     [(left - leaning(Fraction(69, 20), FAR + HEIGHT), -FAR), (left, HEIGHT),
                      (60, HEIGHT)], shades=[start, start, start + away])
         yield replace(case, vertices=tuple(
