@@ -4,6 +4,7 @@ import numpy as np
 
 from kernel_checker import Memory, Trial, Write, values
 from tools import layout
+from tools.fixed import signed
 from tools.kernels import M32, Case
 from tools.scanline import MASKS, pack, rounded_edge
 
@@ -139,8 +140,8 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     form = kernel.split("_")[1]
     near = [0, 1, 2, 100, BIAS - 1]
     lefts = {BIAS - k for k in near if k < BIAS} | {BIAS + k for k in near} \
-        | {BIAS + width + k for k in (-1, 0, 1)} | {0, 1, 2 * BIAS}
-    pairs = [(a, b) for a in lefts for b in lefts if a <= 2 * BIAS and b <= 2 * BIAS]
+        | {BIAS + width + k for k in (-1, 0, 1)} | {0, 1, 2 * BIAS, 2 * BIAS + 1}
+    pairs = [(a, b) for a in lefts for b in lefts if a <= 2 * BIAS + 1 and b <= 2 * BIAS + 1]
     pairs += [tuple(int(x) for x in rng.integers(1, 2 * BIAS, 2)) for _ in range(20)]
     pairs = sorted(pairs)
     memory = Memory(int(rng.integers(1 << 30)))
@@ -152,7 +153,7 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by additions before
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        for field, value in (packed | {"left": left, "last": right - 1}).items():
+        for field, value in (packed | {"left": left, "last": signed(right - 1, 16)}).items():
             table[index][field] = value
         before.append(f"(from column {left - BIAS} to {right - BIAS}, {values(u=u, v=v)})")
         first, end = max(left, BIAS), min(right, BIAS + width)

@@ -173,7 +173,8 @@ def rounded_fields(edge: model.Edge) -> dict[str, int]:
 def edge_trials(rng, exact: bool) -> list[Trial]:
     """Single edges from a line on."""
     far = FAR - 1
-    ends = [((0, 0), (0, 1), 0), ((-far, -far), (far, far), 0), ((far, -far), (-far, far), 16383),
+    ends = [((0, 0), (0, 1), 0), ((-FAR, -FAR), (far, far), 0), ((5, -FAR), (-far, far), 95),
+            ((-far, -far), (far, far), 0), ((far, -far), (-far, far), 16383),
             ((-far, -far), (far, far), -16383), ((far, -1), (-far, 0), 0), ((5, -1), (7, 1), 0),
             ((-far, 0), (far, 1), 0), ((1 << 16, 3 << 16), (-1 << 16, 5 << 16), 4),
             ((0x8000, -0x8000), (0x18000, 0x18000), 1), ((7, 0), (7, 9 << 16), 9)]

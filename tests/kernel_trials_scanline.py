@@ -39,11 +39,13 @@ def points(side: list[dict[str, int]]) -> list[tuple[int, int, int]]:
     return [tuple(r[k] + n * r["d" + k] for k in "xuv") for r in side for n in range(r["lines"])]
 
 
-def ramp_trial(rng, truncated: bool, packed: bool, gap: int) -> Trial:
-    """One table; ``gap``: pixels between the sides, in 16.16."""
+def ramp_trial(rng, truncated: bool, packed: bool, gap: tuple[int, int],
+               x: tuple[int, int] = (-100 * ONE, 300 * ONE)) -> Trial:
+    """One table; ``gap``: least and most pixels between the sides, ``x``: where the left one
+    is, 16.16."""
     total = int(rng.integers(1, 40))
-    left = ramps(rng, total, -100 * ONE, 300 * ONE)
-    right = [r | {"x": r["x"] + int(rng.integers(gap + 1)), "u": int(rng.integers(-FAR, FAR)),
+    left = ramps(rng, total, *x)
+    right = [r | {"x": r["x"] + int(rng.integers(gap[0], gap[1] + 1)), "u": int(rng.integers(-FAR, FAR)),
                   "v": int(rng.integers(-FAR, FAR))} for r in left]
     before, after, steps = [], [], []
     for a, b in zip(points(left), points(right)):
@@ -74,7 +76,7 @@ def ramp_trial(rng, truncated: bool, packed: bool, gap: int) -> Trial:
     for side, at in zip((left, right), sides):  # used up: what is left there does not count
         writes.append(anything(at, len(side) * shape.size))
     return Trial(Case("edge_ramp", memory, pointers={"a0": plan}),
-                 f"{total} lines, truncated {truncated}, packed {packed}, gap {gap / ONE:g}",
+                 f"{total} lines, truncated {truncated}, packed {packed}, gap {gap[1] / ONE:g}",
                  writes=writes)
 
 
@@ -131,7 +133,10 @@ def hold_trial(rng, most: int) -> Trial:
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(5)
-    made = [ramp_trial(rng, truncated, packed, gap)
-            for truncated in (False, True) for packed in (False, True)
+    ways = [(truncated, packed) for truncated in (False, True) for packed in (False, True)]
+    made = [ramp_trial(rng, *way, (0, gap)) for way in ways
             for gap in (0, 3, ONE // 2, ONE, 2 * ONE, 320 * ONE) for _ in range(6)]
+    first = -16384 * ONE  # sides as far apart as they can be, and drifted a little further
+    made += [ramp_trial(rng, *way, (gap, gap + 80), (first - 40, first + 40)) for way in ways
+             for gap in (32767 * ONE, 32768 * ONE - 40) for _ in range(3)]
     return made + [hold_trial(rng, most) for most in (1, 2, 3, 40, 320) for _ in range(20)]

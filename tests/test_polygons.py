@@ -9,11 +9,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-from PIL import Image
+from polygon_report import explain
 
 from tools import emulator, ideal, model, random_polygons, scene_file
-from tools.diff import Frame, panels
-from tools.paths import BUILD
 
 #: seed: (polygons, width, height)
 SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
@@ -46,31 +44,6 @@ def expected(seed: int, settings: model.Settings) -> list[np.ndarray]:
     return [model.render(this, k) for k in range(this.frames)]
 
 
-def explain(seed: int, settings: model.Settings, number: int, found: np.ndarray, again: str) -> str:
-    """All a person needs to find the cause of one wrong frame."""
-    this, right = scene(seed, settings), expected(seed, settings)[number]
-    y, x = np.argwhere(right != found)[0]
-    vertices = scene_file.vertices_at(this, this.objects[number], number)
-    polygon = model.set_up(vertices, this.width, this.height, True, settings)
-    picture = BUILD / "failed" / f"polygon_{seed}_{number}.png"
-    picture.parent.mkdir(parents=True, exist_ok=True)
-    both = Frame(right, this.palette), Frame(found, this.palette)
-    Image.fromarray(panels(*both)).save(picture)
-    lines = [f"seed {seed}, polygon {number}: {np.count_nonzero(right != found)} pixels differ, "
-             f"the first at (x {x}, y {y}): expected {right[y, x]}, found {found[y, x]}",
-             *(f"  vertex {k}: " + ", ".join(f"{n} {c / 65536:.6f} ({c & model.M32:#010x})"
-                                             for n, c in zip("xyst", vertex))
-               for k, vertex in enumerate(vertices))]
-    for name, edges in (("left", polygon.left_edges), ("right", polygon.right_edges)):
-        lines += [f"  {name} edge, lines {e.top} to {e.end - 1}: slope {e.slope / 65536:.6f} "
-                  f"({e.slope & model.M32:#010x})" for e in edges]
-    if polygon.texturing:
-        lines += [f"  {k}: {model.signed(v) / 65536:.6f} ({v:#010x})"
-                  for k, v in vars(polygon.texturing).items() if k.startswith("d")]
-    return "\n".join([*lines, f"  picture (expected, found, difference): {picture}",
-                      f"  again: {again}"])
-
-
 @pytest.mark.parametrize("run", RUNS, ids=called)
 def test_every_polygon_is_the_models(run: tuple) -> None:
     """No byte differs, none outside the frame is touched, whatever the form."""
@@ -88,7 +61,7 @@ def test_every_polygon_is_the_models(run: tuple) -> None:
     again = (".deps/venv/bin/python -m pytest -q 'tests/test_polygons.py::"
              f"test_every_polygon_is_the_models[{called(run)}]'")
     assert not wrong, (f"{len(wrong)} polygons are wrong\n"
-                       + explain(seed, settings, *wrong[0], again))
+                       + explain(this, *wrong[0], f"seed {seed}, polygon {wrong[0][0]}", again))
 
 
 @pytest.mark.parametrize("seed", SCENES)

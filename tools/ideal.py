@@ -10,8 +10,8 @@ line between them (three vertices do for a polygon whose texture is planar).
 
 The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 
-* Edge, n lines below its first: its x starts at the nearest unit (1/2) and steps by
-  a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
+* Edge, n lines below its first in the frame: its x starts at the nearest unit (1/2) and
+  steps by a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
 * Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
   many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
   1/2^32: e(g) = |g| / 2^31 + 3/2^32.
@@ -161,7 +161,7 @@ def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
         for (edge, y), (numerator, denominator) in zip(pair, extent(vertices, line)):
             if not edge.exact:
                 error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
-                bound = (y - edge.first + 1) * UNIT / 2
+                bound = (y - edge.top + 1) * UNIT / 2
                 out.edge = max(out.edge, error)
                 out.edge_ratio = max(out.edge_ratio, error / bound)
             ends.append(min(max(-(-numerator // (denominator << 16)), 0), width))

@@ -22,7 +22,7 @@ from .model_texturing import (Line, Settings, Texturing, along, edge_starts, lon
                               scanline_line)
 
 __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "ceil16",
-           "coordinates", "draw", "render", "scanline_line", "set_up", "signed"]
+           "coordinates", "draw", "prepare", "render", "scanline_line", "set_up", "signed"]
 
 FAR = 16384 << 16
 INSET = 65536 // 16  # see c/polygon/material.c
@@ -165,22 +165,30 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
                 else colour
 
 
+def prepare(scene, obj, number: int) -> Polygon | None:
+    """An object of a scene as it is set up in frame ``number``; None where it draws nothing."""
+    from .scene_file import vertices_at
+
+    if not obj.first_frame <= number < obj.first_frame + obj.poses:
+        return None
+    material = scene.materials[obj.material]
+    settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                        material.mapper)
+    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+    vertices = adapt(vertices_at(scene, obj, number), settings,
+                     256 if texture is None else max(texture.shape))
+    return set_up(vertices, scene.width, scene.height, material.mapper != "flat", settings,
+                  None if texture is None else texture.shape[::-1])
+
+
 def render(scene, number: int) -> np.ndarray:
     """Frame ``number`` of a scene (tools.scene_file.Scene), height x width of its pixels."""
-    from .scene_file import TEXEL, vertices_at
+    from .scene_file import TEXEL
 
     frame = np.full((scene.height, scene.width), scene.background, TEXEL[scene.pixel_bytes])
     for obj in scene.objects:
-        if not obj.first_frame <= number < obj.first_frame + obj.poses:
-            continue
-        material = scene.materials[obj.material]
-        settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                            material.mapper)
-        texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-        vertices = adapt(vertices_at(scene, obj, number), settings,
-                         256 if texture is None else max(texture.shape))
-        polygon = set_up(vertices, scene.width, scene.height, material.mapper != "flat", settings,
-                         None if texture is None else texture.shape[::-1])
+        polygon, material = prepare(scene, obj, number), scene.materials[obj.material]
         if polygon:
+            texture = scene.textures[material.texture].texels if material.texture >= 0 else None
             draw(frame, polygon, texture, material.colour, material.mapper)
     return frame

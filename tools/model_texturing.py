@@ -162,7 +162,7 @@ def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> Non
         steps = [cut_quotient(r, pixels) if pixels > 0 else 0 for r in rise]
         moves = [(line.left - first) * s for s in steps]
     else:
-        width, prestep = right[0] - left[0], (line.left << 16) - left[0]
+        width, prestep = min(right[0] - left[0], 0x7FFFFFFF), (line.left << 16) - left[0]
         if width >= 65536:
             steps = [cut_quotient(r << 16, width) for r in rise]
             moves = [mul(s, prestep) for s in steps]

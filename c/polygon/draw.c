@@ -1,10 +1,10 @@
 /* From a convex polygon to its scanline table and the call that draws it.
 
    With gradients of the plane and sub-texel starts, all numbers that decide a pixel
-   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope
-   from the edge's upper vertex, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
-   (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first, which
-   side is cut or where a section begins. The model in tools/model.py does the same
+   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, j0
+   being its first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
+   (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
+   side is cut; and an edge from far above has not drifted when it reaches the frame. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/edges.h"

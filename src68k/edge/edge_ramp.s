@@ -47,7 +47,8 @@
         sub.l   ramp_x(a1),d3           ; from the crossing to the pixel's centre
         move.l  ramp_x(a2),d2
         sub.l   ramp_x(a1),d2           ; x1 - x0
-        cmp.l   #$10000,d2
+        bvs.s   .widest
+.width  cmp.l   #$10000,d2
         blt.s   .narrow
         bsr     .over_width
         exg     d0,d1
@@ -62,6 +63,9 @@
         move.w  d4,d6
         swap    d6
         bra.s   .start
+
+.widest move.l  #$7fffffff,d2           ; sides at both ends of the range, drifted apart
+        bra.s   .width
 
 .narrow tst.l   d3
         bpl.s   .right_of_left
@@ -93,8 +97,9 @@
         swap    d5                      ; ceil of the left side
         add.l   ramp_x(a2),d2
         swap    d2
-        sub.w   d5,d2
-        ext.l   d2                      ; pixels of the whole line
+        ext.l   d5
+        ext.l   d2
+        sub.l   d5,d2                   ; pixels of the whole line, up to 32,769
         ble.s   .no_pixels
         divs.l  d2,d0
         divs.l  d2,d1

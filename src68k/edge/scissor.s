@@ -15,8 +15,10 @@ scissor macro
         subq.l  #1,d7
 .line   cmp.w   scanline_left(a4),d6
         blo.s   .outside
-        cmp.w   scanline_last(a4),d6
-        bge.s   .right_inside
+        move.w  scanline_last(a4),d0
+        addq.w  #1,d0                   ; unsigned: last may be -1, or 32,768
+        cmp.w   d6,d0
+        bls.s   .right_inside
         move.w  d6,scanline_last(a4)
 .right_inside
         move.w  #EDGE_BIAS,d3
@@ -82,9 +84,9 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  left and last of its lines
-; formats: x with EDGE_BIAS, 0 to 32,768; of a line wholly outside last is below left
+; formats: x with EDGE_BIAS, 0 to 32,769; of a line wholly outside last is below left
 ; error:   none
-; cost:    about 50 cycles a line
+; cost:    about 60 cycles a line
 ;==============================================================================
         routine scissor_flat,a0
         scissor start_flat
@@ -97,9 +99,9 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv, start2 = v--U
+; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = Vv, start2 = v--U
 ; error:   none: u, v as at the pixel on the uncut line, modulo 256
-; cost:    about 50 cycles a line, 180 where its left end is cut
+; cost:    about 60 cycles a line, 180 where its left end is cut
 ;==============================================================================
         routine scissor_addx,a0
         scissor start_addx
@@ -112,9 +114,9 @@ start_addx macro
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
-; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU, start2 = VVvv
+; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
-; cost:    about 50 cycles a line, 130 where its left end is cut
+; cost:    about 60 cycles a line, 130 where its left end is cut
 ;==============================================================================
         routine scissor_plain,a0
         scissor start_plain

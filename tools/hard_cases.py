@@ -1,0 +1,100 @@
+"""The named corpus of hard polygons: all families of makers, and cases that were found.
+
+``cases`` are 16.16 and the same in every run. A case that a fuzzer found is kept in
+``FOUND``, a JSON list of objects with the fields of ``Case``, sorted by name.
+"""
+
+import json
+from collections.abc import Iterator
+from dataclasses import asdict, replace
+
+import numpy as np
+
+from . import accuracy, hard_case_outlines, hard_case_textures
+from .clip import clip, frame_window
+from .errors import UserError
+from .hard_case import HEIGHT, WIDTH, Case
+from .model import Settings
+from .paths import ROOT
+from .scene_file import (MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture, size_fault)
+
+__all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
+           "scene"]
+
+FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES)
+FOUND = ROOT / "tests" / "hard_cases.json"
+IDENTITY = (65536, 0, 0, 65536, 0, 0)
+Drawing = tuple[Case, Settings]  # the settings say the mapper too
+
+
+def found_cases() -> list[Case]:
+    """The cases in ``FOUND``; none where it is not there."""
+    if not FOUND.exists():
+        return []
+    return [Case(entry["name"], entry["sentence"], tuple(map(tuple, entry["vertices"])),
+                 tuple(entry["mappers"]), tuple(entry["map_size"]))
+            for entry in json.loads(FOUND.read_text())]
+
+
+def cases() -> list[Case]:
+    """The corpus, family by family; found ones last."""
+    return [case for family in FAMILIES for case in family()] + found_cases()
+
+
+def keep(case: Case) -> None:
+    """Adds a case to ``FOUND``; refuses a name that the corpus has."""
+    if case.name in {known.name for known in cases()}:
+        raise UserError(f"{FOUND}: there is a case called {case.name} already")
+    kept = sorted([*found_cases(), case], key=lambda known: known.name)
+    rows = ",\n ".join(json.dumps(asdict(known)) for known in kept)
+    FOUND.write_text(f"[\n {rows}\n]\n")
+
+
+def map_size(case: Case, mapper: str) -> tuple[int, int]:
+    """Width and height of a mapper's map: the case's where its layout can have that size."""
+    return (256, 256) if size_fault(MAPPER_LAYOUT[mapper], *case.map_size) else case.map_size
+
+
+def is_clipped(case: Case) -> bool:
+    """Whether clipping the vertices changes anything."""
+    vertices = [v[:2] for v in case.vertices]
+    return clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
+
+
+def combinations(case: Case) -> Iterator[Settings]:
+    """The settings that a case is drawn with: all that differ where the mapper is affine or
+    flat, the usual ones and clipped vertices with the others."""
+    clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
+    for mapper in case.mappers:
+        if mapper == "affine":
+            made = [Settings(e, g, s) for e in SETTINGS["edges"] for g in SETTINGS["gradients"]
+                    for s in SETTINGS["start"] if g != "polygon" or len(case.vertices) == 3]
+        elif mapper == "flat":
+            made = [Settings(e) for e in SETTINGS["edges"]]
+        else:
+            made = [Settings(*usual) for usual in accuracy.USUAL]
+        for settings in made:
+            for way in clips if mapper in ("affine", "flat") or settings == made[-1] else clips[:1]:
+                yield replace(settings, clip=way, mapper=mapper)
+
+
+def noise(width: int, height: int) -> np.ndarray:
+    """A map where neighbours differ."""
+    return np.random.default_rng(width << 16 | height).integers(0, 256, (height, width), np.uint8)
+
+
+def scene(drawings: list[Drawing]) -> Scene:
+    """A scene with one drawing in each frame."""
+    textures, materials, objects, vertices = {}, {}, [], []
+    for number, (case, s) in enumerate(drawings):
+        layout, texture = MAPPER_LAYOUT[s.mapper], -1
+        if layout:
+            texture = textures.setdefault((layout, map_size(case, s.mapper)), len(textures))
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, texture, 200)
+        objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
+                              len(case.vertices), 0, 1, number))
+        vertices += case.vertices
+    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
+    return Scene(WIDTH, HEIGHT, len(drawings), 7, palette,
+                 [Texture(noise(*size), layout) for layout, size in textures], list(materials),
+                 objects, np.array(vertices), np.array([IDENTITY]))
