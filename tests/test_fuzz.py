@@ -28,7 +28,7 @@ def test_digests_are_those_of_the_dumps() -> None:
     polygons = [fuzz_polygons.polygon(SEED, k) for k in range(5)]
     digests, = fuzz.draw([(fuzz_polygons.scene(SEED, 0, polygons), "addx")], fuzz.MACHINE)
     for each, digest in zip(polygons[:2], digests):
-        frame = fuzz.frame_of(each, SEED, 0, "addx", fuzz.MACHINE)
+        frame = fuzz.frame_of(fuzz_polygons.scene(SEED, 0, [each]), "addx", fuzz.MACHINE)
         assert fuzz.zlib.crc32(frame.tobytes()) == digest["crc"] and digest["ticks"] > 0
 
 
@@ -47,7 +47,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     assert main(["fuzz", "--seed", "1", "--first", "600", "--count", "60", "--keep", "wrong_ceil"]) == 1
     text = capsys.readouterr().out
     for part in ("60 polygons", "failed: ", "seed 1, polygon 6", "the guest's frame is not the model's",
-                 "expected and found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
+                 "expected / found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
                  "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
         assert part in text, f"{part!r} is missing in\n{text}"
     kept, = json.loads((tmp_path / "found.json").read_text())

@@ -9,9 +9,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-from polygon_report import explain
 
 from tools import emulator, ideal, model, random_polygons, scene_file
+from tools.polygon_report import explain
 
 #: seed: (polygons, width, height)
 SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}

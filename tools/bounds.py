@@ -4,7 +4,7 @@ All bounds follow from formats and roundings alone. 1 unit = U = 1/2^16, of a pi
 texel. Vertices are those that ``model.adapt`` gives: `integer` edges are judged on the
 vertices they cut, shades and texels on what the vertices say after their rounding.
 
-**Edges.** `exact`: none. Rounded ones, line j, the edge's first line f: x starts at the
+**Edges.** `exact`: none. Rounded ones, line j, the edge's first line in the frame f: x starts at the
 nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less what
 comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
 within E(j) of its centre, and none where E is 0.
@@ -87,8 +87,8 @@ def edge_bound(edge: Edge, line: int) -> float:
     """E(j) of rounded numbers, pixels; a quotient that comes out even adds nothing."""
     (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
     width, height = x1 - x0, y1 - y0
-    start, step = width * ((edge.first << 16) - y0) % height, (width << 16) % height
-    return ((start != 0) + (line - edge.first) * (step != 0)) * UNIT / 2
+    start, step = width * ((edge.top << 16) - y0) % height, (width << 16) % height
+    return ((start != 0) + (line - edge.top) * (step != 0)) * UNIT / 2
 
 
 def crossing(edge: Edge, line: int) -> float:

@@ -74,9 +74,8 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
         return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]
 
 
-def frame_of(each: Fuzzed, seed: int, block: int, form: str, machine: str) -> np.ndarray:
-    """The frame that the guest draws."""
-    this = scene(seed, block, [each])
+def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
+    """The first frame of a scene as the guest draws it."""
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
                             machine, directory)
@@ -224,12 +223,11 @@ def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed
 def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str) -> str:
     """What a person needs to find the cause."""
     block = number // BLOCK
-    found = None if fault.kind in ("crash", "refused") else \
-        frame_of(each, seed, block, form_of(block), machine)
+    this = scene(seed, block, [each])
+    found = None if fault.kind in ("crash", "refused") else frame_of(this, form_of(block), machine)
     again = f"scripts/tmap fuzz --seed {seed} --first {number} --count 1 --machine {machine}"
-    size = textures(seed, block)[each.texture].texels.shape[::-1] if each.texture >= 0 else (256, 256)
-    return explain(f"seed {seed}, polygon {number}, {form_of(block)}: {fault.text}", each.vertices,
-                   each.settings, size, check(each, seed, block).frame, found, again)
+    return explain(this, 0, found,
+                   f"seed {seed}, polygon {number}, {form_of(block)}: {fault.text}", again)
 
 
 def command(seed: int, first: int, count: int, machine: str, keep: str | None) -> int:

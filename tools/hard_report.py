@@ -20,8 +20,9 @@ from .diff import MARK
 from .errors import UserError
 from .fixed import ceil16
 from .fuzz_polygons import has_ideal
-from .hard_cases import HEIGHT, WIDTH, Case
+from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
+from .polygon_report import explain
 
 CYCLES_PER_TICK = 20
 #: Drawings of one scene; a frame more is empty.
@@ -65,25 +66,38 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     return row
 
 
-def measure(machine: str, on_part: Callable[[int, int], None] | None = None) -> list[Row]:
-    """All rows; frames that are not the model's end it. ``on_part`` is told how many of all
-    drawings are done."""
-    drawings = [(case, s) for case in hard_cases.cases() for s in hard_cases.combinations(case)]
-    rows = []
+def called(case: Case, settings: Settings) -> str:
+    """A drawing's name in messages."""
+    return f"{case.name}: {case.sentence} " + ", ".join(vars(settings).values())
+
+
+def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
+    """What each drawing takes on the guest. A frame that is not the model's ends it. ``on_part`` is
+    told how many of all are drawn."""
+    spent: list[int] = []
     for first in range(0, len(drawings), PART):
         part = drawings[first:first + PART]
         scene = hard_cases.scene(part)
         scene.frames += 1
-        digests, = fuzz.draw([(scene, "addx")], machine)
+        digests, = fuzz.draw([(scene, form)], machine)
+        wrong = [number for number, digest in enumerate(digests[:-1])
+                 if zlib.crc32(model.render(scene, number).tobytes()) != int(digest["crc"])]
+        if wrong:
+            alone = hard_cases.scene([part[wrong[0]]])
+            raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
+                alone, 0, fuzz.frame_of(alone, form, machine), called(*part[wrong[0]]),
+                f"scripts/tmap accuracy --set hard --machine {machine}"))
         empty = int(digests[-1]["ticks"])
-        for number, ((case, settings), digest) in enumerate(zip(part, digests)):
-            frame = model.render(scene, number)
-            if zlib.crc32(frame.tobytes()) != int(digest["crc"]):
-                raise UserError(f"accuracy: case {case.name}, {settings}: the frame is not the model's")
-            rows.append(judged(case, settings, (int(digest["ticks"]) - empty) * CYCLES_PER_TICK))
+        spent += [(int(digest["ticks"]) - empty) * CYCLES_PER_TICK for digest in digests[:-1]]
         if on_part:
-            on_part(len(rows), len(drawings))
-    return rows
+            on_part(len(spent), len(drawings))
+    return spent
+
+
+def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
+    """A row for each drawing, held to its bounds."""
+    return [judged(case, settings, each) for (case, settings), each
+            in zip(drawings, cycles(drawings, machine, on_part=on_part))]
 
 
 def readable_map(width: int, height: int) -> np.ndarray:
@@ -191,7 +205,8 @@ def page(rows: list[Row], conditions: str) -> str:
 def write(folder: Path, machine: str, conditions: str,
           on_part: Callable[[int, int], None] | None = None) -> list[Row]:
     """Measures and writes the page, its pictures and hard.json into ``folder``."""
-    rows = measure(machine, on_part)
+    rows = measure([(case, s) for case in hard_cases.cases() for s in hard_cases.combinations(case)],
+                   machine, on_part)
     folder.mkdir(parents=True, exist_ok=True)
     for case in hard_cases.cases():
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
