@@ -47,10 +47,9 @@
         sub.l   ramp_x(a1),d3           ; from the crossing to the pixel's centre
         move.l  ramp_x(a2),d2
         sub.l   ramp_x(a1),d2           ; x1 - x0
-        bvs.s   .widest
-.width  cmp.l   #$10000,d2
+        cmp.l   #$10000,d2
         blt.s   .narrow
-        bsr     .over_width
+.wide   bsr     .over_width
         exg     d0,d1
         bsr     .over_width
         exg     d0,d1
@@ -64,10 +63,9 @@
         swap    d6
         bra.s   .start
 
-.widest move.l  #$7fffffff,d2           ; sides at both ends of the range, drifted apart
-        bra.s   .width
-
-.narrow tst.l   d3
+.narrow cmp.l   #-$40000000,d2          ; an overflow: sides at both ends of the range
+        blt     .widest                 ; have drifted further apart
+        tst.l   d3
         bpl.s   .right_of_left
         moveq   #0,d3
 .right_of_left
@@ -141,6 +139,9 @@
         bne     .line
         movem.l (sp)+,d2-d7/a2-a6
         rts
+
+.widest move.l  #$7fffffff,d2
+        bra     .wide
 
 ; Moves the ramp in a1 a line down, or on to the side's next one.
 .down   movem.l ramp_dx(a1),d0-d2
