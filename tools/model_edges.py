@@ -18,21 +18,17 @@ class Edge:
     exact: bool
 
     @property
-    def first(self) -> int:
-        """The first line at or below the upper vertex."""
-        return ceil16(self.upper[1])
-
-    @property
     def slope(self) -> int:
         """Pixels a line, 16.16; 0 where the edge has one line only."""
         width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        return mul_div(width, 65536, height) if ceil16(self.lower[1]) - self.first > 1 else 0
+        several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
+        return mul_div(width, 65536, height) if several else 0
 
     def at(self, line: int) -> int:
-        """x on a line, 16.16, rounded at the first line and in every step."""
+        """x on a line, 16.16, rounded at the first line drawn and in every step."""
         width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        x = self.upper[0] + mul_div(width, (self.first << 16) - self.upper[1], height)
-        return x + (line - self.first) * self.slope
+        x = self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
+        return x + (line - self.top) * self.slope
 
     def column(self, line: int) -> int:
         """The first pixel at or right of the edge."""

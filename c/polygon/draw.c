@@ -2,9 +2,9 @@
 
    With gradients of the plane and sub-texel starts, all numbers that decide a pixel
    are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope
-   from the edge's upper vertex, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
-   (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first, which
-   side is cut or where a section begins. The model in tools/model.py does the same
+   from the edge's first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
+   (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
+   side is cut, and polygons that share an edge leave no gap. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/edges.h"
@@ -16,7 +16,7 @@
 #include "span/scanline.h"
 
 /* Pixels that an edge's x may lie beyond its vertices, in 16.16: it starts and
-   steps within 1/2^17, over 1,024 lines at most 0.008. */
+   steps within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
 #define EDGE_ERROR 1024
 
 static struct scanline lines[SCENE_SIDE_MAX];

@@ -18,11 +18,7 @@ fix16 edge_slope(const struct edge *edge)
 fix16 edge_x(const struct edge *edge)
 {
     const struct vertex *upper = edge->upper, *lower = edge->lower;
-    int32 first = FIX_CEIL(upper->y);
-    fix16 x = upper->x + mul_div(lower->x - upper->x, (first << 16) - upper->y,
-                                 lower->y - upper->y);
 
-    if (edge->top > first)      /* the frame begins further down */
-        x += (fix16)((uint32)(edge->top - first) * (uint32)edge_slope(edge));
-    return x;
+    return upper->x + mul_div(lower->x - upper->x, (edge->top << 16) - upper->y,
+                              lower->y - upper->y);
 }

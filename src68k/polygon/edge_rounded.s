@@ -13,10 +13,10 @@
 ; reads:   x, y of both ends
 ; writes:  edge: x, whole, error, part, height
 ; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 where the edge has one
-;          line only; x = x0 + W * prestep / H, to the nearest 1/65536, at its first
-;          line, and that many slopes more at the line asked for; whole and part are the
-;          slope's halves, x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
-; error:   of x, n lines below the first: (n + 1) / 2^17 pixels
+;          line only; x = x0 + W * prestep / H, to the nearest 1/65536, at the line asked
+;          for; whole and part are the slope's halves, x and error those of
+;          x + EDGE_BIAS + 1 - 1/65536; height 0
+; error:   of x, n lines below the one asked for: (n + 1) / 2^17 pixels
 ; cost:    about 290 cycles
 ;==============================================================================
 ; The slope cannot overflow: two lines or more are more than one pixel high.
@@ -46,15 +46,14 @@ nearest macro
 
         move.l  d5,d2
         add.l   #$ffff,d2
-        clr.w   d2                      ; first line
+        clr.w   d2                      ; the edge's first line
         add.l   #$ffff,d3
         clr.w   d3
         sub.l   d2,d3                   ; lines
-        sub.l   d2,d5
-        neg.l   d5                      ; prestep
-        swap    d2
-        sub.w   d2,d1                   ; lines that the frame does not show
-        muls.l  d5,d5:d0
+        swap    d1
+        clr.w   d1
+        sub.l   d5,d1                   ; prestep
+        muls.l  d1,d5:d0
         nearest d5,d0
         add.l   vertex_x(a1),d0
         add.l   #(EDGE_BIAS<<16)+$ffff,d0
@@ -67,12 +66,7 @@ nearest macro
         ext.l   d5
         clr.w   d3                      ; d5:d3 = W << 16
         nearest d5,d3
-        tst.w   d1
-        beq.s   .slope
-        ext.l   d1
-        muls.l  d3,d1
-        add.l   d1,d0
-.slope  move.w  d3,d6
+        move.w  d3,d6
         swap    d6
         move.l  d6,edge_part(a0)
         swap    d3
