@@ -274,11 +274,11 @@ static void set_ramps(struct setup *s)
 }
 
 /* Keeps u and v of every pixel where the mapper needs them. */
-static void hold_lines(const struct setup *s, struct span_plan *span)
+static void hold_lines(const struct setup *s, const struct texturing *t, struct span_plan *span)
 {
     struct hold_plan hold;
 
-    if (!material_range(&hold, s->material, s->vertices, s->count, span))
+    if (!material_range(&hold, s->material, s->vertices, s->count, t, span))
         return;
     hold.lines = (struct scanline *)span->lines;
     hold.count = span->count;
@@ -290,7 +290,7 @@ static void hold_lines(const struct setup *s, struct span_plan *span)
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
-static void draw_each_line(const struct setup *s)
+static void draw_each_line(const struct setup *s, const struct texturing *t)
 {
     struct span_plan line = s->span;
 
@@ -300,7 +300,7 @@ static void draw_each_line(const struct setup *s)
         line.dudx = s->span.steps[i].dudx;
         line.dvdx = s->span.steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
-            hold_lines(s, &line);
+            hold_lines(s, t, &line);
             routines[s->kind].span(&line);
         }
         line.row += line.pitch;
@@ -341,14 +341,14 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     } else {
         make_lines(&s, routines[s.kind].edges, routines[s.kind].exact_edges);
         cut_lines(&s, routines[s.kind].scissor);
-        hold_lines(&s, &s.span);
+        hold_lines(&s, &texturing, &s.span);
     }
     if (counts) {
         counts->polygons++;
         count_pixels(&counts->pixels[s.kind], s.span.count);
     }
     if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
-        draw_each_line(&s);
+        draw_each_line(&s, &texturing);
     else
         routines[s.kind].span(&s.span);
     return POLYGON_DRAWN;
