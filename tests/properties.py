@@ -396,6 +396,21 @@ def long_triangle(rng: random.Random, side: int) -> list[tuple[int, int]]:
             return points
 
 
+def held_case(rng: random.Random, origin: str) -> Case:
+    """A polygon whose texels or shades reach the end of what they may be; with more than
+    three vertices they are on no plane."""
+    points = long_triangle(rng, HEIGHT) if rng.random() < 0.3 else convex(rng)
+    size = tuple(rng.choice((1, 2, 8, 100, 256, 1000)) for _ in range(2))
+    low, high = sorted(rng.choice((0, 0, 255, rng.randrange(256))) for _ in range(2))
+    room = [256 * 65536 * side // max(size) for side in size]
+    inset = min(model.INSET * 256 // max(size) + 1, *room)  # lines just need not be held
+    vertices = tuple(
+        (*p[:2], *(rng.choice((0, end, inset, end - inset, rng.randint(0, end))) for end in room),
+         p[4]) for p in textured(rng, points, (low, high)))
+    settings = any_settings(rng, len(points), mapper=rng.choice(("gouraud", "arbitrary")))
+    return Case(origin, vertices, WIDTH, HEIGHT, settings, size)
+
+
 def check_watertight(rng: random.Random, origin: str) -> list[str]:
     kind = rng.choice(list(meshes.KINDS))
     mesh = meshes.mesh(rng, WIDTH, HEIGHT, kind)
@@ -421,16 +436,7 @@ def check_within(rng: random.Random, origin: str) -> list[str]:
 
 
 def check_held(rng: random.Random, origin: str) -> list[str]:
-    points = long_triangle(rng, HEIGHT) if rng.random() < 0.5 else convex(rng)[:3]
-    size = tuple(rng.choice((1, 2, 8, 100, 256, 1000)) for _ in range(2))
-    low, high = sorted(rng.choice((0, 0, 255, rng.randrange(256))) for _ in range(2))
-    room = [256 * 65536 * side // max(size) for side in size]
-    inset = min(model.INSET * 256 // max(size) + 1, *room)  # lines just need not be held
-    vertices = tuple(
-        (*p[:2], *(rng.choice((0, end, inset, end - inset, rng.randint(0, end))) for end in room),
-         p[4]) for p in textured(rng, points, (low, high)))
-    settings = any_settings(rng, 3, mapper=rng.choice(("gouraud", "arbitrary")))
-    return held(Case(origin, vertices, WIDTH, HEIGHT, settings, size))
+    return held(held_case(rng, origin))
 
 
 def check_rotation(rng: random.Random, origin: str) -> list[str]:

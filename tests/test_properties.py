@@ -1,6 +1,6 @@
 """The properties of tests/properties.py hold on random polygons and meshes, by fixed seeds."""
 
-from dataclasses import replace
+import random
 
 import numpy as np
 import properties
@@ -32,7 +32,7 @@ def test_property(monkeypatch, name: str) -> None:
 
 def random_meshes(seed: str, count: int) -> list[meshes.Mesh]:
     """So many of each kind."""
-    return [meshes.mesh(properties.random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
+    return [meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
             for kind in meshes.KINDS for k in range(count)]
 
 
@@ -68,35 +68,64 @@ def test_how_watertight_meshes_are() -> None:
     assert wrong["exact"] == 0 < wrong["subpixel"] < wrong["integer"]
 
 
-def mesh_scene() -> tuple[scene_file.Scene, list[str]]:
-    """A mesh a frame, each triangle in its own colour, under every setting of edges and
-    clip; and what each frame is."""
-    scene = scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
-                             np.zeros((0, 5), int), np.array([random_polygons.IDENTITY]))
-    vertices, about = [], []
-    for k, mesh in enumerate(random_meshes("guest", 3)):
-        for edges in EDGES:
-            clip = scene_file.SETTINGS["clip"][k % 2]
-            for colour, triangle in enumerate(mesh.triangles, 1):
-                material = scene_file.Material(edges=edges, clip=clip, colour=colour)
-                if material not in scene.materials:
-                    scene.materials.append(material)
-                scene.objects.append(scene_file.Object(scene.materials.index(material),
-                                                       len(vertices), 3, 0, 1, scene.frames))
-                vertices += [(*p, 0, 0, 0) for p in triangle]
-            scene.frames += 1
-            about.append(f"{mesh.kind} {k}, edges {edges}, clip {clip}, {mesh.triangles}")
-    return replace(scene, vertices=np.array(vertices)), about
+def empty_scene() -> scene_file.Scene:
+    """One to add to."""
+    return scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
+                            np.zeros((0, 5), int), np.array([random_polygons.IDENTITY]))
 
 
-def test_meshes_are_the_models() -> None:
-    """The 68020 draws the meshes as the model does, byte for byte."""
-    scene, about = mesh_scene()
+def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> None:
+    """A polygon in the last frame of a scene."""
+    if material not in scene.materials:
+        scene.materials.append(material)
+    scene.objects.append(scene_file.Object(
+        scene.materials.index(material), len(scene.vertices), len(vertices), 0, 1,
+        scene.frames - 1))
+    scene.vertices = np.concatenate([scene.vertices, np.array(vertices)])
+
+
+def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
+    """The 68020 draws every frame as the model does, byte for byte."""
     with emulator.workspace() as directory:
         done = emulator.run("render", "input.scene FORM addx",
                             {"input.scene": scene_file.write(scene)}, "a1200-fast", directory)
         assert done.code == 0, done.output.splitlines()[-1]
         for number, what in enumerate(about):
+            right = model.render(scene, number)
             found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
-            wrong = np.argwhere(found.reshape(HEIGHT, WIDTH) != model.render(scene, number))
+            wrong = np.argwhere(found.reshape(right.shape) != right)
             assert not len(wrong), f"{what}: (x, y) {wrong[0][::-1]} and {len(wrong) - 1} more"
+
+
+def test_meshes_are_the_models() -> None:
+    """A mesh a frame, each triangle in its own colour, under every setting of edges."""
+    scene, about = empty_scene(), []
+    for k, mesh in enumerate(random_meshes("guest", 3)):
+        clip = scene_file.SETTINGS["clip"][k % 2]
+        for edges in EDGES:
+            scene.frames += 1
+            about.append(f"{mesh.kind} {k}, edges {edges}, clip {clip}, {mesh.triangles}")
+            for colour, triangle in enumerate(mesh.triangles, 1):
+                add(scene, scene_file.Material(edges=edges, clip=clip, colour=colour),
+                    [(*p, 0, 0, 0) for p in triangle])
+    check_on_the_guest(scene, about)
+
+
+def test_held_lines_are_the_models() -> None:
+    """What reaches the end of the map or of the shades, on a plane or not."""
+    scene, about, maps = empty_scene(), [], {}
+    for k in range(200):
+        case = properties.held_case(random.Random(f"guest {k}"), f"number {k}")
+        if max(case.size) > 256:  # many of them would not fit
+            continue
+        if case.size not in maps:
+            maps[case.size] = len(maps)
+            noise = np.random.default_rng(k).integers(0, 256, case.size[::-1], dtype=np.uint8)
+            scene.textures.append(scene_file.Texture(noise, "linear"))
+        scene.frames += 1
+        about.append(case.complaint("it differs", ("?", "?"), "the model's pixels", "others"))
+        s = case.settings
+        texture = maps[case.size] if s.mapper == "arbitrary" else -1
+        add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, texture),
+            case.vertices)
+    check_on_the_guest(scene, about)

@@ -133,6 +133,12 @@ def not_held(patch) -> None:
     patch.setattr(model, "hold", lambda lines, ranges: None)
 
 
+def planes_trusted(patch) -> None:
+    """The plane is taken to run through all vertices, however many."""
+    patch.setattr(model, "plane_range", lambda vertices, t: tuple(
+        [f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max)))
+
+
 def cut_to_pixels(patch) -> None:
     """New vertices at the border are moved to whole pixels."""
     patch.setattr(clip, "mul_div", lambda *given: mul_div(*given) & ~0xFFFF)
@@ -155,6 +161,7 @@ WRONG = {
     clamped: ("wrapping",),
     cut_to_24_bits: ("splitting", "wrapping"),
     not_held: ("held",),
+    planes_trusted: ("held",),
     cut_to_pixels: ("coverage", "clipping"),
 }
 
