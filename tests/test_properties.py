@@ -1,17 +1,19 @@
-"""The properties of tests/properties.py hold on random polygons and meshes, by fixed seeds."""
+"""What tests/properties.py says holds for random polygons and meshes, by fixed seeds."""
 
 import random
 
 import numpy as np
 import properties
+import property_cases
 import pytest
+from property_cases import HEIGHT, WIDTH
 
 from tools import emulator, ideal, meshes, model, random_polygons, scene_file
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
-COUNTS = dict.fromkeys(properties.CHECKS, 1000) | {"drift": 400, "splitting": 400, "clipping": 400}
+COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)
+COUNTS |= dict.fromkeys(("drift", "splitting", "clipping"), 400)
 EDGES = scene_file.SETTINGS["edges"]
-WIDTH, HEIGHT = properties.WIDTH, properties.HEIGHT
 
 
 @pytest.mark.parametrize("name", COUNTS)
@@ -25,7 +27,7 @@ def test_property(monkeypatch, name: str) -> None:
         return polygon
 
     monkeypatch.setattr(model, "set_up", counting)
-    found = list(properties.complaints(name, 1, COUNTS[name]))
+    found = list(property_cases.complaints(name, 1, COUNTS[name]))
     assert not found, f"{len(found)} complaints, the first:\n{found[0]}"
     assert np.count_nonzero(pixels) > len(pixels) / 3
 
@@ -115,7 +117,7 @@ def test_held_lines_are_the_models() -> None:
     """What reaches the end of the map or of the shades, on a plane or not."""
     scene, about, maps = empty_scene(), [], {}
     for k in range(200):
-        case = properties.held_case(random.Random(f"guest {k}"), f"number {k}")
+        case = property_cases.held_case(random.Random(f"guest {k}"), f"number {k}")
         if max(case.size) > 256:  # many of them would not fit
             continue
         if case.size not in maps:

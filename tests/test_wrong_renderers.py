@@ -6,8 +6,9 @@ The right model satisfies all of them on the same cases (tests/test_properties.p
 from dataclasses import replace
 
 import numpy as np
-import properties
+import property_cases
 import pytest
+from properties import SIDE
 
 from tools import clip, model, model_edges, model_texturing
 from tools.fixed import M32, mul_div, signed
@@ -118,14 +119,14 @@ def clamped(patch) -> None:
     """s and t end at the map's borders instead of repeating it."""
     right = model.adapt
     patch.setattr(model, "adapt", lambda *given: [
-        (x, y, *(min(max(c, 0), properties.SIDE - 1) for c in uv)) for x, y, *uv in right(*given)])
+        (x, y, *(min(max(c, 0), SIDE - 1) for c in uv)) for x, y, *uv in right(*given)])
 
 
 def cut_to_24_bits(patch) -> None:
     """u and v keep no sign: what is left of map 0 starts elsewhere."""
     right = model.adapt
     patch.setattr(model, "adapt", lambda *given: [
-        (x, y, *(c & properties.SIDE - 1 for c in uv)) for x, y, *uv in right(*given)])
+        (x, y, *(c & SIDE - 1 for c in uv)) for x, y, *uv in right(*given)])
 
 
 def not_held(patch) -> None:
@@ -171,8 +172,8 @@ WRONG = {
                          ids=lambda value: getattr(value, "__name__", value))
 def test_mistake_is_noticed(monkeypatch, wrong, name: str) -> None:
     wrong(monkeypatch)
-    assert any(properties.complaints(name, 1, CASES)), f"{name} does not notice it"
+    assert any(property_cases.complaints(name, 1, CASES)), f"{name} does not notice it"
 
 
 def test_every_property_notices_something() -> None:
-    assert {name for names in WRONG.values() for name in names} == set(properties.CHECKS)
+    assert {name for names in WRONG.values() for name in names} == set(property_cases.CHECKS)

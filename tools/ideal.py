@@ -218,8 +218,8 @@ class Picture:
 
 
 def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:
-    """(pixel, line, error, bound) of every edge of a polygon without settings exact, on
-    every line, in pixels."""
+    """(first pixel, line, error, bound) of every edge on every line, in pixels. For stepped
+    edges: exact ones have no error."""
     for side, edges in enumerate((polygon.left_edges, polygon.right_edges)):
         for edge in edges:
             for y in range(edge.top, edge.end):
