@@ -88,21 +88,23 @@ int32 material_range(struct hold_plan *hold, const struct material *material,
                      const struct vertex *vertices, int32 count,
                      const struct texturing *t, const struct span_plan *span)
 {
-    fix16 s_low, s_high, t_low, t_high;
-    fix16 inset = INSET;
+    fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
     int32 gouraud = material->mapper == MAPPER_GOURAUD;
 
     if (!gouraud && material->mapper != MAPPER_ARBITRARY)
         return 0;
     range(&vertices->s, count, &s_low, &s_high);
-    range(&vertices->t, count, &t_low, &t_high);
     hold->u_low = gouraud ? s_low & ~0xffff : 0;
     hold->u_high = gouraud ? s_high | 0xffff : (material->map->width << 16) - 1;
     hold->v_low = 0;
     hold->v_high = gouraud ? 0 : (material->map->height << 16) - 1;
     if (is_steep(material, span))
         return 1;
-    if (count > 3) {            /* the plane need not run through all of them */
+    if (count == 3) {
+        if (gouraud)
+            return 0;           /* material_vertices saw to it */
+        range(&vertices->t, count, &t_low, &t_high);
+    } else {                    /* the plane need not run through all of them */
         inset = ON_PLANE;
         plane_range(t->u, t->dudx, t->dudy, t, vertices, count, &s_low, &s_high);
         if (!gouraud)
