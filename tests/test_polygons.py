@@ -96,6 +96,43 @@ def test_exact_edges_make_no_coverage_error(seed: int) -> None:
     assert worst.pixels > 1_000_000
 
 
+def from_far_above() -> scene_file.Scene:
+    """Edges that begin 16,384 lines above the frame, their exact slopes just beyond half a
+    unit: stepped from there, they would be off by 1/8 pixel. A right edge would leave the
+    frame beside the last column, a left one the map that its gradient follows."""
+    one = 65536
+    far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
+    right, left = 320 * one - one // 64, 200 * one + one // 5
+    vertices = [(right - half, far, 0, 0, 0), (right, 250 * one, 0, 0, 0),
+                (100 * one, 100 * one, 0, 0, 0),
+                (left, far, one // 16, 30 * one, 0), (left - half, 250 * one, one // 16, 30 * one, 0),
+                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0)]
+    noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
+    return scene_file.Scene(
+        320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],
+        [scene_file.Material(colour=200), scene_file.Material("arbitrary", texture=0)],
+        [scene_file.Object(k, 3 * k, 3, 0, 1, k) for k in range(2)], np.array(vertices),
+        np.array([random_polygons.IDENTITY]))
+
+
+def test_edges_from_far_above() -> None:
+    """Nothing is written outside the frame or read outside the map, wherever edges begin."""
+    this = from_far_above()
+    for number in range(2):
+        vertices = scene_file.vertices_at(this, this.objects[number], number)
+        polygon = model.set_up(vertices, 320, 256, False)
+        assert ideal.deviation(vertices, polygon, 320).edge_ratio <= 1
+        assert all(edge.column(y) <= 320 for edge in polygon.right_edges
+                   for y in range(edge.top, edge.end))
+    with emulator.workspace() as directory:
+        done = emulator.run("render", "input.scene FORM addx",
+                            {"input.scene": scene_file.write(this)}, "a1200-fast", directory)
+        assert done.code == 0, done.output.splitlines()[-1]
+        for number in range(2):
+            found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
+            assert np.array_equal(found, model.render(this, number).reshape(-1)), number
+
+
 def test_scenes_hold_what_they_promise() -> None:
     """Many thin ones, many partly off screen, both wrap modes, every vertex count."""
     this = scene(1)

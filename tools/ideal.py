@@ -24,11 +24,14 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
   |j - j_ref| steps in y.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 
 import numpy as np
 
-from .model import Polygon
+from . import model
+from .model import Polygon, Settings
 
 UNIT = 1 / 65536
 
@@ -76,6 +79,73 @@ def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
     return left, right
 
 
+@dataclass(frozen=True)
+class Crossing:
+    """An edge where it crosses a line: its ends (x, y, ...), the line, and the exact x as
+    numerator / denominator; all 16.16 but the line."""
+
+    upper: tuple
+    lower: tuple
+    line: int
+    numerator: int
+    denominator: int
+
+    @property
+    def column(self) -> int:
+        """The first pixel at or right of the edge."""
+        return -(-self.numerator // (self.denominator << 16))
+
+    def distance(self, column: int) -> Fraction:
+        """From a pixel's centre to the edge, along the line; units."""
+        return abs(Fraction(self.numerator, self.denominator) - (column << 16))
+
+    def slack(self, settings: Settings, width: int, height: int) -> Fraction:
+        """How far from here the renderer's edge may be: (n + 1) / 2 units where it is
+        stepped, and what cutting vertices moves. A cut at a border of the frame's columns
+        moves a vertex by half a unit down or up, so the edge by half a slope along the
+        line; a cut at one of its lines by half a unit along the line. Later cuts start
+        from the moved edge: the ways add up."""
+        slack = Fraction(0)
+        if settings.edges != "exact":
+            slack += Fraction(self.line - max(-(-self.upper[1] // 65536), 0) + 1, 2)
+        if settings.clip == "vertices":
+            slope = Fraction(abs(self.lower[0] - self.upper[0]), self.denominator)
+            for axis, limit, move in ((0, width, slope), (1, height, 1)):
+                ends = sorted((self.upper[axis], self.lower[axis]))
+                slack += sum(ends[0] < at < ends[1] for at in (-65536, limit << 16)) * move / 2
+        return slack
+
+    def near(self, column: int, settings: Settings, width: int, height: int) -> bool:
+        """Whether the renderer's edge may have a pixel on the other side than this one has."""
+        slack = self.slack(settings, width, height)
+        return slack > 0 and self.distance(column) <= slack
+
+
+def crossings(vertices, line: int) -> list[Crossing]:
+    """The edges of a polygon, convex or not, that cross a line: an edge's lines are those
+    at or below its upper vertex and above its lower one."""
+    found = []
+    for a, b in zip(vertices, [*vertices[1:], vertices[0]]):
+        upper, lower = (a, b) if a[1] < b[1] else (b, a)
+        if upper[1] <= line << 16 < lower[1]:
+            height = lower[1] - upper[1]
+            x = upper[0] * height + (lower[0] - upper[0]) * ((line << 16) - upper[1])
+            found.append(Crossing(upper, lower, line, x, height))
+    return found
+
+
+def coverage(outline, width: int, height: int) -> np.ndarray:
+    """How often each pixel of a frame lies in a polygon, convex or not: int, [y][x]."""
+    counts = np.zeros((height, width + 1), int)
+    ys = [v[1] for v in outline]
+    for y in range(max(-(-min(ys) // 65536), 0), min(-(-max(ys) // 65536), height)):
+        columns = sorted(min(max(c.column, 0), width) for c in crossings(outline, y))
+        for left, right in zip(columns[::2], columns[1::2]):
+            counts[y, left] += 1
+            counts[y, right] -= 1
+    return counts.cumsum(axis=1)[:, :width]
+
+
 def corners(vertices) -> tuple[int, int, int]:
     """Top, bottom and the vertex farthest from the line between them, as indices."""
     order = sorted(range(len(vertices)), key=lambda k: (vertices[k][1], vertices[k][0]))
@@ -100,6 +170,10 @@ class Plane:
         self.nx = (values[1] - values[0]) * (y2 - y0) - (values[2] - values[0]) * (y1 - y0)
         self.ny = (x1 - x0) * (values[2] - values[0]) - (x2 - x0) * (values[1] - values[0])
         self.x0, self.y0, self.value0 = x0, y0, values[0]
+
+    def at(self, x: int, y: int) -> Fraction:
+        """The exact value at a point; all in units."""
+        return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
 
     def error(self, found: int, i: int, j: int) -> float:
         """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""
@@ -147,46 +221,52 @@ class Picture:
         self.planes = [Plane(points, [v[k] for v in vertices]) for k in (2, 3)]
 
 
-def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
-    """How far a set-up polygon (the model's) is from the ideal.
-
-    Along a line both are linear, so the ends of the line show the worst texel.
-    """
-    out = Deviation()
-    sides = [[(e, y) for e in edges for y in range(e.top, e.end)]
-             for edges in (polygon.left_edges, polygon.right_edges)]
-    for k, pair in enumerate(zip(*sides)):
-        line = polygon.top + k
-        ends = []
-        for (edge, y), (numerator, denominator) in zip(pair, extent(vertices, line)):
-            if not edge.exact:
+def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:
+    """(first pixel, line, error, bound) of every edge on every line, in pixels. For stepped
+    edges: exact ones have no error."""
+    for side, edges in enumerate((polygon.left_edges, polygon.right_edges)):
+        for edge in edges:
+            for y in range(edge.top, edge.end):
+                numerator, denominator = extent(vertices, y)[side]
                 error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
-                bound = (y - edge.top + 1) * UNIT / 2
-                out.edge = max(out.edge, error)
-                out.edge_ratio = max(out.edge_ratio, error / bound)
-            ends.append(min(max(-(-numerator // (denominator << 16)), 0), width))
-        left, right = polygon.lines[k].left, polygon.lines[k].right
-        if right > left or ends[1] > ends[0]:
-            out.coverage_errors += abs(left - ends[0]) + abs(right - ends[1])
-        out.pixels += max(0, right - left)
-    if polygon.texturing:
-        texel_deviation(vertices, polygon, out)
-    return out
+                yield edge.column(y), y, error, (y - edge.top + 1) * UNIT / 2
 
 
-def texel_deviation(vertices, polygon: Polygon, out: Deviation) -> None:
-    """Adds the error of u and v at the ends of every line."""
+def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, float, float]]:
+    """(coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
+    line, in texels: along a line both are linear, so the ends show the worst."""
     plane = polygon.texturing
     three = [vertices[k] for k in corners(vertices)]
     points = [v[:2] for v in three]
-    exact = Plane(points, [v[2] for v in three]), Plane(points, [v[3] for v in three])
+    exact = [Plane(points, [v[k] for v in three]) for k in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        for i in (line.left, line.right - 1):
-            ends = (line.u, line.dudx, plane.spare), (line.v, line.dvdx, 0)
-            for coordinate, (start, step, spare) in zip(exact, ends):
-                error = abs(coordinate.error(start + (i - line.left) * step, i, y))
-                bound = coordinate.bound(i, y, plane.i, plane.j, spare)
-                out.texel = max(out.texel, error)
-                out.texel_ratio = max(out.texel_ratio, error / bound)
+        for name, coordinate, found, spare in zip("uv", exact, model.coordinates(line),
+                                                  (plane.spare, 0)):
+            for k, i in ((0, line.left), (-1, line.right - 1)):
+                yield (name, i, y, abs(coordinate.error(int(found[k]), i, y)),
+                       coordinate.bound(i, y, plane.i, plane.j, spare))
+
+
+def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
+    """Pixels of the polygon's lines that are lit or left out against the ideal."""
+    wrong = 0
+    for y, line in enumerate(polygon.lines, polygon.top):
+        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in extent(vertices, y))
+        if line.right > line.left or right > left:
+            wrong += abs(line.left - left) + abs(line.right - right)
+    return wrong
+
+
+def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
+    """How far a set-up polygon (the model's) is from the ideal."""
+    out = Deviation(coverage_errors=coverage_errors(vertices, polygon, width),
+                    pixels=polygon.pixels)
+    if not polygon.left_edges[0].exact:
+        for _, _, error, bound in edge_errors(vertices, polygon):
+            out.edge, out.edge_ratio = max(out.edge, error), max(out.edge_ratio, error / bound)
+    if polygon.texturing:
+        for *_, error, bound in texel_errors(vertices, polygon):
+            out.texel, out.texel_ratio = max(out.texel, error), max(out.texel_ratio, error / bound)
+    return out

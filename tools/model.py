@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .clip import clip, frame_window
-from .fixed import M32, ceil16, signed
+from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_spans import coordinates, pixels
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
@@ -26,6 +26,7 @@ __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "
 
 FAR = 16384 << 16
 INSET = 65536 // 16  # see c/polygon/material.c
+ON_PLANE = 3 * INSET // 4
 STEEP = 4 << 16
 
 
@@ -52,16 +53,31 @@ def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
         -STEEP < signed(step) < STEEP for step in (dudx, dvdx))
 
 
-def held_range(vertices, settings: Settings, size: tuple[int, int] | None, steep: bool):
+def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
+    """The lowest u and v, and the highest, that the plane as it is stepped has at the vertices."""
+    planes = ((t.u, signed(t.dudx), signed(t.dudy)), (t.v, signed(t.dvdx), signed(t.dvdy)))
+    values = [[signed(at + mul(ddx, v[0] - (t.i << 16)) + mul(ddy, v[1] - (t.j << 16)))
+               for v in vertices] for at, ddx, ddy in planes]
+    return [min(c) for c in values], [max(c) for c in values]
+
+
+def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Texturing | None,
+               steep: bool):
     """(low, high) of u and of v where lines must be held in a range; else None."""
     low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
     if settings.mapper == "gouraud":
-        return [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)] if steep else None
-    if settings.mapper != "arbitrary":
+        ranges = [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)]
+    elif settings.mapper == "arbitrary":
+        ranges = [(0, (side << 16) - 1) for side in size]
+    else:
         return None
-    ends = [(side << 16) - 1 for side in size]
-    inside = all(a >= INSET and b <= end - INSET for a, b, end in zip(low, high, ends))
-    return None if inside and not steep else [(0, end) for end in ends]
+    inset = INSET
+    if len(vertices) > 3 and not steep:  # the plane need not run through all of them
+        inset, (low, high) = ON_PLANE, plane_range(vertices, t)
+    used = 1 if settings.mapper == "gouraud" else 2
+    inside = all(a >= first + inset and b <= last - inset
+                 for a, b, (first, last) in list(zip(low, high, ranges))[:used])
+    return None if inside and not steep else ranges
 
 
 def hold(lines: list[Line], ranges) -> None:
@@ -136,7 +152,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
             line.dudx, line.dvdx = t.dudx & M32, t.dvdx & M32
         groups = [lines]
     for group in groups if textured else []:
-        ranges = held_range(vertices, settings, size,
+        ranges = held_range(vertices, settings, size, t,
                             is_steep(settings, group[0].dudx, group[0].dvdx))
         if ranges:
             hold(group, ranges)

@@ -4,7 +4,8 @@
    are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, j0
    being its first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
    (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
-   side is cut; and an edge from far above has not drifted when it reaches the frame. The model in tools/model.py does the same
+   side is cut, an edge from far above has not drifted when it reaches the frame, and
+   polygons that share an edge leave no gap. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/edges.h"
@@ -16,7 +17,7 @@
 #include "span/scanline.h"
 
 /* Pixels that an edge's x may lie beyond its vertices, in 16.16: it starts and
-   steps within 1/2^17, over 1,024 lines at most 0.008. */
+   steps within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
 #define EDGE_ERROR 1024
 
 static struct scanline lines[SCENE_SIDE_MAX];
@@ -274,11 +275,11 @@ static void set_ramps(struct setup *s)
 }
 
 /* Keeps u and v of every pixel where the mapper needs them. */
-static void hold_lines(const struct setup *s, struct span_plan *span)
+static void hold_lines(const struct setup *s, const struct texturing *t, struct span_plan *span)
 {
     struct hold_plan hold;
 
-    if (!material_range(&hold, s->material, s->vertices, s->count, span))
+    if (!material_range(&hold, s->material, s->vertices, s->count, t, span))
         return;
     hold.lines = (struct scanline *)span->lines;
     hold.count = span->count;
@@ -290,7 +291,7 @@ static void hold_lines(const struct setup *s, struct span_plan *span)
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
-static void draw_each_line(const struct setup *s)
+static void draw_each_line(const struct setup *s, const struct texturing *t)
 {
     struct span_plan line = s->span;
 
@@ -300,7 +301,7 @@ static void draw_each_line(const struct setup *s)
         line.dudx = s->span.steps[i].dudx;
         line.dvdx = s->span.steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
-            hold_lines(s, &line);
+            hold_lines(s, t, &line);
             routines[s->kind].span(&line);
         }
         line.row += line.pitch;
@@ -341,14 +342,14 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     } else {
         make_lines(&s, routines[s.kind].edges, routines[s.kind].exact_edges);
         cut_lines(&s, routines[s.kind].scissor);
-        hold_lines(&s, &s.span);
+        hold_lines(&s, &texturing, &s.span);
     }
     if (counts) {
         counts->polygons++;
         count_pixels(&counts->pixels[s.kind], s.span.count);
     }
     if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
-        draw_each_line(&s);
+        draw_each_line(&s, &texturing);
     else
         routines[s.kind].span(&s.span);
     return POLYGON_DRAWN;

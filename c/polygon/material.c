@@ -2,10 +2,13 @@
 
 #include "polygon/math.h"
 
-/* What u and v may be off from the vertices' range at a pixel's centre: edges are
-   within EDGE_ERROR pixels, times STEEP texels a pixel; 1,024 steps round by 1/2^17
-   each in both directions; the plane itself by less than 1/2^10. */
+/* What u and v of a triangle may be off from the vertices' range at a pixel's centre:
+   edges are within EDGE_ERROR pixels, in a frame's 1,024 lines half as much, times STEEP
+   texels a pixel: 1/32; 1,024 steps round by 1/2^17 each in both directions: 1/64; the
+   plane itself by less than 1/2^10. Where the range is that of the plane as it is
+   stepped, edges alone count: ON_PLANE. */
 #define INSET (65536 / 16)
+#define ON_PLANE (3 * INSET / 4)
 #define STEEP (4 * 65536)
 
 /* The least and the greatest value of an interpolant, as an offset in struct vertex. */
@@ -63,28 +66,50 @@ static int32 is_steep(const struct material *material, const struct span_plan *s
         || span->dudx <= -STEEP || span->dvdx >= STEEP || span->dvdx <= -STEEP;
 }
 
+/* The least and the greatest value that a coordinate's plane, as it is stepped, has at the
+   vertices. It is that of three of them times -1 to 2 each: no overflow. */
+static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing *t,
+                        const struct vertex *v, int32 count, fix16 *low, fix16 *high)
+{
+    *low = 0x7fffffff;
+    *high = -0x7fffffff;
+    for (; count > 0; count--, v++) {
+        fix16 value = (fix16)(at + (uint32)mul_fix(ddx, v->x - (t->i << 16))
+                              + (uint32)mul_fix(ddy, v->y - (t->j << 16)));
+
+        if (value < *low)
+            *low = value;
+        if (value > *high)
+            *high = value;
+    }
+}
+
 int32 material_range(struct hold_plan *hold, const struct material *material,
                      const struct vertex *vertices, int32 count,
-                     const struct span_plan *span)
+                     const struct texturing *t, const struct span_plan *span)
 {
-    fix16 s_low, s_high, t_low, t_high;
-    int32 steep;
+    fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
+    int32 gouraud = material->mapper == MAPPER_GOURAUD;
 
-    if (material->mapper != MAPPER_GOURAUD && material->mapper != MAPPER_ARBITRARY)
+    if (!gouraud && material->mapper != MAPPER_ARBITRARY)
         return 0;
-    steep = is_steep(material, span);
-    if (material->mapper == MAPPER_GOURAUD) {
-        range(&vertices->s, count, &s_low, &s_high);
-        hold->u_low = s_low & ~0xffff;
-        hold->u_high = s_high | 0xffff;
-        hold->v_low = hold->v_high = 0;
-        return steep;
-    }
-    hold->u_low = hold->v_low = 0;
-    hold->u_high = (material->map->width << 16) - 1;
-    hold->v_high = (material->map->height << 16) - 1;
     range(&vertices->s, count, &s_low, &s_high);
-    range(&vertices->t, count, &t_low, &t_high);
-    return steep || s_low < INSET || s_high > hold->u_high - INSET
-        || t_low < INSET || t_high > hold->v_high - INSET;
+    hold->u_low = gouraud ? s_low & ~0xffff : 0;
+    hold->u_high = gouraud ? s_high | 0xffff : (material->map->width << 16) - 1;
+    hold->v_low = 0;
+    hold->v_high = gouraud ? 0 : (material->map->height << 16) - 1;
+    if (is_steep(material, span))
+        return 1;
+    if (count == 3) {
+        if (gouraud)
+            return 0;           /* material_vertices saw to it */
+        range(&vertices->t, count, &t_low, &t_high);
+    } else {                    /* the plane need not run through all of them */
+        inset = ON_PLANE;
+        plane_range(t->u, t->dudx, t->dudy, t, vertices, count, &s_low, &s_high);
+        if (!gouraud)
+            plane_range(t->v, t->dvdx, t->dvdy, t, vertices, count, &t_low, &t_high);
+    }
+    return s_low < hold->u_low + inset || s_high > hold->u_high - inset
+        || (!gouraud && (t_low < inset || t_high > hold->v_high - inset));
 }

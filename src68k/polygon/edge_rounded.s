@@ -46,7 +46,7 @@ nearest macro
 
         move.l  d5,d2
         add.l   #$ffff,d2
-        clr.w   d2                      ; first line
+        clr.w   d2                      ; the edge's first line
         add.l   #$ffff,d3
         clr.w   d3
         sub.l   d2,d3                   ; lines

@@ -1,0 +1,133 @@
+"""What tests/properties.py says holds for random polygons and meshes, by fixed seeds."""
+
+import random
+
+import numpy as np
+import properties
+import property_cases
+import pytest
+from property_cases import HEIGHT, WIDTH
+
+from tools import emulator, ideal, meshes, model, random_polygons, scene_file
+
+#: Cases of each property; those that compare texels pixel by pixel take longer.
+COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)
+COUNTS |= dict.fromkeys(("drift", "splitting", "clipping"), 400)
+EDGES = scene_file.SETTINGS["edges"]
+
+
+@pytest.mark.parametrize("name", COUNTS)
+def test_property(monkeypatch, name: str) -> None:
+    """It holds in every case; in most of them something is drawn."""
+    pixels, set_up = [], model.set_up
+
+    def counting(*given):
+        polygon = set_up(*given)
+        pixels.append(polygon.pixels if polygon else 0)
+        return polygon
+
+    monkeypatch.setattr(model, "set_up", counting)
+    found = list(property_cases.complaints(name, 1, COUNTS[name]))
+    assert not found, f"{len(found)} complaints, the first:\n{found[0]}"
+    assert np.count_nonzero(pixels) > len(pixels) / 3
+
+
+def random_meshes(seed: str, count: int) -> list[meshes.Mesh]:
+    """So many of each kind."""
+    return [meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
+            for kind in meshes.KINDS for k in range(count)]
+
+
+def test_meshes_hold_what_they_promise() -> None:
+    """The triangles tile their outlines, in either winding; no kind is always alike."""
+    windings = set()
+    for mesh in random_meshes("tiles", 100):
+        areas = [meshes.twice_area(t) for t in mesh.triangles]
+        windings |= {area > 0 for area in areas}
+        assert sum(map(abs, areas)) == meshes.twice_area(mesh.outline)
+        shared = {frozenset(pair) for t in mesh.triangles for pair in zip(t, t[1:] + t[:1])}
+        border = set(map(frozenset, zip(mesh.outline, mesh.outline[1:] + mesh.outline[:1])))
+        assert border <= shared and 2 * len(shared) - len(border) == 3 * len(mesh.triangles)
+    assert windings == {True, False}
+
+
+def test_how_watertight_meshes_are() -> None:
+    """Exact edges cover what they should, once; how far the others are off is printed."""
+    wrong = {}
+    for edges in EDGES:
+        counts = dict.fromkeys(("pixels", "left out", "beside", "more than once"), 0)
+        for mesh in random_meshes("figures", 250):
+            case = properties.Case("", tuple((*p, 0, 0, 0) for p in mesh.outline), WIDTH, HEIGHT,
+                                   model.Settings(edges, mapper="flat"))
+            wanted = ideal.coverage(mesh.outline, WIDTH, HEIGHT)
+            found = properties.counted(case, mesh.triangles)
+            counts["pixels"] += int(wanted.sum())
+            counts["left out"] += int(((wanted == 1) & (found == 0)).sum())
+            counts["beside"] += int(((wanted == 0) & (found > 0)).sum())
+            counts["more than once"] += int((found > 1).sum())
+        print(edges, counts)
+        wrong[edges] = sum(counts.values()) - counts["pixels"]
+    assert wrong["exact"] == 0 < wrong["subpixel"] < wrong["integer"]
+
+
+def empty_scene() -> scene_file.Scene:
+    """One to add to."""
+    return scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
+                            np.zeros((0, 5), int), np.array([random_polygons.IDENTITY]))
+
+
+def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> None:
+    """A polygon in the last frame of a scene."""
+    if material not in scene.materials:
+        scene.materials.append(material)
+    scene.objects.append(scene_file.Object(
+        scene.materials.index(material), len(scene.vertices), len(vertices), 0, 1,
+        scene.frames - 1))
+    scene.vertices = np.concatenate([scene.vertices, np.array(vertices)])
+
+
+def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
+    """The 68020 draws every frame as the model does, byte for byte."""
+    with emulator.workspace() as directory:
+        done = emulator.run("render", "input.scene FORM addx",
+                            {"input.scene": scene_file.write(scene)}, "a1200-fast", directory)
+        assert done.code == 0, done.output.splitlines()[-1]
+        for number, what in enumerate(about):
+            right = model.render(scene, number)
+            found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
+            wrong = np.argwhere(found.reshape(right.shape) != right)
+            assert not len(wrong), f"{what}: (x, y) {wrong[0][::-1]} and {len(wrong) - 1} more"
+
+
+def test_meshes_are_the_models() -> None:
+    """A mesh a frame, each triangle in its own colour, under every setting of edges."""
+    scene, about = empty_scene(), []
+    for k, mesh in enumerate(random_meshes("guest", 3)):
+        clip = scene_file.SETTINGS["clip"][k % 2]
+        for edges in EDGES:
+            scene.frames += 1
+            about.append(f"{mesh.kind} {k}, edges {edges}, clip {clip}, {mesh.triangles}")
+            for colour, triangle in enumerate(mesh.triangles, 1):
+                add(scene, scene_file.Material(edges=edges, clip=clip, colour=colour),
+                    [(*p, 0, 0, 0) for p in triangle])
+    check_on_the_guest(scene, about)
+
+
+def test_held_lines_are_the_models() -> None:
+    """What reaches the end of the map or of the shades, on a plane or not."""
+    scene, about, maps = empty_scene(), [], {}
+    for k in range(200):
+        case = property_cases.held_case(random.Random(f"guest {k}"), f"number {k}")
+        if max(case.size) > 256:  # many of them would not fit
+            continue
+        if case.size not in maps:
+            maps[case.size] = len(maps)
+            noise = np.random.default_rng(k).integers(0, 256, case.size[::-1], dtype=np.uint8)
+            scene.textures.append(scene_file.Texture(noise, "linear"))
+        scene.frames += 1
+        about.append(case.complaint("it differs", ("?", "?"), "the model's pixels", "others"))
+        s = case.settings
+        texture = maps[case.size] if s.mapper == "arbitrary" else -1
+        add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, texture),
+            case.vertices)
+    check_on_the_guest(scene, about)
