@@ -61,7 +61,7 @@ WRONG = {
         (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1),
     "wrong fill rule": (model_edges.Edge, "column", lambda e, y: e.at(y) + 0x8000 >> 16),
     "missing prestep": (model_edges.Edge, "at",
-                        lambda e, y: e.upper[0] + (y - e.first) * e.slope),
+                        lambda e, y: e.upper[0] + (y - e.top) * e.slope),
     "drift of an edge": (model_edges.Edge, "slope", property(lambda e: (
         (e.lower[0] - e.upper[0] << 8) // max(e.lower[1] - e.upper[1], 1) << 8))),
     "truncated gradient": (model_texturing, "quotient", cut(8)),
@@ -104,6 +104,8 @@ def test_ideal_is_defined_for_convex_polygons_only() -> None:
     assert fuzz_polygons.has_ideal(square) and not fuzz_polygons.has_ideal(star)
     twice = square * 2
     assert not fuzz_polygons.has_ideal(twice)
+    dented = [square[0], square[0], square[1], square[1], (1, 1, 0, 0), square[3]]
+    assert not fuzz_polygons.has_ideal(dented)  # repeated vertices hide no corner
     assert not fuzz_polygons.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
 
 

@@ -13,11 +13,11 @@ from dataclasses import replace
 from itertools import groupby
 from math import ceil
 
+import numpy as np
 import pytest
 from PIL import Image
 
-from tools import hard_cases, hard_report, ideal, scene_file
-from tools.diff import MARK
+from tools import hard_cases, hard_report, ideal, model, scene_file
 from tools.errors import UserError
 from tools.hard_case import FAR
 from tools.hard_cases import HEIGHT, WIDTH, Case
@@ -69,19 +69,36 @@ def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
         with Image.open(tmp_path / "hard" / f"{case.name}.png") as picture:
             assert picture.size == (hard_report.SCALE * (3 * WIDTH + 8), hard_report.SCALE * HEIGHT)
     kept = json.loads((tmp_path / "hard" / "hard.json").read_text())["rows"]
-    assert len(kept) == len(rows) and kept[0]["cycles"] > 0
+    assert len(kept) == len(rows) and max(row["cycles"] for row in kept) > 10_000
+    assert all(row["cycles"] >= 0 for row in kept)
     rows[0].complaint = "too far"
     assert "1 exceed a bound" in hard_report.page(rows, "")
 
 
-def test_pictures_of_exact_edges_are_the_ideal() -> None:
-    """Ours differs from the exact ideal in no pixel but where a texel's border runs through its
-    centre nearly: on all cases together, in less than 1 of 1,000 pixels."""
-    different = drawn = 0
+def test_pictures_differ_at_texel_borders_alone() -> None:
+    """Ours has the ideal's outline; another texel it shows only where the exact u or v is as near to
+    a texel's border as its bound."""
+    shown, different = 0, 0
     for case in CASES[::3]:
-        different += int((hard_report.picture(case) == MARK).all(axis=2).sum())
-        drawn += WIDTH * HEIGHT
-    assert different < drawn / 1000
+        exact, ours = hard_report.both(case)
+        settings = hard_report.shown(case)
+        if exact is None or settings.mapper != "affine":
+            continue
+        assert np.array_equal(exact < 0, ours < 0), case.name
+        shown += np.count_nonzero(exact >= 0)
+        vertices = [v[:4] for v in model.adapt(case.vertices, settings, 256)]
+        polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
+        t = polygon.texturing if polygon else None
+        for y, x in np.argwhere(exact != ours):
+            three = [vertices[k] for k in ideal.corners(vertices)]
+            near = []
+            for k, spare in ((2, t.spare), (3, 0)):
+                plane = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
+                u = plane.at(int(x) << 16, int(y) << 16) / 65536
+                near.append(abs(u - round(u)) <= plane.bound(int(x), int(y), t.i, t.j, spare))
+            assert any(near), f"{case.name}: pixel ({x}, {y})"
+            different += 1
+    assert shown > 100_000 and different > 0
 
 
 def test_names_say_which_case_it_is() -> None:

@@ -43,7 +43,8 @@ by its nature, and 2 a0 + a1 + (i - c) U.
 
 **Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
 bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. What is held
-in a range (edge_hold): with B the largest bound of the polygon a step shrinks by 2B over the
+in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
+the range at a vertex, a step shrinks by 2B over the
 longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
 6B + 2U.
 """
@@ -238,7 +239,7 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
     return exact, bound
 
 
-def judge_texels(vertices, polygon: model.Polygon, settings: Settings, held: bool,
+def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
                  out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon: between
     them both are linear."""
@@ -262,8 +263,8 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, held: boo
                 cut = CUT.get(mapper, (0, 0))["uv".index(key)]
                 bound += (i - line.left + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
                 found.append((error, bound, key, (i, y)))
-    if held:
-        most = max((bound for _, bound, *_ in found), default=0.0)
+    if beyond is not None:
+        most = max((bound for _, bound, *_ in found), default=0.0) + beyond
         found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
     for error, bound, key, pixel in found:
         out.texel_error = max(out.texel_error, error)
@@ -274,11 +275,19 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, held: boo
                                  f"{bound:.9f} are allowed")
 
 
-def is_held(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int]) -> bool:
-    """Whether lines are held in a range."""
+def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
+                size: tuple[int, int]) -> float | None:
+    """None where no line is held in a range; else how far beyond the range the plane itself is
+    at a vertex, in texels: more than three vertices need not lie on it."""
     t = polygon.texturing
     steep = t is None or model.is_steep(settings, t.dudx, t.dvdx)
-    return bool(model.held_range(vertices, settings, size, steep))
+    ranges = model.held_range(vertices, settings, size, t, steep)
+    if not ranges:
+        return None
+    if len(vertices) == 3 or settings.gradients != "plane":
+        return 0.0
+    ends = zip(*model.plane_range(vertices, t), ranges)
+    return max(0, *(max(first - low, high - last) for low, high, (first, last) in ends)) * UNIT
 
 
 def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, width: int,
@@ -288,7 +297,8 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
-        judge_texels(adapted, polygon, settings, is_held(adapted, polygon, settings, size), out)
+        judge_texels(adapted, polygon, settings,
+                     held_beyond(adapted, polygon, settings, size), out)
     return out
 
 

@@ -37,7 +37,7 @@ class Fuzzed:
 def has_ideal(vertices) -> bool:
     """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
     and convex (integer edges may dent a polygon)."""
-    points = [v[:2] for v in vertices]
+    points = [tuple(v[:2]) for v in vertices]
     inside = all(-FAR <= c < FAR for v in vertices for c in v)
     return inside and (len(points) == 3 or is_convex(points) and winds_once(points))
 

@@ -136,17 +136,27 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
     return frame
 
 
-def picture(case: Case) -> np.ndarray:
-    """uint8 RGB: the exact ideal, ours (exact, plane, sub-texel) and the difference."""
-    mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
-    settings, size = Settings("exact", mapper=mapper), hard_cases.map_size(case, mapper)
+def shown(case: Case) -> Settings:
+    """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts."""
+    return Settings("exact", mapper=next((m for m in SHOWN if m in case.mappers), case.mappers[0]))
+
+
+def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
+    """The exact ideal and ours, int16 (HEIGHT, WIDTH), -1 outside the polygon."""
+    settings = shown(case)
+    size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
     adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
     ours = np.full((HEIGHT, WIDTH), -1, np.int16)
-    made = model.set_up(adapted, WIDTH, HEIGHT, mapper != "flat", settings, size)
+    made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     if made:
-        model.draw(ours, made, texels, 200, mapper)
-    exact = exact_picture(adapted, settings, texels)
+        model.draw(ours, made, texels, 200, settings.mapper)
+    return exact_picture(adapted, settings, texels), ours
+
+
+def picture(case: Case) -> np.ndarray:
+    """uint8 RGB: the exact ideal, ours and the difference."""
+    exact, ours = both(case)
     colours, ground = palette(), np.array([24, 28, 48], np.uint8)
     panels = [np.where((values < 0)[..., None], ground, colours[values.clip(0)])
               for values in (ours if exact is None else exact, ours)]

@@ -59,7 +59,7 @@ def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tup
 
 def is_convex(points: list[tuple[int, int]]) -> bool:
     """Whether all corners turn the same way: snapping can dent a thin polygon."""
-    sides = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(points, points[1:] + points[:1])]
+    sides = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(points, points[1:] + points[:1]) if a != b]
     turns = [p[0] * q[1] - p[1] * q[0] for p, q in zip(sides, sides[1:] + sides[:1])]
     return all(t >= 0 for t in turns) or all(t <= 0 for t in turns)
 

@@ -57,10 +57,10 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
 
     clear(frame, scene->header->background);
     for (uint32 i = 0; i < scene->header->objects; i++, object++) {
-        uint32 age = (uint32)number - object->first_frame;
+        uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
         enum polygon_result result;
 
-        if ((uint32)number < object->first_frame || age >= object->poses)
+        if (age >= object->poses)
             continue;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
               &scene->poses[object->pose + age]);
