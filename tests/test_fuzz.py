@@ -41,6 +41,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     """Here the model is the one that is wrong: the first difference is made small, printed with
     all that is needed, and kept."""
     monkeypatch.setattr(model_edges.Edge, "column", wrong_ceil)
+    monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)  # each takes a boot
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
     monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
         seed, range(first, first + count), machine))
@@ -51,8 +52,11 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
                  "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
         assert part in text, f"{part!r} is missing in\n{text}"
     kept, = json.loads((tmp_path / "found.json").read_text())
-    assert kept["name"] == "wrong_ceil" and len(kept["vertices"]) == 3
-    assert sum(abs(c) for vertex in kept["vertices"] for c in vertex) < 200 << 16
+    number = int(kept["sentence"].split("polygon ")[1].split(":")[0])
+    assert kept["name"] == "wrong_ceil" and "seed 1" in kept["sentence"]
+    bits = [sum(bin(abs(c)).count("1") for vertex in vertices for c in vertex)
+            for vertices in (kept["vertices"], fuzz_polygons.polygon(1, number).vertices)]
+    assert bits[0] < bits[1]
 
 
 def test_faults_of_each_kind_are_told_apart(monkeypatch) -> None:

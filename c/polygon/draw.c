@@ -174,7 +174,7 @@ static enum polygon_result set_sides(struct setup *s)
 static enum polygon_result set_map(struct setup *s)
 {
     static struct column_layout columns;
-    static uint32 code[(CODE_BYTES + 3) / 4];
+    static uint8 code[CODE_BYTES + CACHE_BYTES];
     const struct map *map = s->material->map;
     enum mapper mapper = s->material->mapper;
 
@@ -188,7 +188,7 @@ static enum polygon_result set_map(struct setup *s)
     s->span.map_width = map->width;
     s->span.map_height = map->height;
     s->span.columns = &columns;
-    s->span.code = code;
+    s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
     if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
     return POLYGON_DRAWN;

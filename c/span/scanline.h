@@ -10,8 +10,10 @@ enum scanline_constants {
        positive, so that its carry never reaches the fraction above it. */
     EDGE_BIAS = 16384,
 
-    /* Of generated code: 4 bytes a pixel, SCENE_SIDE_MAX pixels, a return. */
-    CODE_BYTES = 4 * 1024 + 4
+    /* Of generated code: 4 bytes a pixel, SCENE_SIDE_MAX pixels, a return. At a multiple
+       of the instruction cache's size its speed does not depend on chance. */
+    CODE_BYTES = 4 * 1024 + 4,
+    CACHE_BYTES = 256
 };
 
 /* One line of a polygon, and what is interpolated at its first pixel's centre, in
