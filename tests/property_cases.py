@@ -162,7 +162,8 @@ def check_monotone(rng: random.Random, origin: str) -> list[str]:
 
 def check_clipping(rng: random.Random, origin: str) -> list[str]:
     vertices = planar(rng, convex(rng, 3, LATTICE))
-    return clipping(Case(origin, vertices, WIDTH, HEIGHT, model.Settings("exact")))
+    edges = rng.choice(("subpixel", "exact"))
+    return clipping(Case(origin, vertices, WIDTH, HEIGHT, model.Settings(edges)))
 
 
 #: name: what draws a case by chance and returns its complaints

@@ -8,7 +8,7 @@ vertices they cut, shades and texels on what the vertices say after their roundi
 nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less what
 comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
 within E(j) of its centre, and none where E is 0.
-Polygons cut to the window have new vertices: each cut rounds one coordinate (U/2), an edge
+Polygons cut to the window have new vertices (`exact` edges cut lines only): each cut rounds one coordinate (U/2), an edge
 is cut four times at most, so it moves by 2U across its direction at most, besides.
 
 **Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
@@ -124,7 +124,7 @@ def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, 
                     for n, d in ideal.extent(vertices, y)]
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
     wrong, complaint = 0, ""
-    clipped = 2 * UNIT if settings.clip == "vertices" else 0.0
+    clipped = 2 * UNIT if settings.clip == "vertices" and settings.edges != "exact" else 0.0
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] \
         if polygon else [{}, {}]
     for y in exact.keys() | lines.keys():

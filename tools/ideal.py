@@ -108,7 +108,7 @@ class Crossing:
         slack = Fraction(0)
         if settings.edges != "exact":
             slack += Fraction(self.line - max(-(-self.upper[1] // 65536), 0) + 1, 2)
-        if settings.clip == "vertices":
+        if settings.clip == "vertices" and settings.edges != "exact":
             slope = Fraction(abs(self.lower[0] - self.upper[0]), self.denominator)
             for axis, limit, move in ((0, width, slope), (1, height, 1)):
                 ends = sorted((self.upper[axis], self.lower[axis]))

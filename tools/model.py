@@ -122,7 +122,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     if sides is None:
         return None
     corners, edge_vertices = sides.corners, vertices
-    if settings.clip == "vertices":
+    if settings.clip == "vertices" and settings.edges != "exact":
         clipped = clip(vertices, frame_window(width, height))
         if clipped != vertices:
             edge_vertices = clipped

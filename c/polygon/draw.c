@@ -127,7 +127,8 @@ static int32 set_box(struct rectangle *box, const struct sides *sides,
     return box->left < box->right && box->top < box->bottom;
 }
 
-/* Cuts the polygon a pixel outside the frame: no pixel centre is lost by rounding. */
+/* Cuts the polygon a pixel outside the frame: no pixel centre is lost by rounding. Exact
+   edges are not cut: a vertex on the border is rounded, and they would be exact no more. */
 static enum polygon_result clip_vertices(struct setup *s)
 {
     static struct vertex room[2 * CLIP_VERTICES_MAX];
@@ -161,7 +162,8 @@ static enum polygon_result set_sides(struct setup *s)
     s->outline = s->vertices;
     s->outline_count = s->count;
     s->outline_sides = &s->sides;
-    if (s->material->clip == CLIP_VERTICES && clip_vertices(s) != POLYGON_DRAWN)
+    if (s->material->clip == CLIP_VERTICES && s->material->edges != EDGES_EXACT
+        && clip_vertices(s) != POLYGON_DRAWN)
         return POLYGON_EMPTY;
     s->edges.lines = lines;
     s->edges.left = left;

@@ -41,7 +41,7 @@ enum start {
 /* What is done with what lies outside the frame. */
 enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
-    CLIP_VERTICES,              /* the polygon is, before it has edges */
+    CLIP_VERTICES,              /* the polygon is, before it has edges; exact ones: lines */
     CLIP_KINDS
 };
 
