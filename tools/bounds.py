@@ -65,22 +65,22 @@ FLOAT = 1 + 1e-9
 
 @dataclass
 class Verdict:
-    """What one polygon is off. Texel errors in texels (shades), at the worst pixel."""
+    """What one polygon is off. Texel errors in texels (shades)."""
 
     pixels: int = 0
     coverage_errors: int = 0  # pixels lit or left out against the exact polygon
-    texel_error: float = 0.0
-    texel_bound: float = 0.0  # of the pixel with the worst error / bound
-    texel_ratio: float = 0.0
+    texel_error: float = 0.0  # the largest
+    texel_bound: float = 0.0  # at the same pixel
+    texel_ratio: float = 0.0  # the largest error / bound of a pixel
     complaint: str = ""  # the first excess found, in words
 
     def merge(self, other: "Verdict") -> None:
         """Takes the worse of both."""
         self.pixels += other.pixels
         self.coverage_errors += other.coverage_errors
-        self.texel_error = max(self.texel_error, other.texel_error)
-        if other.texel_ratio > self.texel_ratio:
-            self.texel_ratio, self.texel_bound = other.texel_ratio, other.texel_bound
+        if other.texel_error > self.texel_error:
+            self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
+        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
         self.complaint = self.complaint or other.complaint
 
 
@@ -267,9 +267,10 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
         most = max((bound for _, bound, *_ in found), default=0.0) + beyond
         found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
     for error, bound, key, pixel in found:
-        out.texel_error = max(out.texel_error, error)
+        if error > out.texel_error or not out.texel_bound:
+            out.texel_error, out.texel_bound = error, bound
         if bound < LARGEST and error / bound > out.texel_ratio:
-            out.texel_ratio, out.texel_bound = error / bound, bound
+            out.texel_ratio = error / bound
             if error > bound * FLOAT and not out.complaint:
                 out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
                                  f"{bound:.9f} are allowed")

@@ -31,7 +31,7 @@ PART = 999
 SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
 SCALE = 2  # screen pixels a pixel
 COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "cycles", "coverage_errors", "texel_error",
-           "texel_bound")
+           "texel_bound", "worst_ratio")
 
 
 @dataclass
@@ -48,7 +48,8 @@ class Row:
     pixels: int
     coverage_errors: int | None = None
     texel_error: float | None = None
-    texel_bound: float | None = None  # at the pixel with the worst error / bound
+    texel_bound: float | None = None  # at the same pixel
+    worst_ratio: float | None = None  # the largest error / bound of a pixel
     complaint: str = ""
 
 
@@ -61,8 +62,9 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     if has_ideal(adapted):
         verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
         row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
-        if verdict.texel_ratio:
+        if verdict.texel_bound:
             row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
+            row.worst_ratio = verdict.texel_ratio
     return row
 
 
@@ -179,7 +181,7 @@ def section(case: Case, rows: list[Row]) -> str:
     name = html.escape(case.name)
     body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
         f"<td>{cell(getattr(row, column))}" for column in COLUMNS) + "\n" for row in rows)
-    ratios = [row.texel_error / row.texel_bound for row in rows if row.texel_error and row.texel_bound]
+    ratios = [row.worst_ratio for row in rows if row.worst_ratio is not None]
     head = "".join(f"<th>{column.replace('_', ' ')}" for column in COLUMNS)
     return (f'<section id="{name}"><h2>{name}</h2><p>{html.escape(case.sentence)}</p>'
             f'<img src="{name}.png" alt="exact ideal, ours, difference" loading="lazy">'
