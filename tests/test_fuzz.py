@@ -2,12 +2,16 @@
 smaller and explained."""
 
 import json
+import os
+import signal
+import subprocess
+import time
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges
+from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges, paths
 from tools.__main__ import main
 from tools.errors import UserError
 
@@ -117,3 +121,14 @@ def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
     """One line, status 2."""
     assert main(["fuzz", *arguments]) == 2
     assert complaint in capsys.readouterr().err
+
+
+def test_an_interrupt_ends_all_at_once() -> None:
+    """Processes and emulators too, as Ctrl-C in a terminal reaches them: one line, status 130."""
+    with subprocess.Popen([paths.ROOT / "scripts/tmap", "fuzz", "--count", "40000"],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          start_new_session=True) as process:
+        time.sleep(5)
+        os.killpg(process.pid, signal.SIGINT)
+        assert process.communicate(timeout=20)[0] == "tmap: interrupted\n"
+    assert process.returncode == 130

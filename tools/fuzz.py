@@ -6,11 +6,14 @@ fails is made smaller as long as it fails, and explained.
 """
 
 import os
+import signal
 import sys
 import zlib
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from multiprocessing import get_context
+from threading import Event
 
 import numpy as np
 
@@ -168,8 +171,23 @@ def form_of(block: int) -> str:
     return FORMS[block % len(FORMS)]
 
 
+interrupted = Event()  # in a part's process: no further part is begun
+
+
+def end_on_interrupt() -> None:
+    """For a part's process: an interrupt ends it as an exit does, so that its emulator and files
+    go, and no traceback is printed."""
+    def end(*_) -> None:
+        interrupted.set()
+        sys.exit(130)
+
+    signal.signal(signal.SIGINT, end)
+
+
 def run_part(seed: int, numbers: range, machine: str) -> Tally:
     """Polygons of several blocks in one boot."""
+    if interrupted.is_set():
+        sys.exit(130)
     parts: dict[int, list[int]] = {}
     for number in numbers:
         parts.setdefault(number // BLOCK, []).append(number)
@@ -201,11 +219,17 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
     total = Tally()
-    with ProcessPoolExecutor(min(os.cpu_count() or 1, len(ranges))) as pool:
-        for part in pool.map(run_part, [seed] * len(ranges), ranges, [machine] * len(ranges)):
-            total.merge(part)
-            if on_part:
-                on_part(part)
+    # Spawned, not forked: the progress bar has a thread.
+    with ProcessPoolExecutor(min(os.cpu_count() or 1, len(ranges)), get_context("spawn"),
+                             end_on_interrupt) as pool:
+        try:
+            for part in pool.map(run_part, [seed] * len(ranges), ranges, [machine] * len(ranges)):
+                total.merge(part)
+                if on_part:
+                    on_part(part)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
     return total
 
 
