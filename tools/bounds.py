@@ -4,12 +4,12 @@ All bounds follow from formats and roundings alone. 1 unit = U = 1/2^16, of a pi
 texel. Vertices are those that ``model.adapt`` gives: `integer` edges are judged on the
 vertices they cut, shades and texels on what the vertices say after their rounding.
 
-**Edges.** `exact`: none. Rounded ones, line j, the edge's first line in the frame f: x starts at the
-nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less what
-comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
-within E(j) of its centre, and none where E is 0.
-Polygons cut to the window have new vertices (`exact` edges cut lines only): each cut rounds one coordinate (U/2), an edge
-is cut four times at most, so it moves by 2U across its direction at most, besides.
+**Edges.** `exact`: none. Rounded ones, line j, the edge's first line in the frame f: x starts
+at the nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less
+what comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
+within E(j) of its centre, and none where E is 0. Polygons cut to the window have new vertices
+(not with `exact` edges): each cut rounds one coordinate (U/2), an edge is cut four times at
+most, so it moves by 2U across its direction at most, besides.
 
 **Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
 

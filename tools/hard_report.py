@@ -224,5 +224,6 @@ def write(folder: Path, machine: str, conditions: str,
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
     (folder / "index.html").write_text(page(rows, conditions))
     lines = ",\n".join(json.dumps(asdict(row)) for row in rows)
-    (folder / "hard.json").write_text(f'{{"conditions": {json.dumps(conditions)}, "rows": [\n{lines}\n]}}\n')
+    head = f'{{"conditions": {json.dumps(conditions)}, "rows": ['
+    (folder / "hard.json").write_text(f"{head}\n{lines}\n]}}\n")
     return rows

@@ -20,7 +20,8 @@ enum polygon_constants {
 /* How near the picture comes to the exact one, from cheap to exact. */
 enum edges {
     EDGES_INTEGER,              /* vertices cut to whole pixels */
-    EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line */
+    EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line: neighbours
+                                   leave no gap, but a pixel beside a sliver may be both's */
     EDGES_EXACT,                /* integer quotient and remainder */
     EDGES_KINDS
 };
