@@ -70,9 +70,10 @@ struct scene_pose {
     fix16 xx, xy, yx, yy, x0, y0;
 };
 
-/* One frame in the file that `render ... DIGEST name` writes instead of dumps. */
+/* One frame in the file that `render ... DIGEST name` writes instead of dumps. The sums are
+   Fletcher's, modulo 2^32: of the frame's longwords, and of that sum after each of them. */
 struct frame_digest {
-    uint32 crc;                 /* CRC-32 of the frame's bytes */
+    uint32 sum, sums;
     uint32 ticks;               /* of the E-clock */
     uint32 result;              /* enum polygon_result: why a polygon was refused, or 0 */
 };
