@@ -111,7 +111,7 @@ def from_far_above() -> scene_file.Scene:
         320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],
         [scene_file.Material(colour=200), scene_file.Material("arbitrary", texture=0)],
         [scene_file.Object(k, 3 * k, 3, 0, 1, k) for k in range(2)], np.array(vertices),
-        np.array([random_polygons.IDENTITY]))
+        np.array([scene_file.IDENTITY]))
 
 
 def test_edges_from_far_above() -> None:

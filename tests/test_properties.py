@@ -73,7 +73,7 @@ def test_how_watertight_meshes_are() -> None:
 def empty_scene() -> scene_file.Scene:
     """One to add to."""
     return scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
-                            np.zeros((0, 5), int), np.array([random_polygons.IDENTITY]))
+                            np.zeros((0, 5), int), np.array([scene_file.IDENTITY]))
 
 
 def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> None:

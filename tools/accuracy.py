@@ -13,13 +13,12 @@ from pathlib import Path
 import numpy as np
 
 from . import emulator, ideal, model, polygon_sets, provenance
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .model import Settings
 from .paths import ACCURACY_BASELINE
-from .scene_file import MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
-CYCLES_PER_TICK = 20
-IDENTITY = (65536, 0, 0, 65536, 0, 0)
 MACHINES = ("a1200", "a1200-fast")
 #: Mappers that draw the same picture: a row is on the frontier among its own kind.
 KINDS = {"flat": "flat", "gouraud": "gouraud"}

@@ -13,8 +13,9 @@ from pathlib import Path
 import matplotlib
 
 from . import bench_cases, provenance
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
-from .kernels import CYCLES_PER_TICK, Case, call
+from .kernels import Case, call
 from .paths import BASELINE
 
 matplotlib.use("Agg")

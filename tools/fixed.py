@@ -1,4 +1,4 @@
-"""Fixed-point arithmetic as src68k/math does it, in Python integers."""
+"""Fixed-point arithmetic as src68k does it, in Python integers."""
 
 M32 = (1 << 32) - 1
 

@@ -13,8 +13,8 @@ import numpy as np
 from .fixed import ceil16
 from .model import FAR
 from .model_texturing import Settings
-from .random_polygons import IDENTITY, convex_polygon, fix, is_convex
-from .scene_file import MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture
+from .random_polygons import convex_polygon, fix, is_convex
+from .scene_file import IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture
 
 BLOCK = 1000
 #: Width and height of a block's frame: small ones are quick, long ones show drift.

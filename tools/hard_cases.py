@@ -16,14 +16,14 @@ from .errors import UserError
 from .hard_case import HEIGHT, WIDTH, Case
 from .model import Settings
 from .paths import ROOT
-from .scene_file import (MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture, size_fault)
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
+                         size_fault)
 
 __all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
            "scene"]
 
 FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
-IDENTITY = (65536, 0, 0, 65536, 0, 0)
 Drawing = tuple[Case, Settings]  # the settings say the mapper too
 
 

@@ -16,6 +16,7 @@ from PIL import Image
 
 from . import bounds, fuzz, hard_cases, ideal, model
 from .diff import MARK
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .fixed import ceil16
 from .fuzz_polygons import has_ideal
@@ -23,7 +24,6 @@ from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
 from .polygon_report import explain
 
-CYCLES_PER_TICK = 20
 #: Drawings of one scene; a frame more is empty.
 PART = 999
 #: What a picture shows: the first of these that the case concerns.

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import emulator, layout
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 
 REGISTERS = [f"d{n}" for n in range(8)] + [f"a{n}" for n in range(7)]
-CYCLES_PER_TICK = 20  # CPU cycles in one tick of the E-clock
 M32 = (1 << 32) - 1
 #: What registers hold that a case does not set: no kernel may rely on them.
 POISON = 0xDEAD0000

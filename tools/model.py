@@ -1,6 +1,6 @@
 """The integer model: the renderer's own arithmetic, in Python integers.
 
-It follows c/polygon and src68k/math formula by formula and must agree with the
+It follows c/polygon and src68k/polygon formula by formula and must agree with the
 68020 bit for bit. It knows nothing of forms: addx, swap and C draw the same
 picture, because every number that decides a pixel depends on the pixel alone.
 

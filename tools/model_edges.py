@@ -1,4 +1,5 @@
-"""The integer model's edges: c/polygon/sides.c and edges.c, src68k/math's edge routines."""
+"""The integer model's edges: src68k/polygon's sides_find, edges_make
+and what they call, c/polygon/edges.c."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,5 @@
-"""The integer model's texturing: c/polygon/texturing.c and ramps.c, src68k/edge."""
+"""The integer model's texturing: src68k/polygon, src68k/edge,
+c/polygon/texturing.c and ramps.c."""
 
 from dataclasses import dataclass
 

@@ -10,11 +10,12 @@ from pathlib import Path
 import numpy as np
 
 from . import emulator, model, polygon_sets, provenance
-from .accuracy import CYCLES_PER_TICK, IDENTITY, MACHINES, as_json, picture
+from .accuracy import MACHINES, as_json, picture
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .paths import POLYS_BASELINE
 from .run import CLOCK_HZ
-from .scene_file import MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
 #: So many that their mean area, 4,889 pixels by expectation, has a deviation of 2 %.
 TRIANGLES = 2000

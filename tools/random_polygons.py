@@ -9,9 +9,7 @@ import random
 import numpy as np
 
 from . import model
-from .scene_file import Material, Object, Scene, Texture
-
-IDENTITY = (65536, 0, 0, 65536, 0, 0)
+from .scene_file import IDENTITY, Material, Object, Scene, Texture
 
 
 def fix(value: float) -> int:

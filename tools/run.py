@@ -13,12 +13,12 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from . import emulator, maps, model, provenance
+from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .scene import compile_scene, parse
 from .scene_file import SETTINGS, TEXEL, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
-CYCLES_PER_TICK = 20  # of the E-clock
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in E-clock ticks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40

@@ -22,6 +22,7 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices")}
 MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
+IDENTITY = (65536, 0, 0, 65536, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 #: What a texture's bytes are, by pixel_bytes.
 TEXEL = {1: np.dtype(np.uint8), 2: np.dtype(np.uint16)}
 

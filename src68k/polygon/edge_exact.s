@@ -16,7 +16,7 @@
 ;          units of H pixels: x = ceil(A / H) + whole part, error = 2^32 - 1 -
 ;          (that ceil * H - A), whole = floor(W / H), part = W modulo H
 ; error:   none: every ceil is the rational one
-; cost:    about 260 cycles
+; cost:    about 320 cycles
 ;==============================================================================
 ; The numerator is kept in 64 bits. What it has below 1/65536 never changes from line
 ; to line, so its ceil may be taken once.

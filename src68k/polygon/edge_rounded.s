@@ -17,7 +17,7 @@
 ;          for, prestep being the way down to it; whole and part are the slope's halves,
 ;          x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
 ; error:   of x, n lines below the one asked for: (n + 1) / 2^17 pixels
-; cost:    about 290 cycles
+; cost:    about 340 cycles
 ;==============================================================================
 ; The slope cannot overflow: two lines or more are more than one pixel high.
 

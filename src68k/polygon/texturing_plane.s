@@ -16,6 +16,19 @@ vector  macro
         movea.l sp,\2
         endm
 
+; \3 = the pixel in the middle of the box a0, from \1 to \2, and \5 = the way to it from
+; the coordinate \4. Uses d0.
+middle  macro
+        move.l  rectangle_\1(a0),d0
+        add.l   rectangle_\2(a0),d0
+        asr.l   #1,d0
+        move.l  d0,texturing_\3(a6)
+        swap    d0
+        clr.w   d0
+        sub.l   \4,d0
+        movea.l d0,\5
+        endm
+
 ; d1:d2 = (p1 q2 - p2 q1) / D in 32.32, cut towards zero; p, q: \1, \2. D and the
 ; numerator have been shifted right by d6, which leaves 32 bits of D, in d7; d5 =
 ; 32 - d6. a2, a3: the two vectors from the first vertex.
@@ -104,7 +117,7 @@ step    macro
 ;          dsdx + (j - y) dsdy there, each product rounded to the nearest unit
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
-; cost:    about 2,600 cycles with a cold cache
+; cost:    about 2,100 cycles, with a cold cache 2,600
 ;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
         movem.l d2-d7/a2-a6,-(sp)
@@ -123,22 +136,8 @@ step    macro
         beq.s   .turned
         exg     a2,a3                   ; now D is positive
 .turned
-        move.l  rectangle_left(a0),d0
-        add.l   rectangle_right(a0),d0
-        asr.l   #1,d0
-        move.l  d0,texturing_i(a6)
-        swap    d0
-        clr.w   d0
-        sub.l   d4,d0
-        movea.l d0,a4                   ; from the first vertex to (i, j)
-        move.l  rectangle_top(a0),d0
-        add.l   rectangle_bottom(a0),d0
-        asr.l   #1,d0
-        move.l  d0,texturing_j(a6)
-        swap    d0
-        clr.w   d0
-        sub.l   d5,d0
-        movea.l d0,a5
+        middle  left,right,i,d4,a4      ; from the first vertex to (i, j)
+        middle  top,bottom,j,d5,a5
 
         move.l  sides_area+wide_hi(a1),d0
         move.l  sides_area+wide_lo(a1),d7

@@ -36,7 +36,7 @@ travel  macro
 ;          there is none. One wrap is caught by keeping that bit spare (1), with guard
 ;          in it: 1 where v falls. Where there may be more, wraps is 1.
 ; error:   none: where there is a doubt, it assumes a wrap
-; cost:    about 150 cycles, 60 without a chain
+; cost:    about 190 cycles, 170 to 380; less without a chain
 ;==============================================================================
         routine texturing_wrap,a0,a1,d0
         movem.l d2-d4,-(sp)
