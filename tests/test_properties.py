@@ -8,7 +8,7 @@ import property_cases
 import pytest
 from property_cases import HEIGHT, WIDTH
 
-from tools import emulator, ideal, meshes, model, random_polygons, scene_file
+from tools import emulator, ideal, meshes, model, scene_file
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
 COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)

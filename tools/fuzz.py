@@ -20,7 +20,6 @@ from . import bounds, emulator, layout, model
 from .errors import UserError
 from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, has_ideal, polygon, scene, textures
 from .fuzz_shrink import shrink
-from .model_texturing import Settings
 from .polygon_report import explain
 from .scene_file import Scene, write
 
