@@ -29,7 +29,7 @@ def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -
                   for _ in range(textures)],
         materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
                    else Material()], objects=objects,
-        vertices=random.integers(-2**31, 2**31, (corners, 5)),
+        vertices=random.integers(-2**31, 2**31, (corners, 6)),
         poses=random.integers(-2**31, 2**31, (4, 6)))
 
 
@@ -43,7 +43,7 @@ def every_mapper() -> Scene:
     mappers = list(scene_file.MAPPER_LAYOUT)
     scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
                        for n, mapper in enumerate(mappers)]
-    scene.vertices = np.full((6, 5), 65536)
+    scene.vertices = np.full((6, 6), 65536)
     scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
     return scene
 
@@ -62,7 +62,7 @@ def tangles(seed: int, reach: int) -> Scene:
     within ``reach`` pixels of a small frame."""
     random = np.random.default_rng(seed)
     counts = random.choice([3, 3, 4, 5, 8, 64], 300)
-    vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 5))
+    vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 6))
     vertices[random.random(len(vertices)) < 0.2] &= ~0xFFFF
     scene = example()
     scene.width, scene.height, scene.frames, scene.vertices = 64, 48, 1, vertices

@@ -32,7 +32,8 @@ MACHINES = {8: "a1200-fast", 16: "a1200"}
 def scene(bits: int) -> str:
     """A frame for each mapper and combination of settings, polygons of 3 to 7 corners,
     some larger than the frame."""
-    choices = {kind: names for kind, names in SETTINGS.items() if kind != "mapper"}
+    choices = {kind: names for kind, names in SETTINGS.items()
+               if kind not in ("mapper", "perspective")}
     materials = objects = ""
     mappers = ["columns"] if bits == 16 else LOOKS
     for n, (mapper, *names) in enumerate(itertools.product(mappers, *choices.values())):

@@ -128,6 +128,6 @@ def test_held_lines_are_the_models() -> None:
         about.append(case.complaint("it differs", ("?", "?"), "the model's pixels", "others"))
         s = case.settings
         texture = maps[case.size] if s.mapper == "arbitrary" else -1
-        add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, texture),
+        add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective, texture),
             case.vertices)
     check_on_the_guest(scene, about)

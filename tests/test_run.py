@@ -183,7 +183,8 @@ def every_setting() -> str:
 wall = {image = "wall.png", width = 32, height = 16}
 [materials]
 """
-    objects, choices = "", {kind: SETTINGS[kind] for kind in SETTINGS if kind != "mapper"}
+    objects, choices = "", {kind: SETTINGS[kind] for kind in SETTINGS
+                            if kind not in ("mapper", "perspective")}
     for number, names in enumerate(itertools.product(*choices.values())):
         settings = ", ".join(f'{kind} = "{name}"' for kind, name in zip(choices, names))
         text += f'm{number} = {{texture = "wall", {settings}}}\n'

@@ -87,7 +87,7 @@ def test_content(folder):
     assert made.materials == [Material(colour=1), Material("affine", texture=0)]
     assert [(o.material, o.vertex, o.vertices, o.pose, o.poses) for o in made.objects] == [
         (0, 0, 3, 0, 8), (1, 3, 4, 8, 8), (1, 7, 4, 16, 8)]
-    assert made.vertices.shape == (11, 5) and made.poses.shape == (24, 6)
+    assert made.vertices.shape == (11, 6) and made.poses.shape == (24, 6)
     (texture,) = made.textures
     left, right = texture.texels[128, 10], texture.texels[128, 245]
     assert made.palette[left].tolist() == [0, 0, 0]
@@ -170,7 +170,7 @@ def test_convex_lists_are_taken(folder, vertices):
 
 def test_flat_vertices_need_no_map(folder):
     text = changed('sides = 3\nradius = 10', "vertices = [[0, 0], [8, 0], [0, 8]]")
-    assert make(folder, text).vertices[1].tolist() == [8 * ONE, 0, 0, 0, 0]
+    assert make(folder, text).vertices[1].tolist() == [8 * ONE, 0, 0, 0, 0, ONE]
 
 
 STAR = [[round(50 * math.cos(angle), 3), round(50 * math.sin(angle), 3), 0, 0]

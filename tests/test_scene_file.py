@@ -14,8 +14,8 @@ from tools.scene_file import Material, Object, Scene, Texture
 
 
 def vertices(random, count: int) -> np.ndarray:
-    """Any numbers, shades inside the palette."""
-    rows = random.integers(-2**31, 2**31, (count, 5))
+    """Any numbers (w too: nothing has a perspective), shades inside the palette."""
+    rows = random.integers(-2**31, 2**31, (count, 6))
     rows[:, 4] = random.integers(0, 256 << 16, count)
     return rows
 
@@ -123,7 +123,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\2"
+    assert data[:8] == b"TMAP\0\0\0\3"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[80:84] == b"\0" + scene.palette[0].tobytes()
@@ -133,11 +133,11 @@ def test_bytes_are_the_headers():
 def test_vertices_at_rounds_every_product_down():
     scene = example()
     one, s, t = 65536, 5, 6
-    scene.vertices[:3] = [[1, 1, s, t, 8], [-1, 1, s, t, 8], [3, -1, s, t, 8]]
+    scene.vertices[:3] = [[1, 1, s, t, 8, 9], [-1, 1, s, t, 8, 9], [3, -1, s, t, 8, 9]]
     scene.poses[:3] = [one // 2, -one // 2, -1, one // 4, 7, 9]
     assert scene_file.vertices_at(scene, scene.objects[0], 2) == [
-        (0 - 1 + 7, -1 + 0 + 9, s, t, 8), (-1 - 1 + 7, 0 + 0 + 9, s, t, 8),
-        (1 + 0 + 7, -1 - 1 + 9, s, t, 8)]
+        (0 - 1 + 7, -1 + 0 + 9, s, t, 8, 9), (-1 - 1 + 7, 0 + 0 + 9, s, t, 8, 9),
+        (1 + 0 + 7, -1 - 1 + 9, s, t, 8, 9)]
     assert scene_file.vertices_at(scene, scene.objects[1], 0) == []  # not there yet
     assert scene_file.vertices_at(scene, scene.objects[0], 3) == []  # gone
 
@@ -189,7 +189,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x2 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x3 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -259,13 +259,13 @@ def test_wrong_field_is_named(struct, field, value, message):
      r"scene: materials\[0\].mapper: 'cubic' is not one of flat, gouraud"),
     ({"materials": [Material(), Material("affine", gradients="polygon", texture=0)]},
      r"objects\[1\].vertices: 4, but gradients 'polygon' are for triangles"),
-    ({"materials": [Material(), Material("gouraud")], "vertices": np.full((6, 5), 256 << 16)},
+    ({"materials": [Material(), Material("gouraud")], "vertices": np.full((6, 6), 256 << 16)},
      r"objects\[1\]: shade: 16777216 is not from 0 to 16777215"),
-    ({"textures": [Texture(np.zeros((9, 7), np.uint8), "linear")], "vertices": np.full((6, 5), -1),
+    ({"textures": [Texture(np.zeros((9, 7), np.uint8), "linear")], "vertices": np.full((6, 6), -1),
       "materials": [Material(), Material("arbitrary", texture=0)]},
      r"objects\[1\]: s: -1 is not from 0 to 16777216"),
     ({"textures": [Texture(np.zeros((8, 4), np.uint8), "linear")],
-      "vertices": np.full((6, 5), 256 << 16),
+      "vertices": np.full((6, 6), 256 << 16),
       "materials": [Material(), Material("arbitrary", texture=0)]},
      r"objects\[1\]: texel of s: 524288 is not from 0 to 262144"),
     ({"textures": [Texture(np.zeros((8, 8), np.uint16), "columns")]}, r"textures\[0\].texel_bytes"),
@@ -273,7 +273,7 @@ def test_wrong_field_is_named(struct, field, value, message):
     ({"pixel_bytes": 2, "textures": [], "materials": [Material("gouraud"), Material()]},
      r"materials\[0\].mapper: 'gouraud' is not for pixels of 2 bytes"),
     ({"objects": [Object(0, 0, 3, 0, 5, 0)]}, r"scene: objects\[0\].pose"),
-    ({"vertices": np.full((6, 5), 2**31)}, "scene_vertex.x does not fit 32 bits"),
+    ({"vertices": np.full((6, 6), 2**31)}, "scene_vertex.x does not fit 32 bits"),
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
 ])
 def test_bad_scenes_are_not_written(change, message):

@@ -145,7 +145,7 @@ def polygon(seed: int, number: int) -> Fuzzed:
     points = visible_corners(rng, width, height)
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated")
                         + 4 * ("affine",))
-    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items() if kind != "mapper"}
+    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items() if kind not in ("mapper", "perspective")}
     settings = Settings(mapper=mapper, **choices)
     if len(points) > 3 and settings.gradients == "polygon":
         settings = replace(settings, gradients="plane")
@@ -171,8 +171,8 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
     objects, vertices = [], []
     for number, each in enumerate(polygons):
         s = each.settings
-        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, each.texture,
-                            200 if s.mapper == "flat" else 0)
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
+                            each.texture, 200 if s.mapper == "flat" else 0)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(each.vertices), 0, 1, number))
         vertices += each.vertices

@@ -90,7 +90,8 @@ def scene(drawings: list[Drawing]) -> Scene:
         layout, texture = MAPPER_LAYOUT[s.mapper], -1
         if layout:
             texture = textures.setdefault((layout, map_size(case, s.mapper)), len(textures))
-        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, texture, 200)
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
+                            texture, 200)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(case.vertices), 0, 1, number))
         vertices += case.vertices

@@ -60,6 +60,10 @@ def check(spec: dict, where: str) -> None:
         if spec["bits"] == 16 and mapper not in MAPPERS_16:
             fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
                  'a scene of 16 bits has flat colours and the mapper "columns" only')
+        if material["perspective"] != "none" and (
+                mapper, material["gradients"], material["start"]) != ("affine", "plane", "subtexel"):
+            fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
+                                      'gradients "plane" and start "subtexel"')
         if "texture" not in material:
             continue
         if material["texture"] not in spec["textures"]:
@@ -136,7 +140,7 @@ def build(spec: dict, made: Pixels, folder: Path,
                 number[name, layout] = len(stored)
                 stored.append(Texture(array, layout))
     return colours, stored, [
-        Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"],
+        Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0)
         for m in spec["materials"].values()]

@@ -168,8 +168,8 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
-        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade in vertices]
-    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8)) for x, y, s, t, _ in vertices]
+        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade, *_ in vertices]
+    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8)) for x, y, s, t, *_ in vertices]
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
@@ -189,7 +189,7 @@ def prepare(scene, obj, number: int) -> Polygon | None:
         return None
     material = scene.materials[obj.material]
     settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.mapper)
+                        material.perspective, material.mapper)
     texture = scene.textures[material.texture].texels if material.texture >= 0 else None
     vertices = adapt(vertices_at(scene, obj, number), settings,
                      256 if texture is None else max(texture.shape))

@@ -15,6 +15,7 @@ class Settings:
     gradients: str = "plane"  # scanline, polygon, plane
     start: str = "subtexel"  # truncated, subtexel
     clip: str = "scissor"  # scissor, vertices
+    perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
 
 

@@ -43,7 +43,7 @@ def schema(limits: dict[str, int]):
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
                   "map_turn": (number(-360, 360), 0.0),  # degrees
                   "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)},
-        "vertices": {"vertices": (rows(rows(place, 2, 4), 3, corners), REQUIRED)}}
+        "vertices": {"vertices": (rows(rows(place, 2, 5), 3, corners), REQUIRED)}}
     placing = {
         "material": (text, REQUIRED),
         "centre": (pair, [0.0, 0.0]), "move": (pair, [0.0, 0.0]),  # pixels a frame
@@ -63,7 +63,7 @@ def schema(limits: dict[str, int]):
 
 
 def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
-    """The vertices of a regular polygon, clockwise from the top: x, y, s, t, shade.
+    """The vertices of a regular polygon, clockwise from the top: x, y, s, t, shade, w.
 
     ``extent``: s and t at the far ends of the map, 256 for the longer side.
     """
@@ -79,7 +79,7 @@ def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
         out.append([spec["radius"] * math.sin(angle), -spec["radius"] * math.cos(angle),
                     wide * (MAP_CENTRE + spec["map_radius"] * math.sin(on_map)),
                     high * (MAP_CENTRE - spec["map_radius"] * math.cos(on_map)),
-                    shades[i % len(shades)] if shades else shade])
+                    shades[i % len(shades)] if shades else shade, 1.0])
     return out
 
 
@@ -100,18 +100,24 @@ def check_convex(corners: list[list[float]], where: str) -> None:
         fail(where, "the polygon crosses itself")
 
 
-def listed(spec: dict, mapper: str, where: str) -> list[list[float]]:
-    """A vertex list as x, y, s, t, shade."""
-    forms = {"flat": "[x, y, s, t] or, as it is flat, [x, y]", "gouraud": "[x, y, shade]"}
-    lengths = {"flat": (2, 4), "gouraud": (3,)}
+def listed(spec: dict, kind: str, where: str) -> list[list[float]]:
+    """A vertex list as x, y, s, t, shade, w. ``kind``: the mapper, or "perspective"."""
+    forms = {"flat": "[x, y, s, t] or, as it is flat, [x, y]", "gouraud": "[x, y, shade]",
+             "perspective": "[x, y, s, t, w]"}
+    lengths = {"flat": (2, 4), "gouraud": (3,), "perspective": (5,)}
+    limits = layout.load().constants
+    depth = number(limits["W_MIN"] / ONE, limits["W_MAX"] / ONE)
     out = []
     for i, corner in enumerate(spec["vertices"]):
-        if len(corner) not in lengths.get(mapper, (4,)):
-            fail(f"{where}[{i}]", f"must be {forms.get(mapper, '[x, y, s, t]')}")
-        if mapper == "gouraud":
-            corner = [*corner[:2], 0.0, 0.0, number(0, materials.SHADES - 1)(
-                corner[2], f"{where}[{i}][2]")]
-        out.append(corner + [0.0] * (5 - len(corner)))
+        if len(corner) not in lengths.get(kind, (4,)):
+            fail(f"{where}[{i}]", f"must be {forms.get(kind, '[x, y, s, t]')}")
+        x, y, *rest = corner
+        s, t, shade, w = [*rest[:2], 0.0, 0.0][:2] + [0.0, 1.0]
+        if kind == "gouraud":
+            s, shade = 0.0, number(0, materials.SHADES - 1)(corner[2], f"{where}[{i}][2]")
+        elif kind == "perspective":
+            w = depth(corner[4], f"{where}[{i}][4]")
+        out.append([x, y, s, t, shade, w])
     check_convex(spec["vertices"], where)
     return out
 
@@ -127,7 +133,7 @@ def check_even(corners: list[list[float]], columns: list[int], most: float, wher
 
 
 def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> list[list[float]]:
-    """An object's vertices before its pose: x, y, s, t, shade. Refuses what the
+    """An object's vertices before its pose: x, y, s, t, shade, w. Refuses what the
     material cannot draw: ``where`` is the object."""
     mapper = materials.mapper_of(material)
     at = f"{where}.vertices" if "vertices" in spec else f"{where}.sides"
@@ -139,7 +145,8 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
                                     f"not {len(spec['shades'])}")
     size = (texture["width"], texture["height"]) if texture else (256, 256)
     extent = tuple(2 * MAP_CENTRE * side / max(size) for side in size)
-    corners = regular(spec, extent) if "sides" in spec else listed(spec, mapper, at)
+    kind = mapper if material["perspective"] == "none" else "perspective"
+    corners = regular(spec, extent) if "sides" in spec else listed(spec, kind, at)
     if mapper != "flat" and len(corners) > 3:
         if material["gradients"] == "polygon":
             fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
@@ -228,7 +235,7 @@ def in_file(corners: list[list[float]], material: dict, texture: dict | None,
             ramp: tuple[int, int] | None) -> np.ndarray:
     """Corners as the file has them, 16.16: shades are pixels; rounding does not leave a
     map that is not repeated."""
-    made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0]
+    made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
                   for corner in corners])
     if materials.mapper_of(material) == "arbitrary":
         size = np.array([texture["width"], texture["height"]])
@@ -282,5 +289,5 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     objects, vertices, poses = place_objects(spec, count, pixels.ramps, where)
     colours, textures, looks = materials.build(spec, pixels, path.parent, where)
     return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
-                 textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 5),
+                 textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["bits"] // 8)

@@ -20,9 +20,11 @@ LAYOUTS = ("page", "linear", "tiled", "columns", "margins")
 #: The settings of a material by their names, and the prefix of each one's enumerators.
 SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
-            "clip": ("scissor", "vertices")}
+            "clip": ("scissor", "vertices"),
+            "perspective": ("none", "every16", "every8", "pixel", "fine")}
 MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
-IDENTITY = (65536, 0, 0, 65536, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
+ONE = 65536  # 1.0 in 16.16
+IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 #: What a texture's bytes are, by pixel_bytes.
 TEXEL = {1: np.dtype(np.uint8), 2: np.dtype(np.uint16)}
 
@@ -47,6 +49,7 @@ class Material:
     gradients: str = "plane"
     start: str = "subtexel"
     clip: str = "scissor"
+    perspective: str = "none"
     texture: int = -1  # index, or NO_TEXTURE
     colour: int = 0  # pixel
 
@@ -75,13 +78,18 @@ class Scene:
     textures: list[Texture]
     materials: list[Material]
     objects: list[Object]
-    vertices: np.ndarray = field(repr=False)  # int64 (n, 5): x, y, s, t, shade; 16.16
+    vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     pixel_bytes: int = 1  # 2: RGB565
 
+    def __post_init__(self) -> None:
+        """Vertices without depth have w = 1."""
+        if self.vertices.shape[1] == 5:
+            self.vertices = np.column_stack([self.vertices, np.full(len(self.vertices), ONE)])
 
-def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int]]:
-    """(x, y, s, t, shade) of the object in a frame, x, y on the screen; empty when not there."""
+
+def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
+    """(x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty when not there."""
     age = frame - obj.first_frame
     if not 0 <= age < obj.poses:
         return []
@@ -146,6 +154,10 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
     """Refuses unknown settings and a texture that is not the mapper's."""
     for kind in SETTINGS:
         number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
+    if material.perspective != "none" and (material.mapper, material.gradients, material.start) != (
+            "affine", "plane", "subtexel"):
+        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper 'affine', "
+                        "gradients 'plane' and start 'subtexel'")
     if scene.pixel_bytes == 2 and material.mapper not in MAPPERS_16:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of 2 bytes")
     wanted = MAPPER_LAYOUT[material.mapper]
@@ -170,6 +182,10 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     if material.mapper == "gouraud":
         require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
         require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
+    if material.perspective != "none":
+        limits = layout.load().constants
+        for w in corners[:, 5].tolist():
+            require(name, f"{where}: w", w, limits["W_MIN"], limits["W_MAX"])
     if material.mapper == "arbitrary":
         height, width = scene.textures[material.texture].texels.shape
         for noun, column, side in (("s", 2, width), ("t", 3, height)):

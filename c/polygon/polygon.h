@@ -8,13 +8,16 @@
 
 /* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded).
    s, t: 0 to 256 along the longer side of the map, whatever its size; any value
-   where the map repeats, in the same range. shade: 0 to 255. All 16.16. */
+   where the map repeats, in the same range. shade: 0 to 255. w: depth, which counts
+   with a perspective alone, W_MIN to W_MAX. All 16.16. */
 struct vertex {
-    fix16 x, y, s, t, shade;
+    fix16 x, y, s, t, shade, w;
 };
 
 enum polygon_constants {
-    POLYGON_FAR = 16384         /* pixels: differences stay inside 16.16 */
+    POLYGON_FAR = 16384,        /* pixels: differences stay inside 16.16 */
+    W_MIN = 1 << 8,             /* 1/256 ... */
+    W_MAX = 1 << 30             /* ... to 16,384: 22 bits apart in one polygon */
 };
 
 /* How near the picture comes to the exact one, from cheap to exact. */
@@ -44,6 +47,16 @@ enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
     CLIP_VERTICES,              /* the polygon is, before it has edges; exact ones: lines */
     CLIP_KINDS
+};
+
+/* How u and v follow the depth along a line. */
+enum perspective {
+    PERSPECTIVE_NONE,           /* not at all: affine */
+    PERSPECTIVE_EVERY16,        /* right at both ends of pieces of 16 pixels, affine between */
+    PERSPECTIVE_EVERY8,         /* of 8 pixels */
+    PERSPECTIVE_PIXEL,          /* each pixel within 1/32 texel */
+    PERSPECTIVE_FINE,           /* each pixel within 1/128 texel */
+    PERSPECTIVE_KINDS
 };
 
 /* Spans and edges in swapped form and plain form: same picture, other speed. */
@@ -92,6 +105,7 @@ struct draw_counts {
 /* What a polygon is drawn with. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
+    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
 };

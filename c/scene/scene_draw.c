@@ -45,6 +45,7 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
         to->s = from->s;
         to->t = from->t;
         to->shade = from->shade;
+        to->w = from->w;
     }
 }
 

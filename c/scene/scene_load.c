@@ -129,6 +129,10 @@ static const char *wrong_material(const struct scene *scene)
             return "material.start";
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
+        if (m->perspective >= PERSPECTIVE_KINDS
+            || (m->perspective && (m->mapper != MAPPER_AFFINE || m->start != START_SUBTEXEL
+                                   || m->gradients != GRADIENTS_PLANE)))
+            return "material.perspective";
         if (layouts[m->mapper] == MAP_LAYOUTS ? m->texture != NO_TEXTURE
             : (uint32)m->texture >= h->textures
               || scene->textures[m->texture].layout != layouts[m->mapper])
@@ -148,6 +152,8 @@ static const char *wrong_vertex(const struct scene *scene, const struct scene_ob
     for (uint32 left = object->vertices; left; left--, v++) {
         if (m->mapper == MAPPER_GOURAUD && (v->shade < 0 || v->shade >= 256 << 16))
             return "vertex.shade";
+        if (m->perspective && (v->w < W_MIN || v->w > W_MAX))
+            return "vertex.w";
         if (m->mapper == MAPPER_ARBITRARY) {
             const struct scene_texture *t = &scene->textures[m->texture];
             fix16 scale = map_scale(t->width, t->height);
@@ -211,6 +217,7 @@ static int32 make_materials(struct scene *scene)
         to->gradients = (uint8)from->gradients;
         to->start = (uint8)from->start;
         to->clip = (uint8)from->clip;
+        to->perspective = (uint8)from->perspective;
         to->colour = from->colour;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
     }
