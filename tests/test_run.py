@@ -207,7 +207,7 @@ def test_every_setting_is_the_models(folder):
     materials = json.loads((out / "run.json").read_text())["materials"]
     assert len(materials) == 72 and materials["m0"] == {
         "mapper": "affine", "edges": "integer", "gradients": "scanline", "start": "truncated",
-        "clip": "scissor"}
+        "clip": "scissor", "perspective": "none"}
 
 
 def test_frames_of_16_bits(folder):
