@@ -139,6 +139,12 @@ def perspective(vertices, corners, box) -> Perspective | None:
     return Perspective(*planes, left, top, base, lowest, low, high)
 
 
+def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
+    """Shares of both ends of a line of n steps: n times one is below 2^31."""
+    up = 31 - max(q0, q1).bit_length()
+    return (q0 << up) // n, (q1 << up) // n & ~1
+
+
 def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
     """The line's ends; right is excluded."""
     pixels = []
@@ -150,9 +156,8 @@ def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
     (q0, u, v), (q1, u1, v1) = pixels
     line = Ends(left, right - 1 - left, u & M32, v & M32)
     if line.n:
-        up = 31 - max(q0, q1).bit_length()
         line.du, line.dv = signed(u1 - u), signed(v1 - v)
-        line.first, line.last = (q0 << up) // line.n, (q1 << up) // line.n & ~1
+        line.first, line.last = weights(q0, q1, line.n)
     return line
 
 
@@ -171,6 +176,11 @@ def exp_up(x: int) -> int:
     return min((EXP_UP[x % OCTAVE] << 16 >> 31 - x // OCTAVE) + 1, NEVER)
 
 
+def bend(setting: str) -> int:
+    """What does not change from line to line of the logarithm in ``enough``; 0: no curves."""
+    return ceil(OCTAVE * log2(6 / (9 * 3**0.5) / CURVES[setting][1])) if setting in CURVES else 0
+
+
 def enough(line: Ends, setting: str) -> list[int]:
     """The least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
     setting's tolerance.
@@ -178,15 +188,15 @@ def enough(line: Ends, setting: str) -> list[int]:
     A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| / 15.59
     at most (9 sqrt 3), and u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
     """
-    longest, tolerance = CURVES[setting]
+    longest = CURVES[setting][0]
     way = max(abs(line.du), abs(line.dv))
     step = abs(line.last - line.first)
     if not way or not step:
         return [0] * (longest - 1)
     q0, q1 = line.n * line.first, line.n * line.last
-    bent = (lg(way, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
-            - lg(line.n, LG_DOWN) + ceil(OCTAVE * log2(6 / (9 * 3**0.5) / tolerance)))
-    return [exp_up(bent + 3 * OCTAVE * j + 3 >> 2) for j in range(1, longest)]
+    total = (lg(way, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
+            - lg(line.n, LG_DOWN) + bend(setting))
+    return [exp_up(total + 3 * OCTAVE * j + 3 >> 2) for j in range(1, longest)]
 
 
 def pieces(line: Ends, m: int) -> list[tuple[np.ndarray, np.ndarray]]:
