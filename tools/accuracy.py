@@ -138,7 +138,7 @@ def errors(name: str, settings: Settings) -> Errors:
     total = Errors()
     for vertices in set_polygons(name, settings.mapper):
         wanted = [(x, y, shade, 0) if settings.mapper == "gouraud" else (x, y, s, t)
-                  for x, y, s, t, shade in vertices]
+                  for x, y, s, t, shade, _ in vertices]
         exact = ideal.Picture(wanted, polygon_sets.WIDTH, polygon_sets.HEIGHT)
         polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
                                polygon_sets.HEIGHT, settings.mapper != "flat", settings,

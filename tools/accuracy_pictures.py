@@ -59,7 +59,7 @@ def swimming_scene() -> Scene:
     """A small triangle that moves an eighth of a pixel a frame, under three settings."""
     texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
     objects, materials, poses = [], [], []
-    corners = [(6, 4, 0, 0, 0), (52, 22, 92, 36, 0), (17, 56, 22, 104, 0)]
+    corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
     vertices = [tuple(c << 16 for c in corner) for corner in corners]
     for number, s in enumerate(SWIMMERS):
         materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))

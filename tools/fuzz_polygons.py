@@ -14,12 +14,12 @@ from .fixed import ceil16
 from .model import FAR
 from .model_texturing import Settings
 from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Object, Scene,
+                         Texture)
 
 BLOCK = 1000
 #: Width and height of a block's frame: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
-ONE = 65536
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
 #: Of every map that takes any size.
 ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
@@ -29,7 +29,7 @@ ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
 class Fuzzed:
     """One polygon, how it is drawn, on what."""
 
-    vertices: tuple[tuple[int, int, int, int, int], ...]  # x, y, s, t, shade; 16.16
+    vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
     settings: Settings
     texture: int  # index in its block's textures; -1: none
 
@@ -161,7 +161,7 @@ def polygon(seed: int, number: int) -> Fuzzed:
     if len(points) > 3:  # planar: along y, over the polygon's height
         low, high = min(y for _, y in points), max(y for _, y in points)
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
-    return Fuzzed(tuple((*p, *q, shade) for p, q, shade in zip(points, plane, shades)), settings,
+    return Fuzzed(tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades)), settings,
                   texture)
 
 

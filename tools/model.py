@@ -160,7 +160,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
-    """(x, y, s, t, shade) as ``set_up`` takes them: x and y in whole pixels where edges are;
+    """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
     s and t in texels of a map whose longer side is given, rounded down, or the shade as u,
     kept INSET inside the range of the pixels it may become."""
     if settings.edges == "integer":

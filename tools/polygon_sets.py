@@ -1,7 +1,7 @@
 """The named polygon sets of the accuracy report, and the random triangles of ``polys``.
 
 All are triangles, so that every gradient setting can draw them; everything is 16.16 and
-the same in every run. A vertex is (x, y, s, t, shade).
+the same in every run. A vertex is (x, y, s, t, shade, w).
 """
 
 import math
@@ -74,7 +74,7 @@ def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...
         points = corners(rng, name)
         plane = texture(rng, points, STEPS[k % len(STEPS)], inside)
         shades = [rng.randrange(256) for _ in points]
-        made.append([tuple(map(fix, (*p, *q, shade)))
+        made.append([tuple(map(fix, (*p, *q, shade, 1)))
                      for p, q, shade in zip(points, plane, shades)])
     return made
 
@@ -84,5 +84,5 @@ def random_triangles(count: int, seed: int = 1997) -> list[list[tuple[int, ...]]
     s and t anywhere on a 256x256 map."""
     rng = random.Random(seed)
     return [[tuple(map(fix, (rng.uniform(0, 320), rng.uniform(0, 200), rng.uniform(0, 255),
-                             rng.uniform(0, 255), rng.randrange(256)))) for _ in range(3)]
+                             rng.uniform(0, 255), rng.randrange(256), 1))) for _ in range(3)]
             for _ in range(count)]

@@ -82,11 +82,6 @@ class Scene:
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     pixel_bytes: int = 1  # 2: RGB565
 
-    def __post_init__(self) -> None:
-        """Vertices without depth have w = 1."""
-        if self.vertices.shape[1] == 5:
-            self.vertices = np.column_stack([self.vertices, np.full(len(self.vertices), ONE)])
-
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
     """(x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty when not there."""
