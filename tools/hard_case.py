@@ -34,6 +34,7 @@ class Case:
     vertices: tuple[tuple[int, int, int, int, int, int], ...]
     mappers: tuple[str, ...] = MAPPERS  # those it concerns
     map_size: tuple[int, int] = (256, 256)  # width, height, where the mapper takes any
+    depth: bool = False  # drawn with every perspective
 
 
 def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:

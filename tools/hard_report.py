@@ -29,7 +29,7 @@ PART = 999
 #: What a picture shows: the first of these that the case concerns.
 SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
 SCALE = 2  # screen pixels a pixel
-COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "cycles", "coverage_errors", "texel_error",
+COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "perspective", "cycles", "coverage_errors", "texel_error",
            "texel_bound", "worst_ratio")
 
 
@@ -43,6 +43,7 @@ class Row:
     gradients: str
     start: str
     clip: str
+    perspective: str
     cycles: int
     pixels: int
     coverage_errors: int | None = None
