@@ -1,11 +1,12 @@
 """The hard depths: what their vertices promise, and how they are drawn."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
 from surfaces import off_surface
 
-from tools import hard_case_depths, hard_cases, ideal, ideal_perspective, model, scene_file
+from tools import hard_case_depths, hard_cases, hard_report, ideal, ideal_perspective, model, scene_file
 from tools.hard_case_depths import DEEPEST, NEAREST
 from tools.scene_file import ONE
 
@@ -82,3 +83,17 @@ def test_every_perspective_is_combined() -> None:
     scene = hard_cases.scene(every)
     again = scene_file.read(scene_file.write(scene), "scene")
     assert again.materials == scene.materials and np.array_equal(again.vertices, scene.vertices)
+
+
+def test_pictures_have_the_perspective() -> None:
+    """The exact picture of a case: each texel is that of the curves; without perspective, of the plane."""
+    case, settings = BY_NAME["square_turned_half"], model.Settings("exact", perspective="fine")
+    vertices, texels = adapted(case), np.arange(65536).reshape(256, 256) % 251
+    planes = ideal_perspective.curves(vertices)
+    found = hard_report.exact_picture(vertices, settings, texels)
+    flat = hard_report.exact_picture(vertices, replace(settings, perspective="none"), texels)
+    shown = np.argwhere(found >= 0)
+    assert len(shown) > 500 and np.array_equal(found >= 0, flat >= 0) and (found != flat).sum() > 300
+    for y, x in shown:
+        u, v = (int(plane.at(int(x) << 16, int(y) << 16) // ONE) for plane in planes)
+        assert found[y, x] == texels[v % 256, u % 256]

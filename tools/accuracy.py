@@ -247,6 +247,7 @@ HARD = "hard"
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
     """Measures the sets, writes their report; returns the table to print."""
     from . import accuracy_pictures as pictures
+    from . import perspective_curves
 
     flat = [name for name in names if name not in polygon_sets.DEPTHS]
     rows = measure(flat, machines, combinations(), on_step) + measure(
@@ -256,6 +257,8 @@ def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool
                       "interrupts off; texel error: the larger of u's and v's.", "rows": rows}
     folder.mkdir(parents=True, exist_ok=True)
     pictures.plot(rows, folder / "accuracy.png")
+    if flat != names:
+        perspective_curves.plot(folder / "pieces.png")
     pictures.write_swimming(folder)
     pictures.write_mappers(folder)
     (folder / "accuracy.md").write_text(report(found))
@@ -304,8 +307,9 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
-    written = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-               "swimming.png"] * bool(sets) + [f"{HARD}/index.html"] * (HARD in names)
+    deep = bool(polygon_sets.DEPTHS.keys() & sets)
+    written = (["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+                "swimming.png"] * bool(sets) + ["pieces.png"] * deep + [f"{HARD}/index.html"] * (HARD in names))
     print(text + f"written to {out}: {', '.join(written)}")
     for line in excess:
         print(f"exceeds its bound: {line}")

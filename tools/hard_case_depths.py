@@ -307,7 +307,8 @@ def vanishing() -> Iterator[Case]:
 def in_space() -> Iterator[Case]:
     """Flat things in space, seen through a pinhole."""
     turns = {"a_little": (Fraction(12, 13), Fraction(5, 13)), "half": (Fraction(3, 5), Fraction(4, 5)),
-             "almost_away": (Fraction(20, 101), Fraction(99, 101)), "back": (-Fraction(15, 17), Fraction(8, 17))}
+             "almost_away": (Fraction(20, 101), Fraction(99, 101)),
+             "back": (-Fraction(15, 17), Fraction(8, 17))}
     for name, (c, s) in turns.items():
         half, texel = Fraction(1, 2), Fraction(1, 256)
         left, beyond = -c / 2, Fraction(5, 4) - s / 2
