@@ -283,6 +283,7 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None) -
         size = textures(seed, number // BLOCK)[each.texture].texels.shape[::-1] \
             if each.texture >= 0 else (256, 256)
         keep_case(Case(keep, f"Found by the fuzzer, seed {seed}, polygon {number}: {fault.text}.",
-                       each.vertices, (each.settings.mapper,), size))
+                       each.vertices, (each.settings.mapper,), size,
+                       each.settings.perspective != "none"))
         print(f"kept as {keep} in tests/hard_cases.json")
     return 1
