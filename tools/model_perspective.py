@@ -143,7 +143,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
     """Shares of both ends of a line of n steps: n times one is below 2^31."""
     up = 31 - max(q0, q1).bit_length()
-    return (q0 << up) // n, (q1 << up) // n & ~1
+    return max((q0 << up) // n, 1), (q1 << up) // n & ~1
 
 
 def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
