@@ -126,7 +126,7 @@ def test_bytes_are_the_headers():
     assert data[:8] == b"TMAP\0\0\0\3"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[80:84] == b"\0" + scene.palette[0].tobytes()
+    assert data[144:148] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -207,9 +207,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "objects", 65536, "objects_at: "),
     ("scene_header", "vertices", 5, "objects[1].vertex: 2 is not from 0 to 1"),
     ("scene_header", "poses", 3, "objects[1].pose: 2 is not from 0 to 1"),
-    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 80 to"),
+    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 144 to"),
     ("scene_header", "textures_at", 2**32 - 4, "textures_at: 4294967292 is not from"),
-    ("scene_header", "materials_at", 82, "materials_at: 82 is not a multiple of 4"),
+    ("scene_header", "materials_at", 146, "materials_at: 146 is not a multiple of 4"),
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
     ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
@@ -223,9 +223,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "layout", 5, "textures[0].layout: 5 is not from 0 to 4"),
     ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
     ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
-    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 80 to"),
+    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 144 to"),
     ("scene_texture", "at", len(TEXTURED) - 4, "textures[0].at: "),
-    ("scene_texture", "at", 82, "textures[0].at: 82 is not a multiple of 4"),
+    ("scene_texture", "at", 146, "textures[0].at: 146 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
     ("scene_material", "mapper", 7, "materials[0].mapper: 7 is not from 0 to 6"),
