@@ -7,7 +7,7 @@ import numpy as np
 from kernel_checker import Memory, Trial, Write
 from tools import layout, model_mesh
 from tools.kernels import M32, Case
-from tools.scene_meshes import COLUMNS
+from tools.scene_file import records
 
 ONE, UNIT = 1 << 16, 1 << 30
 REACH, AWAY = 2048 * ONE, 10240 * ONE - 1
@@ -48,11 +48,7 @@ def scene(rng) -> SimpleNamespace:
 
 def packed(struct: str, rows) -> bytes:
     """Rows of a table of the scene file."""
-    shape = layout.load().struct(struct)
-    out = np.zeros(len(rows), shape.dtype)
-    for column, name in enumerate(COLUMNS[struct.removeprefix("scene_") + "s"]):
-        out[name] = [row[column] for row in rows]
-    return out.tobytes()
+    return records(rows, layout.load().struct(struct))
 
 
 def outside(point, near: int) -> int:

@@ -11,7 +11,7 @@
 ; writes:  *to
 ; formats: any; the ends' values differ by less than 2^31
 ; error:   half a unit, ties away from the inner end; never beyond the outer end
-; cost:    about 860 cycles
+; cost:    bench row mesh_cut
 ;==============================================================================
         routine mesh_cut,a0
         movem.l d2-d6/a2-a3,-(sp)
