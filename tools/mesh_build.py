@@ -202,7 +202,8 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     used = sorted({point for face in shape.faces for point in face})
     if not np.isfinite(scaled[used]).all() or abs(scaled[used]).max() > limits["MESH_REACH"]:
         fail(where, f"a point is more than {limits['MESH_REACH']} units from the mesh's origin")
-    places = np.rint(np.where(np.isfinite(scaled), scaled, 0) * ONE).astype(np.int64)
+    kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
+    places = np.rint(kept * ONE).astype(np.int64)
     faces = faces_of(shape, places, where)
     planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
     if wishes.mapping == "uv" and faces[0].texels is None:

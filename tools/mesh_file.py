@@ -1,5 +1,6 @@
 """Meshes as scenes name them: Wavefront OBJ files, or lists of points and faces."""
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +10,9 @@ import tinyobjloader
 from . import images, layout
 from .fields import fail
 
+NUMBER = rb"[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+#: Lines of points, normals and texture coordinates: the parser takes what is no number for 0.
+NUMBERS = re.compile(rb"[ \t]*(?:vt(?:%b){2,}|vn?(?:%b){3,})[ \t]*(?:#.*)?\r?" % (NUMBER, NUMBER))
 BYTES_MAX = 16 << 20  # of an OBJ file; more is a mistake or an attack
 
 
@@ -32,6 +36,9 @@ def check_counts(points: int, faces: int, where: str) -> None:
 
 def parse(data: bytes, where: str):
     """The parser's result of an OBJ file's bytes: attributes and shapes."""
+    for number, line in enumerate(data.split(b"\n"), 1):
+        if line.split(None, 1)[:1] in ([b"v"], [b"vt"], [b"vn"]) and not NUMBERS.fullmatch(line):
+            fail(where, f"line {number}: its numbers cannot be read")
     config = tinyobjloader.ObjReaderConfig()
     config.triangulate = False
     reader = tinyobjloader.ObjReader()
