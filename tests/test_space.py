@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import knot, model_mesh, scene_file, space
+from tools import knot, model_mesh, scene_file, scene_space, space
 from tools.errors import UserError
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -312,7 +312,8 @@ def test_refused(folder, text, prepare, message):
     assert str(caught.value).startswith(str(folder / "scene.toml")) or "scene.toml: " in str(caught.value)
 
 
-def test_too_many_views(folder):
+def test_too_many_views(folder, monkeypatch):
+    monkeypatch.setattr(scene_space.Space, "view", lambda *_: [0] * 25)
     text = GOOD.replace("frames = 8", "frames = 1000") + \
         '[[objects]]\nmaterial = "red"\nmesh = "mesh.obj"\n' * 64
     with pytest.raises(UserError, match=r"objects\[65\]: more than 65536 frames of meshes in the scene"):
