@@ -8,7 +8,7 @@ import zlib
 import mesh_cases
 import numpy as np
 
-from tools import emulator, kernels, layout, scene_file
+from tools import emulator, fuzz, kernels, layout, model, scene_file
 from tools.kernels import Case
 from tools.scene_file import Material, Object, Scene, Texture
 from tools.scene_meshes import Instance
@@ -344,3 +344,22 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
     for result in failed[:2]:  # frame 0 was drawn
         result.output = result.output.partition("\n")[2]
     check(failed, said)
+
+
+def test_dented_polygons_are_cut_inside_their_arrays():
+    """64 corners to and fro across a border, which would be 96 after it: left out; fewer are
+    drawn, and what comes after them too."""
+    scene = example(0)
+    scene.width, scene.height = 64, 48
+    scene.materials = [Material(colour=200, clip="vertices"), Material(colour=99)]
+    zigzag = [[(-40, 100)[k % 2] << 16, 2 * k - 40 << 16, 0, 0, 0, 65536] for k in range(64)]
+    triangle = [[x << 16, y << 16, 0, 0, 0, 65536] for x, y in ((5, 5), (20, 5), (5, 20))]
+    scene.vertices = np.array([*zigzag, *triangle])
+    scene.objects = [Object(0, 0, 64, 0, 1, 0), Object(1, 64, 3, 0, 3, 0), Object(0, 0, 40, 0, 1, 1),
+                     Object(0, 5, 46, 0, 1, 2)]
+    scene.poses = np.array([scene_file.IDENTITY] * 3)
+    digests, = fuzz.draw([(scene, "addx")], "a1200-fast")
+    for number, digest in enumerate(digests):
+        drawn = model.render(scene, number)
+        assert (int(digest["sum"]), int(digest["sums"])) == fuzz.sums(drawn), number
+        assert (drawn == 99).any()
