@@ -259,7 +259,7 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
     (placed("keys = [{ position = [0, 0, 0] }]"), None, "objects[1].keys[0].frame: is missing"),
     (placed('mapping = "sphere"'), None, "objects[1].mapping: 'sphere' is not one of uv, environment"),
     (placed('mapping = "uv"'), None, "objects[1].mapping: \"uv\", but material 'red' takes none"),
-    (placed('normals = "faces"'), None, 'objects[1].normals: mapping "none" has no use for them'),
+    (placed('normals = "faces"'), None, "objects[1].normals: material 'red' has no use for them"),
     (on_file("odd", 'mapping = "environment"'), None, "material 'odd' takes uv"),
     (on_file("glow", 'normals = "file"'), obj(OBJ.replace("/1 ", " ").replace("/1\n", "\n")),
      'normals: "file", but not every corner has a normal there'),

@@ -25,9 +25,15 @@ class Wishes:
     size: float = 1.0
     normals: str | None = None  # "file", "smooth" or "faces"
     mapping: str = "none"  # "uv", "environment", "shade"
+    light: bool = False  # corners have shades
     triangles: bool = False  # all faces are cut into them
     planes: bool = False  # those faces that are not even
     two_sided: bool = False
+
+    @property
+    def turns_normals(self) -> bool:
+        """Whether anything comes from normals."""
+        return self.light or self.mapping == "environment"
 
 
 @dataclass
@@ -161,9 +167,9 @@ def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> 
         return True
     if not wishes.planes:
         return False
-    if wishes.mapping == "uv":
-        return not is_even(ring, np.array(face.texels))
-    return wishes.mapping != "none" and len(set(face.normals)) > 1
+    if wishes.mapping == "uv" and not is_even(ring, np.array(face.texels)):
+        return True
+    return wishes.turns_normals and len(set(face.normals)) > 1
 
 
 def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
@@ -176,7 +182,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     """Rows of the scene file."""
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     unit = [np.array(n) / np.linalg.norm(n) for f in faces for n in f.normals or [(0, 0, 1)] * 32]
-    if wishes.mapping in ("none", "uv"):  # nobody looks at them
+    if not wishes.turns_normals:  # nobody looks at them
         unit = [np.array((0.0, 0.0, 1.0))] * len(point_of)
     normals, normal_of = numbered([(*np.rint(n * UNIT_14).astype(int).tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels or [(0.0, 0.0)] * len(f.points)]
@@ -208,7 +214,7 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
     if wishes.mapping == "uv" and faces[0].texels is None:
         fail(where, 'mapping "uv", but not every corner has texture coordinates')
-    if wishes.mapping in ("environment", "shade"):
+    if wishes.turns_normals:
         set_normals(faces, places, wishes.normals, where)
     made = []
     for face, normal in zip(faces, planes):

@@ -15,6 +15,7 @@ from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
 
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
+LIGHT = ("gouraud", "lit", "lit_gouraud")  # mappers that take shades
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, s or t
 
@@ -102,8 +103,8 @@ def check(spec: dict, where: str) -> None:
         if obj["mapping"] not in allowed:
             fail(f"{at}.mapping", f'"{obj["mapping"]}", but material {obj["material"]!r} takes '
                                   f"{' or '.join(allowed)}")
-        if obj["normals"] and obj["mapping"] in ("none", "uv"):
-            fail(f"{at}.normals", f'mapping "{obj["mapping"]}" has no use for them')
+        if obj["normals"] and obj["mapping"] != "environment" and mapper not in LIGHT:
+            fail(f"{at}.normals", f"material {obj['material']!r} has no use for them")
 
 
 def rounded(values, bits: int) -> list[int]:
@@ -139,7 +140,7 @@ class Space:
             check_map([(0, 0, *texel) for face in shape.texels for texel in face], mapper, size,
                       extent, texels_at)
         made = mesh_build.build(shape, Wishes(
-            obj["size"], obj["normals"], obj["mapping"],
+            obj["size"], obj["normals"], obj["mapping"], mapper in LIGHT,
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"]), at)
         if mapper == "arbitrary":
@@ -183,7 +184,7 @@ class Space:
         lives = last - obj["first"] + 1
         if lives < 1:
             return
-        flags = {"environment": ENVIRONMENT, "shade": LIT}.get(obj["mapping"], 0)
+        flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
         dark = bright = 0.0
         if ramp:
             ambient = self.spec["light"]["ambient"] * (materials.SHADES - 1)
