@@ -18,6 +18,8 @@ from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_mesh import polygons_at
+from .model_perspective import Perspective, ends, perspective
+from .model_perspective import coordinates as perspective_coordinates
 from .model_spans import coordinates, pixels
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
                               scanline_line)
@@ -42,6 +44,15 @@ class Polygon:
     left_edges: list[Edge]
     right_edges: list[Edge]
     textured: bool
+    perspective: Perspective | None = None  # instead of texturing
+    setting: str = "none"  # how the perspective is drawn
+
+    def coordinates(self, line: Line, y: int, mapper: str = "affine"):
+        """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
+        if self.perspective:
+            return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
+                                           self.setting)
+        return coordinates(line, mapper)
 
     @property
     def pixels(self) -> int:
@@ -112,11 +123,11 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
 
-    ``vertices``: a list of (x, y, u, v), 16.16, as ``adapt`` gives them; ``size`` is the
-    map's, in texels.
+    ``vertices``: a list of (x, y, u, v) or, with a perspective, (x, y, u, v, w), 16.16, as
+    ``adapt`` gives them; ``size`` is the map's, in texels.
     """
     n = len(vertices)
-    if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v):
+    if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
@@ -138,6 +149,11 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+    if settings.perspective != "none":
+        deep = perspective(vertices, corners, box)
+        if deep:
+            return Polygon(box[1], lines, None, lefts, rights, textured, deep,
+                           settings.perspective)
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -162,7 +178,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
-    """(x, y, s, t, shade) as ``set_up`` takes them: x and y in whole pixels where edges are;
+    """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
     s and t in texels of a map whose longer side is given, rounded down, or the shade as u,
     kept INSET inside the range of the pixels it may become."""
     if settings.edges == "integer":
@@ -170,15 +186,21 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
-        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade, *_ in vertices]
-    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8)) for x, y, s, t, *_ in vertices]
+        return [(x, y, min(max(shade, low), high), 0, *w)
+                for x, y, _, _, shade, *w in vertices]
+    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w)
+            for x, y, s, t, _, *w in vertices]
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
          mapper: str = "affine") -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]."""
     for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right > line.left:
+        if line.right > line.left and polygon.perspective:
+            u, v = polygon.coordinates(line, y)
+            height, width = texture.shape
+            frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
+        elif line.right > line.left:
             frame[y, line.left:line.right] = pixels(line, mapper, texture) if polygon.textured \
                 else colour
 

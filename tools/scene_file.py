@@ -100,11 +100,6 @@ class Scene:
     instances: list[Instance] = field(default_factory=list)
     views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
 
-    def __post_init__(self) -> None:
-        """Vertices without depth have w = 1."""
-        if self.vertices.shape[1] == 5:
-            self.vertices = np.column_stack([self.vertices, np.full(len(self.vertices), ONE)])
-
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
     """(x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty when not there."""

@@ -10,6 +10,7 @@
 #include "polygon/clip.h"
 #include "polygon/edges.h"
 #include "polygon/material.h"
+#include "polygon/perspective.h"
 #include "polygon/polygon.h"
 #include "polygon/ramps.h"
 #include "polygon/sides.h"
@@ -310,6 +311,51 @@ static void draw_each_line(const struct setup *s, const struct texturing *t)
     }
 }
 
+/* Perspective: 0 where the affine spans do. */
+static int32 draw_perspective(struct setup *s, struct draw_counts *counts)
+{
+    static struct perspective_line drawn[SCENE_SIDE_MAX];
+    /* The longest piece, and curves' bend: 64 log2(6 / (9 sqrt 3) / what they may be off), in
+       1/65536 texel: 1/32 or 1/128 texel less the rounding of longest^2 / 8 + 8 units. */
+    static const struct {
+        int32 longest, bend;
+    } ways[PERSPECTIVE_KINDS] = {
+        [PERSPECTIVE_EVERY16] = {4, 0},
+        [PERSPECTIVE_EVERY8] = {3, 0},
+        [PERSPECTIVE_PIXEL] = {5, -785},
+        [PERSPECTIVE_FINE] = {4, -656}
+    };
+    enum perspective kind = s->material->perspective;
+    struct perspective_plan plan;
+    struct perspective_span span;
+
+    if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box))
+        return 0;
+    make_lines(s, edge_flat, edge_flat_exact);
+    cut_lines(s, scissor_flat);
+    plan.lines = lines;
+    plan.count = s->span.count;
+    plan.bend = ways[kind].bend;
+    plan.to = drawn;
+    perspective_lines(&plan);
+    s->kind = ways[kind].bend ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES;
+    if (counts) {
+        counts->polygons++;
+        count_pixels(&counts->pixels[s->kind], s->span.count);
+    }
+    span.lines = drawn;
+    span.count = s->span.count;
+    span.row = s->span.row;
+    span.pitch = s->span.pitch;
+    span.map = s->span.map;
+    span.longest = ways[kind].longest;
+    if (s->kind == SPAN_PERSPECTIVE_CURVES)
+        span_perspective_curves(&span);
+    else
+        span_perspective_pieces(&span);
+    return 1;
+}
+
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
                                  enum form form, struct draw_counts *counts)
@@ -332,6 +378,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_span(&s);
     if (result != POLYGON_DRAWN)
         return result;
+    if (material->perspective && draw_perspective(&s, counts))
+        return POLYGON_DRAWN;
     texturing.wraps = 0;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);

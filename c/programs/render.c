@@ -20,7 +20,8 @@
 
 static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline",
-    "affine_swap", "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated"
+    "affine_swap", "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated",
+    "perspective_pieces", "perspective_curves"
 };
 
 static const char *const why_refused[] = {
@@ -122,15 +123,23 @@ static int32 draw(const struct scene *scene, const struct frame *frame, int32 nu
     return 1;
 }
 
+static void clear_counts(struct draw_counts *counts)
+{
+    counts->polygons = 0;
+    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
+        counts->pixels[kind] = 0;
+}
+
 /* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
 static int32 dump_frames(const struct scene *scene, const struct frame *frame,
                          const struct run *run, uint32 *refused)
 {
     for (int32 number = 0; number < run->frames; number++) {
-        struct draw_counts counts = {0};
+        struct draw_counts counts;
         struct frame_digest drawn;
         char name[20];
 
+        clear_counts(&counts);
         if (!draw(scene, frame, number, run->form, &drawn))
             return 0;
         if (drawn.result != POLYGON_DRAWN)
