@@ -1,8 +1,10 @@
 """Scenes of random meshes: what the compiler could write, and what only a hostile file holds."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from tools.scene_file import IDENTITY, Material, Object, Scene, Texture
+from tools.scene_file import IDENTITY, SETTINGS, Material, Object, Scene, Texture
 from tools.scene_meshes import COLUMNS, ENVIRONMENT, LIT, Instance, Mesh
 
 ONE, UNIT = 1 << 16, 1 << 30
@@ -46,10 +48,13 @@ def view(random, away: float) -> list[int]:
 
 def base(random, side: int = 64) -> Scene:
     """A scene with materials and a map, and nothing else."""
+    settings = SETTINGS["perspective"]
+    materials = [replace(m, perspective=settings[random.integers(len(settings))])
+                 if (m.mapper, m.gradients) == ("affine", "plane") else m for m in MATERIALS]
     return Scene(width=side, height=side // 4 * 3, frames=1, background=7,
                  palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
                  textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))],
-                 materials=MATERIALS, objects=[], vertices=np.zeros((0, 6), np.int64),
+                 materials=materials, objects=[], vertices=np.zeros((0, 6), np.int64),
                  poses=np.array([IDENTITY]), near_plane=int(random.choice((256, 9000, ONE))),
                  guard=int(random.integers(6, 11)))
 
@@ -91,7 +96,7 @@ def hostile(seed: int) -> Scene:
     """Meshes that no compiler writes: random numbers wherever the file may hold them."""
     random = np.random.default_rng(seed)
     scene = base(random, 48)
-    scene.materials = [m for m in MATERIALS if m.gradients != "polygon"]
+    scene.materials = [m for m in scene.materials if m.gradients != "polygon"]
     sizes = random.choice((3, 4, 5, 31, 32), 40)
     count, points = int(sizes.sum()), 50
 

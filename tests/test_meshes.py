@@ -40,10 +40,11 @@ def test_scenes_are_the_models():
 @pytest.mark.parametrize("form", FORMS)
 def test_random_meshes_are_the_models(form):
     """Cubes of every kind of material, before, in and behind the camera."""
-    scenes = {f"seed {seed}": mesh_cases.boxes(seed) for seed in range(12)}
+    scenes = {f"seed {seed}": mesh_cases.boxes(seed)
+              for seed in range(12 if form == "addx" else 4)}
     cut = sum(len(vertices) > 4 for scene in scenes.values() for number in range(scene.frames)
               for _, vertices in model_mesh.polygons_at(scene, number))
-    assert cut > 50
+    assert cut > 20
     assert_models(scenes, form)
 
 
