@@ -249,12 +249,14 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
     (GOOD + "[light]\ndirection = [0, 0, 0]\n", None, "light.direction: must have a length"),
     (GOOD + "[light]\nambient = 0.5\n", None, "light.direction: is missing"),
     (placed("size = 0"), None, "objects[1].size: must be from 1e-06"),
-    (placed("size = 1000"), None, "objects[1].mesh: a point is more than 2048 units from"),
+    (placed("size = 1000"), None, "objects[1].mesh: mesh.obj: a point is more than 2048 units from"),
     (placed("axis = [0, 0, 0]"), None, "objects[1].axis: must have a length"),
     (placed("centre = [1, 2]"), None, "objects[1].centre: unknown field; known are mesh"),
     (placed("two_sided = 1"), None, "objects[1].two_sided: must be true or false"),
     (placed("position = [0, 0, -10230]").replace("position = [2, 0, 0]\n", ""), None,
      "objects[1]: is 10240 units or more from the camera in frame 0"),
+    (changed("[0, 0, 10]", "[0, 0, 10]\nfov = 170") + "keys = [{ frame = 0, position = [9e4, 0, 0] }]\n",
+     None, "objects[1]: is 10240 units or more from the camera in frame 0"),
     (placed("keys = [{ frame = 3 }, { frame = 3 }]"), None, "objects[1].keys[1].frame: must be above 3"),
     (placed("keys = [{ position = [0, 0, 0] }]"), None, "objects[1].keys[0].frame: is missing"),
     (placed('mapping = "sphere"'), None, "objects[1].mapping: 'sphere' is not one of uv, environment"),
@@ -262,9 +264,9 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
     (placed('normals = "faces"'), None, "objects[1].normals: material 'red' has no use for them"),
     (on_file("odd", 'mapping = "environment"'), None, "material 'odd' takes uv"),
     (on_file("glow", 'normals = "file"'), obj(OBJ.replace("/1 ", " ").replace("/1\n", "\n")),
-     'normals: "file", but not every corner has a normal there'),
+     'objects[1].normals: "file", but not every corner has a normal there'),
     (on_file("wall"), obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
-     'objects[1].mesh: mapping "uv", but not every corner has texture coordinates'),
+     'objects[1].mapping: "uv" needs texture coordinates at every corner'),
     (on_file("odd"), obj(OBJ.replace("vt 1 1", "vt 1.1 1")),
      'objects[1].mesh: mapper "arbitrary" does not repeat: s must be from 0 to 256'),
     (on_file("wall"), obj(OBJ.replace("vt 1 1", "vt 900 1")), "16384 texels or more from the map's"),
@@ -279,16 +281,16 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[1].mesh: mesh.obj: line 3: its numbers cannot be read"),
     (GOOD, obj("v 0 0 0\nv 1 0 0 # x\nv 1. .5\nf 1 2 3\n"), "line 3: its numbers cannot be read"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1e30 1 0\nf 1 2 3\n"), "a point is more than 2048 units"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "objects[1].mesh: face 0: has no area"),
+    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "objects[1].mesh: mesh.obj: face 0: has no area"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 1 0\nf 1 2 3\nf 1 1 3\n"), "face 1: has no area"),
-    (GOOD, obj(ZIGZAG + "f 1 2 3 4 5\n"), "objects[1].mesh: face 0: is not convex"),
-    (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: face 0: crosses itself"),
+    (GOOD, obj(ZIGZAG + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: is not convex"),
+    (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: crosses itself"),
     (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 41))) + "\n"),
-     "objects[1].mesh: face 0: has 40 corners; 32 at most"),
+     "objects[1].mesh: mesh.obj: face 0: has 40 corners; 32 at most"),
     (GOOD, obj(OBJ + "f 1 2 3\n" * 4095), "mesh.obj: 4097 faces; 4096 at most"),
     (GOOD, obj("".join(f"v {k % 100} {k // 100} {k * k % 11}\n" for k in range(4098))
                + "".join(f"f {k} {k + 1} {k + 2}\n" for k in range(1, 4097))),
-     "objects[1].mesh: 4098 points; 4096 at most"),
+     "objects[1].mesh: mesh.obj: 4098 points; 4096 at most"),
     (changed("faces = [[0, 1, 2, 3]]", "faces = [[0, 1, 2, 4]]"), None,
      "objects[0].faces[0][3]: there is no point 4"),
     (changed("faces = [[0, 1, 2, 3]]", "faces = [[0, 1]]"), None,
@@ -318,6 +320,19 @@ def test_too_many_views(folder, monkeypatch):
         '[[objects]]\nmaterial = "red"\nmesh = "mesh.obj"\n' * 64
     with pytest.raises(UserError, match=r"objects\[65\]: more than 65536 frames of meshes in the scene"):
         make(folder, text)
+
+
+def test_too_many_points_together(folder):
+    """Sixteen of 4,096 points are not too many, and a polygon parts them from the next."""
+    points = "".join(f"v {k % 64} {k // 64} 0\n" for k in range(4096))
+    faces = "".join(f"f {k} {k + 1} {k + 65} {k + 64}\n" for k in range(1, 4032) if k % 64)
+    (folder / "mesh.obj").write_text(points + faces)
+    mesh = '[[objects]]\nmaterial = "red"\nmesh = "mesh.obj"\n'
+    polygon = '[[objects]]\nmaterial = "red"\nvertices = [[0, 0], [8, 0], [0, 8]]\n'
+    head = GOOD[:GOOD.index("[[objects]]")]
+    assert len(make(folder, head + mesh * 16 + polygon + mesh, 1).instances) == 17
+    with pytest.raises(UserError, match=r"objects\[16\]: more than 65536 points in meshes one"):
+        make(folder, head + mesh * 17, 1)
 
 
 @pytest.mark.parametrize("seed", range(4))

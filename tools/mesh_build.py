@@ -23,7 +23,7 @@ class Wishes:
     """What a mesh is drawn with."""
 
     size: float = 1.0
-    normals: str | None = None  # "file", "smooth" or "faces"
+    normals: str | None = None  # "file", "smooth" or "faces"; None: "file" where it has them
     mapping: str = "none"  # "uv", "environment", "shade"
     light: bool = False  # corners have shades
     triangles: bool = False  # all faces are cut into them
@@ -145,13 +145,10 @@ def smooth(faces: list[Face], places: np.ndarray) -> None:
 
 def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: str) -> None:
     """Gives every corner the normal that is asked for."""
-    has_own = faces[0].normals is not None
-    if kind == "file" and not has_own:
-        fail(f"{where}.normals", '"file", but not every corner has a normal there')
     if kind == "faces":
         for face in faces:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
-    elif kind == "smooth" or not has_own:
+    elif kind == "smooth" or faces[0].normals is None:
         smooth(faces, places)
     for face in faces:
         for normal in face.normals:
@@ -181,11 +178,12 @@ def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
 def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     """Rows of the scene file."""
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
-    unit = [np.array(n) / np.linalg.norm(n) for f in faces for n in f.normals or [(0, 0, 1)] * 32]
-    if not wishes.turns_normals:  # nobody looks at them
-        unit = [np.array((0.0, 0.0, 1.0))] * len(point_of)
-    normals, normal_of = numbered([(*np.rint(n * UNIT_14).astype(int).tolist(), 0) for n in unit])
-    texels = [t for f in faces for t in f.texels or [(0.0, 0.0)] * len(f.points)]
+    turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
+        [(0.0, 0.0, 1.0)] * len(point_of)  # nobody looks at them
+    unit = [np.rint(np.array(n) / np.linalg.norm(n) * UNIT_14).astype(int) for n in turned]
+    normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
+    texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
+        [(0.0, 0.0)] * len(point_of)
     corners = [[point, normal, *(round(value * ONE) for value in texel)]
                for point, normal, texel in zip(point_of, normal_of, texels)]
     rows, first = [], 0
@@ -202,7 +200,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
 
 
 def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
-    """The tables of a mesh; ``where``: the object, for refusals."""
+    """The tables of a mesh, which has what the wishes need; ``where`` begins refusals."""
     limits = layout.load().constants
     scaled = shape.points * wishes.size
     used = sorted({point for face in shape.faces for point in face})
@@ -212,8 +210,6 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     places = np.rint(kept * ONE).astype(np.int64)
     faces = faces_of(shape, places, where)
     planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
-    if wishes.mapping == "uv" and faces[0].texels is None:
-        fail(where, 'mapping "uv", but not every corner has texture coordinates')
     if wishes.turns_normals:
         set_normals(faces, places, wishes.normals, where)
     made = []

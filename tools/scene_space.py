@@ -119,7 +119,8 @@ class Space:
         self.spec, self.count, self.folder, self.where = spec, count, folder, where
         self.rows = {name: [] for name in ("points", "normals", "corners", "faces")}
         self.meshes: list[Mesh] = []
-        self.known: dict[tuple, int] = {}
+        self.asked: dict[str, int] = {}  # wishes: number of the mesh
+        self.known: dict[tuple, int] = {}  # content: the same
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
@@ -129,34 +130,52 @@ class Space:
             self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
 
     def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
-        """The number of an object's mesh."""
+        """The number of an object's mesh; the same one for the same wishes."""
         size = (texture["width"], texture["height"]) if texture else (256, 256)
-        extent, mapper = extent_of(size), materials.mapper_of(material)
+        mapper = materials.mapper_of(material)
+        wishes = Wishes(
+            obj["size"], obj["normals"], obj["mapping"], mapper in LIGHT,
+            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
+            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+        source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
+        key = repr((source, size, mapper == "arbitrary", wishes))
+        if key not in self.asked:
+            made = self.build(obj, mapper, size, wishes, where)
+            if mapper == "arbitrary":
+                made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
+            if made.key not in self.known:
+                self.known[made.key] = self.store(made, where)
+            self.asked[key] = self.known[made.key]
+        return self.asked[key]
+
+    def build(self, obj: dict, mapper: str, size: tuple[int, int], wishes: Wishes,
+              where: str) -> mesh_build.Tables:
+        """The tables of an object's mesh, refused where the material cannot draw it."""
+        extent = extent_of(size)
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
         shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
             mesh_file.listed(obj, where)
-        if obj["mapping"] == "uv" and shape.texels:
-            texels_at = at if "mesh" in obj else f"{where}.uvs"
+        if obj["normals"] == "file" and shape.normals is None:
+            fail(f"{where}.normals", '"file", but not every corner has a normal there')
+        if obj["mapping"] == "uv":
+            if shape.texels is None:
+                fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
             check_map([(0, 0, *texel) for face in shape.texels for texel in face], mapper, size,
-                      extent, texels_at)
-        made = mesh_build.build(shape, Wishes(
-            obj["size"], obj["normals"], obj["mapping"], mapper in LIGHT,
-            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
-            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"]), at)
-        if mapper == "arbitrary":
-            made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
-        if made.key not in self.known:
-            self.known[made.key] = len(self.meshes)
-            firsts = {}
-            for name, stored in self.rows.items():
-                added = getattr(made, name)
-                firsts[name] = len(stored), len(added)
-                stored += added.tolist()
-                if len(stored) > self.limits["SCENE_COUNT_MAX"]:
-                    fail(at, f"more than {self.limits['SCENE_COUNT_MAX']} {name} of meshes in "
-                             "the scene")
-            self.meshes.append(Mesh(*(n for pair in firsts.values() for n in pair)))
-        return self.known[made.key]
+                      extent, at if "mesh" in obj else f"{where}.uvs")
+        return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
+
+    def store(self, made: mesh_build.Tables, where: str) -> int:
+        """Appends a mesh; returns its number."""
+        firsts = []
+        for name, stored in self.rows.items():
+            added = getattr(made, name)
+            firsts += [len(stored), len(added)]
+            stored += added.tolist()
+            if len(stored) > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {name} of meshes in "
+                            "the scene")
+        self.meshes.append(Mesh(*firsts))
+        return len(self.meshes) - 1
 
     def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
         """An object's row of the views; ``shades``: how many lie between dark and bright."""
@@ -166,15 +185,25 @@ class Space:
         lens = np.array([self.focal / guard, self.focal / guard, 1.0])
         seen = axes @ turn
         move = rounded(lens * (axes @ (position - eye)), 16)
+        seen_from = rounded(turn.T @ (eye - position), 16)
         away = self.limits["MESH_AWAY"]
-        if max(map(abs, move)) >= away * ONE:
+        if max(map(abs, move)) >= away * ONE or max(map(abs, seen_from)) >= 1 << 31:
             fail(where, f"is {away} units or more from the camera in frame {frame}")
         light = -np.array(spec["light"]["direction"])
         light = turn.T @ (light / np.linalg.norm(light)) * shades
         factors = [*rounded(RADIUS * seen[0], FACTOR_BITS), *rounded(RADIUS * seen[1], FACTOR_BITS),
                    *rounded(light, FACTOR_BITS)]
         matrix = np.clip(rounded(lens[:, None] * seen, 30), -UNIT_30, UNIT_30).tolist()
-        return [*matrix, *move, *rounded(turn.T @ (eye - position), 16), *factors, 0]
+        return [*matrix, *move, *seen_from, *factors, 0]
+
+    def check_together(self, mesh: Mesh, before: int, where: str) -> None:
+        """Refuses a mesh too many among those that are drawn together."""
+        for noun in ("points", "normals", "faces"):
+            total = getattr(mesh, noun) + sum(getattr(self.meshes[i.mesh], noun)
+                                              for i in self.instances if i.before == before)
+            if total > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {noun} in meshes one "
+                            "after the other")
 
     def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
@@ -184,6 +213,7 @@ class Space:
         lives = last - obj["first"] + 1
         if lives < 1:
             return
+        self.check_together(self.meshes[mesh], before, where)
         flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
         dark = bright = 0.0
         if ramp:
