@@ -242,8 +242,8 @@ def as_json(found: dict) -> str:
 BASELINE_SET = "medium"
 
 
-#: What --set takes besides the sets: the page of hard cases.
-HARD = "hard"
+#: What --set takes besides the sets: the turning face, the page of hard cases.
+METHODS, HARD = "methods", "hard"
 
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
@@ -294,24 +294,33 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
     known = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS]
-    unknown = set(names or ()) - {*known, HARD}
+    unknown = set(names or ()) - {*known, METHODS, HARD}
     if unknown:
         raise UserError(f"accuracy: no set is called {unknown.pop()}; "
-                        f"there are {', '.join(known)} and {HARD}")
-    names = names or [*known, HARD]
-    sets = [name for name in names if name != HARD]
+                        f"there are {', '.join(known)}, {METHODS} and {HARD}")
+    names = names or [*known, METHODS, HARD]
+    sets = [name for name in names if name in known]
     machines, text, excess = [machine] if machine else list(MACHINES), "", []
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
             text = write_sets(folder, sets, machines, accept, lambda: progress.advance(task))
+        if METHODS in names:
+            from . import methods
+
+            task = progress.add_task("methods", total=len(methods.METHODS))
+            folder.mkdir(parents=True, exist_ok=True)
+            made = methods.write(folder, machines[-1], lambda: progress.advance(task))
+            text += f"\n{made}\n" if text else f"{made}\n"
         if HARD in names:
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
     deep = bool(polygon_sets.DEPTHS.keys() & sets)
     written = (["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-                "swimming.png"] * bool(sets) + ["pieces.png"] * deep + [f"{HARD}/index.html"] * (HARD in names))
+                "swimming.png"] * bool(sets) + ["pieces.png"] * deep
+               + ["methods.md", "methods.png", "methods.gif"] * (METHODS in names)
+               + [f"{HARD}/index.html"] * (HARD in names))
     print(text + f"written to {out}: {', '.join(written)}")
     for line in excess:
         print(f"exceeds its bound: {line}")
