@@ -35,6 +35,8 @@ static const struct {
     [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
     [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
                                span_affine_addx_wrap},
+    [SPAN_AFFINE_ROW] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_row},
+    [SPAN_AFFINE_COLUMN] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_column},
     [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
                               span_affine_scanline},
     [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
@@ -75,9 +77,34 @@ static void count_pixels(uint32 *pixels, int32 count)
             *pixels += (uint32)(line->last - line->left + 1);
 }
 
-/* What draws a polygon of this material. */
+/* Whether a step is 0, and whether one is small enough for the spans that step u or v
+   alone: 62 texels a pixel, for 1,024 pixels. Both as the map repeats, modulo 256. */
+static int32 is_still(fix16 step)
+{
+    return !((uint32)step << 8);
+}
+
+static int32 is_slow(fix16 step)
+{
+    const uint32 most = (uint32)62 << 24;
+
+    return ((uint32)step << 8) + most <= 2 * most;
+}
+
+/* The addx chain, or a part of it where the polygon needs no more. */
+static enum span_kind affine_kind(const struct texturing *t)
+{
+    if (is_still(t->dvdx) && is_slow(t->dudx))
+        return SPAN_AFFINE_ROW;
+    if (is_still(t->dudx) && is_slow(t->dvdx))
+        return SPAN_AFFINE_COLUMN;
+    return t->wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
+}
+
+/* What draws a polygon of this material; texturing: but for flat ones and
+   GRADIENTS_SCANLINE. */
 static enum span_kind kind_of(const struct material *material, const struct frame *frame,
-                              enum form form, int32 wraps)
+                              enum form form, const struct texturing *texturing)
 {
     switch (material->mapper) {
     case MAPPER_GOURAUD:
@@ -87,7 +114,7 @@ static enum span_kind kind_of(const struct material *material, const struct fram
             return SPAN_AFFINE_SCANLINE;
         return form == FORM_SWAP ? SPAN_AFFINE_SWAP
              : form == FORM_C ? SPAN_AFFINE_C
-             : wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
+             : affine_kind(texturing);
     case MAPPER_ARBITRARY:
         return SPAN_ARBITRARY;
     case MAPPER_TILED:
@@ -332,13 +359,12 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_span(&s);
     if (result != POLYGON_DRAWN)
         return result;
-    texturing.wraps = 0;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
         if (result != POLYGON_DRAWN)
             return result;
     }
-    s.kind = kind_of(material, frame, form, texturing.wraps);
+    s.kind = kind_of(material, frame, form, &texturing);
     if (scanline) {
         set_ramps(&s);
     } else {

@@ -19,8 +19,9 @@
 #define FRAME_LIMIT 650
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline",
-    "affine_swap", "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated"
+    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
+    "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
+    "columns", "columns_16", "generated"
 };
 
 static const char *const why_refused[] = {
@@ -72,6 +73,14 @@ static void frame_name(char *name, int32 number)
         ;
     for (name -= 8; number; number /= 10)
         *--name = (char)('0' + number % 10);
+}
+
+/* Not "= {0}": compilers call a library for that. */
+static void clear_counts(struct draw_counts *counts)
+{
+    counts->polygons = 0;
+    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
+        counts->pixels[kind] = 0;
 }
 
 static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
@@ -127,7 +136,7 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
                          const struct run *run, uint32 *refused)
 {
     for (int32 number = 0; number < run->frames; number++) {
-        struct draw_counts counts = {0};
+        struct draw_counts counts;
         struct frame_digest drawn;
         char name[20];
 
@@ -135,6 +144,7 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
             return 0;
         if (drawn.result != POLYGON_DRAWN)
             *refused = drawn.result;
+        clear_counts(&counts);
         if (run->count)                 /* again, since counting takes time */
             scene_draw(scene, frame, number, run->form, &counts);
         frame_name(name, number);

@@ -18,6 +18,24 @@ pack_uv macro
         clr.w   \1                      ; uu--
         endm
 
+; Packs a step (\1, 16.16) that is carried into itself into ss-S, S with a byte of room
+; above it, and \3 = ss-0; \2 holds that too. A start is ss-S with \2's room, plus \3:
+; its fraction runs one step ahead, so that the carry it gave is ready when S needs it.
+; Room is 00 with a step from 0 on: S never carries into ss. With a negative one it is
+; FF: S always does, and the step of ss is one less.
+pack_alone macro
+        swap    \1
+        ext.w   \1                      ; ss-S
+        bpl.s   .packed\@
+        sub.l   #$10000,\1
+        bcc.s   .packed\@
+        subq.w  #1,\1                   ; nothing to borrow from: ss always carries
+.packed\@
+        move.l  \1,\2
+        clr.b   \2
+        movea.l \2,\3
+        endm
+
 ; A pixel of 14 bytes with S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2,
 ; the map's page in d4: P is stepped as a word, so V's overflow is lost instead of
 ; entering u.
