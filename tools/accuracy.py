@@ -16,6 +16,7 @@ from . import emulator, ideal, model, polygon_sets, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .model import Settings
+from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
 from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
@@ -27,14 +28,20 @@ USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
          ("exact", "plane", "subtexel"))
 
 
+def usual(mapper: str) -> list[Settings]:
+    """USUAL, as far as the mapper has them."""
+    return [Settings(*each, mapper=mapper) for each in USUAL
+            if mapper != "lit_gouraud" or each[1:] == ("plane", "subtexel")]
+
+
 def combinations() -> list[Settings]:
     """Every sensible combination of settings and mapper."""
     made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
              for e in ("integer", "subpixel", "exact")]
-    return made + [Settings(*usual, mapper=mapper) for mapper in MAPPER_LAYOUT
-                   if mapper not in ("flat", "affine") for usual in USUAL]
+    return made + [settings for mapper in MAPPER_LAYOUT if mapper not in ("flat", "affine")
+                   for settings in usual(mapper)]
 
 
 def picture() -> np.ndarray:
@@ -54,13 +61,15 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
         materials.append(Material(s.mapper, s.edges, s.gradients, s.start, colour=200,
-                                  texture=layouts.index(layout) if layout else -1))
+                                  texture=layouts.index(layout) if layout else -1,
+                                  light=len(layouts) if s.mapper in LIT else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, palette,
-                 [Texture(picture(), layout) for layout in layouts], materials, objects,
+                 [*(Texture(picture(), layout) for layout in layouts),
+                  Texture(picture()[:64], "light")], materials, objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 
@@ -138,7 +147,7 @@ def errors(name: str, settings: Settings) -> Errors:
     total = Errors()
     for vertices in set_polygons(name, settings.mapper):
         wanted = [(x, y, shade, 0) if settings.mapper == "gouraud" else (x, y, s, t)
-                  for x, y, s, t, shade in vertices]
+                  for x, y, s, t, shade, *_ in vertices]
         exact = ideal.Picture(wanted, polygon_sets.WIDTH, polygon_sets.HEIGHT)
         polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
                                polygon_sets.HEIGHT, settings.mapper != "flat", settings,

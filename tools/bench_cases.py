@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import layout, maps, model
+from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case
 from .bench_mappers import first_difference, mapper_case
 from .kernels import M32, Arena, Case, Result
 from .scanline import MASKS, add_span_plan, pack, rounded_edge
@@ -297,6 +298,8 @@ def pixel_rows(chip: bool) -> list[Row]:
         for name in ("gouraud", "arbitrary", "generated"):
             rows.append(Row(name, length, *mapper_case(name, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
+        rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
+    rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
     # One line: written, flushed and drawn once.
     rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))
     for count in (1, 2, 3):

@@ -47,11 +47,12 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels
         size = texels.shape[::-1]
-    adapted = [v[:4] for v in model.adapt(each.vertices, settings, max(size))]
+    adapted = model.adapt(each.vertices, settings, max(size))
     made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
     frame = np.full((height, width), 7, np.uint8)
     if made:
-        model.draw(frame, made, texels, 200, settings.mapper)
+        model.draw(frame, made, texels, 200, settings.mapper,
+                   textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v)
     judged, verdict = has_ideal(adapted), bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:

@@ -55,7 +55,7 @@ class Row:
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """A row, held to its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
-    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    adapted = model.adapt(case.vertices, settings, max(size))
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
     if has_ideal(adapted):

@@ -12,6 +12,7 @@
 #include "polygon/material.h"
 #include "polygon/polygon.h"
 #include "polygon/ramps.h"
+#include "polygon/shading.h"
 #include "polygon/sides.h"
 #include "polygon/texturing.h"
 #include "span/scanline.h"
@@ -46,7 +47,10 @@ static const struct {
     [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
     [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
     [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16},
-    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated}
+    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated},
+    [SPAN_LIT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit},
+    [SPAN_LIT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_wrap},
+    [SPAN_LIT_GOURAUD] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_gouraud}
 };
 
 /* The layout that each mapper with a map reads. */
@@ -55,7 +59,9 @@ static const uint8 layout_of[MAPPER_KINDS] = {
     [MAPPER_ARBITRARY] = MAP_LINEAR,
     [MAPPER_TILED] = MAP_TILED,
     [MAPPER_COLUMNS] = MAP_COLUMNS,
-    [MAPPER_GENERATED] = MAP_MARGINS
+    [MAPPER_GENERATED] = MAP_MARGINS,
+    [MAPPER_LIT] = MAP_PAGE,
+    [MAPPER_LIT_GOURAUD] = MAP_PAGE
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -123,6 +129,11 @@ static enum span_kind kind_of(const struct material *material, const struct fram
         return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
     case MAPPER_GENERATED:
         return SPAN_GENERATED;
+    case MAPPER_LIT:
+        return material->gradients == GRADIENTS_SCANLINE || texturing->wraps
+             ? SPAN_LIT_WRAP : SPAN_LIT;
+    case MAPPER_LIT_GOURAUD:
+        return SPAN_LIT_GOURAUD;
     default:
         return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
     }
@@ -218,6 +229,9 @@ static enum polygon_result set_map(struct setup *s)
     s->span.map_height = map->height;
     s->span.columns = &columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
+    if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
+        && !shading_light(&s->span, s->material, s->vertices))
+        return POLYGON_WRONG_MAP;
     if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
     return POLYGON_DRAWN;
@@ -239,7 +253,7 @@ static enum polygon_result set_span(struct setup *s)
 static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
 {
     const struct material *m = s->material;
-    enum chain chain = m->mapper != MAPPER_AFFINE ? CHAIN_NONE
+    enum chain chain = m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT ? CHAIN_NONE
                      : m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL
                      ? CHAIN_PLANE : CHAIN_ANYWHERE;
 
@@ -298,7 +312,7 @@ static void set_ramps(struct setup *s)
     plan.right = right;
     plan.steps = steps;
     plan.truncated = s->material->start == START_TRUNCATED;
-    plan.packed = s->kind == SPAN_AFFINE_SCANLINE;
+    plan.packed = s->kind == SPAN_AFFINE_SCANLINE || s->kind == SPAN_LIT_WRAP;
     edge_ramp(&plan);
     s->span.steps = steps;
 }
@@ -320,20 +334,21 @@ static void hold_lines(const struct setup *s, const struct texturing *t, struct 
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
-static void draw_each_line(const struct setup *s, const struct texturing *t)
+static void draw_each_line(struct setup *s, const struct texturing *t)
 {
-    struct span_plan line = s->span;
+    struct span_plan *line = &s->span;
+    int32 count = line->count;
 
-    line.count = 1;
-    for (int32 i = 0; i < s->span.count; i++) {
-        line.lines = &lines[i];
-        line.dudx = s->span.steps[i].dudx;
-        line.dvdx = s->span.steps[i].dvdx;
+    line->count = 1;
+    for (int32 i = 0; i < count; i++) {
+        line->lines = &lines[i];
+        line->dudx = line->steps[i].dudx;
+        line->dvdx = line->steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
-            hold_lines(s, t, &line);
-            routines[s->kind].span(&line);
+            hold_lines(s, t, line);
+            routines[s->kind].span(line);
         }
-        line.row += line.pitch;
+        line->row += line->pitch;
     }
 }
 
@@ -372,6 +387,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
         cut_lines(&s, routines[s.kind].scissor);
         hold_lines(&s, &texturing, &s.span);
     }
+    if (s.kind == SPAN_LIT_GOURAUD)
+        shading_lines(&s.span, &s.sides, s.vertices, count, &s.box);
     if (counts) {
         counts->polygons++;
         count_pixels(&counts->pixels[s.kind], s.span.count);

@@ -68,6 +68,11 @@ span_enter_14 macro
         jmp     (a2,d6.w*8)
         endm
 
+span_enter_16 macro
+        lea     (a3,d6.w*8),a2
+        jmp     (a2,d6.w*8)
+        endm
+
 span_enter_18 macro
         lea     (a3,d6.w*2),a2
         lea     (a2,d6.w*8),a2
