@@ -83,11 +83,13 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
 def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
                 upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
                 code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
-                wide: int = 1, columns: dict[str, int] | None = None, **plan_values: int) -> Trial:
+                wide: int = 1, columns: dict[str, int] | None = None, light_at: int | None = None,
+                shades: list[int] | None = None, **plan_values: int) -> Trial:
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel."""
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel. ``light_at``: in the far arena; ``shades``: one
+    a line."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
     table = np.zeros(len(starts), shape.dtype)
@@ -115,7 +117,10 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
             name="steps", shape=shape_of_steps)
     if columns:
         near["columns"] = memory.struct("column_layout", {}, **columns)
-    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at), count=len(lines),
+    if shades:
+        near["shades"] = memory.add(b"".join(s.to_bytes(4, "big") for s in shades), name="shades")
+    light = {} if light_at is None else {"light": light_at}
+    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at) | light, count=len(lines),
                          pitch=-pitch if upwards else pitch, **plan_values)
 
     def where(offset: int, far: bool) -> str | None:
