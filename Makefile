@@ -18,9 +18,10 @@ GCC := m68k-linux-gnu-gcc
 LD := m68k-linux-gnu-ld
 VASM_FLAGS := -quiet -m68020 -Felf
 ASM_FLAGS := $(VASM_FLAGS) -Isrc68k/include -Ibuild/gen
+# There is no memset for it to call.
 GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
-  -ffunction-sections -fdata-sections -Ic
+  -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
 # 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
 # that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
 # declaration, 162 no prototype, 169 extern in a function, 174 no return.

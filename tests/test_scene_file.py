@@ -127,7 +127,7 @@ def test_565():
 
 def test_empty_tables():
     scene = dataclasses.replace(example(textures=0), materials=[], objects=[],
-                                vertices=np.zeros((0, 5), int), poses=np.zeros((0, 6), int))
+                                vertices=np.zeros((0, 6), int), poses=np.zeros((0, 6), int))
     assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
 
 

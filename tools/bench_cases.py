@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import layout, maps, model
+from . import bench_perspective, layout, maps, model
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case
 from .bench_mappers import first_difference, mapper_case
 from .kernels import M32, Arena, Case, Result
@@ -297,6 +297,8 @@ def pixel_rows(chip: bool) -> list[Row]:
                         *span_case("span_affine_column", "addx", length, du=0)))
         for name in ("gouraud", "arbitrary", "generated"):
             rows.append(Row(name, length, *mapper_case(name, length)))
+        for name, (setting, ratio) in bench_perspective.SPANS.items():
+            rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
         rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
     rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
@@ -320,6 +322,9 @@ def line_rows(chip: bool) -> list[Row]:
         "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
         "edge_flat", "edge_flat_exact")]
     rows.append(Row("edge_ramp", EDGE_LINES, *ramp_case()))
+    rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
+             for name, setting in (("perspective_lines", "every16"),
+                                   ("perspective_lines_curves", "pixel"))]
     for row in rows:
         row.case.chip = chip
     return rows

@@ -337,7 +337,7 @@ def judge(vertices, settings: Settings, width: int, height: int,
           size: tuple[int, int] = (256, 256)) -> Verdict:
     """Holds a convex polygon of planar texture to the bounds of its settings.
 
-    ``vertices``: (x, y, s, t, shade), 16.16, as a scene has them; ``size``: of the map.
+    ``vertices``: (x, y, s, t, shade, w), 16.16, as a scene has them; ``size``: of the map.
     Polygons cut to the window are judged on their pixels, and on u and v where those come
     from the plane.
     """

@@ -53,8 +53,8 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if made:
         model.draw(frame, made, texels, 200, settings.mapper,
                    textures(seed, block)[-1].texels)
-    outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v)
-    judged, verdict = has_ideal(adapted), bounds.Verdict(pixels=made.pixels if made else 0)
+    outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
+    judged, verdict = has_ideal([v[:4] for v in adapted]), bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
@@ -284,6 +284,7 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None) -
         size = textures(seed, number // BLOCK)[each.texture].texels.shape[::-1] \
             if each.texture >= 0 else (256, 256)
         keep_case(Case(keep, f"Found by the fuzzer, seed {seed}, polygon {number}: {fault.text}.",
-                       each.vertices, (each.settings.mapper,), size))
+                       each.vertices, (each.settings.mapper,), size,
+                       each.settings.perspective != "none"))
         print(f"kept as {keep} in tests/hard_cases.json")
     return 1

@@ -17,6 +17,8 @@ import numpy as np
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
+from .model_perspective import Perspective, ends, perspective
+from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates, pixels
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
@@ -43,6 +45,8 @@ class Polygon:
     textured: bool
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
+    perspective: Perspective | None = None  # instead of texturing
+    setting: str = "none"  # how the perspective is drawn
 
     @property
     def pixels(self) -> int:
@@ -113,11 +117,11 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
 
-    ``vertices``: a list of (x, y, u, v), 16.16, lit ones with their level, as ``adapt`` gives
-    them; ``size`` is the map's, in texels.
+    ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
+    with their level last, as ``adapt`` gives them; ``size`` is the map's, in texels.
     """
     n = len(vertices)
-    if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v):
+    if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
@@ -139,6 +143,11 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+    if settings.perspective != "none":
+        deep = perspective(vertices, corners, box)
+        if deep:
+            return Polygon(box[1], lines, None, lefts, rights, textured, deep,
+                           settings.perspective)
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -169,8 +178,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
-    """(x, y, s, t, shade) as ``set_up`` takes them: x and y in whole pixels where edges are;
-    s and t in texels of a map whose longer side is given, rounded down, and a lit mapper's
+    """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
+    s and t in texels of a map whose longer side is given, rounded down, w, and a lit mapper's
     level; or the shade as u, kept INSET inside the range of the pixels it may become."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
@@ -179,8 +188,8 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
         return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade, *_ in vertices]
     lit = settings.mapper in LIT
-    return [(v[0], v[1], *(signed(c * longer >> 8) for c in v[2:4]), *[level_of(v[4])][:lit])
-            for v in vertices]
+    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w, *[level_of(shade)][:lit])
+            for x, y, s, t, shade, *w in vertices]
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
@@ -190,7 +199,12 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     if mapper == "lit":
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right > line.left:
+        if line.right > line.left and polygon.perspective:
+            u, v = perspective_coordinates(ends(polygon.perspective, line.left, line.right, y),
+                                           polygon.setting)
+            height, width = texture.shape
+            frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
+        elif line.right > line.left:
             frame[y, line.left:line.right] = pixels(line, mapper, texture, light) \
                 if polygon.textured else colour
 

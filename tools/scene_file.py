@@ -24,6 +24,7 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
+PERSPECTIVES = ("none",)  # of SETTINGS: those that are drawn as yet
 MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
 ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
@@ -84,11 +85,6 @@ class Scene:
     vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     pixel_bytes: int = 1  # 2: RGB565
-
-    def __post_init__(self) -> None:
-        """Vertices without depth have w = 1."""
-        if self.vertices.shape[1] == 5:
-            self.vertices = np.column_stack([self.vertices, np.full(len(self.vertices), ONE)])
 
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:

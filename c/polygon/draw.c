@@ -9,7 +9,9 @@
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/edges.h"
+#include "polygon/kind.h"
 #include "polygon/material.h"
+#include "polygon/perspective.h"
 #include "polygon/polygon.h"
 #include "polygon/ramps.h"
 #include "polygon/shading.h"
@@ -22,36 +24,6 @@
 #define EDGE_ERROR 1024
 
 static struct scanline lines[SCENE_SIDE_MAX];
-
-typedef void edge_routine(const struct edge_plan *plan);
-
-/* What draws each kind of span, in the order of enum span_kind. */
-static const struct {
-    edge_routine *edges, *exact_edges;
-    void (*scissor)(const struct scissor_plan *plan);
-    void (*span)(const struct span_plan *plan);
-} routines[SPAN_KINDS] = {
-    [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
-    [SPAN_FILL_16] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_16},
-    [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
-    [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
-                               span_affine_addx_wrap},
-    [SPAN_AFFINE_ROW] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_row},
-    [SPAN_AFFINE_COLUMN] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_column},
-    [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
-                              span_affine_scanline},
-    [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
-    [SPAN_GOURAUD] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud},
-    [SPAN_ARBITRARY] = {edge_plain, edge_plain_exact, scissor_plain, span_arbitrary},
-    [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
-    [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
-    [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16},
-    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated},
-    [SPAN_LIT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit},
-    [SPAN_LIT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_wrap},
-    [SPAN_LIT_GOURAUD] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_gouraud}
-};
 
 /* The layout that each mapper with a map reads. */
 static const uint8 layout_of[MAPPER_KINDS] = {
@@ -81,62 +53,6 @@ static void count_pixels(uint32 *pixels, int32 count)
     for (; count > 0; count--, line++)
         if (line->last >= line->left)
             *pixels += (uint32)(line->last - line->left + 1);
-}
-
-/* Whether a step is 0, and whether one is small enough for the spans that step u or v
-   alone: 62 texels a pixel, for 1,024 pixels. Both as the map repeats, modulo 256. */
-static int32 is_still(fix16 step)
-{
-    return !((uint32)step << 8);
-}
-
-static int32 is_slow(fix16 step)
-{
-    const uint32 most = (uint32)62 << 24;
-
-    return ((uint32)step << 8) + most <= 2 * most;
-}
-
-/* The addx chain, or a part of it where the polygon needs no more. */
-static enum span_kind affine_kind(const struct texturing *t)
-{
-    if (is_still(t->dvdx) && is_slow(t->dudx))
-        return SPAN_AFFINE_ROW;
-    if (is_still(t->dudx) && is_slow(t->dvdx))
-        return SPAN_AFFINE_COLUMN;
-    return t->wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
-}
-
-/* What draws a polygon of this material; texturing: but for flat ones and
-   GRADIENTS_SCANLINE. */
-static enum span_kind kind_of(const struct material *material, const struct frame *frame,
-                              enum form form, const struct texturing *texturing)
-{
-    switch (material->mapper) {
-    case MAPPER_GOURAUD:
-        return SPAN_GOURAUD;
-    case MAPPER_AFFINE:
-        if (material->gradients == GRADIENTS_SCANLINE)
-            return SPAN_AFFINE_SCANLINE;
-        return form == FORM_SWAP ? SPAN_AFFINE_SWAP
-             : form == FORM_C ? SPAN_AFFINE_C
-             : affine_kind(texturing);
-    case MAPPER_ARBITRARY:
-        return SPAN_ARBITRARY;
-    case MAPPER_TILED:
-        return SPAN_TILED;
-    case MAPPER_COLUMNS:
-        return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
-    case MAPPER_GENERATED:
-        return SPAN_GENERATED;
-    case MAPPER_LIT:
-        return material->gradients == GRADIENTS_SCANLINE || texturing->wraps
-             ? SPAN_LIT_WRAP : SPAN_LIT;
-    case MAPPER_LIT_GOURAUD:
-        return SPAN_LIT_GOURAUD;
-    default:
-        return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
-    }
 }
 
 /* A polygon on its way through the set-up. */
@@ -346,10 +262,55 @@ static void draw_each_line(struct setup *s, const struct texturing *t)
         line->dvdx = line->steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
             hold_lines(s, t, line);
-            routines[s->kind].span(line);
+            kind_routines[s->kind].span(line);
         }
         line->row += line->pitch;
     }
+}
+
+/* Perspective: 0 where the affine spans do. */
+static int32 draw_perspective(struct setup *s, struct draw_counts *counts)
+{
+    static struct perspective_line drawn[SCENE_SIDE_MAX];
+    /* The longest piece, and curves' bend: 64 log2(6 / (9 sqrt 3) / what they may be off), in
+       1/65536 texel: 1/32 or 1/128 texel less the rounding of longest^2 / 8 + 8 units. */
+    static const struct {
+        int32 longest, bend;
+    } ways[PERSPECTIVE_KINDS] = {
+        [PERSPECTIVE_EVERY16] = {4, 0},
+        [PERSPECTIVE_EVERY8] = {3, 0},
+        [PERSPECTIVE_PIXEL] = {5, -785},
+        [PERSPECTIVE_FINE] = {4, -656}
+    };
+    enum perspective kind = s->material->perspective;
+    struct perspective_plan plan;
+    struct perspective_span span;
+
+    if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box))
+        return 0;
+    make_lines(s, edge_flat, edge_flat_exact);
+    cut_lines(s, scissor_flat);
+    plan.lines = lines;
+    plan.count = s->span.count;
+    plan.bend = ways[kind].bend;
+    plan.to = drawn;
+    perspective_lines(&plan);
+    s->kind = ways[kind].bend ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES;
+    if (counts) {
+        counts->polygons++;
+        count_pixels(&counts->pixels[s->kind], s->span.count);
+    }
+    span.lines = drawn;
+    span.count = s->span.count;
+    span.row = s->span.row;
+    span.pitch = s->span.pitch;
+    span.map = s->span.map;
+    span.longest = ways[kind].longest;
+    if (s->kind == SPAN_PERSPECTIVE_CURVES)
+        span_perspective_curves(&span);
+    else
+        span_perspective_pieces(&span);
+    return 1;
 }
 
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
@@ -374,6 +335,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_span(&s);
     if (result != POLYGON_DRAWN)
         return result;
+    if (material->perspective && draw_perspective(&s, counts))
+        return POLYGON_DRAWN;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
         if (result != POLYGON_DRAWN)
@@ -383,8 +346,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     if (scanline) {
         set_ramps(&s);
     } else {
-        make_lines(&s, routines[s.kind].edges, routines[s.kind].exact_edges);
-        cut_lines(&s, routines[s.kind].scissor);
+        make_lines(&s, kind_routines[s.kind].edges, kind_routines[s.kind].exact_edges);
+        cut_lines(&s, kind_routines[s.kind].scissor);
         hold_lines(&s, &texturing, &s.span);
     }
     if (s.kind == SPAN_LIT_GOURAUD)
@@ -396,6 +359,6 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(&s, &texturing);
     else
-        routines[s.kind].span(&s.span);
+        kind_routines[s.kind].span(&s.span);
     return POLYGON_DRAWN;
 }

@@ -4,7 +4,14 @@
 
 #include "compiler.h"
 
+/* A number of 64 bits, modulo 2^64. */
+struct number64 {
+    uint32 hi, lo;
+};
+
 fix16 mul_fix(fix16 a, fix16 b);
 int32 mul_div(int32 a, int32 b, int32 c);
+int32 mul_shift(int32 a, int32 b, int32 bits);
+int32 mul_wide(const struct number64 *gradient, fix16 offset);
 
 #endif

@@ -21,7 +21,8 @@
 static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
-    "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud"
+    "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
+    "perspective_pieces", "perspective_curves"
 };
 
 static const char *const why_refused[] = {
@@ -75,14 +76,6 @@ static void frame_name(char *name, int32 number)
         *--name = (char)('0' + number % 10);
 }
 
-/* Not "= {0}": compilers call a library for that. */
-static void clear_counts(struct draw_counts *counts)
-{
-    counts->polygons = 0;
-    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
-        counts->pixels[kind] = 0;
-}
-
 static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
 {
     text_add("frame ");
@@ -131,6 +124,13 @@ static int32 draw(const struct scene *scene, const struct frame *frame, int32 nu
     return 1;
 }
 
+static void clear_counts(struct draw_counts *counts)
+{
+    counts->polygons = 0;
+    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
+        counts->pixels[kind] = 0;
+}
+
 /* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
 static int32 dump_frames(const struct scene *scene, const struct frame *frame,
                          const struct run *run, uint32 *refused)
@@ -140,11 +140,11 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
         struct frame_digest drawn;
         char name[20];
 
+        clear_counts(&counts);
         if (!draw(scene, frame, number, run->form, &drawn))
             return 0;
         if (drawn.result != POLYGON_DRAWN)
             *refused = drawn.result;
-        clear_counts(&counts);
         if (run->count)                 /* again, since counting takes time */
             scene_draw(scene, frame, number, run->form, &counts);
         frame_name(name, number);

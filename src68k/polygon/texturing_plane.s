@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "plane.i"
 
         xref    texturing_wrap
 
@@ -27,41 +28,6 @@ middle  macro
         clr.w   d0
         sub.l   \4,d0
         movea.l d0,\5
-        endm
-
-; d1:d2 = (p1 q2 - p2 q1) / D in 32.32, cut towards zero; p, q: \1, \2. D and the
-; numerator have been shifted right by d6, which leaves 32 bits of D, in d7; d5 =
-; 32 - d6. a2, a3: the two vectors from the first vertex.
-gradient macro
-        move.l  vertex_\1(a2),d1
-        muls.l  vertex_\2(a3),d0:d1
-        move.l  vertex_\1(a3),d3
-        muls.l  vertex_\2(a2),d2:d3
-        sub.l   d3,d1
-        subx.l  d2,d0
-        move.l  d0,d4                   ; sign
-        bpl.s   .positive\@
-        neg.l   d1
-        negx.l  d0
-.positive\@
-        move.l  d0,d3
-        lsr.l   d6,d0
-        lsr.l   d6,d1
-        lsl.l   d5,d3
-        or.l    d3,d1
-        cmp.l   d7,d0
-        blo.s   .fits\@
-        moveq   #0,d3                   ; only its remainder counts, modulo 2^64
-        divu.l  d7,d3:d0
-        move.l  d3,d0
-.fits\@ divu.l  d7,d0:d1
-        moveq   #0,d2
-        divu.l  d7,d0:d2
-        tst.l   d4
-        bpl.s   .signed\@
-        neg.l   d2
-        negx.l  d1
-.signed\@
         endm
 
 ; Adds the gradient d1:d2 times the offset \1 to the field \2, rounded to the
@@ -141,18 +107,13 @@ step    macro
 
         move.l  sides_area+wide_hi(a1),d0
         move.l  sides_area+wide_lo(a1),d7
-        bfffo   d0{0:32},d5
-        moveq   #32,d6
-        sub.l   d5,d6
-        lsr.l   d6,d7
-        lsl.l   d5,d0                   ; a shift by 32 gives 0
-        or.l    d0,d7
+        divisor
 
-        gradient t,y
+        gradient vertex_t,vertex_y
         rise    a4,v
         moveq   #0,d3
         step    d3,dvdx
-        gradient x,t
+        gradient vertex_x,vertex_t
         rise    a5,v
         moveq   #0,d3
         step    d3,dvdy
@@ -162,11 +123,11 @@ step    macro
         move.l  36(sp),d0
         bsr     texturing_wrap
 
-        gradient s,y
+        gradient vertex_s,vertex_y
         rise    a4,u
         move.l  texturing_spare(a6),d3
         step    d3,dudx
-        gradient x,s
+        gradient vertex_x,vertex_s
         rise    a5,u
         move.l  texturing_spare(a6),d3
         step    d3,dudy

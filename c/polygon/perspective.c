@@ -1,0 +1,156 @@
+#include "polygon/perspective.h"
+
+#include "polygon/math.h"
+
+/* q is at least so many times its error: it cannot become 0, nor a quotient too large. */
+#define SURE 16
+#define Q_ONE (1 << 30)
+#define RANGE (7 << 27)
+#define TOO_STEEP (1 << 26)            /* SURE times this is above all q */
+
+static int32 magnitude(int32 value)
+{
+    return value < 0 ? -value : value;
+}
+
+/* Units that a plane may be off after so many pixels: its gradient, in 48.16, is off by
+   2^-31 of itself and 3 / 2^16. */
+static int32 error_part(const struct number64 *gradient, int32 pixels)
+{
+    int32 steep = (int32)gradient->hi;
+
+    if (steep < 0)                      /* the magnitude's upper half */
+        steep = gradient->lo ? ~steep : -steep;
+    if (steep >= 1 << 28)
+        return TOO_STEEP;
+    steep = steep < 1 << 16 ? steep * pixels >> 15 : ((steep >> 14) + 1) * pixels >> 1;
+    return steep + (pixels >> 14) + 2;
+}
+
+static void shift_left(struct number64 *to, const struct number64 *from, int32 bits)
+{
+    to->hi = bits ? from->hi << bits | from->lo >> (32 - bits) : from->hi;
+    to->lo = from->lo << bits;
+}
+
+/* The plane of value * 2^scale, scale from 16 to 32. */
+static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
+{
+    shift_left(&to->at, &from->at, scale - 16);
+    shift_left(&to->dx, &from->dx, scale - 16);
+    shift_left(&to->dy, &from->dy, scale - 16);
+}
+
+/* The range of s or t from its middle, a whole texel, which it returns; makes *farthest
+   the distance of the range's ends from it, if that is more. */
+static fix16 middle(const struct vertex *v, int32 count, int32 of_t, fix16 *from, fix16 *to,
+                    int32 *farthest)
+{
+    fix16 low = 0x7fffffff, high = -0x7fffffff, base;
+
+    for (; count > 0; count--, v++) {
+        fix16 value = of_t ? v->t : v->s;
+
+        if (value < low)
+            low = value;
+        if (value > high)
+            high = value;
+    }
+    base = ((low + high) >> 1) & ~0xffff;
+    *from = low - base;
+    *to = high - base;
+    if (*to > *farthest)
+        *farthest = *to;
+    if (-*from > *farthest)
+        *farthest = -*from;
+    return base;
+}
+
+static void set_corner(struct plane_corner *to, const struct vertex *v, fix16 nearest,
+                       const struct perspective_plan *plan, int32 scale)
+{
+    to->x = v->x;
+    to->y = v->y;
+    to->q = mul_div(nearest, Q_ONE, v->w);
+    to->s = mul_shift(v->s - plan->u, to->q, scale);
+    to->t = mul_shift(v->t - plan->v, to->q, scale);
+}
+
+static void to_vector(struct plane_corner *to, const struct plane_corner *first)
+{
+    to->x -= first->x;
+    to->y -= first->y;
+    to->q -= first->q;
+    to->s -= first->s;
+    to->t -= first->t;
+}
+
+/* The least q that the plane has at a vertex. */
+static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32 count,
+                     const struct rectangle *box)
+{
+    int32 at = (int32)(q->at.hi << 16 | q->at.lo >> 16), least = 0x7fffffff;
+
+    for (; count > 0; count--, v++) {
+        int32 here = at + mul_wide(&q->dx, v->x - (box->left << 16))
+                   + mul_wide(&q->dy, v->y - (box->top << 16));
+
+        if (here < least)
+            least = here;
+    }
+    return least;
+}
+
+/* Whether the least q is large beside a plane's error after so many pixels and lines. */
+static int32 is_sure(const struct screen_plane *plane, int32 right, int32 down, int32 least)
+{
+    int32 error = 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
+
+    return error < TOO_STEEP && least >= SURE * error;
+}
+
+int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
+                         int32 count, const struct sides *sides, const struct rectangle *box)
+{
+    struct plane_corners corners;
+    struct found_planes planes;
+    int32 right, down, least;
+    fix16 nearest = vertices->w, deepest = vertices->w;
+    int32 farthest = 0, scale = 16;
+
+    for (int32 i = 1; i < count; i++) {
+        if (vertices[i].w < nearest)
+            nearest = vertices[i].w;
+        if (vertices[i].w > deepest)
+            deepest = vertices[i].w;
+    }
+    if (nearest == deepest)
+        return 0;
+    plan->u = middle(vertices, count, 0, &plan->u_low, &plan->u_high, &farthest);
+    plan->v = middle(vertices, count, 1, &plan->v_low, &plan->v_high, &farthest);
+    if (farthest > RANGE)
+        return 0;
+    while (farthest >> scale)
+        scale++;
+    set_corner(&corners.first, sides->top, nearest, plan, scale);
+    set_corner(sides->apex_right ? &corners.b : &corners.a, sides->bottom, nearest, plan, scale);
+    set_corner(sides->apex_right ? &corners.a : &corners.b, sides->apex, nearest, plan, scale);
+    corners.x = (box->left << 16) - corners.first.x;
+    corners.y = (box->top << 16) - corners.first.y;
+    to_vector(&corners.a, &corners.first);
+    to_vector(&corners.b, &corners.first);
+    corners.area = sides->area;
+    planes_find(&planes, &corners);
+    least = least_q(&planes.q, vertices, count, box);
+    right = (magnitude(corners.x) >> 16) + box->right - box->left + 1;
+    down = (magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
+    if (!is_sure(&planes.q, right, down, least) || !is_sure(&planes.s, right, down, least)
+        || !is_sure(&planes.t, right, down, least))
+        return 0;
+    scale_plane(&plan->q, &planes.q, 32);
+    scale_plane(&plan->s, &planes.s, scale);
+    scale_plane(&plan->t, &planes.t, scale);
+    plan->left = box->left;
+    plan->q_low = least;
+    return 1;
+}

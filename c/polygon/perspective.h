@@ -1,0 +1,38 @@
+/* Perspective: the planes of 1/w, u/w and v/w over a polygon. */
+#ifndef PERSPECTIVE_H
+#define PERSPECTIVE_H
+
+#include "polygon/edges.h"
+#include "polygon/polygon.h"
+#include "polygon/sides.h"
+#include "span/perspective.h"
+
+/* A corner's values; of the two that planes_find takes as vectors: differences. */
+struct plane_corner {
+    fix16 x, y;
+    int32 q, s, t;              /* up to 2^30, as vectors below 2^31 */
+};
+
+/* What planes_find takes. */
+struct plane_corners {
+    struct plane_corner first, a, b;    /* a, b: vectors from the first, a x b > 0 */
+    struct wide area;                   /* a x b, 32.32 */
+    fix16 x, y;                         /* from the first corner to the pixel asked for */
+};
+
+/* What it gives: values at the pixel, and what they grow by a pixel and a line; 48.16. */
+struct found_planes {
+    struct screen_plane q, s, t;
+};
+
+/* src68k/polygon: contract there. */
+void planes_find(struct found_planes *planes, const struct plane_corners *corners);
+
+/* Fills in the planes and bases of a plan, for the box's pixels; 0: the polygon is to be
+   drawn affine, because w is constant, u or v range over more than 28,672 texels, or the
+   planes are not sure enough: q of a vertex below 16 times its error. The vertices are as
+   material_vertices gives them. */
+int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
+                         int32 count, const struct sides *sides, const struct rectangle *box);
+
+#endif

@@ -1,0 +1,74 @@
+        include "routine.i"
+        include "layout.i"
+        include "plane.i"
+
+; Adds the gradient d1:d2 times the offset \1(a5), cut to 48.16, to the value \2. Uses d0-d4.
+rise    macro
+        move.l  plane_corners_\1(a5),d0
+        bpl.s   .positive\@
+        neg.l   d2                      ; the same product of two other signs
+        negx.l  d1
+        neg.l   d0
+.positive\@
+        muls.l  d0,d3:d1                ; hhhh hhhh ....
+        mulu.l  d0,d4:d2                ; .... llll llll
+        add.l   d4,d1
+        moveq   #0,d0
+        addx.l  d0,d3
+        move.w  d1,d2
+        swap    d2
+        move.w  d3,d1
+        swap    d1
+        add.l   d2,found_planes_\2+screen_plane_at+number64_lo(a0)
+        move.l  found_planes_\2+screen_plane_at(a0),d0
+        addx.l  d1,d0
+        move.l  d0,found_planes_\2+screen_plane_at(a0)
+        endm
+
+; The plane of the value \1.
+plane   macro
+        move.l  plane_corners_first+plane_corner_\1(a5),d0
+        swap    d0
+        move.w  d0,d1
+        ext.l   d1
+        clr.w   d0
+        move.l  d1,found_planes_\1+screen_plane_at(a0)
+        move.l  d0,found_planes_\1+screen_plane_at+number64_lo(a0)
+        gradient plane_corner_\1,plane_corner_y
+        movem.l d1-d2,found_planes_\1+screen_plane_dx(a0)
+        rise    x,\1
+        gradient plane_corner_x,plane_corner_\1
+        movem.l d1-d2,found_planes_\1+screen_plane_dy(a0)
+        rise    y,\1
+        endm
+
+;==============================================================================
+; planes_find - the planes of q, s and t through three corners
+;
+; in:      a0  found_planes*   what is filled in
+;          a1  plane_corners*  a corner, two vectors and the pixel asked for
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   *plane_corners
+; writes:  *found_planes
+; formats: with vectors a and b and D = xa yb - xb ya > 0:
+;            dx = (va yb - vb ya) / D     dy = (xa vb - xb va) / D
+;          v = q, s or t; at = v of the first corner + x dx + y dy, each product rounded
+;          down; all in 48.16 modulo 2^64: far from the corners at may be any
+; error:   of a gradient g: |g| / 2^31 + 3 / 2^16 units a pixel: D keeps 32 bits
+;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
+; cost:    about 2,400 cycles
+;==============================================================================
+        routine planes_find,a0,a1
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l a1,a5
+        lea     plane_corners_a(a5),a2
+        lea     plane_corners_b(a5),a3
+        move.l  plane_corners_area+wide_hi(a5),d0
+        move.l  plane_corners_area+wide_lo(a5),d7
+        divisor
+        plane   q
+        plane   s
+        plane   t
+        movem.l (sp)+,d2-d7/a2-a6
+        rts

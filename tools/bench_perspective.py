@@ -1,0 +1,112 @@
+"""Bench rows of perspective: spans whose w differs RATIO times, and what a line costs before.
+
+The line grows by a texel a pixel in u and 0.7 in v on the whole; every other line runs
+from far to near.
+"""
+
+import numpy as np
+
+from . import layout
+from .bench_mappers import first_difference
+from .kernels import Arena, Case, Result
+from .model_perspective import (CURVES, PIECES, Ends, bend, coordinates, ends, enough,
+                                perspective, weights)
+from .model_edges import measure
+
+RATIO = 4
+NEAR = 1 << 30  # q of the nearer end
+LINES = 64
+ENOUGH = ("enough4", "enough8", "enough16", "enough32")
+#: Row: setting, ratio of w.
+SPANS = {"persp_every16": ("every16", RATIO), "persp_every8": ("every8", RATIO),
+         "persp_pixel": ("pixel", RATIO), "persp_pixel_fine": ("fine", RATIO),
+         "persp_pixel_deep": ("pixel", 100), "persp_pixel_fine_deep": ("fine", 100)}
+
+
+def line(k: int, length: int, ratio: int, rng) -> Ends:
+    """Line k of a row."""
+    u, v = (int(c) for c in rng.integers(0, 256 << 16, 2))
+    made = Ends(k % 4, length - 1, u, v)
+    if made.n:
+        made.du, made.dv = length << 16, 7 * (length << 16) // 10
+        ends = (NEAR, NEAR // ratio)
+        made.first, made.last = weights(*(ends if k % 2 else ends[::-1]), made.n)
+    return made
+
+
+def entry(each: Ends, setting: str) -> bytes:
+    """The line as perspective_lines leaves it."""
+    shapes = layout.load()
+    fields = dict(left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.u, v=each.v,
+                  du=each.du, dv=each.dv, weight=each.weight(0), dweight=each.last - each.first,
+                  half=each.last >> 1)
+    limits = enough(each, setting) if setting in CURVES else []
+    fields |= dict(zip(ENOUGH, limits + [0] * (len(ENOUGH) - len(limits))))
+    return shapes.struct("perspective_line").pack(**fields)
+
+
+def span_case(setting: str, ratio: int, length: int):
+    """A table of lines of one length."""
+    rng = np.random.default_rng(length)
+    count = min(128, max(16, 2048 // length))
+    pitch = length + 4
+    shapes = layout.load()
+    bias = shapes.constants["EDGE_BIAS"]
+    arena, far = Arena(), Arena()
+    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
+    map_at = far.add(picture.tobytes(), shapes.constants["ARENA_ALIGN"])
+    lines = [line(k, length, ratio, rng) for k in range(count)]
+    table, expected = b"", np.zeros((count, pitch), np.uint8)
+    for k, each in enumerate(lines):
+        table += entry(each, setting)
+        u, v = coordinates(each, setting)
+        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
+    frame_at = far.add(bytes(pitch * count))
+    longest = CURVES[setting][0] if setting in CURVES else PIECES[setting].bit_length() - 1
+    plan_at = arena.struct("perspective_span", dict(lines=arena.add(table)),
+                           dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch,
+                           longest=longest)
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
+        return first_difference(expected, found.reshape(expected.shape))
+
+    kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
+    return count * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
+
+
+def lines_case(setting: str):
+    """LINES lines of a turned triangle whose w differs RATIO times."""
+    shapes, arena = layout.load(), Arena()
+    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("perspective_line")
+    corners = [(0, 0, 0, 0, 1 << 16), (200 << 16, 10 << 16, 200 << 16, 7 << 16, RATIO << 16),
+               (20 << 16, 90 << 16, 30 << 16, 100 << 16, 2 << 16)]
+    sides = measure(corners, 256, 10 + LINES)
+    deep = perspective(corners, sides.corners, sides.box)
+    fields = {}
+    for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
+        fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
+                                    for n in (plane.at, plane.dx, plane.dy)))
+    table, expected = b"", []
+    for y in range(LINES):
+        left, right = 5 + y // 8, 60 + y
+        table += shapes.struct("scanline").pack(left=left + bias, last=right - 1 + bias, start0=0,
+                                                start1=0, start2=0)
+        expected.append(ends(deep, left, right, y))
+    to_at = arena.add(bytes(shape.size * LINES))
+    limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
+              for c, value in zip("uv", pair)}
+    plan_at = arena.struct("perspective_plan", dict(lines=arena.add(table), to=to_at),
+                           count=LINES, left=deep.i, q_low=deep.least, u=deep.base[0],
+                           v=deep.base[1], bend=bend(setting), **fields, **limits)
+
+    def check(result: Result) -> str | None:
+        for k, each in enumerate(expected):
+            found = result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size]
+            wanted, found = shape.unpack(entry(each, setting)), shape.unpack(found)
+            for field, value in wanted.items():
+                if found[field] != value and (field not in ENOUGH or setting in CURVES):
+                    return f"line {k}: {field} is {found[field]}, expected {value}"
+        return None
+
+    return LINES, Case("perspective_lines", arena, pointers={"a0": plan_at}), check

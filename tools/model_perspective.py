@@ -1,0 +1,265 @@
+"""The integer model's perspective: c/polygon/perspective.c, src68k/polygon/planes_find,
+src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
+
+q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are
+divided at the first and the last pixel; between them u = first + (last - first) * part, the
+part being (k q1) / ((n - k) q0 + k q1) at pixel k of n: it lies between 0 and 1 whatever
+happens, so no pixel ever leaves the range of its line's ends.
+"""
+
+from dataclasses import dataclass
+from math import ceil, floor, log2
+
+import numpy as np
+
+from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
+
+Q_ONE = 1 << 30  # q of the nearest vertex
+Q_SURE = 16  # q is at least so many times its error
+TOO_STEEP = 1 << 26  # Q_SURE times this is above all q
+RANGE = 7 << 27  # |u - base|, 16.16: differences stay inside 32 bits
+PIECES = {"every16": 16, "every8": 8}
+#: log2 of the longest curved piece, and what it may be off, in 1/65536 texel: the setting's
+#: 1/32 or 1/128 texel less the rounding of its second difference, ``h*h/2`` at length 2h.
+CURVES = {"pixel": (5, 2048 - 128 - 8), "fine": (4, 512 - 32 - 8)}
+OCTAVE = 64  # steps of a logarithm
+LG_UP = [ceil(OCTAVE * log2(1 + (i + 1) / OCTAVE)) for i in range(OCTAVE)]
+LG_DOWN = [floor(OCTAVE * log2(1 + i / OCTAVE)) for i in range(OCTAVE)]
+#: 2^(15 + i / OCTAVE), rounded up
+EXP_UP = [ceil(2 ** (15 + i / OCTAVE)) for i in range(OCTAVE)]
+NEVER = (1 << 31) - 1  # above all weights
+
+
+@dataclass
+class Plane:
+    """V * 2^scale over the screen, modulo 2^64: at pixel (i, j), a pixel, a line."""
+
+    at: int
+    dx: int
+    dy: int
+
+    def value(self, x: int, y: int) -> int:
+        """x pixels right of (i, j), y lines below."""
+        return signed(self.at + x * self.dx + y * self.dy, 64)
+
+
+@dataclass
+class Perspective:
+    """The planes of q (its upper 32 bits), S and T (S / q is u - base in 16.16)."""
+
+    q: Plane
+    s: Plane
+    t: Plane
+    i: int
+    j: int
+    base: tuple[int, int]
+    least: int  # of q
+    low: tuple[int, int]  # u and v less their bases
+    high: tuple[int, int]
+
+
+@dataclass
+class Ends:
+    """A line's pixels left to left + n, u and v of the first, the way to the last; the
+    weights of both ends, each 1/n of its q."""
+
+    left: int
+    n: int
+    u: int
+    v: int
+    du: int = 0
+    dv: int = 0
+    first: int = 0
+    last: int = 0
+
+    def weight(self, k: int) -> int:
+        """q of pixel k, in the line's own scale."""
+        return (self.n - k) * self.first + k * self.last
+
+    def at(self, k: int) -> tuple[int, int]:
+        """u and v of pixel k, 16.16; exact at both ends, else up to 3 units low."""
+        if k == self.n:
+            return self.u + self.du & M32, self.v + self.dv & M32
+        if k == 0:
+            return self.u, self.v
+        part = (k * (self.last >> 1) << 32) // self.weight(k)
+        return tuple(c + 2 * (d * part >> 32) & M32
+                     for c, d in ((self.u, self.du), (self.v, self.dv)))
+
+
+def error_part(gradient: int, pixels: int) -> int:
+    """Units that a plane may be off after so many pixels, by its gradient (48.16)."""
+    steep = abs(signed(gradient, 64)) >> 32
+    if steep >= 1 << 28:
+        return TOO_STEEP
+    far = steep * pixels >> 15 if steep < 1 << 16 else ((steep >> 14) + 1) * pixels >> 1
+    return far + (pixels >> 14) + 2
+
+
+def perspective(vertices, corners, box) -> Perspective | None:
+    """The planes of (x, y, u, v, w) vertices; None where the polygon is drawn affine: w is
+    constant, the range of u or v too large, or the planes not sure enough.
+
+    ``corners``: indices of top, bottom and apex.
+    """
+    ws = [v[4] for v in vertices]
+    if min(ws) == max(ws):
+        return None
+    spans = [[v[k] for v in vertices] for k in (2, 3)]
+    base = tuple((min(span) + max(span) >> 1) & ~0xFFFF for span in spans)
+    low = tuple(min(span) - b for span, b in zip(spans, base))
+    high = tuple(max(span) - b for span, b in zip(spans, base))
+    farthest = max(*high, *(-c for c in low))
+    if farthest > RANGE:
+        return None
+    shift = max(farthest.bit_length(), 16)
+    first, bottom, apex = (vertices[k] for k in corners)
+    triple = []
+    for x, y, u, v, w in (first, bottom, apex):
+        q = mul_div(min(ws), Q_ONE, w)
+        triple.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
+    a, b = ([p - o for p, o in zip(corner, triple[0])] for corner in triple[1:])
+    d = a[0] * b[1] - b[0] * a[1]
+    left, top, right, bottom_line = box
+    x, y = signed((left << 16) - first[0]), signed((top << 16) - first[1])
+    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom_line - top + 1
+    planes, errors, lowest = [], [], None
+    for key, scale in ((2, 32), (3, shift), (4, shift)):
+        gx = quotient(a[key] * b[1] - b[key] * a[1], d)
+        gy = quotient(a[0] * b[key] - b[0] * a[key], d)
+        at = (triple[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16)
+        if key == 2:
+            lowest = min(signed((at >> 16) + wide_mul(gx, signed(v[0] - (left << 16)))
+                                + wide_mul(gy, signed(v[1] - (top << 16)))) for v in vertices)
+        errors.append(2 + error_part(gx, ways[0]) + error_part(gy, ways[1]))
+        planes.append(Plane(signed(at << scale - 16, 64), signed(gx << scale - 16, 64),
+                            signed(gy << scale - 16, 64)))
+    if lowest < Q_SURE * errors[0] or lowest < Q_SURE * max(errors[1:]):
+        return None
+    return Perspective(*planes, left, top, base, lowest, low, high)
+
+
+def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
+    """Shares of both ends of a line of n steps: n times one is below 2^31."""
+    up = 31 - max(q0, q1).bit_length()
+    return (q0 << up) // n, (q1 << up) // n & ~1
+
+
+def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
+    """The line's ends; right is excluded."""
+    pixels = []
+    for column in (left, right - 1):
+        at = column - p.i, y - p.j
+        q = max(p.q.value(*at) >> 32, p.least)
+        pixels.append((q, *(signed(b + min(max(cut_quotient(plane.value(*at), q), low), high))
+                            for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))))
+    (q0, u, v), (q1, u1, v1) = pixels
+    line = Ends(left, right - 1 - left, u & M32, v & M32)
+    if line.n:
+        line.du, line.dv = signed(u1 - u), signed(v1 - v)
+        line.first, line.last = weights(q0, q1, line.n)
+    return line
+
+
+def lg(x: int, table: list[int]) -> int:
+    """OCTAVE * log2(x) by a table, above or below; x > 0."""
+    top = x.bit_length() - 1
+    return OCTAVE * top + table[x << 31 - top >> 25 & OCTAVE - 1]
+
+
+def exp_up(x: int) -> int:
+    """2^(x / OCTAVE), or a little more: at most 2^31 - 1."""
+    if x < 0:
+        return 0
+    if x >= 31 * OCTAVE:
+        return NEVER
+    return min((EXP_UP[x % OCTAVE] << 16 >> 31 - x // OCTAVE) + 1, NEVER)
+
+
+def bend(setting: str) -> int:
+    """What does not change from line to line of the logarithm in ``enough``; 0: no curves."""
+    return ceil(OCTAVE * log2(6 / (9 * 3**0.5) / CURVES[setting][1])) if setting in CURVES else 0
+
+
+def enough(line: Ends, setting: str) -> list[int]:
+    """The least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
+    setting's tolerance.
+
+    A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| / 15.59
+    at most (9 sqrt 3), and u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
+    """
+    longest = CURVES[setting][0]
+    way = max(abs(line.du), abs(line.dv))
+    step = abs(line.last - line.first)
+    if not way or not step:
+        return [0] * (longest - 1)
+    q0, q1 = line.n * line.first, line.n * line.last
+    total = (lg(way, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
+            - lg(line.n, LG_DOWN) + bend(setting))
+    return [exp_up(total + 3 * OCTAVE * j + 3 >> 2) for j in range(1, longest)]
+
+
+def pieces(line: Ends, m: int) -> list[tuple[np.ndarray, np.ndarray]]:
+    """u and v of the line's pixels in affine pieces of m pixels, exact at their ends to
+    m - 1 units; the last piece ends with the line."""
+    out, k, grid = [], 0, ~(m - 1)
+    now = [c & grid for c in line.at(0)]
+    steps = np.arange(m + 1, dtype=np.int64)
+    while line.n - k > m:
+        then = [c & grid for c in line.at(k + m)]
+        out.append([c + steps[:m] * (signed(b - c) // m) for c, b in zip(now, then)])
+        now, k = then, k + m
+    rest = line.n - k
+    rises = [cut_quotient(signed(b - c), rest) if rest else 0
+             for c, b in zip(now, line.at(line.n))]
+    out.append([c + steps[:rest + 1] * rise for c, rise in zip(now, rises)])
+    return [tuple(part & M32 for part in piece) for piece in out]
+
+
+def curve(points: list[int], j: int, count: int) -> np.ndarray:
+    """``count`` values of the curve through three points 2^j pixels apart."""
+    a, b, c = points
+    h = 1 << j
+    first, second = signed(b - a), signed(c - b)
+    bend = signed(second - first) + (h * h >> 1) >> 2 * j
+    step = (first >> j) - ((bend << j) - bend >> 1)
+    k = np.arange(count, dtype=np.int64)
+    return a + k * step + (k * (k - 1) >> 1) * bend & M32
+
+
+def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]:
+    """(first pixel, u, v) of the line's pieces in drawing order; later ones are drawn over."""
+    limits, out, k = enough(line, setting), [], 0
+    longest = CURVES[setting][0]
+    j = longest
+    while k < line.n:
+        while j > 1:
+            length = 1 << j
+            start = min(k, line.n - length)
+            if length <= line.n and min(line.weight(start),
+                                        line.weight(start + length)) >= limits[j - 2]:
+                break
+            j -= 1
+        if j == 1:  # one pixel
+            u, v = line.at(k)
+            out.append((k, np.array([u]), np.array([v])))
+            k += 1
+        else:
+            points = [line.at(start + part) for part in (0, length // 2, length)]
+            out.append((start, *(curve([p[axis] for p in points], j - 1, length)
+                                 for axis in (0, 1))))
+            k = start + length
+        j = min(j + 1, longest)
+    u, v = line.at(line.n)
+    return [*out, (line.n, np.array([u]), np.array([v]))]
+
+
+def coordinates(line: Ends, setting: str) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a line's pixels, 16.16 modulo 2^32."""
+    if setting in PIECES:
+        made = pieces(line, PIECES[setting])
+        return tuple(np.concatenate([piece[axis] for piece in made]) for axis in (0, 1))
+    u, v = np.zeros(line.n + 1, np.int64), np.zeros(line.n + 1, np.int64)
+    for first, us, vs in curves(line, setting):
+        u[first:first + len(us)], v[first:first + len(vs)] = us, vs
+    return u, v
