@@ -102,7 +102,7 @@ def gouraud_trials(rng) -> list[Trial]:
     return trials
 
 
-def shade_trial(rng, most: int) -> Trial:
+def shade_trial(rng, most: int, inside: bool) -> Trial:
     """A table with lines of up to ``most`` pixels, shades near their range and far from it."""
     counts = [int(rng.integers(-3, most + 1)) for _ in range(int(rng.integers(1, 30)))]
     lefts = [BIAS + int(rng.integers(0, 1024)) for _ in counts]
@@ -114,7 +114,7 @@ def shade_trial(rng, most: int) -> Trial:
         dcdx = int(rng.integers(-1 << 31, 1 << 31)) & ~3
     shade = (int(rng.integers(low, high + 1)) & ~3) - dcdx * lefts[0] & M32
     longest, limited = max(max(counts), 1) - 1, dcdx
-    if longest:
+    if longest and not inside:
         largest = (high - low) // longest & ~3
         limited = min(max(dcdx, -largest), largest)
     added = int(rng.choice((0, FALLS))) + (int(rng.integers(0, 193)) << 8)
@@ -124,13 +124,14 @@ def shade_trial(rng, most: int) -> Trial:
                     shape=layout.load().struct("scanline"))
     shades_at = memory.add(memory.noise.bytes(4 * len(counts)), name="shades")
     plan = memory.struct("shade_plan", dict(lines=at, shades=shades_at), count=len(counts),
-                         added=added, shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high)
+                         added=added, shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high,
+                         inside=int(inside))
     writes = [table_write(plan + layout.load().struct("shade_plan").fields["dcdx"]["offset"],
                           limited)]
     for k, (left, count) in enumerate(zip(lefts, counts)):
-        if count > 0:
-            start = signed(shade + k * dcdy + left * dcdx)
-            kept = held(start, limited, count, low, high)
+        start = signed(shade + k * dcdy + left * dcdx)
+        if count > 0 or inside:
+            kept = start if inside else held(start, limited, count, low, high)
             writes.append(table_write(shades_at + 4 * k, pack_shade(kept, added)))
     return Trial(Case("edge_shade", memory, pointers={"a0": plan}),
                  values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added),
@@ -142,4 +143,5 @@ def trials() -> list[Trial]:
     rng = [np.random.default_rng([11, seed]) for seed in range(4)]
     return [*lit_trials("span_lit", rng[0]), *lit_trials("span_lit_wrap", rng[1]),
             *gouraud_trials(rng[2]),
-            *(shade_trial(rng[3], most) for most in (1, 2, 3, 40, 320) for _ in range(20))]
+            *(shade_trial(rng[3], most, inside) for most in (1, 2, 3, 40, 320)
+              for inside in (False, True) for _ in range(20))]

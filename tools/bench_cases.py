@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import bench_perspective, layout, maps, model
-from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case
+from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .kernels import M32, Arena, Case, Result
 from .scanline import MASKS, add_span_plan, pack, rounded_edge
@@ -322,6 +322,8 @@ def line_rows(chip: bool) -> list[Row]:
         "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
         "edge_flat", "edge_flat_exact")]
     rows.append(Row("edge_ramp", EDGE_LINES, *ramp_case()))
+    rows.append(Row("edge_shade", EDGE_LINES, *shade_case(EDGE_LINES)))
+    rows.append(Row("edge_shade_inside", EDGE_LINES, *shade_case(EDGE_LINES, inside=1)))
     rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]

@@ -71,6 +71,27 @@ def lit_case(kernel: str, length: int):
         {"map": map_at, "light": light_at + 256 * level}, expected, dudx=DU, dvdx=DV, dcdx=DC)
 
 
+def shade_case(count: int, inside: int = 0):
+    """Shades of so many lines of 10 pixels and more, which move to the right."""
+    arena, bias = Arena(), layout.load().constants["EDGE_BIAS"]
+    entries = np.zeros(count, layout.load().struct("scanline").dtype)
+    n = np.arange(count)
+    entries["left"], entries["last"] = bias + 40 + n // 2, bias + 50 + n
+    lines_at, shades_at = arena.add(entries.tobytes()), arena.add(bytes(4 * count))
+    first, down = 20 << 16, -0x800
+    plan_at = arena.struct(
+        "shade_plan", {"lines": lines_at, "shades": shades_at}, count=count, added=0,
+        shade=first - DC * bias & 0xFFFFFFFF, dcdx=DC, dcdy=down, low=0, high=(LEVELS << 16) - 4,
+        inside=inside)
+    wanted = [pack_shade(first + k * down + (40 + k // 2) * DC) for k in range(count)]
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.memory, ">u4", count, shades_at).tolist()
+        return None if found == wanted else f"shades {found}, expected {wanted}"
+
+    return count, Case("edge_shade", arena, pointers={"a0": plan_at}), check
+
+
 def screen(kernel: str, steps: tuple[int, int]) -> np.ndarray:
     """Where each pixel of the rotator's screen is fetched in the map, int64 [y][x]."""
     (width, height), (du, dv) = SCREEN, steps

@@ -111,6 +111,7 @@ struct shade_plan {
     fix16 dcdx, dcdy;           /* levels a pixel, a line; dcdx is made smaller where it
                                    must be */
     fix16 low, high;            /* the least and greatest of any pixel */
+    int32 inside;               /* all pixels have such: nothing to be done for it */
 };
 
 /* Everything a span routine needs: it draws the whole table. */
