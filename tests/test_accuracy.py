@@ -111,7 +111,7 @@ def test_sets_with_depth_are_what_they_say(name: str) -> None:
         dense = (polygon_sets.area(texels) / polygon_sets.area(points)) ** 0.5
         assert dense == pytest.approx(polygon_sets.STEPS[k % len(polygon_sets.STEPS)], rel=0.01)
         assert all(abs(c) < polygon_sets.LARGEST for pair in texels for c in pair)
-    scene = accuracy.scene_of(name, accuracy.depth_combinations(scene_file.SETTINGS["perspective"]))
+    scene = accuracy.scene_of(name, accuracy.depth_combinations())
     again = scene_file.read(scene_file.write(scene), name)
     assert {m.perspective for m in again.materials} == set(scene_file.SETTINGS["perspective"])
 

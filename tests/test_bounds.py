@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from tools import bounds, fuzz_polygons, model_edges, model_texturing, polygon_sets, scene_file
+from tools import bounds, fuzz_polygons, model_edges, model_texturing, polygon_sets
 from tools.fixed import ceil16
 from tools.model import Settings
 
@@ -113,8 +113,7 @@ def test_random_polygons_have_all_that_is_promised() -> None:
     """Every setting and mapper, planes for what is judged, some of everything that is hard."""
     some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
     for kind, names in fuzz_polygons.SETTINGS.items():
-        assert {getattr(p.settings, kind) for p in some} == set(
-            scene_file.PERSPECTIVES if kind == "perspective" else names)
+        assert {getattr(p.settings, kind) for p in some} == set(names)
     far = sum(any(abs(c) >= 1 << 30 for v in p.vertices for c in v[:4]) for p in some)
     assert 20 < far < 300
     assert {len(p.vertices) for p in some} >= set(range(3, 10))

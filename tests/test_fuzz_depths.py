@@ -13,14 +13,14 @@ from tools import fuzz_depths, fuzz_polygons, fuzz_shrink, ideal_perspective, mo
 from tools.scene_file import ONE, SETTINGS
 
 SEED = 2026
-EVERY = SETTINGS["perspective"]
+
 W_MIN, W_MAX = fuzz_depths.limits()
 
 
 @pytest.fixture(scope="module")
 def some() -> list[fuzz_polygons.Fuzzed]:
     """Polygons with and without depth."""
-    return [fuzz_polygons.polygon(SEED, k, EVERY) for k in range(6000)]
+    return [fuzz_polygons.polygon(SEED, k) for k in range(6000)]
 
 
 def is_deep(each: fuzz_polygons.Fuzzed) -> bool:
@@ -31,8 +31,8 @@ def is_deep(each: fuzz_polygons.Fuzzed) -> bool:
 def test_a_share_has_depth(some) -> None:
     """Some 8 % of all, each perspective alike; what it needs; the others have none of it."""
     found = Counter(p.settings.perspective for p in some)
-    assert set(found) == set(EVERY)
-    assert all(0.01 * len(some) < found[name] < 0.03 * len(some) for name in EVERY if name != "none")
+    assert set(found) == set(SETTINGS["perspective"])
+    assert all(0.01 * len(some) < found[name] < 0.03 * len(some) for name in found if name != "none")
     for each in filter(is_deep, some):
         s = each.settings
         assert (s.mapper, s.gradients, s.start) == ("affine", "plane", "subtexel")
@@ -46,7 +46,7 @@ def test_a_share_has_depth(some) -> None:
 def test_polygons_are_the_same_in_every_run(some) -> None:
     """By seed and number alone, whatever was drawn before."""
     fuzz_polygons.polygon.cache_clear()
-    assert [fuzz_polygons.polygon(SEED, k, EVERY) for k in range(900, 800, -1)] == some[900:800:-1]
+    assert [fuzz_polygons.polygon(SEED, k) for k in range(900, 800, -1)] == some[900:800:-1]
 
 
 def test_all_kinds_of_depth_are_there(some) -> None:
@@ -77,9 +77,8 @@ def test_more_than_three_vertices_are_flat_in_space(some) -> None:
 
 def test_most_have_an_ideal(some) -> None:
     """They are in front of the viewer: a vertex behind is a matter of rounding w."""
-    defined = [ideal_perspective.in_front(ideal_perspective.with_depth(
-        model.adapt(p.vertices, replace(p.settings, edges="exact"), 256), p.vertices))
-        for p in some if is_deep(p)]
+    defined = [ideal_perspective.in_front(model.adapt(p.vertices, replace(p.settings, edges="exact"), 256))
+               for p in some if is_deep(p)]
     assert sum(defined) > 0.9 * len(defined)
 
 
@@ -103,7 +102,7 @@ def test_depths_of_a_kind(kind: str) -> None:
 
 def test_shrinking_leaves_depth_only_where_it_matters() -> None:
     """w becomes 1, the perspective the plainest that fails; the range of w is kept."""
-    start = next(p for p in (fuzz_polygons.polygon(SEED, k, EVERY) for k in range(2000))
+    start = next(p for p in (fuzz_polygons.polygon(SEED, k) for k in range(2000))
                  if p.settings.perspective == "fine" and max(v[5] for v in p.vertices) > 100 * ONE)
 
     def deep(some):

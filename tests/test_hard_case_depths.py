@@ -17,8 +17,7 @@ BY_NAME = {case.name: case for case in CASES}
 
 def adapted(case: hard_cases.Case) -> list[tuple]:
     """(x, y, u, v, w) on a map of 256x256."""
-    return ideal_perspective.with_depth(model.adapt(case.vertices, model.Settings("exact"), 256),
-                                        case.vertices)
+    return model.adapt(case.vertices, model.Settings("exact"), 256)
 
 
 def test_all_are_defined_and_most_show() -> None:
@@ -74,12 +73,12 @@ def test_every_perspective_is_combined() -> None:
     """With edges that have an ideal, cut or not; scenes of them can be written."""
     perspectives = scene_file.SETTINGS["perspective"]
     case = BY_NAME["corridor_left"]
-    made = list(hard_cases.combinations(case, perspectives))
+    made = list(hard_cases.combinations(case))
     assert len(made) == len(set(made)) == 2 * 2 * len(perspectives)
     assert {(s.mapper, s.gradients, s.start) for s in made} == {("affine", "plane", "subtexel")}
     assert {s.edges for s in made} == {"subpixel", "exact"}
-    assert {s.perspective for s in hard_cases.combinations(case)} == set(scene_file.PERSPECTIVES)
-    every = [(case, s) for case in CASES[::7] for s in hard_cases.combinations(case, perspectives)]
+    assert {s.perspective for s in made} == set(perspectives)
+    every = [(case, s) for case in CASES[::7] for s in hard_cases.combinations(case)]
     scene = hard_cases.scene(every)
     again = scene_file.read(scene_file.write(scene), "scene")
     assert again.materials == scene.materials and np.array_equal(again.vertices, scene.vertices)

@@ -8,6 +8,7 @@ import kernel_trials_edge
 import kernel_trials_lit
 import kernel_trials_mappers
 import kernel_trials_math
+import kernel_trials_perspective
 import kernel_trials_pixel
 import kernel_trials_polygon
 import kernel_trials_scanline
@@ -34,7 +35,7 @@ def called(request):
     trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
                                  kernel_trials_mappers, kernel_trials_pixel,
                                  kernel_trials_scanline, kernel_trials_tiled, kernel_trials_lit,
-                                 kernel_trials_polygon)
+                                 kernel_trials_polygon, kernel_trials_perspective)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

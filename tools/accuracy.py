@@ -18,7 +18,7 @@ from .errors import UserError
 from .model import Settings
 from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, PERSPECTIVES, Material, Object, Scene, Texture,
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
                          write)
 
 MACHINES = ("a1200", "a1200-fast")
@@ -45,9 +45,10 @@ def combinations() -> list[Settings]:
                    for settings in usual(mapper)]
 
 
-def depth_combinations(perspectives: tuple[str, ...] = PERSPECTIVES) -> list[Settings]:
+def depth_combinations() -> list[Settings]:
     """What a set with depth is drawn with: affine, and every other perspective beside it."""
-    return [Settings(edges, perspective=p) for edges in ("subpixel", "exact") for p in perspectives]
+    return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
+            for p in SETTINGS["perspective"]]
 
 
 def picture() -> np.ndarray:
@@ -123,15 +124,16 @@ class Errors:
             self.coverage += right - left + end - first - 2 * both
             self.pixels += right - left
             if right > left and settings.mapper != "flat":
-                self.texels(line, y, exact, settings)
+                self.texels(polygon, line, y, exact, settings)
 
-    def texels(self, line: model.Line, y: int, exact: ideal.Picture, settings: Settings) -> None:
+    def texels(self, polygon: model.Polygon, line: model.Line, y: int, exact: ideal.Picture,
+               settings: Settings) -> None:
         """Adds u and v of a line's pixels; where the ideal ends with the polygon, of those in it."""
         first, end = (line.left, line.right) if exact.endless else exact.extents.get(y, (0, 0))
         columns = np.arange(line.left, line.right)
         inside = (columns >= first) & (columns < end)
         if inside.any():
-            self.compare([c[inside] for c in model.coordinates(line, settings.mapper)],
+            self.compare([c[inside] for c in polygon.coordinates(line, y, settings.mapper)],
                          columns[inside], y, exact)
 
     def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:

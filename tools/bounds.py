@@ -55,7 +55,7 @@ Every line is held: 6B + 8U.
 
 from dataclasses import dataclass
 
-from . import ideal, model
+from . import bounds_perspective, ideal, model
 from .fixed import ceil16, signed
 from .ideal import UNIT
 from .model_edges import Edge
@@ -325,7 +325,9 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     out = Verdict(pixels=polygon.pixels if polygon else 0)
     out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
-    if polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
+    if polygon and polygon.perspective:
+        bounds_perspective.judge_texels(adapted, polygon, out)
+    elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         judge_texels(adapted, polygon, settings,
                      held_beyond(adapted, polygon, settings, size), out)
         if polygon.shading:

@@ -12,11 +12,12 @@ import numpy as np
 
 from . import fuzz_depths
 from .fixed import ceil16
+from .ideal_perspective import in_front
 from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
 from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, PERSPECTIVES, SETTINGS, Material, Object,
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Object,
                          Scene, Texture)
 
 BLOCK = 1000
@@ -36,12 +37,14 @@ class Fuzzed:
     texture: int  # index in its block's textures; -1: none
 
 
-def has_ideal(vertices) -> bool:
+def has_ideal(vertices, settings: Settings = Settings()) -> bool:
     """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
-    and convex (integer edges may dent a polygon)."""
+    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
+    (more than three may not be, by their rounding)."""
     points = [tuple(v[:2]) for v in vertices]
-    inside = all(-FAR <= c < FAR for v in vertices for c in v)
-    return inside and (len(points) == 3 or is_convex(points) and winds_once(points))
+    inside = all(-FAR <= c < FAR for v in vertices for c in v[:4])
+    convex = len(points) == 3 or is_convex(points) and winds_once(points)
+    return inside and convex and (settings.perspective == "none" or in_front(vertices))
 
 
 def winds_once(points) -> bool:
@@ -139,13 +142,12 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
     return list(zip(*made))
 
 
-def with_perspective(rng: random.Random, each: Fuzzed, perspectives: tuple[str, ...],
-                     size: tuple[int, int]) -> Fuzzed:
+def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) -> Fuzzed:
     """A quarter of the affine ones get depths, and a perspective with what it needs; ``size``: of
     the frame."""
     if each.settings.mapper != "affine" or rng.random() >= 0.25:
         return each
-    settings = replace(each.settings, perspective=rng.choice(perspectives))
+    settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
     if settings.perspective != "none":
         settings = replace(settings, gradients="plane", start="subtexel")
     vertices = each.vertices
@@ -155,7 +157,7 @@ def with_perspective(rng: random.Random, each: Fuzzed, perspectives: tuple[str, 
 
 
 @cache
-def polygon(seed: int, number: int, perspectives: tuple[str, ...] = PERSPECTIVES) -> Fuzzed:
+def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
@@ -184,7 +186,7 @@ def polygon(seed: int, number: int, perspectives: tuple[str, ...] = PERSPECTIVES
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
     vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
     return with_perspective(random.Random(f"{seed} depth {number}"),
-                            Fuzzed(vertices, settings, texture), perspectives, (width, height))
+                            Fuzzed(vertices, settings, texture), (width, height))
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:

@@ -17,7 +17,7 @@ from .hard_case import HEIGHT, WIDTH, Case
 from .model import Settings
 from .model_shading import LIT
 from .paths import ROOT
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, PERSPECTIVES, SETTINGS, Material, Object, Scene,
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene,
                          Texture, size_fault)
 
 __all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
@@ -62,14 +62,15 @@ def is_clipped(case: Case) -> bool:
     return clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
 
 
-def combinations(case: Case, perspectives: tuple[str, ...] = PERSPECTIVES) -> Iterator[Settings]:
+def combinations(case: Case) -> Iterator[Settings]:
     """The settings that a case is drawn with: all that differ where the mapper is affine or
     flat, the usual ones and clipped vertices with the others; each perspective where it has
     depth."""
     clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
     for mapper in case.mappers:
         if case.depth:
-            made = [Settings(e, perspective=p) for e in ("subpixel", "exact") for p in perspectives]
+            made = [Settings(e, perspective=p) for e in ("subpixel", "exact")
+                    for p in SETTINGS["perspective"]]
         elif mapper == "affine":
             made = [Settings(e, g, s) for e in SETTINGS["edges"] for g in SETTINGS["gradients"]
                     for s in SETTINGS["start"] if g != "polygon" or len(case.vertices) == 3]

@@ -23,7 +23,7 @@ from .fuzz_polygons import has_ideal
 from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
 from .polygon_report import explain
-from .scene_file import PERSPECTIVES
+from .scene_file import SETTINGS
 
 #: Drawings of one scene; a frame more is empty.
 PART = 999
@@ -60,7 +60,7 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     adapted = model.adapt(case.vertices, settings, max(size))
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
-    if has_ideal([v[:4] for v in adapted]):
+    if has_ideal(adapted, settings):
         verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
         row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
         if verdict.texel_bound:
@@ -123,7 +123,7 @@ def palette() -> np.ndarray:
 def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
     """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one.
     ``vertices``: (x, y, u, v, w)."""
-    if not has_ideal([v[:4] for v in vertices]):
+    if not has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
     three = [vertices[k] for k in ideal.corners(vertices)]
@@ -131,8 +131,6 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
     if not planes[0].d:
         return frame
     if settings.perspective != "none":
-        if not ideal_perspective.in_front(vertices):
-            return None
         planes = ideal_perspective.curves(vertices)
     ys = [v[1] for v in vertices]
     for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
@@ -147,7 +145,9 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
 def shown(case: Case) -> Settings:
     """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts; where it
     has depth, with the finest perspective."""
-    return Settings("exact", perspective=PERSPECTIVES[-1] if case.depth else "none", mapper=next((m for m in SHOWN if m in case.mappers), case.mappers[0]))
+    mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
+    return Settings("exact", perspective=SETTINGS["perspective"][-1] if case.depth else "none",
+                    mapper=mapper)
 
 
 def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
@@ -155,12 +155,12 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     settings = shown(case)
     size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
-    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    adapted = model.adapt(case.vertices, settings, max(size))
     ours = np.full((HEIGHT, WIDTH), -1, np.int16)
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     if made:
         model.draw(ours, made, texels, 200, settings.mapper)
-    return exact_picture(ideal_perspective.with_depth(adapted, case.vertices), settings, texels), ours
+    return exact_picture(adapted, settings, texels), ours
 
 
 def picture(case: Case) -> np.ndarray:

@@ -135,11 +135,6 @@ def curves(vertices) -> tuple[Curve, Curve]:
     return tuple(Curve(points, [v[k] for v in three], depths) for k in (2, 3))
 
 
-def with_depth(adapted, vertices) -> list[tuple[int, int, int, int, int]]:
-    """What ``model.adapt`` made of vertices (x, y, s, t, shade, w), each with its depth."""
-    return [(*a[:4], v[5]) for a, v in zip(adapted, vertices, strict=True)]
-
-
 def in_front(vertices) -> bool:
     """Whether u and v are defined all over a polygon: it has an area, and the plane of 1/w is
     positive at every vertex (more than three need not lie on it)."""

@@ -43,10 +43,17 @@ class Polygon:
     left_edges: list[Edge]
     right_edges: list[Edge]
     textured: bool
-    level: int = 0  # lit: the row of the light table
-    shading: Shading | None = None  # lit Gouraud
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
+    level: int = 0  # lit: the row of the light table
+    shading: Shading | None = None  # lit Gouraud
+
+    def coordinates(self, line: Line, y: int, mapper: str = "affine"):
+        """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
+        if self.perspective:
+            return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
+                                           self.setting)
+        return coordinates(line, mapper)
 
     @property
     def pixels(self) -> int:
@@ -186,7 +193,8 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
-        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade, *_ in vertices]
+        return [(x, y, min(max(shade, low), high), 0, *w)
+                for x, y, _, _, shade, *w in vertices]
     lit = settings.mapper in LIT
     return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w, *[level_of(shade)][:lit])
             for x, y, s, t, shade, *w in vertices]
@@ -200,8 +208,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
-            u, v = perspective_coordinates(ends(polygon.perspective, line.left, line.right, y),
-                                           polygon.setting)
+            u, v = polygon.coordinates(line, y)
             height, width = texture.shape
             frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
         elif line.right > line.left:
