@@ -17,6 +17,7 @@ import numpy as np
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
+from .model_mesh import polygons_at
 from .model_perspective import Perspective, ends, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
@@ -25,7 +26,8 @@ from .model_texturing import (Line, Settings, Texturing, along, edge_starts, lon
                               scanline_line)
 
 __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "ceil16",
-           "coordinates", "draw", "prepare", "render", "scanline_line", "set_up", "signed"]
+           "coordinates", "draw", "prepare", "prepare_polygon", "render", "scanline_line", "set_up",
+           "signed"]
 
 FAR = 16384 << 16
 INSET = 65536 // 16  # see c/polygon/material.c
@@ -216,20 +218,24 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
                 if polygon.textured else colour
 
 
+def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
+    """Vertices on the screen as they are set up with a scene's material; None where nothing
+    is drawn."""
+    material = scene.materials[number]
+    settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                        material.perspective, material.mapper)
+    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+    return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
+                  scene.width, scene.height, material.mapper != "flat", settings,
+                  None if texture is None else texture.shape[::-1])
+
+
 def prepare(scene, obj, number: int) -> Polygon | None:
     """An object of a scene as it is set up in frame ``number``; None where it draws nothing."""
     from .scene_file import vertices_at
 
-    if not obj.first_frame <= number < obj.first_frame + obj.poses:
-        return None
-    material = scene.materials[obj.material]
-    settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.perspective, material.mapper)
-    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-    vertices = adapt(vertices_at(scene, obj, number), settings,
-                     256 if texture is None else max(texture.shape))
-    return set_up(vertices, scene.width, scene.height, material.mapper != "flat", settings,
-                  None if texture is None else texture.shape[::-1])
+    vertices = vertices_at(scene, obj, number)
+    return prepare_polygon(scene, obj.material, vertices) if vertices else None
 
 
 def render(scene, number: int) -> np.ndarray:
@@ -237,8 +243,8 @@ def render(scene, number: int) -> np.ndarray:
     from .scene_file import TEXEL
 
     frame = np.full((scene.height, scene.width), scene.background, TEXEL[scene.pixel_bytes])
-    for obj in scene.objects:
-        polygon, material = prepare(scene, obj, number), scene.materials[obj.material]
+    for which, vertices in polygons_at(scene, number):
+        polygon, material = prepare_polygon(scene, which, vertices), scene.materials[which]
         if polygon:
             texture = scene.textures[material.texture].texels if material.texture >= 0 else None
             light = scene.textures[material.light].texels if material.light >= 0 else None
