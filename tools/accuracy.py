@@ -16,6 +16,7 @@ from . import emulator, ideal, ideal_perspective, model, polygon_sets, provenanc
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .model import Settings
+from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
 from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
                          write)
@@ -28,14 +29,20 @@ USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
          ("exact", "plane", "subtexel"))
 
 
+def usual(mapper: str) -> list[Settings]:
+    """USUAL, as far as the mapper has them."""
+    return [Settings(*each, mapper=mapper) for each in USUAL
+            if mapper != "lit_gouraud" or each[1:] == ("plane", "subtexel")]
+
+
 def combinations() -> list[Settings]:
     """Every sensible combination of settings and mapper."""
     made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
              for e in ("integer", "subpixel", "exact")]
-    return made + [Settings(*usual, mapper=mapper) for mapper in MAPPER_LAYOUT
-                   if mapper not in ("flat", "affine") for usual in USUAL]
+    return made + [settings for mapper in MAPPER_LAYOUT if mapper not in ("flat", "affine")
+                   for settings in usual(mapper)]
 
 
 def depth_combinations() -> list[Settings]:
@@ -61,14 +68,15 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
         materials.append(Material(s.mapper, s.edges, s.gradients, s.start, perspective=s.perspective,
-                                  colour=200,
-                                  texture=layouts.index(layout) if layout else -1))
+                                  colour=200, texture=layouts.index(layout) if layout else -1,
+                                  light=len(layouts) if s.mapper in LIT else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, palette,
-                 [Texture(picture(), layout) for layout in layouts], materials, objects,
+                 [*(Texture(picture(), layout) for layout in layouts),
+                  Texture(picture()[:64], "light")], materials, objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 

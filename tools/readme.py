@@ -7,7 +7,7 @@ import json
 
 from PIL import Image
 
-from . import bench, emulator, polys, run, scene, scene_file
+from . import bench, bench_effects, emulator, polys, run, scene, scene_file
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -46,7 +46,8 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("exact", "plane", "subtexel", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (
-                      "arbitrary", "tiled", "columns", "generated", "gouraud")))
+                      "arbitrary", "tiled", "columns", "generated", "gouraud",
+                      "lit", "lit_gouraud")))
 
 
 def accuracy_table(baseline: dict) -> str:
@@ -60,6 +61,31 @@ def accuracy_table(baseline: dict) -> str:
         lines.append(f"| {mapper} | {edges} | {gradients} | {start} | {r['cycles_per_pixel']:.1f} "
                      f"| {r['coverage_errors_per_million']:,.0f} | {r['texel_error_rms']:.4f} "
                      f"| {r['wrong_texels_percent']:.2f} % |")
+    return "\n".join(lines)
+
+
+#: Effects: title, bench row, its length.
+EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
+                ("rotator, v wraps more than once a line", "rotator_wrap", 320),
+                ("rotator, swap", "rotator_swap", 320),
+                ("rotator, generated code", "rotator_generated", 320),
+                ("v's step 0: floors, upright pictures", "affine_row", 256),
+                ("u's step 0: walls on their side", "affine_column", 256),
+                ("lit, one level", "affine_lit", 256),
+                ("lit, a level each pixel", "affine_gouraud", 256))
+
+
+def effects_table(baseline: dict) -> str:
+    """Markdown: cycles a pixel on each machine, pixels a second and wrong texels."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
+    lines = ["| cycles a pixel | " + " | ".join(MACHINES.values())
+             + " | pixels a second, fast RAM | wrong texels |", "|---|" + "--:|" * 5]
+    for title, name, length in EFFECT_LINES:
+        found = [figures[name, machine, length] for machine in MACHINES]
+        kernel, _, steps = bench_effects.ROTATORS.get(name, ("exact", "", bench_effects.TURNED))
+        wrong = 100 * bench_effects.wrong_texels(kernel, steps)
+        lines.append(f"| {title} | " + " | ".join(f"{n:.1f}" for n in found)
+                     + f" | {run.CLOCK_HZ / found[0]:,.0f} | {wrong:.0f} % |")
     return "\n".join(lines)
 
 
@@ -96,6 +122,7 @@ def with_tables(text: str) -> str:
     """The README's text with all tables as the baselines have them."""
     measured = json.loads(BASELINE.read_text())
     text = with_table(text, "addx against swap", table(measured))
+    text = with_table(text, "effects", effects_table(measured))
     text = with_table(text, "meshes", mesh_table(measured))
     text = with_table(text, "what accuracy costs",
                       accuracy_table(json.loads(ACCURACY_BASELINE.read_text())))
