@@ -295,6 +295,8 @@ def pixel_rows(chip: bool) -> list[Row]:
             rows.append(Row(name, length, *mapper_case(name, length)))
         for name, (setting, ratio) in bench_perspective.SPANS.items():
             rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
+        for name, m in bench_perspective.RECIPROCALS.items():
+            rows.append(Row(name, length, *bench_perspective.reciprocal_case(m, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
     # One line: written, flushed and drawn once.
     rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))

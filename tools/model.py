@@ -17,7 +17,8 @@ import numpy as np
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
-from .model_perspective import Perspective, ends, perspective
+from . import model_reciprocal
+from .model_perspective import PIECES, Perspective, ends, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_spans import coordinates, pixels
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
@@ -44,6 +45,7 @@ class Polygon:
     textured: bool
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
+    constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
     @property
     def pixels(self) -> int:
@@ -144,7 +146,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         deep = perspective(vertices, corners, box)
         if deep:
             return Polygon(box[1], lines, None, lefts, rights, textured, deep,
-                           settings.perspective)
+                           settings.perspective, constants(deep, lines, box, settings))
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -168,6 +170,15 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     return Polygon(box[1], lines, t, lefts, rights, textured)
 
 
+def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
+    """The constants of lines by reciprocals; None where there are none."""
+    first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
+    if settings.perspective not in PIECES or first is None:
+        return None
+    piece = PIECES[settings.perspective].bit_length() - 1
+    return model_reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
+
+
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
     s and t in texels of a map whose longer side is given, rounded down, or the shade as u,
@@ -182,13 +193,20 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
             for x, y, s, t, _, *w in vertices]
 
 
+def line_coordinates(polygon: Polygon, line: Line, y: int) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a line's pixels with perspective."""
+    where = line.left, line.right, y
+    taken = polygon.constants and model_reciprocal.line(polygon.perspective, polygon.constants, *where)
+    return model_reciprocal.coordinates(taken) if taken else \
+        perspective_coordinates(ends(polygon.perspective, *where), polygon.setting)
+
+
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
          mapper: str = "affine") -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]."""
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
-            u, v = perspective_coordinates(ends(polygon.perspective, line.left, line.right, y),
-                                           polygon.setting)
+            u, v = line_coordinates(polygon, line, y)
             height, width = texture.shape
             frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
         elif line.right > line.left:

@@ -94,7 +94,7 @@ enum span_kind {
     SPAN_FILL, SPAN_FILL_16, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
     SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP, SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED,
     SPAN_COLUMNS, SPAN_COLUMNS_16, SPAN_GENERATED, SPAN_PERSPECTIVE_PIECES,
-    SPAN_PERSPECTIVE_CURVES,
+    SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL,
     SPAN_KINDS
 };
 
@@ -109,6 +109,7 @@ struct material {
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
+    const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
 };
 
 /* Draws a convex polygon, either winding. counts may be 0; counting takes time. */
