@@ -33,7 +33,7 @@ LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/
 HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
 NAMES := $(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c)))
-ASM_FILES := $(sort $(wildcard $(foreach room,amiga math polygon edge span,src68k/$(room)/*.s)))
+ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span,src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kernel_checker import Trial, values
+from kernel_checker import Memory, Trial, values
 from tools.kernels import M32, Case
 
 MIN, MAX = -(1 << 31), (1 << 31) - 1
@@ -40,8 +40,29 @@ def mul_div_trials(rng) -> list[Trial]:
     return trials
 
 
+def mul_shift_trials(rng) -> list[Trial]:
+    triples = [(a, b, bits) for a in CORNERS for b in CORNERS[::3] for bits in (1, 15, 16, 17, 31)]
+    triples += [(any_size(rng), any_size(rng), int(rng.integers(1, 32))) for _ in range(100)]
+    return [Trial(Case("mul_shift", registers={"d0": a, "d1": b, "a0": bits}),
+                  values(a=a, b=b) + f", bits {bits}", {"d0": (a * b >> bits) & M32})
+            for a, b, bits in triples]
+
+
+def mul_wide_trials(rng) -> list[Trial]:
+    pairs = [(a << 32 | b & M32, c) for a in CORNERS for b in (0, 1, -1, 0x8000) for c in CORNERS[::2]]
+    pairs += [(any_size(rng, 62), any_size(rng)) for _ in range(100)]
+    trials = []
+    for gradient, offset in pairs:
+        memory = Memory()
+        at = memory.struct("number64", {}, hi=gradient >> 32 & M32, lo=gradient & M32)
+        trials.append(Trial(Case("mul_wide", memory, {"d0": offset}, {"a0": at}),
+                            values(gradient=gradient, offset=offset),
+                            {"d0": (gradient * offset + (1 << 31) >> 32) & M32}))
+    return trials
+
+
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    makers = mul_fix_trials, mul_div_trials
+    makers = mul_fix_trials, mul_div_trials, mul_shift_trials, mul_wide_trials
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed))]

@@ -19,7 +19,7 @@ WIDTH, HEIGHT = 320, 256
 def vertex_block(memory: Memory, vertices) -> int:
     """The vertices, (x, y, s, t) each, as a C array."""
     shape = layout.load().struct("vertex")
-    content = b"".join(shape.pack(**dict(zip("xyst", v)), shade=0) for v in vertices)
+    content = b"".join(shape.pack(**dict(zip("xyst", v)), shade=0, w=65536) for v in vertices)
     return memory.add(content, name="vertices", shape=shape)
 
 

@@ -1,7 +1,7 @@
 """What must hold for every polygon: each function returns complaints, none where it holds.
 
 They call the integer model through its modules, so that tests can put a wrong renderer in
-its place. Coordinates are 16.16; a vertex is (x, y, s, t, shade). What the renderer may be
+its place. Coordinates are 16.16; a vertex is (x, y, s, t, shade, w). What the renderer may be
 off from the ideal stands in tools/ideal.py. tests/property_cases.py has random cases.
 """
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from tools import ideal, meshes, model, random_polygons
 from tools.ideal import UNIT
+from tools.scene_file import ONE
 
 SIDE = 256 << 16  # of a map that repeats: 256 texels
 
@@ -53,7 +54,7 @@ class Case:
 def listed(vertices) -> list[str]:
     """Vertices in decimal and hex."""
     return [f"  vertex {k}: " + ", ".join(f"{n} {c / 65536:.6f} ({c & model.M32:#010x})"
-                                          for n, c in zip(("x", "y", "s", "t", "shade"), vertex))
+                                          for n, c in zip(("x", "y", "s", "t", "shade", "w"), vertex))
             for k, vertex in enumerate(vertices)]
 
 
@@ -93,7 +94,7 @@ def counted(case: Case, pieces) -> np.ndarray:
     settings: int, [y][x]."""
     counts = np.zeros((case.height, case.width), int)
     for piece in pieces:
-        part = replace(case, vertices=tuple((*p[:2], 0, 0, 0) for p in piece))
+        part = replace(case, vertices=tuple((*p[:2], 0, 0, 0, ONE) for p in piece))
         for y, line in rows(part.drawn()).items():
             counts[y, line.left:line.right] += 1
     return counts
@@ -250,8 +251,8 @@ def translation(case: Case, columns: int, down: int) -> list[str]:
 
 def wrapping(case: Case, s: int, t: int) -> list[str]:
     """s and t further by whole maps that repeat: u and v further by as much, the same steps."""
-    other = replace(case, vertices=tuple((x, y, u + s * SIDE, v + t * SIDE, shade)
-                                         for x, y, u, v, shade in case.vertices))
+    other = replace(case, vertices=tuple((x, y, u + s * SIDE, v + t * SIDE, *rest)
+                                         for x, y, u, v, *rest in case.vertices))
     return same(case, f"{s} and {t} maps further: line",
                 moved(rows(case.drawn()), u=s * SIDE, v=t * SIDE), rows(other.drawn()))
 

@@ -11,6 +11,7 @@ from properties import (Case, clipping, coverage, covers_once, drift, held, mono
                         rotation, splitting, translation, within, wrapping)
 
 from tools import meshes, model, random_polygons
+from tools.scene_file import ONE
 
 WIDTH, HEIGHT = 96, 72
 LATTICE = 243  # units; odd, so that gradients have no end in binary
@@ -24,7 +25,7 @@ def planar(rng: random.Random, points) -> tuple:
              for g in (LATTICE * rng.choice((0, 1, 1, 4)) for _ in range(2))]
     start = [rng.randint(-300 << 16, 300 << 16) for _ in range(2)]
     return tuple((x, y, *(a + gx * (x // LATTICE) + gy * (y // LATTICE)
-                          for a, (gx, gy) in zip(start, steps)), 0) for x, y in points)
+                          for a, (gx, gy) in zip(start, steps)), 0, ONE) for x, y in points)
 
 
 def convex(rng: random.Random, least: int = 3, unit: int = 1) -> list[tuple[int, int]]:
@@ -41,7 +42,7 @@ def textured(rng: random.Random, points, shades=(0, 255)) -> tuple:
     st = [(model.FAR, 0)]
     while max(abs(c) for pair in st for c in pair) > model.FAR // 2:
         st = random_polygons.texture_plane(rng, points)
-    return tuple((*p, *c, rng.randint(shades[0] << 16, (shades[1] << 16) + 0xFFFF))
+    return tuple((*p, *c, rng.randint(shades[0] << 16, (shades[1] << 16) + 0xFFFF), ONE)
                  for p, c in zip(points, st))
 
 
@@ -84,7 +85,7 @@ def held_case(rng: random.Random, origin: str) -> Case:
     inset = min(model.INSET * 256 // max(size) + 1, *room)  # lines just need not be held
     vertices = tuple(
         (*p[:2], *(rng.choice((0, end, inset, end - inset, rng.randint(0, end))) for end in room),
-         p[4]) for p in textured(rng, points, (low, high)))
+         *p[4:]) for p in textured(rng, points, (low, high)))
     settings = any_settings(rng, len(points), mapper=rng.choice(("gouraud", "arbitrary")))
     return Case(origin, vertices, WIDTH, HEIGHT, settings, size)
 

@@ -1,11 +1,12 @@
 """The accuracy report: what it promises, and its own arithmetic."""
 
 import json
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
-from tools import accuracy, ideal, model, polygon_sets
+from tools import accuracy, ideal, ideal_perspective, model, polygon_sets, scene_file
 from tools.errors import UserError
 from tools.paths import ACCURACY_BASELINE
 
@@ -90,6 +91,80 @@ def test_errors_are_the_exact_ones() -> None:
     line.u -= 65536
     total.texels(line, 5, ideal.Picture(vertices, 320, 256), BEST)
     assert total.wrong == 10
+
+
+@pytest.mark.parametrize("name", polygon_sets.DEPTHS)
+def test_sets_with_depth_are_what_they_say(name: str) -> None:
+    """Medium triangles, one corner half to all of the stated times as deep as another; their texture
+    is as dense as the others' on the whole, and the format takes them."""
+    most = polygon_sets.DEPTHS[name]
+    made = polygon_sets.polygons(name)
+    assert len(made) == polygon_sets.COUNT and made == polygon_sets.polygons(name)
+    for k, vertices in enumerate(made):
+        points, texels = ([[c / 65536 for c in v[a:a + 2]] for v in vertices] for a in (0, 2))
+        low, high = polygon_sets.SHAPES["medium"][0]
+        assert 0.99 * low < polygon_sets.area(points) < 1.01 * high
+        depths = [v[5] / 65536 for v in vertices]
+        assert 0.99 * most / 2 <= max(depths) / min(depths) <= 1.01 * most
+        assert 0.2 <= min(depths) and max(depths) <= 16 * most
+        dense = (polygon_sets.area(texels) / polygon_sets.area(points)) ** 0.5
+        assert dense == pytest.approx(polygon_sets.STEPS[k % len(polygon_sets.STEPS)], rel=0.01)
+        assert all(abs(c) < polygon_sets.LARGEST for pair in texels for c in pair)
+    scene = accuracy.scene_of(name, accuracy.depth_combinations())
+    again = scene_file.read(scene_file.write(scene), name)
+    assert {m.perspective for m in again.materials} == set(scene_file.SETTINGS["perspective"])
+
+
+def hand_made(name: str, values) -> accuracy.Errors:
+    """The errors on a set of a renderer: ``values`` are u or v of pixels, 16.16, from a curve, its
+    first and last pixel and the line."""
+    total = accuracy.Errors()
+    for vertices in polygon_sets.polygons(name):
+        picture = ideal_perspective.Picture([(*v[:4], v[5]) for v in vertices], 320, 256)
+        total.ideal_pixels += picture.pixels
+        for y, (first, end) in picture.extents.items():
+            columns = np.arange(first, end)
+            found = [np.array(values(curve, first, end - 1, y)) % (1 << 32) for curve in picture.planes]
+            total.compare(found, columns, y, picture)
+            total.pixels += len(columns)
+    assert total.pixels == total.ideal_pixels > 1000 * polygon_sets.COUNT
+    return total
+
+
+def rounded(curve, first: int, last: int, y: int) -> list[int]:
+    """Each pixel divided, cut to a unit."""
+    return [curve.at(i << 16, y << 16).__floor__() for i in range(first, last + 1)]
+
+
+def in_pieces(n: int):
+    """Affine pieces of n pixels; what is left ends at the line's last pixel."""
+    def values(curve, first: int, last: int, y: int) -> list[int]:
+        found = []
+        for start in range(first, last + 1, n):
+            end = min(start + n, last)
+            a, b = (curve.at(i << 16, y << 16) for i in (start, end))
+            found += [round(a + (b - a) * Fraction(k, max(end - start, 1)))
+                      for k in range(min(n, last + 1 - start))]
+        return found
+    return values
+
+
+@pytest.mark.parametrize("name", polygon_sets.DEPTHS)
+def test_errors_of_hand_made_renderers(name: str) -> None:
+    """Exact division is off by a unit at most, and shows no wrong texel; affine pieces by their chords'
+    errors; and the shorter the better, down to the affine renderer's."""
+    exact = hand_made(name, rounded)
+    assert 0 < exact.worst < 1 / 65536 + 2**-33 and exact.wrong == 0
+    pieces = {n: hand_made(name, in_pieces(n)) for n in (4, 16, 320)}
+    assert exact.worst < pieces[4].worst < pieces[16].worst < pieces[320].worst
+    largest = 0.0
+    for vertices in polygon_sets.polygons(name):
+        picture = ideal_perspective.Picture([(*v[:4], v[5]) for v in vertices], 320, 256)
+        for y, (first, end) in picture.extents.items():
+            largest = max([largest, *(curve.chord_error(first, end - 1 - first, y)
+                                      for curve in picture.planes if end - first > 1)])
+    assert 0.9 * largest < pieces[320].worst <= largest + 1 / 65536
+    assert accuracy.errors(name, BEST).worst > pieces[320].worst  # not even the lines' ends are right
 
 
 def test_unknown_set_is_refused(tmp_path) -> None:

@@ -28,7 +28,7 @@ def test_no_row_left_the_baseline(found, baseline) -> None:
     """No figure moves by more than 1 %, and no row is gone."""
     complaints = bench.compare(found, baseline)
     assert not complaints, "\n".join([*complaints, UPDATE])
-    for kind in ("rows", "lines"):
+    for kind in bench.UNITS:
         gone = {bench.key(r) for r in baseline[kind]} - {bench.key(r) for r in found[kind]}
         assert not gone, f"rows of the baseline are no longer measured: {gone}; {UPDATE}"
 
@@ -65,7 +65,7 @@ def test_a_moved_figure_is_noticed(baseline) -> None:
 
 def test_rows_that_contract_blocks_name_exist(baseline) -> None:
     """Where a block says "bench row X" for the cost, the baseline has that row."""
-    names = {row["name"] for kind in ("rows", "lines") for row in baseline[kind]}
+    names = {row["name"] for kind in bench.UNITS for row in baseline[kind]}
     for contract in contracts.all_contracts(ROOT / "src68k"):
         for name in re.findall(r"bench rows? (\w+)", contract.cost):
             assert name in names, f"{contract.file}:{contract.line}: {contract.name}: {name}"

@@ -86,7 +86,7 @@ def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
 
 def test_coverage_is_judged_on_the_edge_alone() -> None:
     """A pixel on an edge's wrong side is a complaint in exact, and counted."""
-    vertices = [(0, 0, 0, 0, 0), (8 << 16, 0, 0, 0, 0), (0, 8 << 16, 0, 0, 0)]
+    vertices = [(x << 16, y << 16, 0, 0, 0, 65536) for x, y in ((0, 0), (8, 0), (0, 8))]
     good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
     assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
     moved = [(x + 0x1000, *rest) for x, *rest in vertices]

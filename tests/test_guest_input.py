@@ -5,15 +5,18 @@ Everything runs in two boots. Scene files are named s0, s1, ..., plans p0, p1, .
 
 import zlib
 
+import mesh_cases
 import numpy as np
 
-from tools import emulator, kernels, layout, scene_file
+from tools import emulator, fuzz, kernels, layout, model, scene_file
 from tools.kernels import Case
 from tools.scene_file import Material, Object, Scene, Texture
+from tools.scene_meshes import Instance
 
 SHAPES = layout.load()
 NOT_A_SCENE, NOT_A_PLAN = ": not a usable scene file: ", ": not a usable plan file: "
 M32 = 0xFFFFFFFF
+UNIT = 1 << 30
 
 
 def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
@@ -131,6 +134,58 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     return out
 
 
+def wrong_meshes() -> list[tuple[bytes, int, int, str]]:
+    """As wrong_mappers, for meshes, instances and views."""
+    made = mesh_cases.boxes(1)
+    made.textures = [Texture(np.zeros((8, 8), np.uint8)),
+                     Texture(np.zeros((30, 7), np.uint8), "linear")]
+    made.instances[1].flags = 0
+    made.materials = [*made.materials, Material("arbitrary", texture=1)]
+    data, out = scene_file.write(made), []
+    header = SHAPES.struct("scene_header")
+    where = header.unpack(data)
+    def entry(table, index, field, *values, said=None):
+        struct = SHAPES.struct(scene_file.TABLES[table])
+        at = where[f"{table}_at"] + index * struct.size + struct.fields[field]["offset"]
+        name = said or f"{struct.name.removeprefix('scene_')}.{field}"
+        out.extend((data, at, value, name) for value in values)
+
+    for field, values in (("near_plane", (0, 255, 1 << 30, M32)), ("guard", (0, 5, 14, M32))):
+        out.extend((data, header.fields[field]["offset"], value, field) for value in values)
+    for field in "xyz":
+        entry("points", 3, field, (2048 << 16) + 1, 2**31, said="point")
+        entry("faces", 5, field, UNIT + 1, -UNIT - 1, said="face.x, y or z")
+    entry("normals", 2, "x", 16385 << 16, 0xBFFF << 16, 16385, said="normal")
+    entry("normals", 2, "z", 16385 << 16, said="normal")
+    for field in ("xx", "yz", "zz"):
+        entry("views", 4, field, UNIT + 1, 2**31, said="view.xx to zz")
+    for field in ("x0", "y0", "z0"):
+        entry("views", 4, field, 10240 << 16, -10240 << 16, said="view.x0, y0 or z0")
+    entry("corners", 6, "point", 8 << 16, M32)
+    entry("corners", 6, "point", 6, said="corner.normal")  # the lower word is the normal's
+    entry("faces", 1, "corner", 21, 24, M32, said="face.corners")
+    entry("faces", 1, "corners", 0, 2, 33, M32)
+    for many, one, past in (("points", "point", 9), ("normals", "normal", 7), ("faces", "face", 13)):
+        entry("meshes", 0, many, 0, 4097, M32)
+        entry("meshes", 0, one, past, M32, said=f"mesh.{many}")
+    entry("meshes", 0, "corners", 61, M32)
+    entry("meshes", 0, "corners", 3, said="face.corners")
+    entry("meshes", 0, "corner", 61, M32, said="mesh.corners")
+    entry("instances", 1, "mesh", 2, M32)
+    entry("instances", 1, "material", 7, M32)
+    entry("instances", 1, "material", 4, said="instance.flags")  # shades need light
+    entry("instances", 1, "material", 6, said="corner.s or t")
+    entry("instances", 2, "before", 3, M32)
+    entry("instances", 1, "view", 33, M32, said="instance.views")
+    entry("instances", 1, "views", 0, 33, M32)
+    entry("instances", 1, "first_frame", 4, M32)
+    entry("instances", 1, "flags", 4, M32)
+    entry("instances", 4, "dark", -1, 221 << 16, said="instance.dark or bright")
+    entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
+    entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles
+    return out
+
+
 def bad_scenes() -> list[tuple[bytes, str]]:
     """Files and what must be said of each."""
     data, textured = (scene_file.write(example(textures)) for textures in (0, 1))
@@ -151,7 +206,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
     header_field("background", 256, M32)
     header_field("pixel_bytes", 0, 3, M32)
     header_field("palette_at", 0, 78, len(data), M32 - 3)
-    for name in ("textures", "materials", "objects", "vertices", "poses"):
+    for name in scene_file.TABLES:
         header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
         header_field(f"{name}_at", 0, 78, len(textured), M32 - 3, said=f"{name} or {name}_at")
     header_field("textures", 0, said="material.texture")
@@ -170,7 +225,12 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         cases += [(changed(source, at, value, "scene_header", "width"),
                    f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
     cases += [(changed(source, at, value, "scene_header", "width"), NOT_A_SCENE + said)
-              for source, at, value, said in wrong_mappers()]
+              for source, at, value, said in wrong_mappers() + wrong_meshes()]
+    many = mesh_cases.boxes(1)
+    many.points = np.zeros((4096, 3), np.int64)
+    many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]
+    many.materials, many.instances = [Material()], [Instance(0, 0, 0, 0, 1, 0)] * 17
+    cases.append((scene_file.write(many), ": not enough memory for the meshes"))
     cases += [(bytes(3 << 20), ": does not fit into memory"),
               (scene_file.write(example(14)), ": not enough memory for the textures")]
     return cases
@@ -284,3 +344,22 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
     for result in failed[:2]:  # frame 0 was drawn
         result.output = result.output.partition("\n")[2]
     check(failed, said)
+
+
+def test_dented_polygons_are_cut_inside_their_arrays():
+    """64 corners to and fro across a border, which would be 96 after it: left out; fewer are
+    drawn, and what comes after them too."""
+    scene = example(0)
+    scene.width, scene.height = 64, 48
+    scene.materials = [Material(colour=200, clip="vertices"), Material(colour=99)]
+    zigzag = [[(-40, 100)[k % 2] << 16, 2 * k - 40 << 16, 0, 0, 0, 65536] for k in range(64)]
+    triangle = [[x << 16, y << 16, 0, 0, 0, 65536] for x, y in ((5, 5), (20, 5), (5, 20))]
+    scene.vertices = np.array([*zigzag, *triangle])
+    scene.objects = [Object(0, 0, 64, 0, 1, 0), Object(1, 64, 3, 0, 3, 0), Object(0, 0, 40, 0, 1, 1),
+                     Object(0, 5, 46, 0, 1, 2)]
+    scene.poses = np.array([scene_file.IDENTITY] * 3)
+    digests, = fuzz.draw([(scene, "addx")], "a1200-fast")
+    for number, digest in enumerate(digests):
+        drawn = model.render(scene, number)
+        assert (int(digest["sum"]), int(digest["sums"])) == fuzz.sums(drawn), number
+        assert (drawn == 99).any()

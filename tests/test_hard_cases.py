@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import hard_cases, hard_report, ideal, model, scene_file
+from tools import hard_cases, hard_report, ideal, layout, model, scene_file
 from tools.errors import UserError
 from tools.hard_case import FAR
 from tools.hard_cases import HEIGHT, WIDTH, Case
@@ -110,23 +110,28 @@ def test_names_say_which_case_it_is() -> None:
 
 
 def test_every_family_is_there() -> None:
-    """All that issue 4 names has its own family, and together they concern every mapper."""
+    """All that issues 4 and 5 name has its own family, and together they concern every mapper."""
     families = {family.__name__: len(list(family())) for family in hard_cases.FAMILIES}
     assert families.keys() == {
         "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
         "collinear_vertices", "on_centres", "level_edges", "between_lines", "slopes", "sizes",
         "off_screen", "at_the_border", "vertex_counts", "windings", "nearly_concave", "long_edges",
         "far_outside", "on_texel_borders", "gradients", "mirrored", "seams",
-        "up_to_the_last_texel", "shades", "long_spans", "map_sizes"}
+        "up_to_the_last_texel", "shades", "long_spans", "map_sizes",
+        "horizons", "near_planes", "ratios", "grazing", "hardly_deep", "constant_depths", "one_apart",
+        "deep_slivers", "deep_sizes", "far_textures", "constant_texels", "vanishing", "in_space"}
     assert min(families.values()) >= 5
     assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPER_LAYOUT)
 
 
 def test_vertices_are_what_the_format_takes() -> None:
-    """3 to 64, every coordinate in range."""
+    """3 to 64, every coordinate and depth in range."""
+    limits = layout.load().constants
     for case in CASES:
         assert 3 <= len(case.vertices) <= 64, case.name
-        assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v), case.name
+        assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v[:5]), case.name
+        assert all(limits["W_MIN"] <= v[5] <= limits["W_MAX"] for v in case.vertices), case.name
+        assert case.depth or all(v[5] == scene_file.ONE for v in case.vertices), case.name
 
 
 def test_textures_are_planar() -> None:
@@ -136,12 +141,12 @@ def test_textures_are_planar() -> None:
     for case in CASES:
         a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
         area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-        if len(case.vertices) == 3 or not area:
+        if len(case.vertices) == 3 or not area or case.depth:
             continue
         planar += 1
         for noun, k in (("s", 2), ("t", 3), ("shade", 4)):
             plane = ideal.Plane((a[:2], b[:2], c[:2]), (a[k], b[k], c[k]))
-            for x, y, *rest in case.vertices:
+            for x, y, *rest, _ in case.vertices:
                 exact = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
                 off = rest[k - 2] - plane.value0 - exact / plane.d
                 assert abs(off) <= 2.5, f"{case.name}: {noun} at {x}, {y} is {off} units off"
@@ -152,7 +157,8 @@ def test_kept_case_joins_the_corpus(tmp_path, monkeypatch) -> None:
     """Sorted by name, read back as it was; a name that exists is refused, and nothing written."""
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "hard_cases.json")
     assert hard_cases.found_cases() == []
-    later, earlier = (replace(CASES[0], name=name, mappers=("flat", "columns"), map_size=(8, 16))
+    later, earlier = (replace(CASES[0], name=name, mappers=("flat", "columns"), map_size=(8, 16),
+                               depth=name == "found_a")
                       for name in ("found_b", "found_a"))
     hard_cases.keep(later)
     hard_cases.keep(earlier)

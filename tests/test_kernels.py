@@ -1,5 +1,5 @@
-"""Every routine of src68k/math, polygon, edge and span, called on the emulated A1200 and held to
-its contract block and to a reference in Python."""
+"""Every routine of src68k/math, mesh, polygon, edge and span, called on the emulated A1200 and
+held to its contract block and to a reference in Python."""
 
 from dataclasses import replace
 
@@ -7,6 +7,8 @@ import kernel_checker
 import kernel_trials_edge
 import kernel_trials_mappers
 import kernel_trials_math
+import kernel_trials_mesh
+import kernel_trials_perspective
 import kernel_trials_pixel
 import kernel_trials_polygon
 import kernel_trials_scanline
@@ -30,10 +32,10 @@ def called(request):
     """Trials and results by kernel, of the kernels that this run asks for; one boot."""
     wanted = {item.callspec.params["kernel"] for item in request.session.items
               if item.path == request.path and hasattr(item, "callspec")}
-    trials = [trial for room in (kernel_trials_math, kernel_trials_edge, kernel_trials_span,
-                                 kernel_trials_mappers, kernel_trials_pixel,
+    trials = [trial for room in (kernel_trials_math, kernel_trials_mesh, kernel_trials_edge,
+                                 kernel_trials_span, kernel_trials_mappers, kernel_trials_pixel,
                                  kernel_trials_scanline, kernel_trials_tiled,
-                                 kernel_trials_polygon)
+                                 kernel_trials_polygon, kernel_trials_perspective)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

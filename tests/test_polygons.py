@@ -104,10 +104,11 @@ def from_far_above() -> scene_file.Scene:
     one = 65536
     far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
     right, left = 320 * one - one // 64, 200 * one + one // 5
-    vertices = [(right - half, far, 0, 0, 0), (right, 250 * one, 0, 0, 0),
-                (100 * one, 100 * one, 0, 0, 0),
-                (left, far, one // 16, 30 * one, 0), (left - half, 250 * one, one // 16, 30 * one, 0),
-                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0)]
+    vertices = [(right - half, far, 0, 0, 0, one), (right, 250 * one, 0, 0, 0, one),
+                (100 * one, 100 * one, 0, 0, 0, one),
+                (left, far, one // 16, 30 * one, 0, one),
+                (left - half, 250 * one, one // 16, 30 * one, 0, one),
+                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0, one)]
     noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
     return scene_file.Scene(
         320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],

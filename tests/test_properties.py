@@ -9,6 +9,7 @@ import pytest
 from property_cases import HEIGHT, WIDTH
 
 from tools import emulator, ideal, meshes, model, scene_file
+from tools.scene_file import ONE
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
 COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)
@@ -57,7 +58,7 @@ def test_how_watertight_meshes_are() -> None:
     for edges in EDGES:
         counts = dict.fromkeys(("pixels", "left out", "beside", "more than once"), 0)
         for mesh in random_meshes("figures", 250):
-            case = properties.Case("", tuple((*p, 0, 0, 0) for p in mesh.outline), WIDTH, HEIGHT,
+            case = properties.Case("", tuple((*p, 0, 0, 0, ONE) for p in mesh.outline), WIDTH, HEIGHT,
                                    model.Settings(edges, mapper="flat"))
             wanted = ideal.coverage(mesh.outline, WIDTH, HEIGHT)
             found = properties.counted(case, mesh.triangles)
@@ -73,7 +74,7 @@ def test_how_watertight_meshes_are() -> None:
 def empty_scene() -> scene_file.Scene:
     """One to add to."""
     return scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
-                            np.zeros((0, 5), int), np.array([scene_file.IDENTITY]))
+                            np.zeros((0, 6), int), np.array([scene_file.IDENTITY]))
 
 
 def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> None:
@@ -109,7 +110,7 @@ def test_meshes_are_the_models() -> None:
             about.append(f"{mesh.kind} {k}, edges {edges}, clip {clip}, {mesh.triangles}")
             for colour, triangle in enumerate(mesh.triangles, 1):
                 add(scene, scene_file.Material(edges=edges, clip=clip, colour=colour),
-                    [(*p, 0, 0, 0) for p in triangle])
+                    [(*p, 0, 0, 0, ONE) for p in triangle])
     check_on_the_guest(scene, about)
 
 

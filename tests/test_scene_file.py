@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tools import layout, maps, scene_file
+import mesh_cases
+from tools import layout, maps, scene_file, scene_meshes
 from tools.errors import UserError
 from tools.scene_file import Material, Object, Scene, Texture
 
@@ -88,6 +89,24 @@ def test_round_trip_of_16_bits():
     assert data[-1024:-1008] == texels[:2, :4].astype(">u2").tobytes()
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_round_trip_of_meshes(seed):
+    for scene in (mesh_cases.boxes(seed), mesh_cases.hostile(seed)):
+        data = scene_file.write(scene)
+        again = scene_file.read(data, "x")
+        assert_equal(scene, again)
+        assert scene_file.write(again) == data
+
+
+def test_mesh_columns_are_the_headers():
+    """The columns and flags of tools/scene_meshes.py are the fields of the structs."""
+    built = layout.load()
+    for table, columns in scene_meshes.COLUMNS.items():
+        assert tuple(built.struct(scene_file.TABLES[table]).fields) == columns
+    assert built.constants["MESH_ENVIRONMENT"] == scene_meshes.ENVIRONMENT
+    assert built.constants["MESH_LIT"] == scene_meshes.LIT
+
+
 def test_names_are_the_headers():
     """The names of settings and layouts stand at the numbers of their enumerators."""
     constants = layout.load().constants
@@ -115,7 +134,7 @@ def test_565():
 
 def test_empty_tables():
     scene = dataclasses.replace(example(textures=0), materials=[], objects=[],
-                                vertices=np.zeros((0, 5), int), poses=np.zeros((0, 6), int))
+                                vertices=np.zeros((0, 6), int), poses=np.zeros((0, 6), int))
     assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
 
 
@@ -126,7 +145,7 @@ def test_bytes_are_the_headers():
     assert data[:8] == b"TMAP\0\0\0\3"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[80:84] == b"\0" + scene.palette[0].tobytes()
+    assert data[144:148] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -176,7 +195,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     """The file with one field replaced, and a checksum that fits."""
     built = layout.load()
     header = built.struct("scene_header")
-    where = {"scene_texture": "textures_at", "scene_vertex": "vertices_at", "scene_material": "materials_at", "scene_object": "objects_at"}
+    where = {kind: f"{table}_at" for table, kind in scene_file.TABLES.items()}
     kind = built.struct(struct)
     at = header.unpack(data)[where[struct]] + index * kind.size if struct in where else 0
     at += kind.fields[field]["offset"]
@@ -207,9 +226,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "objects", 65536, "objects_at: "),
     ("scene_header", "vertices", 5, "objects[1].vertex: 2 is not from 0 to 1"),
     ("scene_header", "poses", 3, "objects[1].pose: 2 is not from 0 to 1"),
-    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 80 to"),
+    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 144 to"),
     ("scene_header", "textures_at", 2**32 - 4, "textures_at: 4294967292 is not from"),
-    ("scene_header", "materials_at", 82, "materials_at: 82 is not a multiple of 4"),
+    ("scene_header", "materials_at", 146, "materials_at: 146 is not a multiple of 4"),
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
     ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
@@ -223,9 +242,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "layout", 5, "textures[0].layout: 5 is not from 0 to 4"),
     ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
     ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
-    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 80 to"),
+    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 144 to"),
     ("scene_texture", "at", len(TEXTURED) - 4, "textures[0].at: "),
-    ("scene_texture", "at", 82, "textures[0].at: 82 is not a multiple of 4"),
+    ("scene_texture", "at", 146, "textures[0].at: 146 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
     ("scene_material", "mapper", 7, "materials[0].mapper: 7 is not from 0 to 6"),
@@ -247,6 +266,37 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 def test_wrong_field_is_named(struct, field, value, message):
     with pytest.raises(UserError) as caught:
         scene_file.read(patched(struct, field, value), "show.scene")
+    assert str(caught.value).startswith("show.scene: " + message)
+
+
+MESHES = scene_file.write(mesh_cases.boxes(1))
+
+
+@pytest.mark.parametrize("struct, field, value, message", [
+    ("scene_header", "near_plane", 255, "near_plane: 255 is not from 256 to 1073741823"),
+    ("scene_header", "guard", 14, "guard: 14 is not from 6 to 13"),
+    ("scene_header", "meshes", 1, "instances["),
+    ("scene_header", "views", 35, "instances[8].view"),
+    ("scene_point", "x", (2048 << 16) + 1, "points[0].x: 134217729 is not from"),
+    ("scene_view", "zz", (1 << 30) + 1, "views[0].zz: 1073741825 is not from"),
+    ("scene_view", "y0", -10240 << 16, "views[0].y0: -671088640 is not from"),
+    ("scene_face", "x", 1 << 31, "faces[0].x: -2147483648 is not from"),
+    ("scene_face", "corners", 2, "meshes[0]: face.corners: 2 is not from 3 to 32"),
+    ("scene_face", "corner", 21, "meshes[0]: face.corner: 21 is not from 0 to 20"),
+    ("scene_mesh", "points", 0, "meshes[0].points: 0 is not from 1 to 4096"),
+    ("scene_mesh", "face", 15, "meshes[0].face: 15 is not from 0 to 12"),
+    ("scene_instance", "mesh", 2, "instances[0].mesh: 2 is not from 0 to 1"),
+    ("scene_instance", "material", 6, "instances[0].material: 6 is not from 0 to 5"),
+    ("scene_instance", "before", 3, "instances[0].before: 3 is not from 0 to 2"),
+    ("scene_instance", "before", 1, "instances[1].before: 0 is not from 1 to 2"),
+    ("scene_instance", "views", 0, "instances[0].views: 0 is not from 1"),
+    ("scene_instance", "view", 33, "instances[0].view: 33 is not from 0 to 32"),
+    ("scene_instance", "first_frame", 4, "instances[0].first_frame: 4 is not from 0 to 3"),
+    ("scene_instance", "flags", 4, "instances[0].flags: 4 is not from 0 to 3"),
+])
+def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
+    with pytest.raises(UserError) as caught:
+        scene_file.read(patched(struct, field, value, data=MESHES), "show.scene")
     assert str(caught.value).startswith("show.scene: " + message)
 
 

@@ -130,8 +130,8 @@ def parser() -> Parser:
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/accuracy)")
     command.add_argument("--machine", **machines)
     command.add_argument("--set", action="append", metavar="NAME",
-                         help="one set of polygons (small, medium, large, thin, steep), or the "
-                              "hard cases (hard); may be given several times")
+                         help="one set of polygons (small, medium, large, thin, steep; with depth: "
+                              "depth, deep), or the hard cases (hard); may be given several times")
     command.add_argument("--accept", action="store_true",
                          help="make the medium set the committed baseline")
 

@@ -12,12 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, ideal, model, polygon_sets, provenance
+from . import emulator, ideal, ideal_perspective, model, polygon_sets, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .model import Settings
 from .paths import ACCURACY_BASELINE
-from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
+                         write)
 
 MACHINES = ("a1200", "a1200-fast")
 #: Mappers that draw the same picture: a row is on the frontier among its own kind.
@@ -37,6 +38,12 @@ def combinations() -> list[Settings]:
                    if mapper not in ("flat", "affine") for usual in USUAL]
 
 
+def depth_combinations() -> list[Settings]:
+    """What a set with depth is drawn with: affine, and every other perspective beside it."""
+    return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
+            for p in SETTINGS["perspective"]]
+
+
 def picture() -> np.ndarray:
     """A 256x256 map of noise."""
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
@@ -53,7 +60,8 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     materials, objects, vertices = [], [], []
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
-        materials.append(Material(s.mapper, s.edges, s.gradients, s.start, colour=200,
+        materials.append(Material(s.mapper, s.edges, s.gradients, s.start, perspective=s.perspective,
+                                  colour=200,
                                   texture=layouts.index(layout) if layout else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
@@ -108,12 +116,20 @@ class Errors:
             self.coverage += right - left + end - first - 2 * both
             self.pixels += right - left
             if right > left and settings.mapper != "flat":
-                self.texels(line, y, exact, settings)
+                self.texels(polygon, line, y, exact, settings)
 
-    def texels(self, line: model.Line, y: int, exact: ideal.Picture, settings: Settings) -> None:
-        """Adds u and v of a line's pixels."""
-        found = model.coordinates(line, settings.mapper)
+    def texels(self, polygon: model.Polygon, line: model.Line, y: int, exact: ideal.Picture,
+               settings: Settings) -> None:
+        """Adds u and v of a line's pixels; where the ideal ends with the polygon, of those in it."""
+        first, end = (line.left, line.right) if exact.endless else exact.extents.get(y, (0, 0))
         columns = np.arange(line.left, line.right)
+        inside = (columns >= first) & (columns < end)
+        if inside.any():
+            self.compare([c[inside] for c in polygon.coordinates(line, y, settings.mapper)],
+                         columns[inside], y, exact)
+
+    def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
+        """Adds u and v that were found at pixels of a line, next to each other."""
         worst, wrong = np.zeros(len(columns)), np.zeros(len(columns), bool)
         for values, plane in zip(found, exact.planes):
             error = plane.errors(values, columns, y)
@@ -136,13 +152,15 @@ class Errors:
 def errors(name: str, settings: Settings) -> Errors:
     """What a combination is off on a set."""
     total = Errors()
+    size = polygon_sets.WIDTH, polygon_sets.HEIGHT
     for vertices in set_polygons(name, settings.mapper):
-        wanted = [(x, y, shade, 0) if settings.mapper == "gouraud" else (x, y, s, t)
-                  for x, y, s, t, shade in vertices]
-        exact = ideal.Picture(wanted, polygon_sets.WIDTH, polygon_sets.HEIGHT)
-        polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
-                               polygon_sets.HEIGHT, settings.mapper != "flat", settings,
-                               (256, 256))
+        if name in polygon_sets.DEPTHS:
+            exact = ideal_perspective.Picture([(*v[:4], v[5]) for v in vertices], *size)
+        else:
+            exact = ideal.Picture([(*v[:2], v[4], 0) if settings.mapper == "gouraud" else v[:4]
+                                   for v in vertices], *size)
+        polygon = model.set_up(model.adapt(vertices, settings, 256), *size,
+                               settings.mapper != "flat", settings, (256, 256))
         total.add(polygon, exact, settings)
     return total
 
@@ -172,7 +190,8 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
             spent = cycles(scene, machine, f"set {name}")
             for s, total, each in zip(settings, found, spent):
                 rows.append({"name": name, "edges": s.edges, "gradients": s.gradients,
-                             "start": s.start, "mapper": s.mapper, "machine": machine,
+                             "start": s.start, "perspective": s.perspective,
+                             "mapper": s.mapper, "machine": machine,
                              "cycles_per_pixel": round(each * polygon_sets.COUNT
                                                        / max(total.pixels, 1), 3),
                              "cycles_per_polygon": round(each, 1), **total.figures()})
@@ -182,7 +201,7 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
     return rows
 
 
-COLUMNS = ("mapper", "edges", "gradients", "start", "cycles_per_polygon", "cycles_per_pixel",
+COLUMNS = ("mapper", "edges", "gradients", "start", "perspective", "cycles_per_polygon", "cycles_per_pixel",
            "coverage_errors_per_million", "texel_error_max", "texel_error_rms",
            "wrong_texels_percent", "frontier")
 
@@ -193,7 +212,7 @@ def table(rows: list[dict], name: str, machine: str) -> str:
     order = list(dict.fromkeys(r["mapper"] for r in chosen))
     chosen.sort(key=lambda r: (order.index(r["mapper"]), r["cycles_per_polygon"]))
     lines = ["| " + " | ".join(c.replace("_", " ") for c in COLUMNS) + " |",
-             "|---" * 4 + "|--:" * 6 + "|---|"]
+             "|---" * 5 + "|--:" * 6 + "|---|"]
     for row in chosen:
         cells = [row[c] for c in COLUMNS[:-1]] + ["yes" if row["frontier"] else ""]
         lines.append("| " + " | ".join(f"{c:,}" if isinstance(c, float) else str(c)
@@ -230,13 +249,18 @@ HARD = "hard"
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
     """Measures the sets, writes their report; returns the table to print."""
     from . import accuracy_pictures as pictures
+    from . import perspective_curves
 
-    rows = measure(names, machines, combinations(), on_step)
+    flat = [name for name in names if name not in polygon_sets.DEPTHS]
+    rows = measure(flat, machines, combinations(), on_step) + measure(
+        [name for name in names if name not in flat], machines, depth_combinations(), on_step)
     found = provenance.record() | {
         "conditions": f"{polygon_sets.COUNT} triangles a set; cycles with set-up, DMA and "
                       "interrupts off; texel error: the larger of u's and v's.", "rows": rows}
     folder.mkdir(parents=True, exist_ok=True)
     pictures.plot(rows, folder / "accuracy.png")
+    if flat != names:
+        perspective_curves.plot(folder / "pieces.png")
     pictures.write_swimming(folder)
     pictures.write_mappers(folder)
     (folder / "accuracy.md").write_text(report(found))
@@ -269,11 +293,12 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
         raise UserError("accuracy: --accept needs all machines and all sets")
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
-    unknown = set(names or ()) - {*polygon_sets.SHAPES, HARD}
+    known = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS]
+    unknown = set(names or ()) - {*known, HARD}
     if unknown:
         raise UserError(f"accuracy: no set is called {unknown.pop()}; "
-                        f"there are {', '.join(polygon_sets.SHAPES)} and {HARD}")
-    names = names or [*polygon_sets.SHAPES, HARD]
+                        f"there are {', '.join(known)} and {HARD}")
+    names = names or [*known, HARD]
     sets = [name for name in names if name != HARD]
     machines, text, excess = [machine] if machine else list(MACHINES), "", []
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
@@ -284,8 +309,9 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
-    written = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-               "swimming.png"] * bool(sets) + [f"{HARD}/index.html"] * (HARD in names)
+    deep = bool(polygon_sets.DEPTHS.keys() & sets)
+    written = (["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+                "swimming.png"] * bool(sets) + ["pieces.png"] * deep + [f"{HARD}/index.html"] * (HARD in names))
     print(text + f"written to {out}: {', '.join(written)}")
     for line in excess:
         print(f"exceeds its bound: {line}")

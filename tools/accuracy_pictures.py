@@ -17,7 +17,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
-MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v"}
+MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
+         "every16": "<", "every8": ">", "pixel": "P", "fine": "X"}
+
+
+def drawn_by(row: dict) -> str:
+    """The perspective that a row has, or its mapper."""
+    return row["mapper"] if row["perspective"] == "none" else row["perspective"]
 
 
 def plot(rows: list[dict], path: Path) -> None:
@@ -28,12 +34,12 @@ def plot(rows: list[dict], path: Path) -> None:
                                   layout="constrained", squeeze=False)
     for axes, name in zip(panels[0], names):
         chosen = [r for r in rows if r["name"] == name and r["machine"] == machine
-                  and r["mapper"] in MARKS]
-        for mapper, mark in MARKS.items():
-            some = [r for r in chosen if r["mapper"] == mapper]
+                  and drawn_by(r) in MARKS]
+        for way in (w for w in MARKS if w in map(drawn_by, chosen)):
+            some = [r for r in chosen if drawn_by(r) == way]
             axes.scatter([r["cycles_per_polygon"] / 1000 for r in some],
-                         [max(r["texel_error_rms"], LEAST) for r in some], marker=mark, s=28,
-                         alpha=0.75, label=mapper)
+                         [max(r["texel_error_rms"], LEAST) for r in some], marker=MARKS[way], s=28,
+                         alpha=0.75, label=way)
         best = sorted((r for r in chosen if r["frontier"]), key=lambda r: r["cycles_per_polygon"])
         axes.plot([r["cycles_per_polygon"] / 1000 for r in best],
                   [max(r["texel_error_rms"], LEAST) for r in best], "k--", lw=1, label="frontier")
@@ -42,7 +48,8 @@ def plot(rows: list[dict], path: Path) -> None:
         axes.set_xlabel("thousand cycles a polygon")
         axes.grid(alpha=0.3)
     panels[0][0].set_ylabel(f"rms error, texels ({machine})")
-    panels[0][0].legend(fontsize=8)
+    for axes in panels[0][[0, -1]]:  # mappers, and the perspectives of sets with depth
+        axes.legend(fontsize=8)
     figure.savefig(path, dpi=110)
     plt.close(figure)
 
@@ -59,7 +66,7 @@ def swimming_scene() -> Scene:
     """A small triangle that moves an eighth of a pixel a frame, under three settings."""
     texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
     objects, materials, poses = [], [], []
-    corners = [(6, 4, 0, 0, 0), (52, 22, 92, 36, 0), (17, 56, 22, 104, 0)]
+    corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
     vertices = [tuple(c << 16 for c in corner) for corner in corners]
     for number, s in enumerate(SWIMMERS):
         materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))

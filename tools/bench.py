@@ -28,7 +28,7 @@ CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
 TICKS = 5000
 ROUGH_CYCLES_PER_UNIT = 20
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
-UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line"}
+UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point"}
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 
 
@@ -38,9 +38,10 @@ def repeats(units: int) -> int:
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine: {"rows": in pixels, "lines": in lines}."""
+    """Rows of one machine: {"rows": in pixels, "lines": in lines, "points": in points}."""
     boot, chip = CONDITIONS[machine]
-    kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip)}
+    kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
+             "points": bench_cases.point_rows(chip)}
     kinds = {kind: [r for r in rows if fnmatch.fnmatch(r.name, only)]
              for kind, rows in kinds.items()}
     rows = [row for kind in kinds.values() for row in kind]
@@ -69,15 +70,15 @@ def key(row: dict) -> tuple:
 
 
 def cycles(row: dict) -> float:
-    """Cycles a pixel or a line."""
-    return row.get("cycles_per_pixel", row.get("cycles_per_line"))
+    """Cycles a pixel, a line or a point."""
+    return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
 def compare(found: dict, baseline: dict) -> list[str]:
     """Rows that left the baseline by more than TOLERANCE, in words."""
-    old = {key(row): cycles(row) for kind in ("rows", "lines") for row in baseline[kind]}
+    old = {key(row): cycles(row) for kind in UNITS for row in baseline.get(kind, [])}
     complaints = []
-    for kind in ("rows", "lines"):
+    for kind in UNITS:
         for row in found[kind]:
             if row["name"].endswith("_c") and found["compiler"] != baseline["compiler"]:
                 continue  # another compiler's loop: nothing to compare
@@ -125,7 +126,7 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
 
 def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
     """The content of bench.json."""
-    found = {"rows": [], "lines": []}
+    found = {kind: [] for kind in UNITS}
     for machine in machines:
         for kind, rows in measure(machine, only, on_case).items():
             found[kind] += rows
@@ -137,11 +138,13 @@ def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
 def write(found: dict, out: Path) -> None:
     """bench.json, bench.md and bench.png into ``out``."""
     out.mkdir(parents=True, exist_ok=True)
-    machines = list(dict.fromkeys(row["machine"] for kind in ("rows", "lines")
+    machines = list(dict.fromkeys(row["machine"] for kind in UNITS
                                   for row in found[kind]))
     text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
     text += "\nCycles a pixel (step_*: a step):\n\n" + table(found["rows"], machines)
     text += "\nCycles a line:\n\n" + table(found["lines"], machines)
+    text += "\nCycles a point (mesh_looks: a normal, mesh_faces: a face):\n\n" \
+        + table(found["points"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
     (out / "bench.md").write_text(text)
@@ -160,10 +163,11 @@ def command(out: str, machine: str | None, only: str | None, accept: bool) -> in
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("bench", total=None)
         found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
-    if not found["rows"] and not found["lines"]:
+    rows = [row for kind in UNITS for row in found[kind]]
+    if not rows:
         raise UserError(f"bench: no row is called {only}")
     write(found, Path(out))
-    print(table(found["rows"] + found["lines"], machines))
+    print(table(rows, machines))
     print(f"written to {out}: bench.json, bench.md, bench.png")
     if accept:
         BASELINE.parent.mkdir(parents=True, exist_ok=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from . import bench_perspective, layout, maps, model
 from .bench_mappers import first_difference, mapper_case
+from .bench_mesh import CASES as MESH_CASES
 from .kernels import M32, Arena, Case, Result
 from .scanline import MASKS, add_span_plan, pack, rounded_edge
 
@@ -23,7 +24,7 @@ EDGE_LINES = 64
 
 @dataclass
 class Row:
-    """One measured row: ``units`` pixels (or steps, lines) are drawn by one call.
+    """One measured row: ``units`` pixels (or steps, lines, points) are drawn by one call.
 
     ``check`` gives an error text, or None when the result is right.
     """
@@ -321,6 +322,14 @@ def line_rows(chip: bool) -> list[Row]:
     rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]
+    for row in rows:
+        row.case.chip = chip
+    return rows
+
+
+def point_rows(chip: bool) -> list[Row]:
+    """All rows counted in points, normals, faces or vertices of meshes."""
+    rows = [Row(name, 1, *make()) for name, make in MESH_CASES.items()]
     for row in rows:
         row.case.chip = chip
     return rows

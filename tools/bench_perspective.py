@@ -100,8 +100,8 @@ def reciprocal_entry(each: reciprocals.Reciprocal) -> bytes:
     """The line as reciprocal_lines leaves it."""
     shapes = layout.load()
     return shapes.struct("reciprocal_line").pack(
-        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0],
-        v=each.start[1], q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
+        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0] & M32,
+        v=each.start[1] & M32, q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
         last=each.last, carry=each.carry, room=0)
 
 

@@ -51,7 +51,7 @@ longest line and is cut (U), and a start moves no farther than its ends were out
 
 from dataclasses import dataclass
 
-from . import ideal, model
+from . import bounds_perspective, ideal, model
 from .fixed import ceil16, signed
 from .ideal import UNIT
 from .model_edges import Edge
@@ -297,7 +297,9 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     out = Verdict(pixels=polygon.pixels if polygon else 0)
     out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
-    if polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
+    if polygon and polygon.perspective:
+        bounds_perspective.judge_texels(adapted, polygon, out)
+    elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         judge_texels(adapted, polygon, settings,
                      held_beyond(adapted, polygon, settings, size), out)
     return out
@@ -307,10 +309,10 @@ def judge(vertices, settings: Settings, width: int, height: int,
           size: tuple[int, int] = (256, 256)) -> Verdict:
     """Holds a convex polygon of planar texture to the bounds of its settings.
 
-    ``vertices``: (x, y, s, t, shade), 16.16, as a scene has them; ``size``: of the map.
+    ``vertices``: (x, y, s, t, shade, w), 16.16, as a scene has them; ``size``: of the map.
     Polygons cut to the window are judged on their pixels, and on u and v where those come
     from the plane.
     """
-    adapted = [v[:4] for v in model.adapt(vertices, settings, max(size))]
+    adapted = model.adapt(vertices, settings, max(size))
     polygon = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
     return judge_set_up(adapted, polygon, settings, width, height, size)

@@ -6,6 +6,7 @@ Coordinates are 16.16; a vertex is a tuple that begins with x and y.
 from .fixed import mul_div
 
 ONE = 65536
+VERTICES_MAX = 64 + 4  # CLIP_VERTICES_MAX: a convex polygon gets no more
 
 
 def cut(inside: tuple, outside: tuple, axis: int, part: int, whole: int, limit: int) -> tuple:
@@ -20,6 +21,8 @@ def clip_border(vertices: list[tuple], axis: int, sign: int, limit: int) -> list
     made = []
     for k, vertex in enumerate(vertices):
         last = vertices[k - 1]
+        if len(made) > VERTICES_MAX - 2:
+            return []
         here, before = (sign * (v[axis] - limit) for v in (vertex, last))
         if here >= 0:
             if before < 0 < here:

@@ -47,13 +47,13 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels
         size = texels.shape[::-1]
-    adapted = [v[:4] for v in model.adapt(each.vertices, settings, max(size))]
+    adapted = model.adapt(each.vertices, settings, max(size))
     made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
     frame = np.full((height, width), 7, np.uint8)
     if made:
         model.draw(frame, made, texels, 200, settings.mapper)
-    outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v)
-    judged, verdict = has_ideal(adapted), bounds.Verdict(pixels=made.pixels if made else 0)
+    outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
+    judged, verdict = has_ideal(adapted, settings), bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
@@ -283,6 +283,7 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None) -
         size = textures(seed, number // BLOCK)[each.texture].texels.shape[::-1] \
             if each.texture >= 0 else (256, 256)
         keep_case(Case(keep, f"Found by the fuzzer, seed {seed}, polygon {number}: {fault.text}.",
-                       each.vertices, (each.settings.mapper,), size))
+                       each.vertices, (each.settings.mapper,), size,
+                       each.settings.perspective != "none"))
         print(f"kept as {keep} in tests/hard_cases.json")
     return 1

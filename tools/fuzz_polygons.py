@@ -10,16 +10,18 @@ from functools import cache
 
 import numpy as np
 
+from . import fuzz_depths
 from .fixed import ceil16
+from .ideal_perspective import in_front
 from .model import FAR
 from .model_texturing import Settings
 from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Object,
+                         Scene, Texture)
 
 BLOCK = 1000
 #: Width and height of a block's frame: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
-ONE = 65536
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
 #: Of every map that takes any size.
 ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
@@ -29,17 +31,19 @@ ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
 class Fuzzed:
     """One polygon, how it is drawn, on what."""
 
-    vertices: tuple[tuple[int, int, int, int, int], ...]  # x, y, s, t, shade; 16.16
+    vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
     settings: Settings
     texture: int  # index in its block's textures; -1: none
 
 
-def has_ideal(vertices) -> bool:
+def has_ideal(vertices, settings: Settings = Settings()) -> bool:
     """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
-    and convex (integer edges may dent a polygon)."""
+    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
+    (more than three may not be, by their rounding)."""
     points = [tuple(v[:2]) for v in vertices]
-    inside = all(-FAR <= c < FAR for v in vertices for c in v)
-    return inside and (len(points) == 3 or is_convex(points) and winds_once(points))
+    inside = all(-FAR <= c < FAR for v in vertices for c in v[:4])
+    convex = len(points) == 3 or is_convex(points) and winds_once(points)
+    return inside and convex and (settings.perspective == "none" or in_front(vertices))
 
 
 def winds_once(points) -> bool:
@@ -136,6 +140,20 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
     return list(zip(*made))
 
 
+def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) -> Fuzzed:
+    """A quarter of the affine ones get depths, and a perspective with what it needs; ``size``: of
+    the frame."""
+    if each.settings.mapper != "affine" or rng.random() >= 0.25:
+        return each
+    settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
+    if settings.perspective != "none":
+        settings = replace(settings, gradients="plane", start="subtexel")
+    vertices = each.vertices
+    if settings.perspective != "none" or len(vertices) == 3:  # none draws s and t flat on the screen
+        vertices = fuzz_depths.in_depth(rng, rng.choice(fuzz_depths.KINDS), vertices, size)
+    return replace(each, vertices=vertices, settings=settings)
+
+
 @cache
 def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
@@ -145,7 +163,8 @@ def polygon(seed: int, number: int) -> Fuzzed:
     points = visible_corners(rng, width, height)
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated")
                         + 4 * ("affine",))
-    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items() if kind not in ("mapper", "perspective")}
+    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
+               if kind not in ("mapper", "perspective")}
     settings = Settings(mapper=mapper, **choices)
     if len(points) > 3 and settings.gradients == "polygon":
         settings = replace(settings, gradients="plane")
@@ -161,8 +180,9 @@ def polygon(seed: int, number: int) -> Fuzzed:
     if len(points) > 3:  # planar: along y, over the polygon's height
         low, high = min(y for _, y in points), max(y for _, y in points)
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
-    return Fuzzed(tuple((*p, *q, shade) for p, q, shade in zip(points, plane, shades)), settings,
-                  texture)
+    vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
+    return with_perspective(random.Random(f"{seed} depth {number}"),
+                            Fuzzed(vertices, settings, texture), (width, height))
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:

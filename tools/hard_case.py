@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from .polygon_sets import fix
-from .scene_file import MAPPER_LAYOUT
+from .scene_file import MAPPER_LAYOUT, ONE
 
 WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
@@ -27,13 +27,14 @@ Texture = Callable[[Points], list[tuple[Fraction, Fraction]]]
 
 @dataclass(frozen=True)
 class Case:
-    """A named polygon. ``vertices``: (x, y, s, t, shade), 16.16, as struct vertex."""
+    """A named polygon. ``vertices``: (x, y, s, t, shade, w), 16.16, as struct vertex."""
 
     name: str
     sentence: str  # what is hard about it
-    vertices: tuple[tuple[int, int, int, int, int], ...]
+    vertices: tuple[tuple[int, int, int, int, int, int], ...]
     mappers: tuple[str, ...] = MAPPERS  # those it concerns
     map_size: tuple[int, int] = (256, 256)  # width, height, where the mapper takes any
+    depth: bool = False  # drawn with every perspective
 
 
 def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:
@@ -75,7 +76,7 @@ def make(name: str, sentence: str, points, texture: Texture | None = None, shade
     if shades is None:
         shades = spread([2 * x + y for x, y in exact], Fraction(0), Fraction(255), FAR)
     return Case(name, sentence,
-                tuple((*corner, fix(s), fix(t), fix(shade))
+                tuple((*corner, fix(s), fix(t), fix(shade), ONE)
                       for corner, (s, t), shade in zip(corners, plane, shades)), mappers, map_size)
 
 

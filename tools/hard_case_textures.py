@@ -113,7 +113,7 @@ def up_to_the_last_texel() -> Iterator[Case]:
                     TRIANGLE)
     texels = ((0, 0), (PAGE << 16, 0), (0, PAGE << 16))
     yield replace(triangle, vertices=tuple(
-        (x, y, *texel, shade) for (x, y, _, _, shade), texel in zip(triangle.vertices, texels)))
+        (x, y, *texel, *rest) for (x, y, _, _, *rest), texel in zip(triangle.vertices, texels)))
 
 
 def shades() -> Iterator[Case]:
@@ -151,7 +151,7 @@ def long_spans() -> Iterator[Case]:
                     [(left - leaning(Fraction(69, 20), FAR + HEIGHT), -FAR), (left, HEIGHT),
                      (60, HEIGHT)], shades=[start, start, start + away])
         yield replace(case, vertices=tuple(
-            (x, y, fix(s), fix(t), shade) for (x, y, _, _, shade), s, t
+            (x, y, fix(s), fix(t), *rest) for (x, y, _, _, *rest), s, t
             in zip(case.vertices, (start, start, start + away), (10, 100, 100))))
 
 

@@ -10,19 +10,19 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from . import accuracy, hard_case_outlines, hard_case_textures
+from . import accuracy, hard_case_depths, hard_case_outlines, hard_case_textures
 from .clip import clip, frame_window
 from .errors import UserError
 from .hard_case import HEIGHT, WIDTH, Case
 from .model import Settings
 from .paths import ROOT
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
-                         size_fault)
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene,
+                         Texture, size_fault)
 
 __all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
            "scene"]
 
-FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES)
+FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES, *hard_case_depths.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
 Drawing = tuple[Case, Settings]  # the settings say the mapper too
 
@@ -32,7 +32,7 @@ def found_cases() -> list[Case]:
     if not FOUND.exists():
         return []
     return [Case(entry["name"], entry["sentence"], tuple(map(tuple, entry["vertices"])),
-                 tuple(entry["mappers"]), tuple(entry["map_size"]))
+                 tuple(entry["mappers"]), tuple(entry["map_size"]), entry["depth"])
             for entry in json.loads(FOUND.read_text())]
 
 
@@ -63,10 +63,14 @@ def is_clipped(case: Case) -> bool:
 
 def combinations(case: Case) -> Iterator[Settings]:
     """The settings that a case is drawn with: all that differ where the mapper is affine or
-    flat, the usual ones and clipped vertices with the others."""
+    flat, the usual ones and clipped vertices with the others; each perspective where it has
+    depth."""
     clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
     for mapper in case.mappers:
-        if mapper == "affine":
+        if case.depth:
+            made = [Settings(e, perspective=p) for e in ("subpixel", "exact")
+                    for p in SETTINGS["perspective"]]
+        elif mapper == "affine":
             made = [Settings(e, g, s) for e in SETTINGS["edges"] for g in SETTINGS["gradients"]
                     for s in SETTINGS["start"] if g != "polygon" or len(case.vertices) == 3]
         elif mapper == "flat":

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from . import bounds, fuzz, hard_cases, ideal, model
+from . import bounds, fuzz, hard_cases, ideal, ideal_perspective, model
 from .diff import MARK
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
@@ -23,14 +23,15 @@ from .fuzz_polygons import has_ideal
 from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
 from .polygon_report import explain
+from .scene_file import SETTINGS
 
 #: Drawings of one scene; a frame more is empty.
 PART = 999
 #: What a picture shows: the first of these that the case concerns.
 SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
 SCALE = 2  # screen pixels a pixel
-COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "cycles", "coverage_errors", "texel_error",
-           "texel_bound", "worst_ratio")
+COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "perspective", "cycles",
+           "coverage_errors", "texel_error", "texel_bound", "worst_ratio")
 
 
 @dataclass
@@ -43,6 +44,7 @@ class Row:
     gradients: str
     start: str
     clip: str
+    perspective: str
     cycles: int
     pixels: int
     coverage_errors: int | None = None
@@ -55,10 +57,10 @@ class Row:
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """A row, held to its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
-    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    adapted = model.adapt(case.vertices, settings, max(size))
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
-    if has_ideal(adapted):
+    if has_ideal(adapted, settings):
         verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
         row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
         if verdict.texel_bound:
@@ -119,14 +121,17 @@ def palette() -> np.ndarray:
 
 
 def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
-    """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one."""
-    if not has_ideal(vertices):
+    """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one.
+    ``vertices``: (x, y, u, v, w)."""
+    if not has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
     three = [vertices[k] for k in ideal.corners(vertices)]
     planes = [ideal.Plane([p[:2] for p in three], [p[k] for p in three]) for k in (2, 3)]
     if not planes[0].d:
         return frame
+    if settings.perspective != "none":
+        planes = ideal_perspective.curves(vertices)
     ys = [v[1] for v in vertices]
     for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
         left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in ideal.extent(vertices, y))
@@ -138,8 +143,11 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
 
 
 def shown(case: Case) -> Settings:
-    """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts."""
-    return Settings("exact", mapper=next((m for m in SHOWN if m in case.mappers), case.mappers[0]))
+    """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts; where it
+    has depth, with the finest perspective."""
+    mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
+    return Settings("exact", perspective=SETTINGS["perspective"][-1] if case.depth else "none",
+                    mapper=mapper)
 
 
 def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
@@ -147,7 +155,7 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     settings = shown(case)
     size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
-    adapted = [v[:4] for v in model.adapt(case.vertices, settings, max(size))]
+    adapted = model.adapt(case.vertices, settings, max(size))
     ours = np.full((HEIGHT, WIDTH), -1, np.int16)
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     if made:

@@ -219,6 +219,7 @@ class Picture:
         self.pixels = sum(end - first for first, end in self.extents.values())
         points = [v[:2] for v in vertices]
         self.planes = [Plane(points, [v[k] for v in vertices]) for k in (2, 3)]
+        self.endless = True  # planes go on beyond the polygon
 
 
 def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:

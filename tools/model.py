@@ -14,10 +14,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import model_reciprocal
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
-from . import model_reciprocal
+from .model_mesh import polygons_at
 from .model_perspective import PIECES, Perspective, ends, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_spans import coordinates, pixels
@@ -25,7 +26,8 @@ from .model_texturing import (Line, Settings, Texturing, along, edge_starts, lon
                               scanline_line)
 
 __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "ceil16",
-           "coordinates", "draw", "prepare", "render", "scanline_line", "set_up", "signed"]
+           "coordinates", "draw", "prepare", "prepare_polygon", "render", "scanline_line", "set_up",
+           "signed"]
 
 FAR = 16384 << 16
 INSET = 65536 // 16  # see c/polygon/material.c
@@ -46,6 +48,16 @@ class Polygon:
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
+
+    def coordinates(self, line: Line, y: int, mapper: str = "affine"):
+        """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
+        if self.perspective:
+            where = line.left, line.right, y
+            taken = self.constants and model_reciprocal.line(self.perspective, self.constants,
+                                                             *where)
+            return model_reciprocal.coordinates(taken) if taken else \
+                perspective_coordinates(ends(self.perspective, *where), self.setting)
+        return coordinates(line, mapper)
 
     @property
     def pixels(self) -> int:
@@ -188,17 +200,10 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
-        return [(x, y, min(max(shade, low), high), 0) for x, y, _, _, shade, *_ in vertices]
+        return [(x, y, min(max(shade, low), high), 0, *w)
+                for x, y, _, _, shade, *w in vertices]
     return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w)
             for x, y, s, t, _, *w in vertices]
-
-
-def line_coordinates(polygon: Polygon, line: Line, y: int) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of a line's pixels with perspective."""
-    where = line.left, line.right, y
-    taken = polygon.constants and model_reciprocal.line(polygon.perspective, polygon.constants, *where)
-    return model_reciprocal.coordinates(taken) if taken else \
-        perspective_coordinates(ends(polygon.perspective, *where), polygon.setting)
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
@@ -206,7 +211,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]."""
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
-            u, v = line_coordinates(polygon, line, y)
+            u, v = polygon.coordinates(line, y)
             height, width = texture.shape
             frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
         elif line.right > line.left:
@@ -214,20 +219,24 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
                 else colour
 
 
+def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
+    """Vertices on the screen as they are set up with a scene's material; None where nothing
+    is drawn."""
+    material = scene.materials[number]
+    settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                        material.perspective, material.mapper)
+    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+    return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
+                  scene.width, scene.height, material.mapper != "flat", settings,
+                  None if texture is None else texture.shape[::-1])
+
+
 def prepare(scene, obj, number: int) -> Polygon | None:
     """An object of a scene as it is set up in frame ``number``; None where it draws nothing."""
     from .scene_file import vertices_at
 
-    if not obj.first_frame <= number < obj.first_frame + obj.poses:
-        return None
-    material = scene.materials[obj.material]
-    settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.perspective, material.mapper)
-    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-    vertices = adapt(vertices_at(scene, obj, number), settings,
-                     256 if texture is None else max(texture.shape))
-    return set_up(vertices, scene.width, scene.height, material.mapper != "flat", settings,
-                  None if texture is None else texture.shape[::-1])
+    vertices = vertices_at(scene, obj, number)
+    return prepare_polygon(scene, obj.material, vertices) if vertices else None
 
 
 def render(scene, number: int) -> np.ndarray:
@@ -235,8 +244,8 @@ def render(scene, number: int) -> np.ndarray:
     from .scene_file import TEXEL
 
     frame = np.full((scene.height, scene.width), scene.background, TEXEL[scene.pixel_bytes])
-    for obj in scene.objects:
-        polygon, material = prepare(scene, obj, number), scene.materials[obj.material]
+    for which, vertices in polygons_at(scene, number):
+        polygon, material = prepare_polygon(scene, which, vertices), scene.materials[which]
         if polygon:
             texture = scene.textures[material.texture].texels if material.texture >= 0 else None
             draw(frame, polygon, texture, material.colour, material.mapper)

@@ -54,6 +54,7 @@ class Perspective:
     i: int
     j: int
     base: tuple[int, int]
+    scale: int  # log2 of what S and T are multiplied by
     least: int  # of q
     low: tuple[int, int]  # u and v less their bases
     high: tuple[int, int]
@@ -139,13 +140,13 @@ def perspective(vertices, corners, box) -> Perspective | None:
                             signed(gy << scale - 16, 64)))
     if lowest < Q_SURE * errors[0] or lowest < Q_SURE * max(errors[1:]):
         return None
-    return Perspective(*planes, left, top, base, lowest, low, high, gentle)
+    return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
     """Shares of both ends of a line of n steps: n times one is below 2^31."""
     up = 31 - max(q0, q1).bit_length()
-    return (q0 << up) // n, (q1 << up) // n & ~1
+    return max((q0 << up) // n, 1), (q1 << up) // n & ~1
 
 
 def ends(p: Perspective, left: int, right: int, y: int) -> Ends:

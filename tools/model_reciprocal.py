@@ -41,7 +41,7 @@ class Reciprocal:
 
     left: int
     n: int
-    start: tuple[int, int]  # 8.24
+    start: tuple[int, int]  # 8.24, what is above it too
     q: int  # fraction:integer, as dq
     dq: int
     c: tuple[int, int]
@@ -110,9 +110,9 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
             return None
         near = c + 0x8000 >> 16
         lost = (c & 0xFFFF ^ 0x8000) - 0x8000
-        start = (base << 8) + (near * r0 + (lost * (r0 + r1 >> 2) >> 15) << k.piece)
+        start = (signed(base) << 8) + (near * r0 + (lost * (r0 + r1 >> 2) >> 15) << k.piece)
         cs.append(near)
-        starts.append(start & M32)
+        starts.append(start)
     if max(abs(c) for c in cs) * max(r0, r1) > k.limit:
         return None
     falls = cs[1] * (r1 - r0) < 0
@@ -132,12 +132,19 @@ def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
     return u & 0xFFFF0000 | v & 0xFFFF, v & 0xFFFF0000 | u & 0xFFFF
 
 
+def lift(x: int, near: int) -> int:
+    """The 16.16 number, modulo 2^32, nearest to another of 24 fraction bits that is x in 8.16."""
+    near >>= 8
+    return near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23) & M32
+
+
 def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of the line's pixels: 8.16, v less its last 8 bits, which the chain hides."""
+    """u and v of the line's pixels, 16.16 modulo 2^32, v less its last 8 bits: the chain has
+    8.16, what is above it is that of the sum of steps."""
     m, q, old = 1 << each.piece, each.q, each.first
     b, a = steps(*each.start, 0)
     a &= 0xFFFF00FF
-    us, vs, k = [], [], 0
+    us, vs, k, at = [], [], 0, each.start
     while True:
         rest = each.n - k
         if rest >= m:
@@ -153,8 +160,9 @@ def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
         db, da = steps(du, dv, each.carry)
         a += da & 0xFFFF0000
         for _ in range(rest + 1):
-            us.append((a & 0xFF) << 16 | b >> 16)
-            vs.append((b & 0xFFFF) << 8)
+            us.append(lift((a & 0xFF) << 16 | b >> 16, at[0]))
+            vs.append(lift((b & 0xFFFF) << 8, at[1]))
+            at = at[0] + du, at[1] + dv
             b += db + (a >> 32)
             ahead = a & 0xFFFF0000
             a = (a & M32) + da + (b >> 32)

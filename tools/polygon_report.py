@@ -29,7 +29,7 @@ def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, agai
                      else "  the guest's frame is the model's")
     lines.append(f"  {scene.materials[obj.material]}, frame {scene.width}x{scene.height}")
     for k, vertex in enumerate(vertices_at(scene, obj, number)):
-        each = map(numbers, ("x", "y", "s", "t", "shade"), vertex)
+        each = map(numbers, ("x", "y", "s", "t", "shade", "w"), vertex)
         lines.append(f"  vertex {k}: " + ", ".join(each))
     polygon = model.prepare(scene, obj, number)
     for name in ("left", "right") if polygon else ():

@@ -1,7 +1,7 @@
 """The named polygon sets of the accuracy report, and the random triangles of ``polys``.
 
 All are triangles, so that every gradient setting can draw them; everything is 16.16 and
-the same in every run. A vertex is (x, y, s, t, shade).
+the same in every run. A vertex is (x, y, s, t, shade, w).
 """
 
 import math
@@ -15,6 +15,11 @@ STEPS = (1 / 16, 1 / 4, 1, 4, 16)
 SHAPES = {"small": ((12, 40), (3, 20)), "medium": ((1800, 2200), (40, 90)),
           "large": ((15000, 40000), (150, 256)), "thin": ((60, 250), (100, 256)),
           "steep": ((60, 250), (0.3, 3))}
+#: Name of a set of medium triangles in space to how many times as deep one end is at most, at
+#: least half as many.
+DEPTHS = {"depth": 4, "deep": 100}
+FOCUS = WIDTH / 2  # pixels from the viewer to the screen
+LARGEST = 8192  # texels: what s and t keep within
 
 
 def fix(value: float) -> int:
@@ -66,16 +71,43 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
     return [(u + base[0], v + base[1]) for u, v in turned]
 
 
+def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple]:
+    """s, t and w of the corners: a map on a random plane in space, so many texels a pixel on the
+    whole, one corner ``most`` / 2 to ``most`` times as deep as another."""
+    rays = [((x - WIDTH / 2) / FOCUS, (y - HEIGHT / 2) / FOCUS, 1.0) for x, y in points]
+    while True:
+        normal = [rng.gauss(0, 1) for _ in range(3)]
+        near = [sum(map(math.prod, zip(normal, ray))) for ray in rays]
+        if min(near) <= 0 or not most / 2 <= max(near) / min(near) <= most:
+            continue
+        depths = [max(near) / n for n in near]
+        places = [[c * w for c in ray] for ray, w in zip(rays, depths)]
+        a, b = ([p - q for p, q in zip(place, places[0])] for place in places[1:])
+        length = math.hypot(*a)  # the first corner is texel (0, 0), the second on the s axis
+        along = sum(map(math.prod, zip(a, b))) / length
+        aside = math.sqrt(max(math.hypot(*b) ** 2 - along ** 2, 0.0))
+        flat = [(0.0, 0.0), (length, 0.0), (along, aside)]
+        scale, angle = step * math.sqrt(area(points) / area(flat)), rng.uniform(0, math.tau)
+        c, s = scale * math.cos(angle), scale * math.sin(angle)
+        base, deeper = [rng.uniform(-100, 400) for _ in "st"], 2 ** rng.uniform(-2, 4)
+        texels = [(base[0] + c * p - s * q, base[1] + s * p + c * q) for p, q in flat]
+        if max(abs(c) for pair in texels for c in pair) < LARGEST:
+            return [(*pair, w * deeper) for pair, w in zip(texels, depths)]
+
+
 def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...]]]:
-    """The polygons of a set."""
+    """The polygons of a set. ``inside``: for ``texture``; not for sets with depth."""
     made = []
     for k in range(COUNT):
         rng = random.Random(f"{name} {k}")
-        points = corners(rng, name)
-        plane = texture(rng, points, STEPS[k % len(STEPS)], inside)
+        points, step = corners(rng, "medium" if name in DEPTHS else name), STEPS[k % len(STEPS)]
+        if name in DEPTHS:
+            surface = in_space(rng, points, step, DEPTHS[name])
+        else:
+            surface = [(s, t, 1) for s, t in texture(rng, points, step, inside)]
         shades = [rng.randrange(256) for _ in points]
-        made.append([tuple(map(fix, (*p, *q, shade)))
-                     for p, q, shade in zip(points, plane, shades)])
+        made.append([tuple(map(fix, (*p, s, t, shade, w)))
+                     for p, (s, t, w), shade in zip(points, surface, shades)])
     return made
 
 
@@ -84,5 +116,5 @@ def random_triangles(count: int, seed: int = 1997) -> list[list[tuple[int, ...]]
     s and t anywhere on a 256x256 map."""
     rng = random.Random(seed)
     return [[tuple(map(fix, (rng.uniform(0, 320), rng.uniform(0, 200), rng.uniform(0, 255),
-                             rng.uniform(0, 255), rng.randrange(256)))) for _ in range(3)]
+                             rng.uniform(0, 255), rng.randrange(256), 1))) for _ in range(3)]
             for _ in range(count)]

@@ -9,7 +9,7 @@ import random
 import numpy as np
 
 from . import model
-from .scene_file import IDENTITY, Material, Object, Scene, Texture
+from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
 
 
 def fix(value: float) -> int:
@@ -85,7 +85,7 @@ def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Sce
         rng = random.Random(f"{seed} {first + k}")
         points, plane = covering_polygon(rng, width, height)
         objects.append(Object(0 if rng.random() < 0.85 else 1, len(vertices), len(points), 0, 1, k))
-        vertices += [(*p, *q, 0) for p, q in zip(points, plane)]
+        vertices += [(*p, *q, 0, ONE) for p, q in zip(points, plane)]
     return Scene(width, height, count, 7, palette, [texture],
                  [Material("affine", texture=0), Material(colour=200)], objects,
                  np.array(vertices), np.array([IDENTITY]))

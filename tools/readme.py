@@ -63,6 +63,26 @@ def accuracy_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
+#: Meshes: title of a line, row.
+MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
+              ("a point outside the borders", "mesh_transform_outside"),
+              ("a normal: one of s, t and shade", "mesh_looks"),
+              ("a face of four corners that is seen", "mesh_faces"),
+              ("a face seen from the back", "mesh_faces_back"),
+              ("a new corner where a border cuts", "mesh_cut"))
+
+
+def mesh_table(baseline: dict) -> str:
+    """Markdown: what meshes cost before their polygons are drawn."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["points"]}
+    lines = ["| cycles | " + " | ".join(MACHINES.values()) + " |",
+             "|---|" + "--:|" * len(MACHINES)]
+    for title, name in MESH_LINES:
+        cells = [f"{figures[name, machine, 1]:.0f}" for machine in MACHINES]
+        lines.append(f"| {title} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def with_table(text: str, title: str, content: str) -> str:
     """The README's text with a table between its marker lines."""
     begin = BEGIN.format(title)
@@ -74,7 +94,9 @@ def with_table(text: str, title: str, content: str) -> str:
 
 def with_tables(text: str) -> str:
     """The README's text with all tables as the baselines have them."""
-    text = with_table(text, "addx against swap", table(json.loads(BASELINE.read_text())))
+    measured = json.loads(BASELINE.read_text())
+    text = with_table(text, "addx against swap", table(measured))
+    text = with_table(text, "meshes", mesh_table(measured))
     text = with_table(text, "what accuracy costs",
                       accuracy_table(json.loads(ACCURACY_BASELINE.read_text())))
     rows = json.loads(POLYS_BASELINE.read_text())["rows"]

@@ -11,12 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials
+from . import layout, materials, scene_space
 from .fields import REQUIRED, choice, colour, fail, integer, named, number, rows, table, text
+from .map_range import MAP_CENTRE, check_map, fixed, inside
 from .scene_file import Object, Scene
 
 ONE = 65536  # 1.0 in 16.16
-MAP_CENTRE = 128.0  # of s along the longer side
 CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
 UNEVEN = 1 / 64  # of s or t a corner may be off the plane where the map does not repeat
 UNEVEN_SHADE = 0.5
@@ -37,20 +37,20 @@ def schema(limits: dict[str, int]):
     pair = rows(place, 2, 2)
     turns = number(-1000, 1000)
     orbit = table({"radius": (pair, REQUIRED), "turns": (turns, REQUIRED), "phase": (turns, 0.0)})
+    placing = {
+        "centre": (pair, [0.0, 0.0]), "move": (pair, [0.0, 0.0]),  # pixels a frame
+        "orbit": (orbit, {"radius": [0.0, 0.0], "turns": 0.0, "phase": 0.0}),
+        "angle": (number(-3600, 3600), 0.0),  # degrees
+        "turns": (turns, 0.0), "scale": (scaling, [1.0, 1.0])}
     shapes = {
         "sides": {"sides": (integer(3, corners), REQUIRED),
                   "radius": (number(0.01, far), REQUIRED),
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
                   "map_turn": (number(-360, 360), 0.0),  # degrees
-                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)},
-        "vertices": {"vertices": (rows(rows(place, 2, 5), 3, corners), REQUIRED)}}
-    placing = {
-        "material": (text, REQUIRED),
-        "centre": (pair, [0.0, 0.0]), "move": (pair, [0.0, 0.0]),  # pixels a frame
-        "orbit": (orbit, {"radius": [0.0, 0.0], "turns": 0.0, "phase": 0.0}),
-        "angle": (number(-3600, 3600), 0.0),  # degrees
-        "turns": (turns, 0.0), "scale": (scaling, [1.0, 1.0]),
-        "first": (frame, 0), "last": (frame, None)}
+                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)} | placing,
+        "vertices": {"vertices": (rows(rows(place, 2, 5), 3, corners), REQUIRED)} | placing}
+    shapes |= scene_space.object_schema(limits)
+    always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
     side = limits["SCENE_SIDE_MAX"]
     return table({
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
@@ -59,7 +59,8 @@ def schema(limits: dict[str, int]):
         "bits": (materials.bits, 8), "background": (colour, REQUIRED),
         "textures": (named(materials.texture_schema()), {}),
         "materials": (named(materials.material_schema()), REQUIRED),
-        "objects": (rows(choice(shapes, placing), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
+        **scene_space.schema(limits),
+        "objects": (rows(choice(shapes, always), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
 
 
 def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
@@ -163,19 +164,6 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
     return corners
 
 
-def check_map(corners: list[list[float]], mapper: str, size: tuple[int, int],
-              extent: tuple[float, float], where: str) -> None:
-    """Refuses s, t too far away for the set-up, or outside a map that is not repeated."""
-    reach = layout.load().constants["POLYGON_FAR"]
-    for corner in corners:
-        if max(map(abs, corner[2:4])) * max(size) / (2 * MAP_CENTRE) >= reach:
-            fail(where, f"s or t is {reach} texels or more from the map's corner")
-        inside = all(-1e-6 < value < end + 1e-6 for value, end in zip(corner[2:4], extent))
-        if mapper == "arbitrary" and not inside:
-            fail(where, 'mapper "arbitrary" does not repeat: s must be from 0 to '
-                        f"{extent[0]:g}, t from 0 to {extent[1]:g}")
-
-
 def pose_at(spec: dict, age: int, loop: int) -> list[float]:
     """xx, xy, yx, yy, x0, y0 of an object ``age`` frames after it appeared."""
     life = age / loop
@@ -188,11 +176,6 @@ def pose_at(spec: dict, age: int, loop: int) -> list[float]:
     cos, sin = scale * math.cos(angle), scale * math.sin(angle)
     return [cos, -sin, sin, cos, x + orbit["radius"][0] * math.cos(swing),
             y + orbit["radius"][1] * math.sin(swing)]
-
-
-def fixed(values: list[list[float]]) -> np.ndarray:
-    """The nearest 16.16 numbers, int64."""
-    return np.rint(np.array(values) * ONE).astype(np.int64)
 
 
 def check_reach(corners: np.ndarray, poses: np.ndarray, first: int, far: int, where: str) -> None:
@@ -228,6 +211,7 @@ def parse(path: Path) -> dict:
             fail(f"{at}.first", f"the scene ends with frame {spec['frames'] - 1}")
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
             fail(f"{at}.last", f"must be from {obj['first']} to {spec['frames'] - 1}")
+    scene_space.check(spec, where)
     return spec
 
 
@@ -238,15 +222,14 @@ def in_file(corners: list[list[float]], material: dict, texture: dict | None,
     made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
                   for corner in corners])
     if materials.mapper_of(material) == "arbitrary":
-        size = np.array([texture["width"], texture["height"]])
-        last = (((size << 16) + 1) * 256 - 1) // max(size)  # its texel is not beyond the side
-        made[:, 2:4] = made[:, 2:4].clip(0, np.minimum(last, 256 * ONE))
+        made[:, 2:4] = inside(made[:, 2:4], texture)
     return made
 
 
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
-                  where: str) -> tuple[list, list, list]:
-    """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16."""
+                  space: scene_space.Space, where: str) -> tuple[list, list, list]:
+    """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
+    meshes go into ``space``."""
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
     objects, vertices, poses = [], [], []
@@ -254,6 +237,10 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
         at = f"{where}objects[{i}]"
         material = spec["materials"][obj["material"]]
         texture = spec["textures"].get(material.get("texture"))
+        if scene_space.is_mesh(obj):
+            space.place(obj, (material_number[obj["material"]], material, texture,
+                              ramps.get(obj["material"])), len(objects), at)
+            continue
         corners = in_file(corners_of(obj, material, texture, at), material, texture,
                           ramps.get(obj["material"]))
         last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
@@ -286,8 +273,9 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
     count = frames or spec["frames"]
     pixels = materials.pixels(spec)
-    objects, vertices, poses = place_objects(spec, count, pixels.ramps, where)
+    space = scene_space.Space(spec, count, path.parent, where)
+    objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
     colours, textures, looks = materials.build(spec, pixels, path.parent, where)
     return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["bits"] // 8)
+                 np.array(poses, np.int64).reshape(-1, 6), spec["bits"] // 8, **space.tables())

@@ -5,13 +5,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout, maps
+from . import layout, maps, scene_meshes
 from .errors import UserError
+from .scene_meshes import Instance, Mesh
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
 TABLES = {"textures": "scene_texture", "materials": "scene_material",
-          "objects": "scene_object", "vertices": "scene_vertex", "poses": "scene_pose"}
+          "objects": "scene_object", "vertices": "scene_vertex", "poses": "scene_pose",
+          "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
+          "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
+          "views": "scene_view"}
+HEADER = ("width", "height", "frames", "pixel_bytes", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
@@ -66,6 +71,10 @@ class Object:
     first_frame: int
 
 
+#: Tables whose entries are dataclasses with the struct's fields.
+RECORDS = {"objects": Object, "meshes": Mesh, "instances": Instance}
+
+
 @dataclass(eq=False)
 class Scene:
     """The exact content of a scene file; every number is an integer."""
@@ -81,11 +90,15 @@ class Scene:
     vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     pixel_bytes: int = 1  # 2: RGB565
-
-    def __post_init__(self) -> None:
-        """Vertices without depth have w = 1."""
-        if self.vertices.shape[1] == 5:
-            self.vertices = np.column_stack([self.vertices, np.full(len(self.vertices), ONE)])
+    near_plane: int = ONE  # 16.16; it and guard count where instances are
+    guard: int = 9
+    points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
+    normals: np.ndarray = field(default_factory=lambda: scene_meshes.empty("normals"), repr=False)
+    corners: np.ndarray = field(default_factory=lambda: scene_meshes.empty("corners"), repr=False)
+    faces: np.ndarray = field(default_factory=lambda: scene_meshes.empty("faces"), repr=False)
+    meshes: list[Mesh] = field(default_factory=list)
+    instances: list[Instance] = field(default_factory=list)
+    views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
 
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
@@ -220,6 +233,7 @@ def check(scene: Scene, name: str) -> None:
         require(name, f"{where}.pose", obj.pose, 0, len(scene.poses) - obj.poses)
         require(name, f"{where}.first_frame", obj.first_frame, 0, scene.frames - 1)
         check_vertices(scene, obj, name, where)
+    scene_meshes.check(scene, name)
 
 
 def ordered(texture: Texture) -> bytes:
@@ -262,9 +276,10 @@ def write(scene: Scene) -> bytes:
     header = built.struct("scene_header")
     palette = np.zeros((256, 4), np.uint8)
     palette[:, 1:] = scene.palette
-    tables = {"vertices": scene.vertices, "poses": scene.poses}
-    tables["objects"] = [[getattr(o, f) for f in built.struct("scene_object").fields]
-                         for o in scene.objects]
+    tables = {t: getattr(scene, t) for t in ("vertices", "poses", *scene_meshes.COLUMNS)}
+    for table in RECORDS:
+        fields = built.struct(TABLES[table]).fields
+        tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour]
         for m in scene.materials]
@@ -281,8 +296,7 @@ def write(scene: Scene) -> bytes:
         at += len(data)
     values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
                       "version": built.constants["SCENE_VERSION"]}
-    values |= {f: getattr(scene, f)
-               for f in ("width", "height", "frames", "pixel_bytes", "background")}
+    values |= {f: getattr(scene, f) for f in HEADER}
     parts = {"palette": palette.tobytes()}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
     at = header.size
@@ -337,11 +351,10 @@ def read(data: bytes, name: str) -> Scene:
                             for kind, number in zip(SETTINGS, row)), *row[len(SETTINGS):])
                  for i, row in enumerate(rows["materials"].tolist())]
     palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
-    object_fields = list(built.struct("scene_object").fields)
+    for table, kind in RECORDS.items():
+        rows[table] = [kind(*row) for row in rows[table].tolist()]
     scene = Scene(
-        *(values[f] for f in ("width", "height", "frames", "background")),
-        palette=palette.reshape(256, 4)[:, 1:].copy(), textures=textures, materials=materials,
-        objects=[Object(**dict(zip(object_fields, row))) for row in rows["objects"].tolist()],
-        vertices=rows["vertices"], poses=rows["poses"], pixel_bytes=values["pixel_bytes"])
+        **{f: values[f] for f in HEADER}, **rows | {"textures": textures, "materials": materials},
+        palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene

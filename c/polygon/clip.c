@@ -53,6 +53,8 @@ static int32 clip_border(struct vertex *to, const struct vertex *from, int32 cou
     for (int32 i = 0; i < count; i++, from++) {
         fix16 here = distance(from, border);
 
+        if (made > CLIP_VERTICES_MAX - 2)
+            return 0;
         if (here >= 0) {
             if (last_distance < 0 && here > 0)
                 cut(&to[made++], from, last, border);

@@ -17,7 +17,8 @@ enum clip_constants {
    its number of vertices, 0 where nothing is left. A polygon wholly inside costs only
    the test and comes back itself; another one is made in room[2 * CLIP_VERTICES_MAX].
    New vertices are rounded to the nearest 1/65536; an edge gives the same ones in either
-   direction, so polygons that share it still do. */
+   direction, so polygons that share it still do. One that would get too many vertices, which
+   a convex one cannot, comes back empty. */
 const struct vertex *polygon_clip(struct vertex *room, const struct vertex *vertices,
                                   int32 *count, const struct clip_window *window);
 

@@ -2,6 +2,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include "mesh/mesh.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
 
@@ -12,6 +13,14 @@ struct scene {
     const struct scene_object *objects;
     const struct scene_vertex *vertices;
     const struct scene_pose *poses;
+    const struct scene_point *points;
+    const struct scene_normal *normals;
+    const struct scene_corner *corners;
+    const struct scene_face *faces;
+    const struct scene_mesh *meshes;
+    const struct scene_instance *instances;
+    const struct scene_view *views;
+    struct mesh_work work;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
@@ -20,6 +29,17 @@ struct scene {
 /* Puts the textures of a checked scene into memory of the kind given, each as its
    layout wants it; 0 where memory is short. */
 int32 scene_make_maps(struct scene *scene, int32 kind);
+
+/* The first field of meshes, instances or views that is wrong, or 0; tables lie in the
+   file, materials are checked. */
+const char *scene_wrong_mesh(const struct scene *scene);
+
+/* Memory to draw a checked scene's meshes; 0 where it is short. */
+int32 scene_make_work(struct scene *scene);
+
+/* "s" or "t" where this one leaves a map that is not repeated; else 0. */
+const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
+                              fix16 s, fix16 t);
 
 /* Loads and checks a scene; textures go to memory of the kind given. Prints a line
    naming file and field and returns 0 where something is wrong. */

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "mesh/draw.h"
 #include "polygon/math.h"
 #include "span/scanline.h"
 
@@ -49,18 +50,43 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
     }
 }
 
+/* The instances before an object, from the first that is not drawn yet; returns the next. */
+static uint32 draw_meshes(const struct scene *scene, uint32 first, uint32 object,
+                          const struct mesh_target *target, enum polygon_result *refused)
+{
+    uint32 end = first;
+    enum polygon_result result;
+
+    while (end < scene->header->instances && scene->instances[end].before <= object)
+        end++;
+    if (end == first)
+        return end;
+    result = mesh_draw(scene, first, end, target);
+    if (result != POLYGON_DRAWN)
+        *refused = result;
+    return end;
+}
+
 enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
                                int32 number, enum form form, struct draw_counts *counts)
 {
     enum polygon_result refused = POLYGON_DRAWN;
     const struct scene_object *object = scene->objects;
     struct vertex vertices[POLYGON_VERTICES_MAX];
+    uint32 drawn = 0;           /* instances */
+    struct mesh_target target;
 
+    target.frame = frame;
+    target.number = number;
+    target.form = form;
+    target.counts = counts;
     clear(frame, scene->header->background);
     for (uint32 i = 0; i < scene->header->objects; i++, object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
         enum polygon_result result;
 
+        if (drawn < scene->header->instances && scene->instances[drawn].before <= i)
+            drawn = draw_meshes(scene, drawn, i, &target, &refused);
         if (age >= object->poses)
             continue;
         place(vertices, &scene->vertices[object->vertex], object->vertices,
@@ -70,5 +96,6 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
+    draw_meshes(scene, drawn, scene->header->objects, &target, &refused);
     return refused;
 }

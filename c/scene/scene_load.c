@@ -61,6 +61,20 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "vertices or vertices_at";
     if (!table_usable(h->poses_at, h->poses, sizeof(struct scene_pose), bytes))
         return "poses or poses_at";
+    if (!table_usable(h->points_at, h->points, sizeof(struct scene_point), bytes))
+        return "points or points_at";
+    if (!table_usable(h->normals_at, h->normals, sizeof(struct scene_normal), bytes))
+        return "normals or normals_at";
+    if (!table_usable(h->corners_at, h->corners, sizeof(struct scene_corner), bytes))
+        return "corners or corners_at";
+    if (!table_usable(h->faces_at, h->faces, sizeof(struct scene_face), bytes))
+        return "faces or faces_at";
+    if (!table_usable(h->meshes_at, h->meshes, sizeof(struct scene_mesh), bytes))
+        return "meshes or meshes_at";
+    if (!table_usable(h->instances_at, h->instances, sizeof(struct scene_instance), bytes))
+        return "instances or instances_at";
+    if (!table_usable(h->views_at, h->views, sizeof(struct scene_view), bytes))
+        return "views or views_at";
     return 0;
 }
 
@@ -144,6 +158,19 @@ static const char *wrong_material(const struct scene *scene)
     return 0;
 }
 
+const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
+                              fix16 s, fix16 t)
+{
+    const struct scene_texture *map = &scene->textures[material->texture];
+    fix16 scale = map_scale(map->width, map->height);
+
+    if (s < 0 || s > 256 << 16 || mul_fix(s, scale) > map->width << 16)
+        return "s";
+    if (t < 0 || t > 256 << 16 || mul_fix(t, scale) > map->height << 16)
+        return "t";
+    return 0;
+}
+
 /* Only what a mapper does not repeat: texels inside the map, shades inside the palette. */
 static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
 {
@@ -156,13 +183,10 @@ static const char *wrong_vertex(const struct scene *scene, const struct scene_ob
         if (m->perspective && (v->w < W_MIN || v->w > W_MAX))
             return "vertex.w";
         if (m->mapper == MAPPER_ARBITRARY) {
-            const struct scene_texture *t = &scene->textures[m->texture];
-            fix16 scale = map_scale(t->width, t->height);
+            const char *wrong = scene_wrong_texel(scene, m, v->s, v->t);
 
-            if (v->s < 0 || v->s > 256 << 16 || mul_fix(v->s, scale) > t->width << 16)
-                return "vertex.s";
-            if (v->t < 0 || v->t > 256 << 16 || mul_fix(v->t, scale) > t->height << 16)
-                return "vertex.t";
+            if (wrong)
+                return *wrong == 's' ? "vertex.s" : "vertex.t";
         }
     }
     return 0;
@@ -201,7 +225,9 @@ static const char *wrong_entry(const struct scene *scene)
 
     if (!wrong)
         wrong = wrong_material(scene);
-    return wrong ? wrong : wrong_object(scene);
+    if (!wrong)
+        wrong = wrong_object(scene);
+    return wrong ? wrong : scene_wrong_mesh(scene);
 }
 
 static int32 needs_reciprocals(const struct scene_material *material)
@@ -267,6 +293,13 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     scene->objects = (const struct scene_object *)(data + header->objects_at);
     scene->vertices = (const struct scene_vertex *)(data + header->vertices_at);
     scene->poses = (const struct scene_pose *)(data + header->poses_at);
+    scene->points = (const struct scene_point *)(data + header->points_at);
+    scene->normals = (const struct scene_normal *)(data + header->normals_at);
+    scene->corners = (const struct scene_corner *)(data + header->corners_at);
+    scene->faces = (const struct scene_face *)(data + header->faces_at);
+    scene->meshes = (const struct scene_mesh *)(data + header->meshes_at);
+    scene->instances = (const struct scene_instance *)(data + header->instances_at);
+    scene->views = (const struct scene_view *)(data + header->views_at);
     wrong = wrong_entry(scene);
     if (wrong)
         return refuse(name, wrong);
@@ -276,5 +309,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         return text_refuse(name, "not enough memory for the reciprocals of perspective");
     if (!make_materials(scene))
         return text_refuse(name, "not enough memory for the materials");
+    if (!scene_make_work(scene))
+        return text_refuse(name, "not enough memory for the meshes");
     return 1;
 }

@@ -20,8 +20,17 @@ value   macro
         addx.l  d2,d0
         endm
 
-; d1 = d0:d1 / \2, cut towards zero and kept in the range of \1, u or v.
+; d1 = d0:d1 / \2, cut towards zero and kept in the range of \1, u or v. Uses d0/d2. What
+; does not fit 32 bits is seen before, but for the last bit: FS-UAE gives 0 without V from
+; 2^32 on.
 quotient macro
+        move.l  d0,d2
+        bpl.s   .positive\@
+        not.l   d2
+.positive\@
+        add.l   d2,d2
+        cmp.l   \2,d2
+        bhs.s   .far\@
         divs.l  \2,d0:d1
         bvs.s   .far\@
         cmp.l   perspective_plan_\1_low(a6),d1
@@ -79,9 +88,9 @@ logarithm macro
 ; writes:  count perspective_lines; of an empty one n alone, of one of a single pixel
 ;          left, n, u and v
 ; formats: u = base + s / q.hi, cut towards zero, 16.16, at the first and the last
-;          pixel, both kept within the plan's limits; weights: q.hi of both, shifted left until the larger is in 2^30 to
-;          2^31, divided by n; the last one's is even. enough: 2^(x / 64), by tables
-;          that round x up
+;          pixel, both kept within the plan's limits; weights: q.hi of both, shifted
+;          left until the larger is in 2^30 to 2^31, divided by n: the first one's is at
+;          least 1, the last one's even. enough: 2^(x / 64), by tables that round x up
 ; error:   u, v: a unit at the ends. A weight: n + 1 in 2^30
 ; cost:    bench row perspective_lines
 ;==============================================================================
@@ -151,7 +160,9 @@ logarithm macro
         lsl.l   d1,d6
         move.l  a3,d7
         divu.l  d7,d3
-        divu.l  d7,d6
+        bne.s   .share
+        moveq   #1,d3                   ; with 0, parts would be 1: out of their format
+.share  divu.l  d7,d6
         and.w   #$fffe,d6               ; even
         move.l  d6,d0
         lsr.l   #1,d0

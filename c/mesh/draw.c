@@ -1,0 +1,191 @@
+/* From instances to polygons: every point goes before the camera and on the screen once;
+   faces seen from the back or outside one border fall away; the others are drawn from the
+   farthest to the nearest, cut where they cross a border. */
+#include "mesh/draw.h"
+
+#include "polygon/math.h"
+
+/* A fan of triangles where gradients are for those: cutting makes more corners. */
+static enum polygon_result draw_polygon(const struct vertex *vertices, int32 count,
+                                        const struct material *material,
+                                        const struct mesh_target *target)
+{
+    enum polygon_result refused = POLYGON_DRAWN, result;
+    struct vertex triangle[3];
+
+    if (count == 3 || material->mapper == MAPPER_FLAT
+        || material->gradients != GRADIENTS_POLYGON)
+        return polygon_draw(target->frame, vertices, count, material, target->form,
+                            target->counts);
+    triangle[0] = vertices[0];
+    for (int32 i = 2; i < count; i++) {
+        triangle[1] = vertices[i - 1];
+        triangle[2] = vertices[i];
+        result = polygon_draw(target->frame, triangle, 3, material, target->form,
+                              target->counts);
+        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+            refused = result;
+    }
+    return refused;
+}
+
+/* Vertices before the camera to the screen, as mesh_transform does it. */
+static void project(struct vertex *v, int32 count, const struct scene_header *header)
+{
+    int32 scale = 65536 << header->guard;
+
+    for (; count > 0; count--, v++) {
+        v->x = mul_div(v->x, scale, v->w) + (header->width << 15);
+        v->y = mul_div(v->y, scale, v->w) + (header->height << 15);
+    }
+}
+
+static enum polygon_result draw_cut(struct vertex *vertices, int32 count,
+                                    const struct mesh_face *face, const struct scene *scene,
+                                    const struct mesh_target *target)
+{
+    static struct vertex room[2 * POLYGON_VERTICES_MAX];
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+
+    for (int32 i = 0; i < count; i++, corner++) {
+        const struct mesh_point *p = &placed->points[corner->point];
+
+        vertices[i].x = p->x;
+        vertices[i].y = p->y;
+    }
+    vertices = mesh_clip(room, vertices, &count, scene->header->near_plane);
+    if (count < 3)
+        return POLYGON_EMPTY;
+    project(vertices, count, scene->header);
+    return draw_polygon(vertices, count, placed->material, target);
+}
+
+static enum polygon_result draw_face(const struct mesh_face *face, const struct scene *scene,
+                                     const struct mesh_target *target)
+{
+    static struct vertex vertices[MESH_CORNERS_MAX];
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+    int32 count = (int32)face->face->corners;
+    struct vertex *v = vertices;
+    uint32 outside = 0;
+
+    for (int32 i = count; i > 0; i--, corner++, v++) {
+        const struct mesh_point *p = &placed->points[corner->point];
+        const struct mesh_look *look = &placed->looks[corner->normal];
+
+        outside |= p->outside;
+        v->x = p->screen_x;
+        v->y = p->screen_y;
+        v->w = p->w;
+        v->s = corner->s;
+        v->t = corner->t;
+        v->shade = 0;
+        if (placed->flags & MESH_ENVIRONMENT) {
+            v->s = look->s;
+            v->t = look->t;
+        }
+        if (placed->flags & MESH_LIT)
+            v->shade = look->shade;
+    }
+    if (outside)
+        return draw_cut(vertices, count, face, scene, target);
+    return draw_polygon(vertices, count, placed->material, target);
+}
+
+/* s, t and shade of an instance's normals, of which there is one at least. */
+static void make_looks(struct mesh_look *to, const struct scene_normal *normals, int32 count,
+                       const struct scene_instance *instance, const struct scene_view *view)
+{
+    struct look_plan plan;
+
+    plan.from = normals;
+    plan.count = count;
+    if (instance->flags & MESH_ENVIRONMENT) {
+        plan.base = 128 << 16;
+        plan.low = 0;
+        plan.high = 256 << 16;
+        plan.to = &to->s;
+        plan.factors = &view->s_x;
+        mesh_looks(&plan);
+        plan.to = &to->t;
+        plan.factors = &view->t_x;
+        mesh_looks(&plan);
+    }
+    if (instance->flags & MESH_LIT) {
+        plan.base = plan.low = instance->dark;
+        plan.high = instance->bright;
+        plan.to = &to->shade;
+        plan.factors = &view->light_x;
+        mesh_looks(&plan);
+    }
+}
+
+/* Points and normals of an instance, and the faces of it that may be seen: their number. */
+static int32 place(const struct scene *scene, const struct scene_instance *instance,
+                   const struct scene_view *view, struct mesh_work *at)
+{
+    const struct scene_header *header = scene->header;
+    const struct scene_mesh *mesh = &scene->meshes[instance->mesh];
+    struct mesh_placed *placed = at->placed;
+    struct transform_plan transform;
+    struct faces_plan faces;
+
+    placed->mesh = mesh;
+    placed->corners = &scene->corners[mesh->corner];
+    placed->material = &scene->drawn[instance->material];
+    placed->points = at->points;
+    placed->looks = at->looks;
+    placed->flags = instance->flags;
+    transform.from = &scene->points[mesh->point];
+    transform.count = (int32)mesh->points;
+    transform.view = view;
+    transform.to = at->points;
+    transform.near_plane = header->near_plane;
+    transform.guard = header->guard;
+    transform.middle_x = header->width << 15;
+    transform.middle_y = header->height << 15;
+    mesh_transform(&transform);
+    if (instance->flags)
+        make_looks(at->looks, &scene->normals[mesh->normal], (int32)mesh->normals, instance,
+                   view);
+    at->placed++;
+    at->points += mesh->points;
+    at->looks += mesh->normals;
+    faces.from = &scene->faces[mesh->face];
+    faces.count = (int32)mesh->faces;
+    faces.placed = placed;
+    faces.view = view;
+    faces.to = at->faces;
+    return mesh_faces(&faces);
+}
+
+enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 end,
+                              const struct mesh_target *target)
+{
+    enum polygon_result refused = POLYGON_DRAWN;
+    struct mesh_work at = scene->work;
+    struct mesh_face *face;
+    int32 count = 0;
+
+    for (; first < end; first++) {
+        const struct scene_instance *instance = &scene->instances[first];
+        uint32 age = (uint32)target->number - instance->first_frame;
+
+        if (age < instance->views) {
+            int32 more = place(scene, instance, &scene->views[instance->view + age], &at);
+
+            count += more;
+            at.faces += more;
+        }
+    }
+    face = mesh_sort(scene->work.faces, scene->work.sorted, count);
+    for (; count > 0; count--, face++) {
+        enum polygon_result result = draw_face(face, scene, target);
+
+        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+            refused = result;
+    }
+    return refused;
+}

@@ -1,0 +1,20 @@
+/* All instances of one place in a scene's order. */
+#ifndef MESH_DRAW_H
+#define MESH_DRAW_H
+
+#include "scene/scene.h"
+
+/* What a frame is drawn with. */
+struct mesh_target {
+    const struct frame *frame;
+    int32 number;               /* of the frame in the scene */
+    enum form form;
+    struct draw_counts *counts; /* or 0 */
+};
+
+/* Draws instances first to end (excluded) together, faces far away first; returns why a
+   polygon was refused, or POLYGON_DRAWN. */
+enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 end,
+                              const struct mesh_target *target);
+
+#endif

@@ -1,0 +1,199 @@
+/* Meshes, instances and views of a scene: checked, so that nothing they hold leads the
+   drawing outside its arrays or its numbers outside 32 bits. */
+#include "scene/scene.h"
+#include "system/system.h"
+
+enum limits {
+    UNIT_14 = 1 << 14,
+    UNIT_30 = 1 << 30,
+    REACH = MESH_REACH << 16,
+    AWAY = MESH_AWAY << 16
+};
+
+static int32 beyond(int32 value, int32 most)
+{
+    return value < -most || value > most;
+}
+
+/* Whether count entries from first on lie in a table of so many. */
+static int32 inside(uint32 first, uint32 count, uint32 table)
+{
+    return first <= table && count <= table - first;
+}
+
+static const char *wrong_table(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+    const struct scene_point *p = scene->points;
+    const struct scene_normal *n = scene->normals;
+    const struct scene_view *v = scene->views;
+
+    for (uint32 i = h->points; i; i--, p++)
+        if (beyond(p->x, REACH) || beyond(p->y, REACH) || beyond(p->z, REACH))
+            return "point";
+    for (uint32 i = h->normals; i; i--, n++)
+        if (beyond(n->x, UNIT_14) || beyond(n->y, UNIT_14) || beyond(n->z, UNIT_14))
+            return "normal";
+    for (uint32 i = h->views; i; i--, v++) {
+        const int32 *factor = &v->xx;
+        int32 k = 9;
+
+        for (; k > 0; k--)
+            if (beyond(*factor++, UNIT_30))
+                return "view.xx to zz";
+        if (beyond(v->x0, AWAY - 1) || beyond(v->y0, AWAY - 1) || beyond(v->z0, AWAY - 1))
+            return "view.x0, y0 or z0";
+    }
+    return 0;
+}
+
+static const char *wrong_face(const struct scene *scene, const struct scene_mesh *mesh)
+{
+    const struct scene_face *face = &scene->faces[mesh->face];
+    const struct scene_corner *corner = &scene->corners[mesh->corner];
+
+    for (uint32 i = mesh->corners; i; i--, corner++) {
+        if (corner->point >= mesh->points)
+            return "corner.point";
+        if (corner->normal >= mesh->normals)
+            return "corner.normal";
+    }
+    for (uint32 i = mesh->faces; i; i--, face++) {
+        if (face->corners < 3 || face->corners > MESH_CORNERS_MAX
+            || !inside(face->corner, face->corners, mesh->corners))
+            return "face.corners";
+        if (beyond(face->x, UNIT_30) || beyond(face->y, UNIT_30) || beyond(face->z, UNIT_30))
+            return "face.x, y or z";
+    }
+    return 0;
+}
+
+static const char *wrong_mesh(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+    const struct scene_mesh *m = scene->meshes;
+
+    for (uint32 i = h->meshes; i; i--, m++) {
+        const char *wrong;
+
+        if (m->points < 1 || m->points > MESH_COUNT_MAX
+            || !inside(m->point, m->points, h->points))
+            return "mesh.points";
+        if (m->normals < 1 || m->normals > MESH_COUNT_MAX
+            || !inside(m->normal, m->normals, h->normals))
+            return "mesh.normals";
+        if (!inside(m->corner, m->corners, h->corners))
+            return "mesh.corners";
+        if (m->faces < 1 || m->faces > MESH_COUNT_MAX || !inside(m->face, m->faces, h->faces))
+            return "mesh.faces";
+        wrong = wrong_face(scene, m);
+        if (wrong)
+            return wrong;
+    }
+    return 0;
+}
+
+/* What a material wants of the mesh it is on. */
+static const char *wrong_look(const struct scene *scene, const struct scene_instance *instance)
+{
+    const struct scene_material *m = &scene->materials[instance->material];
+    const struct scene_mesh *mesh = &scene->meshes[instance->mesh];
+    const struct scene_face *face = &scene->faces[mesh->face];
+    const struct scene_corner *corner = &scene->corners[mesh->corner];
+
+    if (instance->flags & MESH_LIT
+        && (instance->dark < 0 || instance->bright < instance->dark
+            || instance->bright >= 256 << 16))
+        return "instance.dark or bright";
+    if (m->mapper == MAPPER_GOURAUD && !(instance->flags & MESH_LIT))
+        return "instance.flags";
+    if (m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON)
+        for (uint32 i = mesh->faces; i; i--, face++)
+            if (face->corners != 3)
+                return "face.corners";
+    if (m->mapper == MAPPER_ARBITRARY) {
+        if (instance->flags & MESH_ENVIRONMENT)
+            return "instance.flags";
+        for (uint32 i = mesh->corners; i; i--, corner++)
+            if (scene_wrong_texel(scene, m, corner->s, corner->t))
+                return "corner.s or t";
+    }
+    return 0;
+}
+
+static const char *wrong_instance(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+    const struct scene_instance *o = scene->instances;
+    uint32 before = 0;
+
+    if (h->instances && (h->near_plane < W_MIN || h->near_plane >= W_MAX))
+        return "near_plane";
+    if (h->instances && (h->guard < GUARD_MIN || h->guard > GUARD_MAX))
+        return "guard";
+    for (uint32 i = h->instances; i; i--, o++) {
+        const char *wrong;
+
+        if (o->mesh >= h->meshes)
+            return "instance.mesh";
+        if (o->material >= h->materials)
+            return "instance.material";
+        if (o->before < before || o->before > h->objects)
+            return "instance.before";
+        before = o->before;
+        if (o->views < 1 || !inside(o->view, o->views, h->views))
+            return "instance.views";
+        if (o->first_frame >= (uint32)h->frames)
+            return "instance.first_frame";
+        if (o->flags >= MESH_FLAGS)
+            return "instance.flags";
+        wrong = wrong_look(scene, o);
+        if (wrong)
+            return wrong;
+    }
+    return 0;
+}
+
+const char *scene_wrong_mesh(const struct scene *scene)
+{
+    const char *wrong = wrong_table(scene);
+
+    if (!wrong)
+        wrong = wrong_mesh(scene);
+    return wrong ? wrong : wrong_instance(scene);
+}
+
+static uint32 larger(uint32 a, uint32 b)
+{
+    return a > b ? a : b;
+}
+
+int32 scene_make_work(struct scene *scene)
+{
+    const struct scene_instance *o = scene->instances;
+    uint32 instances = 0, points = 0, normals = 0, faces = 0;
+    uint32 most_instances = 0, most_points = 0, most_normals = 0, most_faces = 0;
+    struct mesh_work *work = &scene->work;
+
+    for (uint32 i = 0; i < scene->header->instances; i++, o++) {
+        const struct scene_mesh *mesh = &scene->meshes[o->mesh];
+
+        if (i && o->before != o[-1].before)
+            instances = points = normals = faces = 0;
+        instances++;
+        points += mesh->points;
+        normals += mesh->normals;
+        faces += mesh->faces;
+        most_instances = larger(most_instances, instances);
+        most_points = larger(most_points, points);
+        most_normals = larger(most_normals, normals);
+        most_faces = larger(most_faces, faces);
+        if (larger(points, larger(normals, faces)) > SCENE_COUNT_MAX)
+            return 0;
+    }
+    return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
+        && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
+        && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
+        && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
+        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
+}

@@ -1,0 +1,98 @@
+"""The hard depths: what their vertices promise, and how they are drawn."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+from surfaces import off_surface
+
+from tools import hard_case_depths, hard_cases, hard_report, ideal, ideal_perspective, model, scene_file
+from tools.hard_case_depths import DEEPEST, NEAREST
+from tools.scene_file import ONE
+
+CASES = [case for family in hard_case_depths.FAMILIES for case in family()]
+W_MIN, W_MAX = NEAREST * ONE, DEEPEST * ONE
+BY_NAME = {case.name: case for case in CASES}
+
+
+def adapted(case: hard_cases.Case) -> list[tuple]:
+    """(x, y, u, v, w) on a map of 256x256."""
+    return model.adapt(case.vertices, model.Settings("exact"), 256)
+
+
+def test_all_are_defined_and_most_show() -> None:
+    """In front of the viewer at every vertex, but for the one without an area."""
+    shown = 0
+    for case in CASES:
+        vertices = adapted(case)
+        assert ideal_perspective.in_front(vertices) == (case.name != "deep_without_area"), case.name
+        shown += bool(ideal.coverage(vertices, hard_cases.WIDTH, hard_cases.HEIGHT).any())
+    assert shown > 0.9 * len(CASES)
+
+
+def test_all_vertices_are_on_the_surface_of_three() -> None:
+    """As near as tools/hard_case_depths.py derives, in exact fractions."""
+    several = [case for case in CASES if len(case.vertices) > 3]
+    for case in several:
+        for what, off, allowed in off_surface(adapted(case), Fraction(1, 2)):
+            assert off <= allowed, f"{case.name}: {what} is {float(off)} off, not {float(allowed)}"
+    assert len(several) > 60
+
+
+def test_depths_are_what_the_families_say() -> None:
+    """Extremes of w in one polygon and in one span, constants, differences of a unit."""
+    def ratio(name: str) -> Fraction:
+        return ideal_perspective.depth_ratio(adapted(BY_NAME[name]))
+
+    assert ratio("all_depths_in_a_span") == ratio("near_plane_on_screen") == W_MAX / W_MIN == 1 << 22
+    for case in CASES:
+        if case.name.startswith("1_to_1000"):
+            u = ideal_perspective.curves(adapted(case))[0]
+            assert 990 < u.ratio(0, hard_cases.WIDTH, 30) < 1010
+    for k, family in enumerate((hard_case_depths.constant_depths, hard_case_depths.hardly_deep)):
+        for case in family():
+            depths = [v[5] for v in case.vertices]
+            assert (max(depths) > min(depths)) == k, case.name
+            assert 100 * (max(depths) - min(depths)) <= max(depths), case.name
+    assert {v[5] for case in hard_case_depths.constant_depths() for v in case.vertices} >= {W_MIN, W_MAX}
+    below = [v for v in BY_NAME["near_plane_below_two_near"].vertices if v[5] == W_MIN]
+    assert len(below) == 2 and min(abs(v[0]) for v in below) > 16000 * ONE
+
+
+def test_vanishing_values_are_what_the_names_say() -> None:
+    """To the unit: all numbers of these corners can be had in 16.16."""
+    for name, wanted in (("vanishing_at_0_right", 0), ("vanishing_at_128_left", 128 * ONE),
+                         ("vanishing_at_16777215_units_left", 256 * ONE - 1),
+                         ("vanishing_at_minus_1000_right", -1000 * ONE)):
+        assert [c.vanishing() for c in ideal_perspective.curves(adapted(BY_NAME[name]))] == [wanted] * 2
+    far = ideal_perspective.curves(adapted(BY_NAME["vanishing_190000_texels_away"]))[0]
+    assert abs(far.vanishing()) > 1 << 32
+
+
+def test_every_perspective_is_combined() -> None:
+    """With edges that have an ideal, cut or not; scenes of them can be written."""
+    perspectives = scene_file.SETTINGS["perspective"]
+    case = BY_NAME["corridor_left"]
+    made = list(hard_cases.combinations(case))
+    assert len(made) == len(set(made)) == 2 * 2 * len(perspectives)
+    assert {(s.mapper, s.gradients, s.start) for s in made} == {("affine", "plane", "subtexel")}
+    assert {s.edges for s in made} == {"subpixel", "exact"}
+    assert {s.perspective for s in made} == set(perspectives)
+    every = [(case, s) for case in CASES[::7] for s in hard_cases.combinations(case)]
+    scene = hard_cases.scene(every)
+    again = scene_file.read(scene_file.write(scene), "scene")
+    assert again.materials == scene.materials and np.array_equal(again.vertices, scene.vertices)
+
+
+def test_pictures_have_the_perspective() -> None:
+    """The exact picture of a case: each texel is that of the curves; without perspective, of the plane."""
+    case, settings = BY_NAME["square_turned_half"], model.Settings("exact", perspective="fine")
+    vertices, texels = adapted(case), np.arange(65536).reshape(256, 256) % 251
+    planes = ideal_perspective.curves(vertices)
+    found = hard_report.exact_picture(vertices, settings, texels)
+    flat = hard_report.exact_picture(vertices, replace(settings, perspective="none"), texels)
+    shown = np.argwhere(found >= 0)
+    assert len(shown) > 500 and np.array_equal(found >= 0, flat >= 0) and (found != flat).sum() > 300
+    for y, x in shown:
+        u, v = (int(plane.at(int(x) << 16, int(y) << 16) // ONE) for plane in planes)
+        assert found[y, x] == texels[v % 256, u % 256]

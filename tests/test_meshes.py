@@ -1,0 +1,90 @@
+"""Meshes on the emulated A1200: the model's frames, bit for bit."""
+
+import numpy as np
+import pytest
+
+import mesh_cases
+from tools import fuzz, model, model_mesh
+from tools.paths import SCENES
+from tools.scene import compile_scene
+
+MACHINE = "a1200-fast"
+FORMS = ("addx", "swap", "c")
+
+
+def assert_models(scenes: dict, form: str = "addx", results: tuple = (0,)) -> None:
+    """Each frame of each scene is the model's."""
+    drawn = fuzz.draw([(scene, form) for scene in scenes.values()], MACHINE)
+    for (name, scene), digests in zip(scenes.items(), drawn):
+        for number, digest in enumerate(digests):
+            assert (int(digest["sum"]), int(digest["sums"])) == \
+                fuzz.sums(model.render(scene, number)), f"{name}, frame {number}, form {form}"
+            assert int(digest["result"]) in results, f"{name}, frame {number}"
+
+
+def test_scenes_are_the_models():
+    """The scenes with meshes, a few frames each from all their length."""
+    scenes = {}
+    for name in ("cube", "floor", "corridor", "environment", "shaded"):
+        scene = compile_scene(SCENES / f"{name}.toml")
+        kept = range(0, scene.frames, 13)
+        for instance in scene.instances:
+            assert (instance.first_frame, instance.views) == (0, scene.frames)
+            scene.views[[instance.view + k for k in range(len(kept))]] = \
+                scene.views[[instance.view + number for number in kept]]
+        scene.frames = len(kept)
+        scenes[name] = scene
+    assert_models(scenes)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_random_meshes_are_the_models(form):
+    """Cubes of every kind of material, before, in and behind the camera."""
+    scenes = {f"seed {seed}": mesh_cases.boxes(seed)
+              for seed in range(12 if form == "addx" else 4)}
+    cut = sum(len(vertices) > 4 for scene in scenes.values() for number in range(scene.frames)
+              for _, vertices in model_mesh.polygons_at(scene, number))
+    assert cut > 20
+    assert_models(scenes, form)
+
+
+def test_hostile_meshes_are_the_models():
+    """Faces of random points, dented and bent, with numbers of any size."""
+    assert_models({f"seed {seed}": mesh_cases.hostile(seed) for seed in range(16)},
+                  results=(0, 2, 3))
+
+
+def test_many_faces_at_one_depth_keep_their_order():
+    """40 squares on one another, nearer ones later, several at the same depth."""
+    random = np.random.default_rng(5)
+    scene = mesh_cases.base(random)
+    one = 65536
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    depths = random.integers(2, 6, 40).tolist()
+    centres = random.uniform(-1.5, 1.5, (40, 2)).tolist()
+    scene.points = np.array([[round((x + cx) * one), round((y + cy) * one), z * one]
+                             for z, (cx, cy) in zip(depths, centres) for x, y in corners])
+    scene.normals = np.array([[0, 0, 16384, 0]])
+    scene.corners = np.array([[k, 0, 0, 0] for k in range(160)])
+    scene.faces = np.array([[0, 0, 0, -1, 4 * k, 4] for k in range(40)])
+    scene.materials = [mesh_cases.Material(colour=9 + k) for k in range(3)]
+    scene.meshes = [mesh_cases.Mesh(0, 160, 0, 1, 0, 160, 0, 40)]
+    row = [0] * 25
+    row[0] = row[4] = row[8] = 1 << 30
+    scene.views = np.array([row, row, row])
+    scene.instances = [mesh_cases.Instance(0, k, 0, k, 1, 0) for k in range(3)]
+    drawn = model_mesh.polygons_at(scene, 0)
+    assert [material for material, _ in drawn] != sorted(material for material, _ in drawn)
+    order = [vertices[0][5] for _, vertices in drawn]
+    assert order == sorted(order, reverse=True) and len(order) == 120
+    assert_models({"squares": scene})
+
+
+def test_meshes_and_polygons_take_turns():
+    """Instances are drawn before the object they name, whatever their depth."""
+    scene = mesh_cases.boxes(1)
+    shown = [material for material, _ in model_mesh.polygons_at(scene, 1)]
+    flat = [k for k, (material, vertices) in enumerate(model_mesh.polygons_at(scene, 1))
+            if vertices[0][:2] == (0, 0) and len(vertices) == 3 and material == 0]
+    assert len(flat) == 2 and set(shown[:flat[0]]) <= {0, 1, 2}
+    assert set(shown[flat[0] + 1:flat[1]]) <= {3, 4, 5} and set(shown[flat[1] + 1:]) <= {0, 1, 2}

@@ -1,0 +1,164 @@
+"""How far pixels with perspective may be from the exact curve.
+
+1 unit = U = 1/2^16 texel. R is the range of u over the vertices, Q the exact q of a pixel,
+2^30 at the nearest vertex, so 2^30 less 22 bits at worst.
+
+**The first and the last pixel of a line.** u = base + S 2^scale / q:
+
+* q of a corner is rounded (1/2), and S is the floor of what that q gives. With the pixel's
+  barycentric coordinates l, |l| in all at most L, u is off by (sum of l (u_i - u) / 2) / Q
+  at most L R / 2Q, and by L 2^scale / Q. L is 1 in a triangle; of more vertices the
+  planes' three have coordinates from -1 to 2 each: 3.
+* The planes of q and S are off by e(gx) |x| + e(gy) |y| + 2/2^16 (two products cut to that),
+  (x, y) being the way from the first corner and e(g) = |g| / 2^31 + 3/2^16, gradients in
+  units of the value; q is cut to a whole number besides. An error E of q moves u by
+  |u - base| E / Q.
+* The quotient is cut: 1 unit. Both u and q are kept within the vertices' ranges; inside the
+  polygon that takes nothing away. Rounded edges may lie beyond the exact one, and more than
+  three vertices beside the planes: there the exact value's way into the range, and what q is
+  raised by, come on top.
+
+That is b0 and b1.
+
+**Between them** u = u0 + du * part. The weights are off by the errors of q and, n steps long,
+by n and 2n in their 2^30 or what is left of it at the far end: m is the factor of
+odds part / (1 - part) that this may make, and |du| (sqrt(m) - 1) / (sqrt(m) + 1) what part
+is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
+
+    b = max(b0, b1) + |du| (sqrt(m) - 1) / (sqrt(m) + 1) + 3 U
+
+**Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
+more: from the chords of the exact curve.
+
+**Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
+setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
+"""
+
+from math import sqrt
+
+import numpy as np
+
+from . import ideal
+from .fixed import signed
+from .ideal import UNIT
+from .ideal_perspective import Curve, curves
+from .model_perspective import PIECES, Ends, Perspective, coordinates, ends
+
+TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
+FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
+BOUNDLESS = 32768.0  # texels: all is modulo twice that
+
+
+def plane_error(plane, scale: int, x: float, y: float) -> float:
+    """Of a plane's value x pixels and y lines from the first corner, in units of the value."""
+    gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
+    return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
+
+
+class Bound:
+    """The bounds of u or v of a polygon. ``key``: 2 for u, 3 for v; ``three``: its corners."""
+
+    def __init__(self, vertices, three, key: int, curve: Curve, p: Perspective) -> None:
+        values = [v[key] for v in vertices]
+        self.curve, self.p, self.plane = curve, p, (p.s, p.t)[key - 2]
+        self.low, self.high = min(values), max(values)
+        self.corner = [c * UNIT for c in three[0][:2]]
+        self.spread = 1 if len(vertices) == 3 else 3  # L
+        # Q = 2^30 (least w) / w: what the curve's integers are to be multiplied by
+        _, nearest = curve.terms(*three[0][:2])
+        self.unit = 2.0**30 * min(v[4] for v in vertices) / three[0][4] / nearest
+        self.base = p.base[key - 2]
+
+    def end(self, i: int, y: int, inside: bool) -> tuple[float, float]:
+        """b0 or b1 in units, and by how much of itself q may be off."""
+        n, q = self.curve.terms(i << 16, y << 16)
+        if q <= 0:
+            return BOUNDLESS / UNIT, 0.5
+        exact, big = n / q, q * self.unit
+        x, down = abs(i - self.corner[0]), abs(y - self.corner[1])
+        scale = self.p.scale
+        off_q = plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2
+        off_s = plane_error(self.plane, scale, x, down) + self.spread
+        largest = max(abs(self.low - self.base), abs(self.high - self.base))
+        bound = ((self.spread / 2 * (self.high - self.low) + off_s * 2**scale
+                  + off_q * largest) / big + 1)
+        off = off_q / big
+        if not inside or self.spread > 1:
+            bound += max(0.0, exact - self.high, self.low - exact)
+            off += max(0.0, (self.p.least - big) / big)
+        return bound, off
+
+    def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
+        """b of a line's pixels, texels; ``inside``: whether its ends are in the polygon."""
+        (b0, e0), (b1, e1) = (self.end(i, y, one) for i, one in
+                              zip((made.left, made.left + made.n), inside))
+        if not made.n:
+            return b0 * UNIT
+        way = abs(made.du if self.plane is self.p.s else made.dv)
+        first, last = made.weight(0) + made.n, made.weight(made.n) + 2 * made.n
+        lost = 1 - (1 - made.n / first) * (1 - 2 * made.n / last)
+        part = 1.0
+        if e0 + e1 + lost < 0.5:
+            odds = sqrt((1 + e0) * (1 + e1) / ((1 - e0) * (1 - e1) * (1 - lost)))
+            part = (odds - 1) / (odds + 1)
+        return min((max(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
+
+
+def chords(values: np.ndarray, m: int) -> np.ndarray:
+    """Straight pieces of m pixels through exact values, less these, at each pixel."""
+    n = len(values) - 1
+    if not n:
+        return np.zeros(1)
+    nodes = [*range(0, n, m)]
+    nodes = np.array([*nodes, n])
+    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
+
+
+def intended(values: np.ndarray, setting: str) -> np.ndarray:
+    """What a setting wants of a line's pixels, less their exact values; texels."""
+    return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
+
+
+def line_bound(b: float, setting: str) -> float:
+    """What pixels may be off from what is intended, in texels."""
+    if setting in PIECES:
+        return b + 2 * PIECES[setting] * UNIT + FLOAT
+    return 1.25 * b + TOLERANCE[setting] + FLOAT
+
+
+def judge_texels(vertices, polygon, out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; vertices
+    as ``model.adapt`` gives them, in front of the viewer."""
+    p = polygon.perspective
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    bounds = [Bound(vertices, three, key, curve, p)
+              for key, curve in zip((2, 3), curves(vertices))]
+    for y, line in enumerate(polygon.lines, polygon.top):
+        if line.right <= line.left:
+            continue
+        extent = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        left, right = max(line.left, extent[0]), min(line.right, extent[1])
+        if left >= right:
+            continue
+        made = ends(p, line.left, line.right, y)
+        inside = line.left >= extent[0], line.right <= extent[1]
+        columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
+        seen = slice(left - line.left, right - line.left)
+        for key, bound, found in zip("uv", bounds, coordinates(made, polygon.setting)):
+            error = bound.curve.errors(found[seen], columns, y)
+            if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
+                wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
+                allowed = line_bound(bound.line(made, y, inside), polygon.setting)
+            else:  # an end of rounded edges lies behind the viewer
+                wanted, allowed = 0 * error, BOUNDLESS
+            k = int(abs(error).argmax())
+            if abs(error[k]) > out.texel_error or not out.texel_bound:
+                out.texel_error = float(abs(error[k]))
+                out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
+            k = int(abs(error - wanted).argmax())
+            ratio = abs(error - wanted)[k] / allowed
+            if allowed < BOUNDLESS:
+                out.texel_ratio = max(out.texel_ratio, float(ratio))
+            if ratio > 1 and allowed < BOUNDLESS and not out.complaint:
+                out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {abs(error - wanted)[k]:.9f} off "
+                                 f"what the setting intends, {allowed:.9f} are allowed")

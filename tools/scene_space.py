@@ -1,0 +1,237 @@
+"""Objects in space: what a scene's TOML says of meshes, camera and light, compiled.
+
+Lengths are the scene's own units. Keys count frames from an object's appearance, a camera's
+from the scene's first; between keys positions go straight, rotations the shortest way.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from . import layout, materials, mesh_build, mesh_file, space
+from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
+from .map_range import MAP_CENTRE, check_map, extent_of, fixed, inside
+from .mesh_build import Wishes
+from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
+
+MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
+LIGHT = ("gouraud", "lit", "lit_gouraud")  # mappers that take shades
+FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
+RADIUS = 127.0  # of an environment in its map, s or t
+
+
+def flag(value, where):
+    """True or false."""
+    if type(value) is not bool:
+        fail(where, "must be true or false")
+    return value
+
+
+def object_schema(limits: dict[str, int]) -> dict[str, dict]:
+    """The fields of an object with a mesh, by the one that tells it."""
+    most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
+    away, reach = number(-1e5, 1e5), number(-1e6, 1e6)
+    place, angles = rows(away, 3, 3), rows(number(-3600, 3600), 3, 3)
+    texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
+                 "position": (place, None), "rotation": (angles, None)})
+    placing = {
+        "position": (place, [0.0, 0.0, 0.0]), "rotation": (angles, [0.0, 0.0, 0.0]),
+        "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
+        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, 1000), None),
+        "mapping": (one_of("uv", "environment", "shade", "none"), None),
+        "normals": (one_of("file", "smooth", "faces"), None),
+        "triangles": (flag, False), "two_sided": (flag, False)}
+    return {"mesh": {"mesh": (text, REQUIRED)} | placing,
+            "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
+                       "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
+                       "uvs": (rows(rows(texel, 3, corners), 1, most), None)} | placing}
+
+
+def schema(limits: dict[str, int]) -> dict:
+    """The fields of a scene for camera and light."""
+    place = rows(number(-1e5, 1e5), 3, 3)
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
+                 "eye": (place, None), "target": (place, None)})
+    camera = table({
+        "eye": (place, REQUIRED), "target": (place, [0.0, 0.0, 0.0]), "up": (place, [0.0, 1.0, 0.0]),
+        "fov": (number(1, 170), 60.0),  # degrees, across the frame's width
+        "near": (number(limits["W_MIN"] / ONE, 1000), 0.125), "keys": (rows(key, 1, 1000), None)})
+    light = table({"direction": (place, REQUIRED), "ambient": (number(0, 1), 0.25)})
+    return {"camera": (camera, None),
+            "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
+
+
+def is_mesh(obj: dict) -> bool:
+    """Whether an object is one in space."""
+    return "mesh" in obj or "points" in obj
+
+
+def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
+    """Gives keys what they leave out; refuses those that are not in order."""
+    for key in spec["keys"] or []:
+        for name in names:
+            key[name] = spec[name] if key[name] is None else key[name]
+    space.check_keys(spec["keys"], f"{where}.keys")
+
+
+def check(spec: dict, where: str) -> None:
+    """Refuses camera, light and objects that make no sense; fills what keys leave out."""
+    camera = spec["camera"]
+    if camera:
+        fill_keys(camera, ("eye", "target"), f"{where}camera")
+        focal, most = space.focal_length(spec["width"], camera["fov"]), \
+            1 << layout.load().constants["GUARD_MAX"]
+        if focal > most:
+            fail(f"{where}camera.fov", f"is too narrow for {spec['width']} pixels: a focal length "
+                                       f"of {focal:.0f} pixels; {most} at most")
+    if not np.any(spec["light"]["direction"]):
+        fail(f"{where}light.direction", "must have a length")
+    for i, obj in enumerate(spec["objects"]):
+        if not is_mesh(obj):
+            continue
+        at = f"{where}objects[{i}]"
+        if not camera:
+            fail(f"{where}camera", f"is missing; objects[{i}] has a mesh")
+        if not np.any(obj["axis"]):
+            fail(f"{at}.axis", "must have a length")
+        fill_keys(obj, ("position", "rotation"), at)
+        material = spec["materials"][obj["material"]]
+        mapper = materials.mapper_of(material)
+        allowed = MAPPINGS.get(mapper, ("uv",) if mapper == "arbitrary" else ("uv", "environment"))
+        obj["mapping"] = obj["mapping"] or allowed[0]
+        if obj["mapping"] not in allowed:
+            fail(f"{at}.mapping", f'"{obj["mapping"]}", but material {obj["material"]!r} takes '
+                                  f"{' or '.join(allowed)}")
+        if obj["normals"] and obj["mapping"] != "environment" and mapper not in LIGHT:
+            fail(f"{at}.normals", f"material {obj['material']!r} has no use for them")
+
+
+def rounded(values, bits: int) -> list[int]:
+    """The nearest numbers of so many fraction bits."""
+    return np.rint(np.asarray(values) * 2.0 ** bits).astype(np.int64).ravel().tolist()
+
+
+class Space:
+    """The meshes, instances and views of a scene in the making."""
+
+    def __init__(self, spec: dict, count: int, folder: Path, where: str) -> None:
+        self.spec, self.count, self.folder, self.where = spec, count, folder, where
+        self.rows = {name: [] for name in ("points", "normals", "corners", "faces")}
+        self.meshes: list[Mesh] = []
+        self.asked: dict[str, int] = {}  # wishes: number of the mesh
+        self.known: dict[tuple, int] = {}  # content: the same
+        self.instances: list[Instance] = []
+        self.views: list[list[int]] = []
+        self.limits = layout.load().constants
+        self.focal = self.guard = 0
+        if spec["camera"]:
+            self.focal = space.focal_length(spec["width"], spec["camera"]["fov"])
+            self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
+
+    def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
+        """The number of an object's mesh; the same one for the same wishes."""
+        size = (texture["width"], texture["height"]) if texture else (256, 256)
+        mapper = materials.mapper_of(material)
+        wishes = Wishes(
+            obj["size"], obj["normals"], obj["mapping"], mapper in LIGHT,
+            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
+            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+        source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
+        key = repr((source, size, mapper == "arbitrary", wishes))
+        if key not in self.asked:
+            made = self.build(obj, mapper, size, wishes, where)
+            if mapper == "arbitrary":
+                made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
+            if made.key not in self.known:
+                self.known[made.key] = self.store(made, where)
+            self.asked[key] = self.known[made.key]
+        return self.asked[key]
+
+    def build(self, obj: dict, mapper: str, size: tuple[int, int], wishes: Wishes,
+              where: str) -> mesh_build.Tables:
+        """The tables of an object's mesh, refused where the material cannot draw it."""
+        extent = extent_of(size)
+        at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
+        shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
+            mesh_file.listed(obj, where)
+        if obj["normals"] == "file" and shape.normals is None:
+            fail(f"{where}.normals", '"file", but not every corner has a normal there')
+        if obj["mapping"] == "uv":
+            if shape.texels is None:
+                fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
+            check_map([(0, 0, *texel) for face in shape.texels for texel in face], mapper, size,
+                      extent, at if "mesh" in obj else f"{where}.uvs")
+        return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
+
+    def store(self, made: mesh_build.Tables, where: str) -> int:
+        """Appends a mesh; returns its number."""
+        firsts = []
+        for name, stored in self.rows.items():
+            added = getattr(made, name)
+            firsts += [len(stored), len(added)]
+            stored += added.tolist()
+            if len(stored) > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {name} of meshes in "
+                            "the scene")
+        self.meshes.append(Mesh(*firsts))
+        return len(self.meshes) - 1
+
+    def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
+        """An object's row of the views; ``shades``: how many lie between dark and bright."""
+        spec, guard = self.spec, 2.0 ** self.guard
+        axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        turn, position = space.placed_at(obj, age, spec["frames"])
+        lens = np.array([self.focal / guard, self.focal / guard, 1.0])
+        seen = axes @ turn
+        move = rounded(lens * (axes @ (position - eye)), 16)
+        seen_from = rounded(turn.T @ (eye - position), 16)
+        away = self.limits["MESH_AWAY"]
+        if max(map(abs, move)) >= away * ONE or max(map(abs, seen_from)) >= 1 << 31:
+            fail(where, f"is {away} units or more from the camera in frame {frame}")
+        light = -np.array(spec["light"]["direction"])
+        light = turn.T @ (light / np.linalg.norm(light)) * shades
+        factors = [*rounded(RADIUS * seen[0], FACTOR_BITS), *rounded(RADIUS * seen[1], FACTOR_BITS),
+                   *rounded(light, FACTOR_BITS)]
+        matrix = np.clip(rounded(lens[:, None] * seen, 30), -UNIT_30, UNIT_30).tolist()
+        return [*matrix, *move, *seen_from, *factors, 0]
+
+    def check_together(self, mesh: Mesh, before: int, where: str) -> None:
+        """Refuses a mesh too many among those that are drawn together."""
+        for noun in ("points", "normals", "faces"):
+            total = getattr(mesh, noun) + sum(getattr(self.meshes[i.mesh], noun)
+                                              for i in self.instances if i.before == before)
+            if total > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {noun} in meshes one "
+                            "after the other")
+
+    def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
+        """Adds an object. ``look``: its material's number, the material, texture and ramp."""
+        number, material, texture, ramp = look
+        mesh = self.mesh_of(obj, material, texture, where)
+        last = self.count - 1 if obj["last"] is None else min(obj["last"], self.count - 1)
+        lives = last - obj["first"] + 1
+        if lives < 1:
+            return
+        self.check_together(self.meshes[mesh], before, where)
+        flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
+        dark = bright = 0.0
+        if ramp:
+            ambient = self.spec["light"]["ambient"] * (materials.SHADES - 1)
+            dark, bright = (materials.shade_pixel(shade, ramp)
+                            for shade in (ambient, materials.SHADES - 1))
+        self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
+                                       flags, *fixed([[dark, bright]])[0].tolist()))
+        self.views += [self.view(obj, age, obj["first"] + age, bright - dark, where)
+                       for age in range(lives)]
+        if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
+            fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} frames of meshes in the scene")
+
+    def tables(self) -> dict:
+        """What a Scene has of all this."""
+        made = {name: np.array(stored, np.int64) if stored else empty(name)
+                for name, stored in (self.rows | {"views": self.views}).items()}
+        if self.instances:
+            near = round(self.spec["camera"]["near"] * ONE)
+            made |= {"near_plane": near, "guard": self.guard}
+        return made | {"meshes": self.meshes, "instances": self.instances}
