@@ -300,6 +300,8 @@ def pixel_rows(chip: bool) -> list[Row]:
             rows.append(Row(name, length, *mapper_case(name, length)))
         for name, (setting, ratio) in bench_perspective.SPANS.items():
             rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
+        for name, m in bench_perspective.RECIPROCALS.items():
+            rows.append(Row(name, length, *bench_perspective.reciprocal_case(m, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
         rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
     rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]

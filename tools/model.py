@@ -14,11 +14,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import model_reciprocal
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_mesh import polygons_at
-from .model_perspective import Perspective, ends, perspective
+from .model_perspective import PIECES, Perspective, ends, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates, pixels
@@ -49,12 +50,16 @@ class Polygon:
     setting: str = "none"  # how the perspective is drawn
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
+    constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if self.perspective:
-            return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
-                                           self.setting)
+            where = line.left, line.right, y
+            taken = self.constants and model_reciprocal.line(self.perspective, self.constants,
+                                                             *where)
+            return model_reciprocal.coordinates(taken) if taken else \
+                perspective_coordinates(ends(self.perspective, *where), self.setting)
         return coordinates(line, mapper)
 
     @property
@@ -156,7 +161,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         deep = perspective(vertices, corners, box)
         if deep:
             return Polygon(box[1], lines, None, lefts, rights, textured, deep,
-                           settings.perspective)
+                           settings.perspective, constants=constants(deep, lines, box, settings))
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -184,6 +189,15 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         polygon.shading = shading(vertices, corners, box)
         light_lines(lines, box[1], polygon.shading)
     return polygon
+
+
+def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
+    """The constants of lines by reciprocals; None where there are none."""
+    first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
+    if settings.perspective not in PIECES or first is None:
+        return None
+    piece = PIECES[settings.perspective].bit_length() - 1
+    return model_reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:

@@ -17,6 +17,7 @@ from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
 Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 16  # q is at least so many times its error
 TOO_STEEP = 1 << 26  # Q_SURE times this is above all q
+STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
 RANGE = 7 << 27  # |u - base|, 16.16: differences stay inside 32 bits
 PIECES = {"every16": 16, "every8": 8}
 #: log2 of the longest curved piece, and what it may be off, in 1/65536 texel: the setting's
@@ -57,6 +58,7 @@ class Perspective:
     least: int  # of q
     low: tuple[int, int]  # u and v less their bases
     high: tuple[int, int]
+    gentle: bool = True  # no gradient is too steep for 32 bits of integer
 
 
 @dataclass
@@ -124,7 +126,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
     left, top, right, bottom_line = box
     x, y = signed((left << 16) - first[0]), signed((top << 16) - first[1])
     ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom_line - top + 1
-    planes, errors, lowest = [], [], None
+    planes, errors, lowest, gentle = [], [], None, True
     for key, scale in ((2, 32), (3, shift), (4, shift)):
         gx = quotient(a[key] * b[1] - b[key] * a[1], d)
         gy = quotient(a[0] * b[key] - b[0] * a[key], d)
@@ -132,12 +134,13 @@ def perspective(vertices, corners, box) -> Perspective | None:
         if key == 2:
             lowest = min(signed((at >> 16) + wide_mul(gx, signed(v[0] - (left << 16)))
                                 + wide_mul(gy, signed(v[1] - (top << 16)))) for v in vertices)
+        gentle &= all(abs(signed(g, 64)) >> 32 < STEEP for g in ([gx, gy] if key == 2 else [gx]))
         errors.append(2 + error_part(gx, ways[0]) + error_part(gy, ways[1]))
         planes.append(Plane(signed(at << scale - 16, 64), signed(gx << scale - 16, 64),
                             signed(gy << scale - 16, 64)))
     if lowest < Q_SURE * errors[0] or lowest < Q_SURE * max(errors[1:]):
         return None
-    return Perspective(*planes, left, top, base, shift, lowest, low, high)
+    return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:

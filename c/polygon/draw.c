@@ -46,15 +46,6 @@ static int32 maximum(int32 a, int32 b)
     return a > b ? a : b;
 }
 
-static void count_pixels(uint32 *pixels, int32 count)
-{
-    const struct scanline *line = lines;
-
-    for (; count > 0; count--, line++)
-        if (line->last >= line->left)
-            *pixels += (uint32)(line->last - line->left + 1);
-}
-
 /* A polygon on its way through the set-up. */
 struct setup {
     const struct frame *frame;
@@ -269,22 +260,9 @@ static void draw_each_line(struct setup *s, const struct texturing *t)
 }
 
 /* Perspective: 0 where the affine spans do. */
-static int32 draw_perspective(struct setup *s, struct draw_counts *counts)
+static int32 draw_perspective(const struct setup *s, struct draw_counts *counts)
 {
-    static struct perspective_line drawn[SCENE_SIDE_MAX];
-    /* The longest piece, and curves' bend: 64 log2(6 / (9 sqrt 3) / what they may be off), in
-       1/65536 texel: 1/32 or 1/128 texel less the rounding of longest^2 / 8 + 8 units. */
-    static const struct {
-        int32 longest, bend;
-    } ways[PERSPECTIVE_KINDS] = {
-        [PERSPECTIVE_EVERY16] = {4, 0},
-        [PERSPECTIVE_EVERY8] = {3, 0},
-        [PERSPECTIVE_PIXEL] = {5, -785},
-        [PERSPECTIVE_FINE] = {4, -656}
-    };
-    enum perspective kind = s->material->perspective;
     struct perspective_plan plan;
-    struct perspective_span span;
 
     if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box))
         return 0;
@@ -292,24 +270,7 @@ static int32 draw_perspective(struct setup *s, struct draw_counts *counts)
     cut_lines(s, scissor_flat);
     plan.lines = lines;
     plan.count = s->span.count;
-    plan.bend = ways[kind].bend;
-    plan.to = drawn;
-    perspective_lines(&plan);
-    s->kind = ways[kind].bend ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES;
-    if (counts) {
-        counts->polygons++;
-        count_pixels(&counts->pixels[s->kind], s->span.count);
-    }
-    span.lines = drawn;
-    span.count = s->span.count;
-    span.row = s->span.row;
-    span.pitch = s->span.pitch;
-    span.map = s->span.map;
-    span.longest = ways[kind].longest;
-    if (s->kind == SPAN_PERSPECTIVE_CURVES)
-        span_perspective_curves(&span);
-    else
-        span_perspective_pieces(&span);
+    perspective_draw(&plan, s->material, &s->span, s->box.right - s->box.left, counts);
     return 1;
 }
 
@@ -354,7 +315,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
         shading_lines(&s.span, &s.sides, s.vertices, count, &s.box);
     if (counts) {
         counts->polygons++;
-        count_pixels(&counts->pixels[s.kind], s.span.count);
+        counts->pixels[s.kind] += lines_pixels(lines, s.span.count);
     }
     if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(&s, &texturing);

@@ -22,3 +22,13 @@ fix16 edge_x(const struct edge *edge)
     return upper->x + mul_div(lower->x - upper->x, (edge->top << 16) - upper->y,
                               lower->y - upper->y);
 }
+
+uint32 lines_pixels(const struct scanline *line, int32 count)
+{
+    uint32 pixels = 0;
+
+    for (; count > 0; count--, line++)
+        if (line->last >= line->left)
+            pixels += (uint32)(line->last - line->left + 1);
+    return pixels;
+}

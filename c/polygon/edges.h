@@ -14,6 +14,9 @@ struct rectangle {
 fix16 edge_x(const struct edge *edge);
 fix16 edge_slope(const struct edge *edge);
 
+/* Pixels of a scanline table. */
+uint32 lines_pixels(const struct scanline *line, int32 count);
+
 /* src68k/polygon: contract there. */
 void edges_make(struct edge_plan *plan, const struct sides *sides, const struct rectangle *box,
                 int32 exact);

@@ -6,6 +6,7 @@
 #define SURE 16
 #define Q_ONE (1 << 30)
 #define RANGE (7 << 27)
+#define STEEP (1 << 14)                /* of 2^16 units a pixel */
 #define TOO_STEEP (1 << 26)            /* SURE times this is above all q */
 
 static int32 magnitude(int32 value)
@@ -13,14 +14,22 @@ static int32 magnitude(int32 value)
     return value < 0 ? -value : value;
 }
 
+/* The upper half of a gradient's magnitude. */
+static int32 steepness(const struct number64 *gradient)
+{
+    int32 steep = (int32)gradient->hi;
+
+    if (steep < 0)
+        steep = gradient->lo ? ~steep : -steep;
+    return steep;
+}
+
 /* Units that a plane may be off after so many pixels: its gradient, in 48.16, is off by
    2^-31 of itself and 3 / 2^16. */
 static int32 error_part(const struct number64 *gradient, int32 pixels)
 {
-    int32 steep = (int32)gradient->hi;
+    int32 steep = steepness(gradient);
 
-    if (steep < 0)                      /* the magnitude's upper half */
-        steep = gradient->lo ? ~steep : -steep;
     if (steep >= 1 << 28)
         return TOO_STEEP;
     steep = steep < 1 << 16 ? steep * pixels >> 15 : ((steep >> 14) + 1) * pixels >> 1;
@@ -150,6 +159,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     scale_plane(&plan->q, &planes.q, 32);
     scale_plane(&plan->s, &planes.s, scale);
     scale_plane(&plan->t, &planes.t, scale);
+    plan->gentle = steepness(&planes.q.dx) < STEEP && steepness(&planes.q.dy) < STEEP
+                && steepness(&planes.s.dx) < STEEP && steepness(&planes.t.dx) < STEEP;
     plan->left = box->left;
     plan->q_low = least;
     return 1;

@@ -5,7 +5,7 @@
 #include "polygon/edges.h"
 #include "polygon/polygon.h"
 #include "polygon/sides.h"
-#include "span/perspective.h"
+#include "span/reciprocal.h"
 
 /* A corner's values; of the two that planes_find takes as vectors: differences. */
 struct plane_corner {
@@ -34,5 +34,10 @@ void planes_find(struct found_planes *planes, const struct plane_corners *corner
    material_vertices gives them. */
 int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
                          int32 count, const struct sides *sides, const struct rectangle *box);
+
+/* Draws the plan's lines, at most so many pixels wide, where the span says; counts may be 0.
+   The setting and its table are the material's. */
+void perspective_draw(struct perspective_plan *plan, const struct material *material,
+                      const struct span_plan *span, int32 width, struct draw_counts *counts);
 
 #endif

@@ -100,7 +100,7 @@ enum span_kind {
     SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
     SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
     SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
-    SPAN_PERSPECTIVE_CURVES,
+    SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL,
     SPAN_KINDS
 };
 
@@ -116,6 +116,7 @@ struct material {
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
     const struct map *light;    /* of lit ones: MAP_LIGHT */
+    const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
 };
 
 /* Draws a convex polygon, either winding. counts may be 0; counting takes time. */

@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include "polygon/math.h"
+#include "span/reciprocal.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -244,6 +245,29 @@ static const char *wrong_entry(const struct scene *scene)
     return wrong ? wrong : scene_wrong_mesh(scene);
 }
 
+static int32 needs_reciprocals(const struct scene_material *material)
+{
+    return material->perspective == PERSPECTIVE_EVERY16
+        || material->perspective == PERSPECTIVE_EVERY8;
+}
+
+/* The table of reciprocals, where a material needs it. */
+static int32 make_reciprocals(struct scene *scene)
+{
+    uint32 i = 0;
+    uint16 *table;
+
+    scene->reciprocals = 0;
+    while (i < scene->header->materials && !needs_reciprocals(&scene->materials[i]))
+        i++;
+    if (i == scene->header->materials)
+        return 1;
+    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
+        return 0;
+    scene->reciprocals = reciprocals_make(table);
+    return 1;
+}
+
 static int32 make_materials(struct scene *scene)
 {
     uint32 count = scene->header->materials;
@@ -260,6 +284,7 @@ static int32 make_materials(struct scene *scene)
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
         to->colour = from->colour;
+        to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
@@ -296,6 +321,8 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         return refuse(name, wrong);
     if (!scene_make_maps(scene, kind))
         return text_refuse(name, "not enough memory for the textures");
+    if (!make_reciprocals(scene))
+        return text_refuse(name, "not enough memory for the reciprocals of perspective");
     if (!make_materials(scene))
         return text_refuse(name, "not enough memory for the materials");
     if (!scene_make_work(scene))

@@ -14,11 +14,12 @@ struct screen_plane {
    being 2^62; s / q.hi is u less its base, t / q.hi is v less its base, 16.16. Rounded
    edges may lie a little outside the polygon: the limits hold there. */
 struct perspective_plan {
-    const struct scanline *lines;       /* left and last are read */
+    struct scanline *lines;             /* left and last are read */
     int32 count;                        /* lines, 1 or more */
     struct screen_plane q, s, t;        /* at pixel (left, the first line) */
     int32 left;                         /* no pixel of the table lies before it */
     int32 q_low;                        /* of q.hi; above 0 */
+    int32 gentle;                       /* q.dx, q.dy, s.dx and t.dx: no 2^30 of q.hi's units */
     fix16 u, u_low, u_high;             /* the base, a whole texel; u less the base */
     fix16 v, v_low, v_high;
     int32 bend;                         /* curves: PERSPECTIVE_BEND(...); else 0 */

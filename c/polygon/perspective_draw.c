@@ -1,0 +1,111 @@
+/* Lines with perspective: by reciprocals where they are good enough, exactly elsewhere. */
+#include "polygon/perspective.h"
+
+/* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
+#define FAR (512 << 16)
+
+static int32 is_near(fix16 value, fix16 low, fix16 high)
+{
+    return value > -FAR && value < FAR && low > -FAR && high < FAR;
+}
+
+static int32 find_constants(struct reciprocal_plan *plan, int32 width)
+{
+    const struct perspective_plan *planes = plan->planes;
+    int32 y = 0;
+
+    while (planes->lines[y].last < planes->lines[y].left)
+        if (++y == planes->count)
+            return 0;
+    if (!planes->gentle
+        || !reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
+        || !is_near(plan->ku, planes->u_low, planes->u_high)
+        || !is_near(plan->kv, planes->v_low, planes->v_high))
+        return 0;
+    plan->ku += planes->u;
+    plan->kv += planes->v;
+    /* Texels from K that keep a line within 1/32 texel: see reciprocal_lines. Each pixel
+       of the width takes half a unit of them. */
+    plan->limit = (uint32)((plan->piece == 4 ? 390 : 440) - width / 7) << (24 - plan->piece);
+    return 1;
+}
+
+/* Draws the lines it can and empties them; returns how many are left. */
+static int32 draw_reciprocals(struct perspective_plan *planes, const struct material *material,
+                              const struct span_plan *span, int32 width)
+{
+    static struct reciprocal_line drawn[SCENE_SIDE_MAX];
+    struct reciprocal_plan plan;
+    struct reciprocal_span lines;
+    int32 left;
+
+    plan.planes = planes;
+    plan.piece = material->perspective == PERSPECTIVE_EVERY16 ? 4 : 3;
+    plan.table = material->reciprocals;
+    plan.to = drawn;
+    if (!find_constants(&plan, width))
+        return planes->count;
+    left = reciprocal_lines(&plan);
+    lines.lines = drawn;
+    lines.count = planes->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.table = plan.table;
+    if (plan.piece == 4)
+        span_reciprocal_16(&lines);
+    else
+        span_reciprocal_8(&lines);
+    return left;
+}
+
+static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
+                         const struct span_plan *span)
+{
+    static struct perspective_line drawn[SCENE_SIDE_MAX];
+    /* The longest piece, and curves' bend: 64 log2(6 / (9 sqrt 3) / what they may be off), in
+       1/65536 texel: 1/32 or 1/128 texel less the rounding of longest^2 / 8 + 8 units. */
+    static const struct {
+        int32 longest, bend;
+    } ways[PERSPECTIVE_KINDS] = {
+        [PERSPECTIVE_EVERY16] = {4, 0},
+        [PERSPECTIVE_EVERY8] = {3, 0},
+        [PERSPECTIVE_PIXEL] = {5, -785},
+        [PERSPECTIVE_FINE] = {4, -656}
+    };
+    struct perspective_span lines;
+
+    plan->bend = ways[kind].bend;
+    plan->to = drawn;
+    perspective_lines(plan);
+    lines.lines = drawn;
+    lines.count = plan->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.longest = ways[kind].longest;
+    if (plan->bend)
+        span_perspective_curves(&lines);
+    else
+        span_perspective_pieces(&lines);
+}
+
+void perspective_draw(struct perspective_plan *plan, const struct material *material,
+                      const struct span_plan *span, int32 width, struct draw_counts *counts)
+{
+    enum perspective kind = material->perspective;
+    uint32 pixels = counts ? lines_pixels(plan->lines, plan->count) : 0, others;
+    int32 left = plan->count;
+
+    if (material->reciprocals)
+        left = draw_reciprocals(plan, material, span, width);
+    if (counts) {
+        others = lines_pixels(plan->lines, plan->count);
+        counts->polygons++;
+        counts->pixels[SPAN_RECIPROCAL] += pixels - others;
+        counts->pixels[kind == PERSPECTIVE_PIXEL || kind == PERSPECTIVE_FINE
+                       ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES] += others;
+    }
+    if (left)
+        draw_exactly(plan, kind, span);
+}

@@ -1,0 +1,11 @@
+/* The table of reciprocals that spans with perspective read. */
+#include "span/reciprocal.h"
+
+const uint16 *reciprocals_make(uint16 *table)
+{
+    uint16 *to = table;
+
+    for (uint32 i = RECIPROCAL_LOWEST; i < 65536; i++)
+        *to++ = (uint16)((((uint32)1 << 30) + i) / (2 * i + 1));
+    return table + RECIPROCAL_COUNT / 2;
+}

@@ -1,0 +1,173 @@
+"""The integer model's perspective by a table of reciprocals: src68k/polygon/reciprocal_find,
+src68k/edge/reciprocal_lines and the spans src68k/span/reciprocal_*.
+
+On a line u = K + C / q: K is the polygon's own, C the line's, so that q alone is stepped; its
+index finds r in the table, and a piece's steps are C times what r grows. Lines for which
+the table is not good enough are left to tools.model_perspective.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .fixed import M32, signed
+
+LOWEST = 10920
+COUNT = 65536 - LOWEST
+ORIGIN = LOWEST + COUNT // 2
+FURTHEST = 8
+TWO, THREE, LEAST = 0x40000000, 0xAAAA0000, LOWEST + 2 << 16
+FLAT = 1 << 8
+FAR = 512 << 16  # of K, u and v from their base
+#: log2 of a piece: texels that a line may lie away from K, for frames of no width
+REACH = {4: 390, 3: 440}
+TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
+
+
+@dataclass
+class Constants:
+    """K of u and v, 16.16; 64 C of the first line and what it grows a line, modulo 2^64."""
+
+    k: tuple[int, int]
+    c: tuple[int, int]
+    dc: tuple[int, int]
+    limit: int
+    piece: int
+
+
+@dataclass
+class Reciprocal:
+    """A line's record."""
+
+    left: int
+    n: int
+    start: tuple[int, int]  # 8.24, what is above it too
+    q: int  # fraction:integer, as dq
+    dq: int
+    c: tuple[int, int]
+    first: int
+    last: int
+    carry: int
+    piece: int
+
+
+def product(k: int, q: int) -> int:
+    """K q, both 32.32, in units; cut as the routine does."""
+    (a, b), (c, d) = ((x >> 32, x & M32) for x in (k, q))
+    return a * c + (a * d >> 32) + (b * c >> 32)
+
+
+def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
+    """The constants of a tools.model_perspective.Perspective: (x, y) is a pixel of the
+    polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried."""
+    if not p.gentle:
+        return None
+    k, c, dc = [], [], []
+    q = signed(p.q.value(x, y), 64)
+    for base, plane in zip(p.base, (p.s, p.t)):
+        top, bottom = signed(plane.dx, 64), signed(p.q.dx, 64)
+        sign = (top < 0) != (bottom < 0)
+        top, bottom = abs(top), abs(bottom)
+        if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+            return None
+        up = 32 - (bottom >> 32).bit_length()
+        full = (top << up + 32) // (bottom << up >> 32)
+        full = -full if sign else full
+        k.append(full >> 32)
+        dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << 6, 64))
+        c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
+    if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR:
+        return None
+    return Constants(tuple(b + n & M32 for b, n in zip(p.base, k)), tuple(c), tuple(dc),
+                     REACH[piece] - width // 7 << 24 - piece, piece)
+
+
+def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
+    """The line's record; None: it is left to others. ``right`` is excluded."""
+    n, m = right - 1 - left, 1 << k.piece
+    q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
+    if min(q0, q1) < p.least:
+        return None
+    shift = 32 - max(q0, q1).bit_length()
+    if shift > FURTHEST:
+        return None
+    q0, q1 = q0 << shift, q1 << shift
+    dq = signed(p.q.dx << shift + k.piece >> 32)
+    more = min(q0, q1) < TWO and max(q0, q1) < THREE
+    if more:
+        q0, q1, dq = q0 + (q0 >> 1), q1 + (q1 >> 1), signed(dq + (dq >> 1))
+    if min(q0, q1) < LEAST or (n >= m and abs(dq) < 8 << 16):
+        return None
+    r0, r1 = (TABLE[(q >> 16) - LOWEST] for q in (q0, q1))
+    if n < 3 * m and not -32768 <= r1 - r0 < 32768:
+        return None
+    cs, starts = [], []
+    for base, c, dc in zip(k.k, k.c, k.dc):
+        c = signed(c + (y - p.j) * dc, 64) >> 32 << shift + 5 - k.piece
+        if more and c == signed(c):
+            c += c >> 1
+        if c != signed(c) or c + 0x8000 != signed(c + 0x8000):
+            return None
+        near = c + 0x8000 >> 16
+        lost = (c & 0xFFFF ^ 0x8000) - 0x8000
+        start = (signed(base) << 8) + (near * r0 + (lost * (r0 + r1 >> 2) >> 15) << k.piece)
+        cs.append(near)
+        starts.append(start)
+    if max(abs(c) for c in cs) * max(r0, r1) > k.limit:
+        return None
+    falls = cs[1] * (r1 - r0) < 0
+    return Reciprocal(left, n, tuple(starts), swap((q0 - (ORIGIN << 16)) & M32), swap(dq & M32),
+                      tuple(cs), r0, r1, -128 if falls else 128, k.piece)
+
+
+def swap(x: int) -> int:
+    """The words exchanged."""
+    return (x >> 16 | x << 16) & M32
+
+
+def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
+    """The steps of B and A from those of u and v, 8.24."""
+    u, v = du + carry & M32, swap(dv & M32)
+    u = (u << 8 | u >> 24) & M32
+    return u & 0xFFFF0000 | v & 0xFFFF, v & 0xFFFF0000 | u & 0xFFFF
+
+
+def lift(x: int, near: int) -> int:
+    """The 16.16 number, modulo 2^32, nearest to another of 24 fraction bits that is x in 8.16."""
+    near >>= 8
+    return near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23) & M32
+
+
+def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of the line's pixels, 16.16 modulo 2^32, v less its last 8 bits: the chain has
+    8.16, what is above it is that of the sum of steps."""
+    m, q, old = 1 << each.piece, each.q, each.first
+    b, a = steps(*each.start, 0)
+    a &= 0xFFFF00FF
+    us, vs, k, at = [], [], 0, each.start
+    while True:
+        rest = each.n - k
+        if rest >= m:
+            q += each.dq
+            q = q & 0xFFFF0000 | (q & 0xFFFF) + (q >> 32) & 0xFFFF
+            r = TABLE[signed(q << 16) // 65536 + ORIGIN - LOWEST]
+            du, dv = (c * ((r - old + 32768 & 0xFFFF) - 32768) for c in each.c)
+            old, first, rest = r, 0, m - 1
+        else:
+            r = (each.last - old + 32768 & 0xFFFF) - 32768
+            part = 0x7FFFFFFF // rest if rest else 0
+            du, dv = ((c * r * part >> 32) << each.piece + 1 for c in each.c)
+        db, da = steps(du, dv, each.carry)
+        a += da & 0xFFFF0000
+        for _ in range(rest + 1):
+            us.append(lift((a & 0xFF) << 16 | b >> 16, at[0]))
+            vs.append(lift((b & 0xFFFF) << 8, at[1]))
+            at = at[0] + du, at[1] + dv
+            b += db + (a >> 32)
+            ahead = a & 0xFFFF0000
+            a = (a & M32) + da + (b >> 32)
+            b &= M32
+        a = ahead | a & 0xFFFF
+        k += rest + 1
+        if k > each.n:
+            return np.array(us), np.array(vs)
