@@ -87,10 +87,10 @@ def test_errors_are_the_exact_ones() -> None:
     assert np.allclose(plane.errors(found, columns, 5), 0.5)
     total = accuracy.Errors()
     line = model.Line(10, 20, (10 << 16) + 65536 * 3 // 4, 5 << 16, 65536, 0)
-    total.texels(line, 5, ideal.Picture(vertices, 320, 256), BEST)
+    total.texels(model.coordinates(line), 10, 5, ideal.Picture(vertices, 320, 256))
     assert total.worst == 0.75 and total.wrong == 0
     line.u -= 65536
-    total.texels(line, 5, ideal.Picture(vertices, 320, 256), BEST)
+    total.texels(model.coordinates(line), 10, 5, ideal.Picture(vertices, 320, 256))
     assert total.wrong == 10
 
 

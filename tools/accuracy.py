@@ -124,17 +124,16 @@ class Errors:
             self.coverage += right - left + end - first - 2 * both
             self.pixels += right - left
             if right > left and settings.mapper != "flat":
-                self.texels(polygon, line, y, exact, settings)
+                self.texels(polygon.coordinates(line, y, settings.mapper), line.left, y, exact)
 
-    def texels(self, polygon: model.Polygon, line: model.Line, y: int, exact: ideal.Picture,
-               settings: Settings) -> None:
-        """Adds u and v of a line's pixels; where the ideal ends with the polygon, of those in it."""
-        first, end = (line.left, line.right) if exact.endless else exact.extents.get(y, (0, 0))
-        columns = np.arange(line.left, line.right)
+    def texels(self, found, left: int, y: int, exact: ideal.Picture) -> None:
+        """Adds u and v of a line's pixels from ``left`` on; where the ideal ends with the polygon,
+        of those in it."""
+        columns = np.arange(left, left + len(found[0]))
+        first, end = (left, columns[-1] + 1) if exact.endless else exact.extents.get(y, (0, 0))
         inside = (columns >= first) & (columns < end)
         if inside.any():
-            self.compare([c[inside] for c in polygon.coordinates(line, y, settings.mapper)],
-                         columns[inside], y, exact)
+            self.compare([c[inside] for c in found], columns[inside], y, exact)
 
     def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
         """Adds u and v that were found at pixels of a line, next to each other."""

@@ -30,6 +30,9 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
+**Pieces by the table of reciprocals**: b and 1/32 texel, by which a line is chosen for it (see
+src68k/edge/reciprocal_lines.s).
+
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
 """
@@ -42,8 +45,9 @@ from . import ideal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import PIECES, Ends, Perspective, coordinates, ends
+from .model_perspective import PIECES, Ends, Perspective, ends
 
+TABLE = 1 / 32  # texel: what lines by reciprocals keep to, or are left to others
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
 BOUNDLESS = 32768.0  # texels: all is modulo twice that
@@ -119,16 +123,19 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
     return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
 
 
-def line_bound(b: float, setting: str) -> float:
+def line_bound(b: float, setting: str, by_table: bool) -> float:
     """What pixels may be off from what is intended, in texels."""
+    if by_table:
+        return b + TABLE + FLOAT
     if setting in PIECES:
         return b + 2 * PIECES[setting] * UNIT + FLOAT
     return 1.25 * b + TOLERANCE[setting] + FLOAT
 
 
-def judge_texels(vertices, polygon, out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; vertices
-    as ``model.adapt`` gives them, in front of the viewer."""
+def line_errors(vertices, polygon):
+    """(u or v, line, pixels, error, what is intended, bound) of each line inside the exact polygon,
+    in texels, arrays over the pixels but for the bound; vertices as ``model.adapt`` gives them,
+    in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
@@ -144,21 +151,29 @@ def judge_texels(vertices, polygon, out) -> None:
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
-        for key, bound, found in zip("uv", bounds, coordinates(made, polygon.setting)):
+        by_table = polygon.by_table(line, y) is not None
+        for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
-                allowed = line_bound(bound.line(made, y, inside), polygon.setting)
+                allowed = line_bound(bound.line(made, y, inside), polygon.setting, by_table)
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
-            k = int(abs(error).argmax())
-            if abs(error[k]) > out.texel_error or not out.texel_bound:
-                out.texel_error = float(abs(error[k]))
-                out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
-            k = int(abs(error - wanted).argmax())
-            ratio = abs(error - wanted)[k] / allowed
-            if allowed < BOUNDLESS:
-                out.texel_ratio = max(out.texel_ratio, float(ratio))
-            if ratio > 1 and allowed < BOUNDLESS and not out.complaint:
-                out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {abs(error - wanted)[k]:.9f} off "
-                                 f"what the setting intends, {allowed:.9f} are allowed")
+            yield key, y, columns, error, wanted, allowed
+
+
+def judge_texels(vertices, polygon, out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict."""
+    for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon):
+        k = int(abs(error).argmax())
+        if abs(error[k]) > out.texel_error or not out.texel_bound:
+            out.texel_error = float(abs(error[k]))
+            out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
+        if allowed >= BOUNDLESS:
+            continue
+        off = abs(error - wanted)
+        k = int(off.argmax())
+        out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
+        if off[k] > allowed and not out.complaint:
+            out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+                             f"setting intends, {allowed:.9f} are allowed")

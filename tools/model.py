@@ -52,15 +52,20 @@ class Polygon:
     shading: Shading | None = None  # lit Gouraud
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
+    def by_table(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
+        """A line at y as the table of reciprocals draws it, if it does."""
+        return self.constants and model_reciprocal.line(self.perspective, self.constants, line.left,
+                                                        line.right, y)
+
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
-        if self.perspective:
-            where = line.left, line.right, y
-            taken = self.constants and model_reciprocal.line(self.perspective, self.constants,
-                                                             *where)
-            return model_reciprocal.coordinates(taken) if taken else \
-                perspective_coordinates(ends(self.perspective, *where), self.setting)
-        return coordinates(line, mapper)
+        if not self.perspective:
+            return coordinates(line, mapper)
+        taken = self.by_table(line, y)
+        if taken:
+            return model_reciprocal.coordinates(taken)
+        return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
+                                       self.setting)
 
     @property
     def pixels(self) -> int:
