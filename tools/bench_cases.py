@@ -330,6 +330,7 @@ def line_rows(chip: bool) -> list[Row]:
     rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]
+    rows.append(Row("level_lines", bench_perspective.LINES, *bench_perspective.level_case()))
     for row in rows:
         row.case.chip = chip
     return rows

@@ -7,12 +7,13 @@ from far to near.
 import numpy as np
 
 from . import layout
+from . import model_reciprocal as reciprocals
 from .bench_mappers import first_difference
 from .kernels import M32, Arena, Case, Result
-from .model_perspective import (CURVES, PIECES, Ends, bend, coordinates, ends, enough,
-                                perspective, weights)
 from .model_edges import measure
-from . import model_reciprocal as reciprocals
+from .model_perspective import (CURVES, PIECES, Ends, Perspective, bend, coordinates, ends, enough,
+                                level, perspective, weights)
+from .scanline import MASKS, pack
 
 RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
@@ -133,18 +134,55 @@ def reciprocal_case(m: int, length: int):
                                 far=far), check
 
 
-def lines_case(setting: str):
-    """LINES lines of a turned triangle whose w differs RATIO times."""
-    shapes, arena = layout.load(), Arena()
-    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("perspective_line")
-    corners = [(0, 0, 0, 0, 1 << 16), (200 << 16, 10 << 16, 200 << 16, 7 << 16, RATIO << 16),
-               (20 << 16, 90 << 16, 30 << 16, 100 << 16, 2 << 16)]
-    sides = measure(corners, 256, 10 + LINES)
-    deep = perspective(corners, sides.corners, sides.box)
+def add_plan(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
+    """Puts a struct perspective_plan into an arena."""
     fields = {}
     for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
         fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
                                     for n in (plane.at, plane.dx, plane.dy)))
+    limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
+              for c, value in zip("uv", pair)}
+    return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least,
+                        gentle=deep.gentle, u=deep.base[0], v=deep.base[1], bend=bend(setting), **fields,
+                        **limits)
+
+
+def turned() -> Perspective:
+    """The planes of a turned triangle whose w differs RATIO times, for LINES lines."""
+    corners = [(0, 0, 0, 0, 1 << 16), (200 << 16, 10 << 16, 200 << 16, 7 << 16, RATIO << 16),
+               (20 << 16, 90 << 16, 30 << 16, 100 << 16, 2 << 16)]
+    sides = measure(corners, 256, 10 + LINES)
+    return perspective(corners, sides.corners, sides.box)
+
+
+def level_case():
+    """LINES lines as if each had its first pixel's depth."""
+    shapes, arena, deep = layout.load(), Arena(), turned()
+    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
+    entries = b"".join(shape.pack(left=5 + y // 8 + bias, last=60 + y + bias, start0=0, start1=0,
+                                  start2=0) for y in range(LINES))
+    lines_at, steps_at = arena.add(entries), arena.add(bytes(8 * LINES))
+    plan_at = add_plan(arena, deep, "every16", LINES, dict(lines=lines_at, to=steps_at))
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.memory, shape.dtype, LINES, lines_at)
+        steps = np.frombuffer(result.memory, ">i4", 2 * LINES, steps_at).reshape(-1, 2)
+        for y in range(LINES):
+            u, v = level(deep, 5 + y // 8, 7 + y // 8, y)
+            for field, value in pack("addx", int(u[0]), int(v[0])).items():
+                if (int(found[y][field]) ^ value) & MASKS["addx"][field]:
+                    return f"line {y}: {field} is {found[y][field]}, expected {value}"
+            if [int(u[1] - u[0]), int(v[1] - v[0])] != steps[y].tolist():
+                return f"line {y}: steps {steps[y]}, expected {u[1] - u[0]}, {v[1] - v[0]}"
+        return None
+
+    return LINES, Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), check
+
+
+def lines_case(setting: str):
+    """LINES lines of a turned triangle."""
+    shapes, arena, deep = layout.load(), Arena(), turned()
+    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("perspective_line")
     table, expected = b"", []
     for y in range(LINES):
         left, right = 5 + y // 8, 60 + y
@@ -152,11 +190,7 @@ def lines_case(setting: str):
                                                 start1=0, start2=0)
         expected.append(ends(deep, left, right, y))
     to_at = arena.add(bytes(shape.size * LINES))
-    limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
-              for c, value in zip("uv", pair)}
-    plan_at = arena.struct("perspective_plan", dict(lines=arena.add(table), to=to_at),
-                           count=LINES, left=deep.i, q_low=deep.least, gentle=1, u=deep.base[0],
-                           v=deep.base[1], bend=bend(setting), **fields, **limits)
+    plan_at = add_plan(arena, deep, setting, LINES, dict(lines=arena.add(table), to=to_at))
 
     def check(result: Result) -> str | None:
         for k, each in enumerate(expected):

@@ -30,6 +30,8 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
+**Level lines**: b, what the setting lets them be off for their change of q, and half a unit a step.
+
 **Pieces by the table of reciprocals**: b and 1/32 texel, by which a line is chosen for it (see
 src68k/edge/reciprocal_lines.s).
 
@@ -45,7 +47,7 @@ from . import ideal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import PIECES, Ends, Perspective, ends
+from .model_perspective import LEVEL, PIECES, Ends, Perspective, ends
 
 TABLE = 1 / 32  # texel: what lines by reciprocals keep to, or are left to others
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -123,6 +125,11 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
     return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
 
 
+def level_bound(b: float, setting: str, n: int) -> float:
+    """Of a level line of n steps, from the exact value, in texels."""
+    return b + (LEVEL[setting][0] + n / 2 + 1) * UNIT + FLOAT
+
+
 def line_bound(b: float, setting: str, by_table: bool) -> float:
     """What pixels may be off from what is intended, in texels."""
     if by_table:
@@ -154,6 +161,10 @@ def line_errors(vertices, polygon):
         by_table = polygon.by_table(line, y) is not None
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
+            if polygon.is_level:
+                b = bound.line(made, y, inside)
+                yield key, y, columns, error, 0 * error, level_bound(b, polygon.setting, made.n)
+                continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
                 allowed = line_bound(bound.line(made, y, inside), polygon.setting, by_table)

@@ -19,7 +19,7 @@ from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_mesh import polygons_at
-from .model_perspective import PIECES, Perspective, ends, perspective
+from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates, pixels
@@ -50,6 +50,7 @@ class Polygon:
     setting: str = "none"  # how the perspective is drawn
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
+    is_level: bool = False  # the perspective's depth does not change along lines
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
     def by_table(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
@@ -61,6 +62,8 @@ class Polygon:
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
             return coordinates(line, mapper)
+        if self.is_level:
+            return level(self.perspective, line.left, line.right, y)
         taken = self.by_table(line, y)
         if taken:
             return model_reciprocal.coordinates(taken)
@@ -166,7 +169,9 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         deep = perspective(vertices, corners, box)
         if deep:
             return Polygon(box[1], lines, None, lefts, rights, textured, deep,
-                           settings.perspective, constants=constants(deep, lines, box, settings))
+                           settings.perspective,
+                           is_level=is_level(deep, box[2] - box[0], settings.perspective),
+                           constants=constants(deep, lines, box, settings))
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)

@@ -22,6 +22,9 @@ PIECES = {"every16": 16, "every8": 8}
 #: log2 of the longest curved piece, and what it may be off, in 1/65536 texel: the setting's
 #: 1/32 or 1/128 texel less the rounding of its second difference, ``h*h/2`` at length 2h.
 CURVES = {"pixel": (5, 2048 - 128 - 8), "fine": (4, 512 - 32 - 8)}
+#: What a line may be off for being level, in 1/65536 texel, and how wide it may be: half a unit a
+#: pixel comes besides.
+LEVEL = {"every16": (0, 1024), "every8": (0, 1024), "pixel": (1024, 1024), "fine": (128, 640)}
 OCTAVE = 64  # steps of a logarithm
 LG_UP = [ceil(OCTAVE * log2(1 + (i + 1) / OCTAVE)) for i in range(OCTAVE)]
 LG_DOWN = [floor(OCTAVE * log2(1 + i / OCTAVE)) for i in range(OCTAVE)]
@@ -138,6 +141,38 @@ def perspective(vertices, corners, box) -> Perspective | None:
     if max(errors) >= TOO_STEEP or lowest < Q_SURE * max(errors):
         return None
     return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
+
+
+def is_level(p: Perspective, width: int, setting: str) -> bool:
+    """Whether lines are drawn as if depth did not change along them."""
+    tolerance, widest = LEVEL[setting]
+    grows = abs(p.q.dx)
+    high, part = p.q.dx >> 32, grows & M32
+    if high not in (0, -1) or part >> 16 == 0xFFFF or width > widest:
+        return False
+    if not part:
+        return not high
+    farthest = max(*p.high, *(-c for c in p.low))
+    off = (((farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
+
+
+def level_step(gradient: int, q: int) -> int:
+    """gradient / q to the nearest; 0 where that does not fit 32 bits."""
+    n = gradient + (q >> 1)
+    magnitude = n >> 32 if n >= 0 else ~(n >> 32)
+    if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
+        return 0
+    return n // q
+
+
+def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+    at, k = (left - p.i, y - p.j), np.arange(right - left, dtype=np.int64)
+    q = max(p.q.value(*at) >> 32, p.least)
+    return tuple(b + min(max(cut_quotient(plane.value(*at), q), low), high)
+                 + k * level_step(signed(plane.dx, 64), q) & M32
+                 for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
