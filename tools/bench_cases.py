@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import bench_perspective, layout, maps, model
+from . import bench_perspective, bench_reciprocal, layout, maps, model
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
 from .kernels import M32, Arena, Case, Result
@@ -296,8 +296,8 @@ def pixel_rows(chip: bool) -> list[Row]:
             rows.append(Row(name, length, *mapper_case(name, length)))
         for name, (setting, ratio) in bench_perspective.SPANS.items():
             rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
-        for name, m in bench_perspective.RECIPROCALS.items():
-            rows.append(Row(name, length, *bench_perspective.reciprocal_case(m, length)))
+        for name, m in bench_reciprocal.SPANS.items():
+            rows.append(Row(name, length, *bench_reciprocal.span_case(m, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
     # One line: written, flushed and drawn once.
     rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))
@@ -322,6 +322,7 @@ def line_rows(chip: bool) -> list[Row]:
     rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]
+    rows.append(Row("reciprocal_lines", bench_perspective.LINES, *bench_reciprocal.lines_case(16)))
     for row in rows:
         row.case.chip = chip
     return rows

@@ -100,7 +100,7 @@ void perspective_draw(struct perspective_plan *plan, const struct material *mate
     if (material->reciprocals)
         left = draw_reciprocals(plan, material, span, width);
     if (counts) {
-        others = lines_pixels(plan->lines, plan->count);
+        others = left ? lines_pixels(plan->lines, plan->count) : 0;
         counts->polygons++;
         counts->pixels[SPAN_RECIPROCAL] += pixels - others;
         counts->pixels[kind == PERSPECTIVE_PIXEL || kind == PERSPECTIVE_FINE
