@@ -114,7 +114,7 @@ def lines_trial(setting: str, rng) -> Trial:
         writes += [Write(out + k * shape.size + field, bytes(4), bytes(4)) for k in range(count)]
     at = memory.struct(
         "perspective_plan", dict(lines=memory.add(table, name="lines", shape=entry), to=out),
-        count=count, left=deep.i, q_low=least, bend=model.bend(setting), u=deep.base[0],
+        count=count, left=deep.i, q_low=least, gentle=0, bend=model.bend(setting), u=deep.base[0],
         v=deep.base[1], u_low=deep.low[0], v_low=deep.low[1], u_high=deep.high[0],
         v_high=deep.high[1], **{key: longs(plane.at, plane.dx, plane.dy)
                                 for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t))})

@@ -57,6 +57,17 @@ def product(k: int, q: int) -> int:
     return a * c + (a * d >> 32) + (b * c >> 32)
 
 
+def asymptote(q, plane) -> int | None:
+    """K of a plane, 32.32; None where it is too far away."""
+    top, bottom = signed(plane.dx, 64), signed(q.dx, 64)
+    sign = -1 if (top < 0) != (bottom < 0) else 1
+    top, bottom = abs(top), abs(bottom)
+    if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+        return None
+    up = 32 - (bottom >> 32).bit_length()
+    return sign * ((top << up + 32) // (bottom << up >> 32))
+
+
 def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
     """The constants of a tools.model_perspective.Perspective: (x, y) is a pixel of the
     polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried."""
@@ -65,14 +76,9 @@ def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
     for base, plane in zip(p.base, (p.s, p.t)):
-        top, bottom = signed(plane.dx, 64), signed(p.q.dx, 64)
-        sign = (top < 0) != (bottom < 0)
-        top, bottom = abs(top), abs(bottom)
-        if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+        full = asymptote(p.q, plane)
+        if full is None:
             return None
-        up = 32 - (bottom >> 32).bit_length()
-        full = (top << up + 32) // (bottom << up >> 32)
-        full = -full if sign else full
         k.append(full >> 32)
         dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << 6, 64))
         c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
