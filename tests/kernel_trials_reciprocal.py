@@ -17,8 +17,7 @@ from tools.model_perspective import perspective
 
 WIDTH, HEIGHT = 320, 200
 PITCH = 1152
-#: A texel in 32 is 2,048 units; u, whose last 8 bits no piece keeps, and v may be off so far.
-STATED = 2048
+STATED = 2048  # a texel in 32
 DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 
 
@@ -82,9 +81,9 @@ def error(deep, line, u, v, y: int) -> str | None:
     for x in {*range(0, line.n + 1, 1 << line.piece), line.n}:
         at = line.left + x - deep.i, y - deep.j
         q = Fraction(deep.q.value(*at), 1 << 32)
-        for found, plane, base in ((u[x], deep.s, deep.base[0]), (v[x] + 128, deep.t, deep.base[1])):
+        for found, plane, base in ((u[x], deep.s, deep.base[0]), (v[x], deep.t, deep.base[1])):
             off = signed(int(found) - base - int(plane.value(*at) / q), 32)
-            if abs(off) > STATED:
+            if abs(off) > min(model.bound(line), STATED):
                 return f"line {y}, pixel {x}: the model is {off} units off"
     return None
 

@@ -30,6 +30,9 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
+Lines by reciprocals are off from their planes' quotients by what ``model_reciprocal.bound``
+says; that comes on top.
+
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
 """
@@ -38,11 +41,11 @@ from math import sqrt
 
 import numpy as np
 
-from . import ideal
+from . import ideal, model_reciprocal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import PIECES, Ends, Perspective, coordinates, ends
+from .model_perspective import PIECES, Ends, Perspective, ends
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
@@ -144,11 +147,13 @@ def judge_texels(vertices, polygon, out) -> None:
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
-        for key, bound, found in zip("uv", bounds, coordinates(made, polygon.setting)):
+        taken = polygon.taken(line, y)
+        more = model_reciprocal.bound(taken) * UNIT if taken else 0
+        for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
-                allowed = line_bound(bound.line(made, y, inside), polygon.setting)
+                allowed = line_bound(bound.line(made, y, inside), polygon.setting) + more
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             k = int(abs(error).argmax())

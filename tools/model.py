@@ -49,14 +49,17 @@ class Polygon:
     setting: str = "none"  # how the perspective is drawn
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
+    def taken(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
+        """The line as it is drawn by reciprocals; None if it is not."""
+        return model_reciprocal.line(self.perspective, self.constants, line.left, line.right, y) \
+            if self.constants else None
+
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if self.perspective:
-            where = line.left, line.right, y
-            taken = self.constants and model_reciprocal.line(self.perspective, self.constants,
-                                                             *where)
-            return model_reciprocal.coordinates(taken) if taken else \
-                perspective_coordinates(ends(self.perspective, *where), self.setting)
+            taken = self.taken(line, y)
+            return model_reciprocal.coordinates(taken) if taken else perspective_coordinates(
+                ends(self.perspective, line.left, line.right, y), self.setting)
         return coordinates(line, mapper)
 
     @property

@@ -81,7 +81,7 @@ next    macro
 ;          piece moves q by less than 8 indices, or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
-;          (r - r') / 2^(10 - piece), else 40
+;          (r - r') / 2^(10 - piece), else 50
 ; cost:    bench row reciprocal_lines
 ;==============================================================================
         routine reciprocal_lines,a0
