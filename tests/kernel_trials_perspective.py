@@ -117,7 +117,7 @@ def lines_trial(setting: str, rng) -> Trial:
     if setting == "fine":
         field = shape.fields["enough32"]["offset"]
         writes += [Write(out + k * shape.size + field, bytes(4), bytes(4)) for k in range(count)]
-    at = bench_perspective.add_plan(memory, deep, setting, count, dict(
+    at = bench_perspective.plan_of(memory, deep, setting, count, dict(
         lines=memory.add(table, name="lines", shape=entry), to=out))
     return Trial(Case("perspective_lines", memory, pointers={"a0": at}),
                  f"{setting}, {count} lines, {deep}", writes=writes,
@@ -145,7 +145,7 @@ def level_trial(rng) -> Trial:
             parts.append(fields_check(out + 8 * k, "scanline_step",
                                       {"dudx": signed(u[1] - u[0]), "dvdx": signed(v[1] - v[0])}, {},
                                       f"step {k}"))
-    at = bench_perspective.add_plan(memory, deep, "every16", count, dict(lines=lines, to=out))
+    at = bench_perspective.plan_of(memory, deep, "every16", count, dict(lines=lines, to=out))
     return Trial(Case("level_lines", memory, pointers={"a0": at, "a1": out}),
                  f"{count} lines, {deep}", writes=[w for part in parts for w in part[0]],
                  also=first_of([part[1] for part in parts]))

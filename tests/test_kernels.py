@@ -12,6 +12,7 @@ import kernel_trials_mesh
 import kernel_trials_perspective
 import kernel_trials_pixel
 import kernel_trials_polygon
+import kernel_trials_reciprocal
 import kernel_trials_scanline
 import kernel_trials_span
 import kernel_trials_tiled
@@ -36,7 +37,8 @@ def called(request):
     trials = [trial for room in (kernel_trials_math, kernel_trials_mesh, kernel_trials_edge,
                                  kernel_trials_span, kernel_trials_mappers, kernel_trials_pixel,
                                  kernel_trials_scanline, kernel_trials_tiled, kernel_trials_lit,
-                                 kernel_trials_polygon, kernel_trials_perspective)
+                                 kernel_trials_polygon, kernel_trials_perspective,
+                                 kernel_trials_reciprocal)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import bench_perspective, layout, maps, model
+from . import bench_perspective, bench_reciprocal, layout, maps, model
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
@@ -300,8 +300,8 @@ def pixel_rows(chip: bool) -> list[Row]:
             rows.append(Row(name, length, *mapper_case(name, length)))
         for name, (setting, ratio) in bench_perspective.SPANS.items():
             rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
-        for name, m in bench_perspective.RECIPROCALS.items():
-            rows.append(Row(name, length, *bench_perspective.reciprocal_case(m, length)))
+        for name, m in bench_reciprocal.SPANS.items():
+            rows.append(Row(name, length, *bench_reciprocal.span_case(m, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
         rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
     rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
@@ -331,6 +331,7 @@ def line_rows(chip: bool) -> list[Row]:
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]
     rows.append(Row("level_lines", bench_perspective.LINES, *bench_perspective.level_case()))
+    rows.append(Row("reciprocal_lines", bench_perspective.LINES, *bench_reciprocal.lines_case(16)))
     for row in rows:
         row.case.chip = chip
     return rows

@@ -7,9 +7,8 @@ from far to near.
 import numpy as np
 
 from . import layout
-from . import model_reciprocal as reciprocals
 from .bench_mappers import first_difference
-from .kernels import M32, Arena, Case, Result
+from .kernels import Arena, Case, Result
 from .model_edges import measure
 from .model_perspective import (CURVES, PIECES, Ends, Perspective, bend, coordinates, ends, enough,
                                 level, perspective, weights)
@@ -18,7 +17,6 @@ from .scanline import MASKS, pack
 RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
 LINES = 64
-RECIPROCALS = {"persp_every16": 16, "persp_every8": 8}
 ENOUGH = ("enough4", "enough8", "enough16", "enough32")
 #: Row: setting, ratio of w.
 SPANS = {"persp_every16_exact": ("every16", RATIO), "persp_every8_exact": ("every8", RATIO),
@@ -78,63 +76,7 @@ def span_case(setting: str, ratio: int, length: int):
     return count * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
 
 
-def table(arena: Arena) -> int:
-    """Adds the table of reciprocals; where its index 0 is."""
-    return arena.add(np.array(reciprocals.TABLE, ">u2").tobytes()) + reciprocals.COUNT // 2 * 2
-
-
-def reciprocal_line(k: int, length: int, m: int, rng) -> reciprocals.Reciprocal:
-    """Line k of a row: u and v as of ``line``, to the table's precision."""
-    piece, n = m.bit_length() - 1, length - 1
-    q0, q1 = (NEAR, NEAR // RATIO)[::1 if k % 2 else -1]
-    q0, q1 = 3 * q0, 3 * q1  # as normalised: 2^31 times 3/2
-    r0, r1 = (reciprocals.TABLE[(q >> 16) - reciprocals.LOWEST] for q in (q0, q1))
-    c = [int(d * length * (1 << 24 - piece) / (r1 - r0)) for d in (1, 0.7)]
-    start = tuple(int(x) for x in rng.integers(0, 1 << 32, 2))
-    dq = (q1 - q0 << piece) // max(n, 1)
-    return reciprocals.Reciprocal(
-        k % 4, n, start, reciprocals.swap(q0 - (reciprocals.ORIGIN << 16) & M32),
-        reciprocals.swap(dq & M32), tuple(c), r0, r1, 128, piece)
-
-
-def reciprocal_entry(each: reciprocals.Reciprocal) -> bytes:
-    """The line as reciprocal_lines leaves it."""
-    shapes = layout.load()
-    return shapes.struct("reciprocal_line").pack(
-        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0] & M32,
-        v=each.start[1] & M32, q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
-        last=each.last, carry=each.carry, room=0)
-
-
-def reciprocal_case(m: int, length: int):
-    """A table of lines of one length, by reciprocals."""
-    rng = np.random.default_rng(length)
-    count = min(128, max(16, 2048 // length))
-    pitch = length + 4
-    bias = layout.load().constants["EDGE_BIAS"]
-    arena, far = Arena(), Arena()
-    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
-    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    lines = [reciprocal_line(k, length, m, rng) for k in range(count)]
-    expected = np.zeros((count, pitch), np.uint8)
-    for k, each in enumerate(lines):
-        u, v = reciprocals.coordinates(each)
-        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
-    frame_at = far.add(bytes(pitch * count))
-    plan_at = arena.struct(
-        "reciprocal_span",
-        dict(lines=arena.add(b"".join(map(reciprocal_entry, lines))), table=table(arena)),
-        dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch)
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
-        return first_difference(expected, found.reshape(expected.shape))
-
-    return count * length, Case(f"span_reciprocal_{m}", arena, pointers={"a0": plan_at},
-                                far=far), check
-
-
-def add_plan(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
+def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
     """Puts a struct perspective_plan into an arena."""
     fields = {}
     for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
@@ -147,28 +89,42 @@ def add_plan(arena, deep: Perspective, setting: str, count: int, pointers: dict[
                         **limits)
 
 
-def turned() -> Perspective:
-    """The planes of a turned triangle whose w differs RATIO times, for LINES lines."""
+def polygon_lines():
+    """The planes of a turned triangle whose w differs RATIO times, and (left, right, y) of
+    LINES lines."""
     corners = [(0, 0, 0, 0, 1 << 16), (200 << 16, 10 << 16, 200 << 16, 7 << 16, RATIO << 16),
                (20 << 16, 90 << 16, 30 << 16, 100 << 16, 2 << 16)]
     sides = measure(corners, 256, 10 + LINES)
-    return perspective(corners, sides.corners, sides.box)
+    return perspective(corners, sides.corners, sides.box), \
+        [(5 + y // 8, 60 + y, y) for y in range(LINES)]
+
+
+def scanlines(arena, lines) -> int:
+    """Puts a table of (left, right, y) into an arena."""
+    shapes = layout.load()
+    bias = shapes.constants["EDGE_BIAS"]
+    return arena.add(b"".join(shapes.struct("scanline").pack(
+        left=left + bias, last=right - 1 + bias, start0=0, start1=0, start2=0)
+        for left, right, _ in lines))
+
+
+def add_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+    """Adds a perspective_plan and its scanline table."""
+    return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
 
 
 def level_case():
     """LINES lines as if each had its first pixel's depth."""
-    shapes, arena, deep = layout.load(), Arena(), turned()
-    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
-    entries = b"".join(shape.pack(left=5 + y // 8 + bias, last=60 + y + bias, start0=0, start1=0,
-                                  start2=0) for y in range(LINES))
-    lines_at, steps_at = arena.add(entries), arena.add(bytes(8 * LINES))
-    plan_at = add_plan(arena, deep, "every16", LINES, dict(lines=lines_at, to=steps_at))
+    arena, shape = Arena(), layout.load().struct("scanline")
+    deep, lines = polygon_lines()
+    lines_at, steps_at = scanlines(arena, lines), arena.add(bytes(8 * LINES))
+    plan_at = plan_of(arena, deep, "every16", LINES, dict(lines=lines_at, to=steps_at))
 
     def check(result: Result) -> str | None:
         found = np.frombuffer(result.memory, shape.dtype, LINES, lines_at)
         steps = np.frombuffer(result.memory, ">i4", 2 * LINES, steps_at).reshape(-1, 2)
-        for y in range(LINES):
-            u, v = level(deep, 5 + y // 8, 7 + y // 8, y)
+        for left, _, y in lines:
+            u, v = level(deep, left, left + 2, y)
             for field, value in pack("addx", int(u[0]), int(v[0])).items():
                 if (int(found[y][field]) ^ value) & MASKS["addx"][field]:
                     return f"line {y}: {field} is {found[y][field]}, expected {value}"
@@ -181,16 +137,11 @@ def level_case():
 
 def lines_case(setting: str):
     """LINES lines of a turned triangle."""
-    shapes, arena, deep = layout.load(), Arena(), turned()
-    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("perspective_line")
-    table, expected = b"", []
-    for y in range(LINES):
-        left, right = 5 + y // 8, 60 + y
-        table += shapes.struct("scanline").pack(left=left + bias, last=right - 1 + bias, start0=0,
-                                                start1=0, start2=0)
-        expected.append(ends(deep, left, right, y))
+    arena, shape = Arena(), layout.load().struct("perspective_line")
+    deep, lines = polygon_lines()
+    expected = [ends(deep, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_plan(arena, deep, setting, LINES, dict(lines=arena.add(table), to=to_at))
+    plan_at = add_plan(arena, deep, lines, to_at, setting)
 
     def check(result: Result) -> str | None:
         for k, each in enumerate(expected):

@@ -32,8 +32,8 @@ more: from the chords of the exact curve.
 
 **Level lines**: b, what the setting lets them be off for their change of q, and half a unit a step.
 
-**Pieces by the table of reciprocals**: b and 1/32 texel, by which a line is chosen for it (see
-src68k/edge/reciprocal_lines.s).
+Lines by reciprocals are off from their planes' quotients by what ``model_reciprocal.bound``
+says; that comes on top.
 
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
@@ -43,13 +43,12 @@ from math import sqrt
 
 import numpy as np
 
-from . import ideal
+from . import ideal, model_reciprocal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
 from .model_perspective import LEVEL, PIECES, Ends, Perspective, ends
 
-TABLE = 1 / 32  # texel: what lines by reciprocals keep to, or are left to others
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
 BOUNDLESS = 32768.0  # texels: all is modulo twice that
@@ -130,10 +129,8 @@ def level_bound(b: float, setting: str, n: int) -> float:
     return b + (LEVEL[setting][0] + n / 2 + 1) * UNIT + FLOAT
 
 
-def line_bound(b: float, setting: str, by_table: bool) -> float:
+def line_bound(b: float, setting: str) -> float:
     """What pixels may be off from what is intended, in texels."""
-    if by_table:
-        return b + TABLE + FLOAT
     if setting in PIECES:
         return b + 2 * PIECES[setting] * UNIT + FLOAT
     return 1.25 * b + TOLERANCE[setting] + FLOAT
@@ -158,7 +155,8 @@ def line_errors(vertices, polygon):
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
-        by_table = polygon.by_table(line, y) is not None
+        taken = polygon.taken(line, y)
+        more = model_reciprocal.bound(taken) * UNIT if taken else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -167,7 +165,7 @@ def line_errors(vertices, polygon):
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
-                allowed = line_bound(bound.line(made, y, inside), polygon.setting, by_table)
+                allowed = line_bound(bound.line(made, y, inside), polygon.setting) + more
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, error, wanted, allowed

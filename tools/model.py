@@ -53,8 +53,8 @@ class Polygon:
     is_level: bool = False  # the perspective's depth does not change along lines
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
-    def by_table(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
-        """A line at y as the table of reciprocals draws it, if it does."""
+    def taken(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
+        """The line at y as it is drawn by reciprocals; None if it is not."""
         return self.constants and model_reciprocal.line(self.perspective, self.constants, line.left,
                                                         line.right, y)
 
@@ -64,7 +64,7 @@ class Polygon:
             return coordinates(line, mapper)
         if self.is_level:
             return level(self.perspective, line.left, line.right, y)
-        taken = self.by_table(line, y)
+        taken = self.taken(line, y)
         if taken:
             return model_reciprocal.coordinates(taken)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y),

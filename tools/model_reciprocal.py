@@ -20,7 +20,7 @@ TWO, THREE, LEAST = 0x40000000, 0xAAAA0000, LOWEST + 2 << 16
 FLAT = 1 << 8
 FAR = 512 << 16  # of K, u and v from their base
 #: log2 of a piece: texels that a line may lie away from K, for frames of no width
-REACH = {4: 390, 3: 440}
+REACH = {4: 386, 3: 440}
 TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
 
 
@@ -57,6 +57,17 @@ def product(k: int, q: int) -> int:
     return a * c + (a * d >> 32) + (b * c >> 32)
 
 
+def asymptote(q, plane) -> int | None:
+    """K of a plane, 32.32; None where it is too far away."""
+    top, bottom = signed(plane.dx, 64), signed(q.dx, 64)
+    sign = -1 if (top < 0) != (bottom < 0) else 1
+    top, bottom = abs(top), abs(bottom)
+    if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+        return None
+    up = 32 - (bottom >> 32).bit_length()
+    return sign * ((top << up + 32) // (bottom << up >> 32))
+
+
 def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
     """The constants of a tools.model_perspective.Perspective: (x, y) is a pixel of the
     polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried."""
@@ -65,14 +76,9 @@ def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
     for base, plane in zip(p.base, (p.s, p.t)):
-        top, bottom = signed(plane.dx, 64), signed(p.q.dx, 64)
-        sign = (top < 0) != (bottom < 0)
-        top, bottom = abs(top), abs(bottom)
-        if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+        full = asymptote(p.q, plane)
+        if full is None:
             return None
-        up = 32 - (bottom >> 32).bit_length()
-        full = (top << up + 32) // (bottom << up >> 32)
-        full = -full if sign else full
         k.append(full >> 32)
         dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << 6, 64))
         c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
@@ -132,15 +138,29 @@ def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
     return u & 0xFFFF0000 | v & 0xFFFF, v & 0xFFFF0000 | u & 0xFFFF
 
 
-def lift(x: int, near: int) -> int:
-    """The 16.16 number, modulo 2^32, nearest to another of 24 fraction bits that is x in 8.16."""
+def lift(x: int, near: int, hidden: int = 0) -> int:
+    """The 16.16 number, modulo 2^32, that is x in 8.16 or up to ``hidden`` more, nearest to
+    another of 24 fraction bits."""
     near >>= 8
-    return near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23) & M32
+    x = near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23)
+    return min(max(near, x), x + hidden) & M32
+
+
+def bound(each: Reciprocal) -> float:
+    """What a line's u or v may be off from S / q of its planes, at the ends of its pieces, in
+    1/65536 texel: of q's index, of r and C, of what C's rounding leaves beside the line's
+    middle, half a unit a pixel of u's steps; 50 of all the rest: q.hi and 64 C cut (12 and 24),
+    q's steps, the last piece's part, V's overflow and K cut."""
+    r = max(each.first, each.last)
+    far = max(abs(c) for c in each.c) * r / (1 << 24 - each.piece)
+    i = (1 << 29) / r
+    return (far * (32768 / i + i / 16384) + abs(each.first - each.last) / (1 << 10 - each.piece)
+            + each.n / 2 + 50)
 
 
 def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of the line's pixels, 16.16 modulo 2^32, v less its last 8 bits: the chain has
-    8.16, what is above it is that of the sum of steps."""
+    """u and v of the line's pixels, 16.16 modulo 2^32. The chain shows 8.16 of u and 8.8 of v;
+    the sum of steps adds what is above it, and v's last 8 bits."""
     m, q, old = 1 << each.piece, each.q, each.first
     b, a = steps(*each.start, 0)
     a &= 0xFFFF00FF
@@ -161,7 +181,7 @@ def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
         a += da & 0xFFFF0000
         for _ in range(rest + 1):
             us.append(lift((a & 0xFF) << 16 | b >> 16, at[0]))
-            vs.append(lift((b & 0xFFFF) << 8, at[1]))
+            vs.append(lift((b & 0xFFFF) << 8, at[1], 255))
             at = at[0] + du, at[1] + dv
             b += db + (a >> 32)
             ahead = a & 0xFFFF0000

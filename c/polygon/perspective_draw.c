@@ -38,7 +38,7 @@ static int32 find_constants(struct reciprocal_plan *plan, int32 width)
     plan->kv += planes->v;
     /* Texels from K that keep a line within 1/32 texel: see reciprocal_lines. Each pixel
        of the width takes half a unit of them. */
-    plan->limit = (uint32)((plan->piece == 4 ? 390 : 440) - width / 7) << (24 - plan->piece);
+    plan->limit = (uint32)((plan->piece == 4 ? 386 : 440) - width / 7) << (24 - plan->piece);
     return 1;
 }
 
@@ -158,7 +158,7 @@ void perspective_draw(struct perspective_plan *plan, const struct material *mate
     if (material->reciprocals)
         left = draw_reciprocals(plan, material, span, width);
     if (counts) {
-        others = lines_pixels(plan->lines, plan->count);
+        others = left ? lines_pixels(plan->lines, plan->count) : 0;
         counts->polygons++;
         counts->pixels[SPAN_RECIPROCAL] += pixels - others;
         counts->pixels[kind == PERSPECTIVE_PIXEL || kind == PERSPECTIVE_FINE

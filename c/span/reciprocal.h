@@ -17,7 +17,7 @@ enum reciprocal_constants {
 
 /* Everything reciprocal_lines needs. */
 struct reciprocal_plan {
-    const struct perspective_plan *planes;  /* its lines' last are written */
+    const struct perspective_plan *planes;  /* their lines may be emptied */
     struct number64 cu, cv;             /* C * 64 at the first line */
     struct number64 dcu, dcv;           /* a line */
     fix16 ku, kv;

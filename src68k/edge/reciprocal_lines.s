@@ -71,7 +71,7 @@ next    macro
 ; out:     d0  int32             lines that are left to others
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its planes, left and last of its lines, the table
-; writes:  count reciprocal_lines; last of the plan's lines that are drawn by them, so
+; writes:  count reciprocal_lines; if some are left, last of the lines that are not, so
 ;          that they are empty to others
 ; formats: q of both ends is shifted left to 2^31 and more, at most 8 bits, and if that
 ;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
@@ -81,7 +81,7 @@ next    macro
 ;          piece moves q by less than 8 indices, or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
-;          (r - r') / 2^(10 - piece), else 40
+;          (r - r') / 2^(10 - piece), else 50
 ; cost:    bench row reciprocal_lines
 ;==============================================================================
         routine reciprocal_lines,a0
@@ -231,9 +231,6 @@ next    macro
 .larger mulu.w  d5,d0
         cmp.l   reciprocal_plan_limit(a6),d0
         bhi     .other
-        move.w  scanline_left(a0),d0
-        subq.w  #1,d0
-        move.w  d0,scanline_last(a0)
 
 .next   next    row_q,perspective_plan_q+screen_plane_dy,a5
         next    row_cu,reciprocal_plan_dcu,a6
@@ -243,10 +240,23 @@ next    macro
         subq.l  #1,row_lines(sp)
         bne     .line
         move.l  row_others(sp),d0
-        lea     row_sizeof(sp),sp
+        beq.s   .all
+        movea.l perspective_plan_lines(a5),a0
+        movea.l reciprocal_plan_to(a6),a1
+        move.l  perspective_plan_count(a5),d1
+.empty  tst.w   reciprocal_line_n(a1)
+        bmi.s   .keep
+        move.w  scanline_left(a0),d2
+        subq.w  #1,d2
+        move.w  d2,scanline_last(a0)
+.keep   lea     scanline_sizeof(a0),a0
+        lea     reciprocal_line_sizeof(a1),a1
+        subq.l  #1,d1
+        bne.s   .empty
+.all    lea     row_sizeof(sp),sp
         movem.l (sp)+,d2-d7/a2-a6
         rts
 
 .other  addq.l  #1,row_others(sp)
         move.w  #-1,reciprocal_line_n(a1)
-        bra.s   .next
+        bra     .next

@@ -1,0 +1,102 @@
+"""Bench rows of perspective by a table of reciprocals: the lines of tools.bench_perspective."""
+
+import numpy as np
+
+from . import layout
+from . import model_reciprocal as reciprocals
+from .bench_mappers import first_difference
+from .bench_perspective import LINES, NEAR, RATIO, add_plan, polygon_lines
+from .fixed import signed
+from .kernels import M32, Arena, Case, Result
+
+#: Row: pixels of a piece.
+SPANS = {"persp_every16": 16, "persp_every8": 8}
+
+
+def table(arena: Arena) -> int:
+    """Adds the table of reciprocals; where its index 0 is."""
+    return arena.add(np.array(reciprocals.TABLE, ">u2").tobytes()) + reciprocals.COUNT // 2 * 2
+
+
+def line(k: int, length: int, m: int, rng) -> reciprocals.Reciprocal:
+    """Line k of a row, as far as the table and C's 16 bits go."""
+    piece, n = m.bit_length() - 1, length - 1
+    q0, q1 = (NEAR, NEAR // RATIO)[::1 if k % 2 else -1]
+    q0, q1 = 3 * q0, 3 * q1  # as normalised: 2^31 times 3/2
+    r0, r1 = (reciprocals.TABLE[(q >> 16) - reciprocals.LOWEST] for q in (q0, q1))
+    c = [int(d * length * (1 << 24 - piece) / (r1 - r0)) for d in (1, 0.7)]
+    start = tuple(int(x) for x in rng.integers(0, 1 << 32, 2))
+    dq = (q1 - q0 << piece) // max(n, 1)
+    return reciprocals.Reciprocal(
+        k % 4, n, start, reciprocals.swap(q0 - (reciprocals.ORIGIN << 16) & M32),
+        reciprocals.swap(dq & M32), tuple(c), r0, r1, 128, piece)
+
+
+def entry(each: reciprocals.Reciprocal) -> bytes:
+    """The line as reciprocal_lines leaves it."""
+    shapes = layout.load()
+    return shapes.struct("reciprocal_line").pack(
+        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0] & M32,
+        v=each.start[1] & M32, q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
+        last=each.last, carry=each.carry, room=0)
+
+
+def span_case(m: int, length: int):
+    """A table of lines of one length, by reciprocals."""
+    rng = np.random.default_rng(length)
+    count = min(128, max(16, 2048 // length))
+    pitch = length + 4
+    bias = layout.load().constants["EDGE_BIAS"]
+    arena, far = Arena(), Arena()
+    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
+    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
+    lines = [line(k, length, m, rng) for k in range(count)]
+    expected = np.zeros((count, pitch), np.uint8)
+    for k, each in enumerate(lines):
+        u, v = reciprocals.coordinates(each)
+        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
+    frame_at = far.add(bytes(pitch * count))
+    plan_at = arena.struct(
+        "reciprocal_span",
+        dict(lines=arena.add(b"".join(map(entry, lines))), table=table(arena)),
+        dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch)
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
+        return first_difference(expected, found.reshape(expected.shape))
+
+    return count * length, Case(f"span_reciprocal_{m}", arena, pointers={"a0": plan_at},
+                                far=far), check
+
+
+def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int,
+                        shape: str = "reciprocal_plan") -> int:
+    """Adds a reciprocal_plan with its constants."""
+    longs = {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in
+             zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)}
+    return arena.struct(shape, dict(planes=planes_at, table=table_at, to=to_at), **longs,
+                        ku=signed(constants.k[0]), kv=signed(constants.k[1]), limit=constants.limit,
+                        piece=constants.piece)
+
+
+def lines_case(m: int):
+    """LINES lines of a turned triangle, all of which are taken."""
+    arena, shape = Arena(), layout.load().struct("reciprocal_line")
+    deep, lines = polygon_lines()
+    constants = reciprocals.find(deep, m.bit_length() - 1, 200, lines[0][0] - deep.i, 0)
+    expected = [reciprocals.line(deep, constants, *each) for each in lines]
+    to_at = arena.add(bytes(shape.size * LINES))
+    plan_at = add_reciprocal_plan(arena, add_plan(arena, deep, lines, to_at), constants, table(arena),
+                                  to_at)
+
+    def check(result: Result) -> str | None:
+        if result.registers["d0"]:
+            return f"{result.registers['d0']} lines are left to others"
+        for k, each in enumerate(expected):
+            found = shape.unpack(result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size])
+            for field, value in shape.unpack(entry(each)).items():
+                if found[field] != value and field != "room":
+                    return f"line {k}: {field} is {found[field]}, expected {value}"
+        return None
+
+    return LINES, Case("reciprocal_lines", arena, pointers={"a0": plan_at}), check
