@@ -1,21 +1,19 @@
         include "routine.i"
         include "layout.i"
 
-; On the stack: q at the line's first possible pixel, 64 C, 256 K; lines left, lines not taken.
+; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
 row_q   equ     0
 row_cu  equ     8
 row_cv  equ     16
-row_ku  equ     24
-row_kv  equ     28
-row_lines equ   32
-row_others equ  36
+row_lines equ   24
+row_others equ  28
 ; What holds for all lines of one scale of q, a shift and in bit 15 whether 3/2 comes on top:
-; a piece's step, the shift of C, and from which n on a line's step is too small.
-scale   equ     40
-scale_dq equ    42
-scale_c equ     46
-scale_far equ   48
-row_sizeof equ  50
+; a piece's step, the shift of C (and bit 15), and from which n on a line's step is too small.
+scale   equ     32
+scale_dq equ    34
+scale_c equ     38
+scale_far equ   40
+row_sizeof equ  42
 
 TWO     equ     $40000000               ; q less than this: another factor
 THREE   equ     $aaaa0000               ; 3/2 times less than this fits 32 bits
@@ -23,22 +21,18 @@ LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
 ; The line's C and first pixel of \1, u or v. In: d3 = r of it, d4 = a quarter of the sum
-; of both ends' r, d7 = scale. Leaves C in d6. Uses d1-d2.
+; of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of C's unit. Leaves C in d6.
+; Uses d1-d2.
 constant macro
         move.l  row_c\1(sp),d1
-        move.w  scale_c(sp),d6
-        asl.l   d6,d1
-        bvs     .other
+        asl.l   d7,d1
+        bvs     .too_far
         tst.w   d7
-        bpl.s   .scaled\@
+        bmi     .half_\1
+.scaled_\1
         move.l  d1,d6
-        asr.l   #1,d6
-        add.l   d6,d1
-        bvs     .other
-.scaled\@
-        move.l  d1,d6
-        add.l   #$8000,d6
-        bvs     .other
+        add.l   a5,d6
+        bvs     .too_far
         swap    d6
         move.w  d6,reciprocal_line_c\1(a1)
         ext.l   d6
@@ -51,8 +45,18 @@ constant macro
         add.l   d2,d1
         move.w  reciprocal_plan_piece+2(a6),d2
         lsl.l   d2,d1
-        add.l   row_k\1(sp),d1
+        add.l   \2,d1
         move.l  d1,reciprocal_line_\1(a1)
+        endm
+
+; C times 3/2, behind the loop.
+half    macro
+.half_\1
+        move.l  d1,d6
+        asr.l   #1,d6
+        add.l   d6,d1
+        bvc     .scaled_\1
+        bra     .too_far
         endm
 
 ; The row's number \1 a line further by \2. Uses d0-d1.
@@ -91,13 +95,9 @@ next    macro
         lea     -row_sizeof(sp),sp
         movem.l perspective_plan_q+screen_plane_at(a5),d0-d1
         movem.l reciprocal_plan_cu(a6),d2-d5
-        movem.l d0-d5,row_q(sp)
-        movem.l reciprocal_plan_ku(a6),d0-d1
-        lsl.l   #8,d0
-        lsl.l   #8,d1
-        move.l  perspective_plan_count(a5),d2
-        moveq   #0,d3
-        movem.l d0-d3,row_ku(sp)
+        move.l  perspective_plan_count(a5),d6
+        moveq   #0,d7
+        movem.l d0-d7,row_q(sp)
         move.w  #-1,scale(sp)
         movea.l perspective_plan_lines(a5),a0
         movea.l reciprocal_plan_to(a6),a1
@@ -105,6 +105,7 @@ next    macro
         movea.l perspective_plan_left(a5),a4
         lea     EDGE_BIAS(a4),a4
 
+        ; Two loops, each of which fits the cache. First q:
         ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
         ; d6 n  d7 scale
 .line   moveq   #0,d7
@@ -146,17 +147,7 @@ next    macro
         cmp.l   #TWO,d5
         bhs.s   .large
         cmp.l   #THREE,d4
-        bhs.s   .as_is
-        bset    #15,d7
-        move.l  d2,d1
-        lsr.l   #1,d1
-        add.l   d1,d2
-        move.l  d3,d1
-        lsr.l   #1,d1
-        add.l   d1,d3
-        move.l  d5,d1
-        lsr.l   #1,d1
-        add.l   d1,d5
+        blo     .half
 .as_is  cmp.l   #LEAST,d5
         blo     .other
 .large  cmp.w   scale(sp),d7
@@ -164,40 +155,60 @@ next    macro
 .same   cmp.w   scale_far(sp),d6
         bge     .other
         move.l  scale_dq(sp),reciprocal_line_dq(a1)
+        move.w  scale_c(sp),reciprocal_line_scale(a1)
         sub.l   #ORIGIN,d3
         swap    d3
         move.l  d3,reciprocal_line_q(a1)
         moveq   #0,d0
         move.w  (a3,d3.w*2),d0
-        move.l  d0,d3                   ; r of the first pixel
         sub.l   #ORIGIN,d2
         swap    d2
         moveq   #0,d1
-        move.w  (a3,d2.w*2),d1          ; of the last
-        move.w  d3,reciprocal_line_first(a1)
+        move.w  (a3,d2.w*2),d1
+        move.w  d0,reciprocal_line_first(a1)
         move.w  d1,reciprocal_line_last(a1)
-        move.l  d3,d4
-        add.l   d1,d4
-        lsr.l   #2,d4
-        move.l  d3,d5
-        sub.l   d3,d1                   ; what r grows
-        bmi.s   .falls
-        add.l   d1,d5                   ; the larger r
-.falls  movea.l d1,a2
+        sub.l   d0,d1                   ; what r grows
         move.w  d1,d2
         ext.l   d2
         cmp.l   d1,d2
-        beq.s   .fits
-        move.w  reciprocal_plan_piece+2(a6),d0
-        lsr.w   d0,d6
-        subq.w  #3,d6                   ; r of a piece stays inside 16 bits
-        bmi     .other
-.fits   constant u
+        bne     .steep
+.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
+        lea     scanline_sizeof(a0),a0
+        lea     reciprocal_line_sizeof(a1),a1
+        subq.l  #1,row_lines(sp)
+        bne     .line
+
+        ; Then C, u and v. a0 the limit  a2 what r grows  a3, a4 256 K  a5 half of C's unit
+        move.l  perspective_plan_count(a5),row_lines(sp)
+        movea.l reciprocal_plan_to(a6),a1
+        movem.l reciprocal_plan_ku(a6),d0-d1/a0
+        lsl.l   #8,d0
+        lsl.l   #8,d1
+        movea.l d0,a3
+        movea.l d1,a4
+        movea.l #$8000,a5
+.second tst.w   reciprocal_line_n(a1)
+        bmi     .done
+        moveq   #0,d3
+        moveq   #0,d5
+        move.w  reciprocal_line_first(a1),d3
+        move.w  reciprocal_line_last(a1),d5
+        move.w  reciprocal_line_scale(a1),d7
+        move.l  d3,d4
+        add.l   d5,d4
+        lsr.l   #2,d4
+        movea.l d5,a2
+        suba.l  d3,a2
+        cmp.l   d3,d5
+        bhs.s   .rises
+        move.l  d3,d5                   ; the larger r
+.rises  constant u,a3
         move.l  d6,d0
         bpl.s   .cu
         neg.l   d0
-.cu     constant v
-        move.w  #128,d1
+.cu     constant v,a4
+        moveq   #127,d1
+        addq.w  #1,d1
         move.l  d6,d2
         beq.s   .cv
         bpl.s   .up
@@ -212,18 +223,17 @@ next    macro
         bls.s   .larger
         move.w  d6,d0
 .larger mulu.w  d5,d0
-        cmp.l   reciprocal_plan_limit(a6),d0
-        bhi     .other
-
-.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
-        next    row_cu,reciprocal_plan_dcu,a6
+        cmp.l   a0,d0
+        bhi     .too_far
+.done   next    row_cu,reciprocal_plan_dcu,a6
         next    row_cv,reciprocal_plan_dcv,a6
-        lea     scanline_sizeof(a0),a0
         lea     reciprocal_line_sizeof(a1),a1
         subq.l  #1,row_lines(sp)
-        bne     .line
+        bne     .second
+
         move.l  row_others(sp),d0
         beq.s   .all
+        movea.l reciprocal_plan_planes(a6),a5
         movea.l perspective_plan_lines(a5),a0
         movea.l reciprocal_plan_to(a6),a1
         move.l  perspective_plan_count(a5),d1
@@ -240,9 +250,33 @@ next    macro
         movem.l (sp)+,d2-d7/a2-a6
         rts
 
+        half    u
+        half    v
+.too_far
+        addq.l  #1,row_others(sp)
+        move.w  #-1,reciprocal_line_n(a1)
+        bra     .done
+
+        ; r grows more than 16 bits hold: a piece's does not, if there are three.
+.steep  move.w  reciprocal_plan_piece+2(a6),d0
+        lsr.w   d0,d6
+        subq.w  #3,d6
+        bpl     .next
 .other  addq.l  #1,row_others(sp)
         move.w  #-1,reciprocal_line_n(a1)
         bra     .next
+
+.half   bset    #15,d7
+        move.l  d2,d1
+        lsr.l   #1,d1
+        add.l   d1,d2
+        move.l  d3,d1
+        lsr.l   #1,d1
+        add.l   d1,d3
+        move.l  d5,d1
+        lsr.l   #1,d1
+        add.l   d1,d5
+        bra     .as_is
 
         ; Another scale than the line's before. d4, d5 are not needed any more.
 .scale  move.w  d7,scale(sp)
@@ -252,6 +286,9 @@ next    macro
         move.w  d1,d0
         addq.w  #5,d0
         sub.w   d5,d0
+        move.w  d7,d4
+        and.w   #$8000,d4
+        or.w    d4,d0
         move.w  d0,scale_c(sp)
         add.w   d5,d1
         movem.l perspective_plan_q+screen_plane_dx(a5),d0/d4
