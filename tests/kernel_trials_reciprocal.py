@@ -106,7 +106,7 @@ def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
         others += each[1] > each[0] and line is None
         if line:
             wanted = shape.unpack(bench_reciprocal.entry(line))
-            del wanted["room"]
+            del wanted["scale"]
             worst = worst or error(deep, line, *model.coordinates(line), each[2])
         parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
     entry = layout.load().struct("scanline")

@@ -38,7 +38,7 @@ def entry(each: reciprocals.Reciprocal) -> bytes:
     return shapes.struct("reciprocal_line").pack(
         left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0] & M32,
         v=each.start[1] & M32, q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
-        last=each.last, carry=each.carry, room=0)
+        last=each.last, carry=each.carry, scale=0)
 
 
 def span_case(m: int, length: int):
@@ -95,7 +95,7 @@ def lines_case(m: int):
         for k, each in enumerate(expected):
             found = shape.unpack(result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size])
             for field, value in shape.unpack(entry(each)).items():
-                if found[field] != value and field != "room":
+                if found[field] != value and field != "scale":
                     return f"line {k}: {field} is {found[field]}, expected {value}"
         return None
 

@@ -36,7 +36,7 @@ struct reciprocal_line {
     int16 cu, cv;               /* C: times r, 256 texels are 2^(32 - piece) */
     uint16 first, last;         /* r of the first and the last pixel */
     int16 carry;                /* added to u's steps, in 2^-24: rounding, less v's borrow */
-    int16 room;
+    int16 scale;                /* of q: shift of 64 C, bit 15 set where 3/2 comes on top */
 };
 
 /* Everything a span by reciprocals needs: it draws the whole table. */

@@ -1,13 +1,19 @@
         include "routine.i"
         include "layout.i"
 
-; On the stack: q at the line's first possible pixel, 64 C, lines left, lines not taken.
+; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
 row_q   equ     0
 row_cu  equ     8
 row_cv  equ     16
 row_lines equ   24
 row_others equ  28
-row_sizeof equ  32
+; What holds for all lines of one scale of q, a shift and in bit 15 whether 3/2 comes on top:
+; a piece's step, the shift of C (and bit 15), and from which n on a line's step is too small.
+scale   equ     32
+scale_dq equ    34
+scale_c equ     38
+scale_far equ   40
+row_sizeof equ  42
 
 TWO     equ     $40000000               ; q less than this: another factor
 THREE   equ     $aaaa0000               ; 3/2 times less than this fits 32 bits
@@ -15,27 +21,21 @@ LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
 ; The line's C and first pixel of \1, u or v. In: d3 = r of it, d4 = a quarter of the sum
-; of both ends' r, d7 = the shift of q, bit 8 set for 3/2. Leaves C in d6. Uses d1.
+; of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of C's unit. Leaves C in d6.
+; Uses d1-d2.
 constant macro
         move.l  row_c\1(sp),d1
-        move.b  d7,d6
-        addq.b  #5,d6
-        sub.b   reciprocal_plan_piece+3(a6),d6
-        asl.l   d6,d1
-        bvs     .other
-        btst    #8,d7
-        beq.s   .scaled\@
+        asl.l   d7,d1
+        bvs     .too_far
+        tst.w   d7
+        bmi     .half_\1
+.scaled_\1
         move.l  d1,d6
-        asr.l   #1,d6
-        add.l   d6,d1
-        bvs     .other
-.scaled\@
-        move.l  d1,d6
-        add.l   #$8000,d6
-        bvs     .other
+        add.l   a5,d6
+        bvs     .too_far
         swap    d6
-        ext.l   d6
         move.w  d6,reciprocal_line_c\1(a1)
+        ext.l   d6
         muls.w  d4,d1                   ; what rounding took, in the line's middle
         add.l   d1,d1
         swap    d1
@@ -43,25 +43,29 @@ constant macro
         move.l  d3,d2
         muls.l  d6,d2
         add.l   d2,d1
-        lsl.l   #3,d1
-        btst    #2,reciprocal_plan_piece+3(a6)
-        beq.s   .eight\@
-        add.l   d1,d1
-.eight\@
-        move.l  reciprocal_plan_k\1(a6),d2
-        lsl.l   #8,d2
-        add.l   d2,d1
+        move.w  reciprocal_plan_piece+2(a6),d2
+        lsl.l   d2,d1
+        add.l   \2,d1
         move.l  d1,reciprocal_line_\1(a1)
+        endm
+
+; C times 3/2, behind the loop.
+half    macro
+.half_\1
+        move.l  d1,d6
+        asr.l   #1,d6
+        add.l   d6,d1
+        bvc     .scaled_\1
+        bra     .too_far
         endm
 
 ; The row's number \1 a line further by \2. Uses d0-d1.
 next    macro
-        move.l  \2+number64_lo(\3),d1
+        movem.l \2(\3),d0-d1
         add.l   d1,\1+number64_lo(sp)
-        move.l  \1(sp),d0
-        move.l  \2(\3),d1
-        addx.l  d1,d0
-        move.l  d0,\1(sp)
+        move.l  \1(sp),d1
+        addx.l  d0,d1
+        move.l  d1,\1(sp)
         endm
 
 ;==============================================================================
@@ -77,8 +81,9 @@ next    macro
 ;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
 ;          - piece + 5) / 2^26, 16.16, times 3/2 alike; rounded, K taking what that is
 ;          in the middle of the line's r. A line is left to others where q is below the
-;          plan's least, w differs more than 4 times and r too much for 16 bits in less than three pieces, a
-;          piece moves q by less than 8 indices, or |C| r exceeds the plan's limit
+;          plan's least, w differs more than 4 times, r too much for 16 bits in less than
+;          three pieces, a piece moves q by less than 8 indices or more than 32 bits have,
+;          or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
@@ -88,133 +93,123 @@ next    macro
         movem.l d2-d7/a2-a6,-(sp)
         movea.l a0,a6
         movea.l reciprocal_plan_planes(a6),a5
-        clr.l   -(sp)
-        move.l  perspective_plan_count(a5),-(sp)
-        movem.l reciprocal_plan_cu(a6),d0-d3
-        movem.l d0-d3,-(sp)
+        lea     -row_sizeof(sp),sp
         movem.l perspective_plan_q+screen_plane_at(a5),d0-d1
-        movem.l d0-d1,-(sp)
+        movem.l reciprocal_plan_cu(a6),d2-d5
+        move.l  perspective_plan_count(a5),d6
+        moveq   #0,d7
+        movem.l d0-d7,row_q(sp)
+        move.w  #-1,scale(sp)
         movea.l perspective_plan_lines(a5),a0
         movea.l reciprocal_plan_to(a6),a1
         movea.l reciprocal_plan_table(a6),a3
         movea.l perspective_plan_left(a5),a4
         lea     EDGE_BIAS(a4),a4
 
+        ; Two loops, each of which fits the cache. First q:
+        ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
+        ; d6 n  d7 scale
 .line   moveq   #0,d7
+        moveq   #0,d6
         move.w  scanline_left(a0),d7
         move.w  scanline_last(a0),d6
-        sub.w   d7,d6                   ; n
         move.w  d7,reciprocal_line_left(a1)
+        sub.w   d7,d6
         move.w  d6,reciprocal_line_n(a1)
         bmi     .next
-        ext.l   d6
         sub.l   a4,d7
-        move.l  perspective_plan_q+screen_plane_dx+number64_lo(a5),d4
-        move.l  perspective_plan_q+screen_plane_dx(a5),d5
-        move.l  d4,d1
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
         mulu.l  d7,d0:d1
-        muls.l  d5,d7
+        muls.l  d4,d7
         add.l   d7,d0
         add.l   row_q+number64_lo(sp),d1
-        move.l  row_q(sp),d2
-        addx.l  d2,d0
-        move.l  d0,d3                   ; q of the first pixel
-        mulu.l  d6,d2:d4
-        muls.l  d6,d5
-        add.l   d5,d2
-        add.l   d1,d4
-        addx.l  d0,d2                   ; of the last
-        move.l  perspective_plan_q_low(a5),d1
-        cmp.l   d1,d3
-        blt     .other
-        cmp.l   d1,d2
-        blt     .other
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
         move.l  d2,d4
         move.l  d3,d5
         cmp.l   d4,d5
         ble.s   .sorted
-        exg     d4,d5                   ; d4 the larger
-.sorted bfffo   d4{0:32},d7
+        exg     d4,d5
+.sorted cmp.l   perspective_plan_q_low(a5),d5
+        blt     .other
+        bfffo   d4{0:32},d7
         cmp.w   #RECIPROCAL_FURTHEST,d7
         bhi     .other
         lsl.l   d7,d2
         lsl.l   d7,d3
         lsl.l   d7,d4
         lsl.l   d7,d5
-        move.w  d7,d1
-        add.w   reciprocal_plan_piece+2(a6),d1
-        move.l  perspective_plan_q+screen_plane_dx(a5),d0
-        lsl.l   d1,d0
-        neg.w   d1
-        move.l  perspective_plan_q+screen_plane_dx+number64_lo(a5),d6
-        add.w   #32,d1
-        lsr.l   d1,d6
-        or.l    d6,d0                   ; q's step
         cmp.l   #TWO,d5
         bhs.s   .large
         cmp.l   #THREE,d4
-        bhs.s   .as_is
-        or.w    #256,d7
-        move.l  d2,d1
-        lsr.l   #1,d1
-        add.l   d1,d2
-        move.l  d3,d1
-        lsr.l   #1,d1
-        add.l   d1,d3
-        move.l  d5,d1
-        lsr.l   #1,d1
-        add.l   d1,d5
-        move.l  d0,d1
-        asr.l   #1,d1
-        add.l   d1,d0
+        blo     .half
 .as_is  cmp.l   #LEAST,d5
         blo     .other
-.large  move.w  reciprocal_line_n(a1),d1
-        move.w  reciprocal_plan_piece+2(a6),d5
-        lsr.w   d5,d1
-        beq.s   .short                  ; no whole piece
-        move.l  d0,d1
-        bpl.s   .step
-        neg.l   d1
-.step   cmp.l   #8<<16,d1
-        blo     .other
-.short  swap    d0
-        move.l  d0,reciprocal_line_dq(a1)
+.large  cmp.w   scale(sp),d7
+        bne     .scale
+.same   cmp.w   scale_far(sp),d6
+        bge     .other
+        move.l  scale_dq(sp),reciprocal_line_dq(a1)
+        move.w  scale_c(sp),reciprocal_line_scale(a1)
         sub.l   #ORIGIN,d3
         swap    d3
         move.l  d3,reciprocal_line_q(a1)
         moveq   #0,d0
         move.w  (a3,d3.w*2),d0
-        move.l  d0,d3                   ; r of the first pixel
         sub.l   #ORIGIN,d2
         swap    d2
         moveq   #0,d1
-        move.w  (a3,d2.w*2),d1          ; of the last
-        move.w  d3,reciprocal_line_first(a1)
+        move.w  (a3,d2.w*2),d1
+        move.w  d0,reciprocal_line_first(a1)
         move.w  d1,reciprocal_line_last(a1)
-        move.l  d3,d4
-        add.l   d1,d4
-        lsr.l   #2,d4
-        move.l  d3,d5
-        sub.l   d3,d1                   ; what r grows
-        bmi.s   .falls
-        add.l   d1,d5                   ; the larger r
-.falls  movea.l d1,a2
+        sub.l   d0,d1                   ; what r grows
         move.w  d1,d2
         ext.l   d2
         cmp.l   d1,d2
-        beq.s   .fits
-        move.w  reciprocal_plan_piece+2(a6),d0
-        move.w  reciprocal_line_n(a1),d1
-        lsr.w   d0,d1
-        subq.w  #3,d1                   ; r of a piece stays inside 16 bits
-        bmi     .other
-.fits   constant u
+        bne     .steep
+.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
+        lea     scanline_sizeof(a0),a0
+        lea     reciprocal_line_sizeof(a1),a1
+        subq.l  #1,row_lines(sp)
+        bne     .line
+
+        ; Then C, u and v. a0 the limit  a2 what r grows  a3, a4 256 K  a5 half of C's unit
+        move.l  perspective_plan_count(a5),row_lines(sp)
+        movea.l reciprocal_plan_to(a6),a1
+        movem.l reciprocal_plan_ku(a6),d0-d1/a0
+        lsl.l   #8,d0
+        lsl.l   #8,d1
+        movea.l d0,a3
+        movea.l d1,a4
+        movea.l #$8000,a5
+.second tst.w   reciprocal_line_n(a1)
+        bmi     .done
+        moveq   #0,d3
+        moveq   #0,d5
+        move.w  reciprocal_line_first(a1),d3
+        move.w  reciprocal_line_last(a1),d5
+        move.w  reciprocal_line_scale(a1),d7
+        move.l  d3,d4
+        add.l   d5,d4
+        lsr.l   #2,d4
+        movea.l d5,a2
+        suba.l  d3,a2
+        cmp.l   d3,d5
+        bhs.s   .rises
+        move.l  d3,d5                   ; the larger r
+.rises  constant u,a3
         move.l  d6,d0
         bpl.s   .cu
         neg.l   d0
-.cu     constant v
-        move.w  #128,d1
+.cu     constant v,a4
+        moveq   #127,d1
+        addq.w  #1,d1
         move.l  d6,d2
         beq.s   .cv
         bpl.s   .up
@@ -229,18 +224,17 @@ next    macro
         bls.s   .larger
         move.w  d6,d0
 .larger mulu.w  d5,d0
-        cmp.l   reciprocal_plan_limit(a6),d0
-        bhi     .other
-
-.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
-        next    row_cu,reciprocal_plan_dcu,a6
+        cmp.l   a0,d0
+        bhi     .too_far
+.done   next    row_cu,reciprocal_plan_dcu,a6
         next    row_cv,reciprocal_plan_dcv,a6
-        lea     scanline_sizeof(a0),a0
         lea     reciprocal_line_sizeof(a1),a1
         subq.l  #1,row_lines(sp)
-        bne     .line
+        bne     .second
+
         move.l  row_others(sp),d0
         beq.s   .all
+        movea.l reciprocal_plan_planes(a6),a5
         movea.l perspective_plan_lines(a5),a0
         movea.l reciprocal_plan_to(a6),a1
         move.l  perspective_plan_count(a5),d1
@@ -257,6 +251,70 @@ next    macro
         movem.l (sp)+,d2-d7/a2-a6
         rts
 
+        half    u
+        half    v
+.too_far
+        addq.l  #1,row_others(sp)
+        move.w  #-1,reciprocal_line_n(a1)
+        bra     .done
+
+        ; r grows more than 16 bits hold: a piece's does not, if there are three.
+.steep  move.w  reciprocal_plan_piece+2(a6),d0
+        lsr.w   d0,d6
+        subq.w  #3,d6
+        bpl     .next
 .other  addq.l  #1,row_others(sp)
         move.w  #-1,reciprocal_line_n(a1)
         bra     .next
+
+.half   bset    #15,d7
+        move.l  d2,d1
+        lsr.l   #1,d1
+        add.l   d1,d2
+        move.l  d3,d1
+        lsr.l   #1,d1
+        add.l   d1,d3
+        move.l  d5,d1
+        lsr.l   #1,d1
+        add.l   d1,d5
+        bra     .as_is
+
+        ; Another scale than the line's before. d4, d5 are not needed any more.
+.scale  move.w  d7,scale(sp)
+        moveq   #15,d1
+        and.w   d7,d1
+        move.w  reciprocal_plan_piece+2(a6),d5
+        move.w  d1,d0
+        addq.w  #5,d0
+        sub.w   d5,d0
+        move.w  d7,d4
+        and.w   #$8000,d4
+        or.w    d4,d0
+        move.w  d0,scale_c(sp)
+        add.w   d5,d1
+        movem.l perspective_plan_q+screen_plane_dx(a5),d0/d4
+        asl.l   d1,d0
+        bvs.s   .coarse
+        neg.w   d1
+        add.w   #32,d1
+        lsr.l   d1,d4
+        or.l    d4,d0
+        tst.w   d7
+        bpl.s   .step
+        move.l  d0,d1
+        asr.l   #1,d1
+        add.l   d1,d0
+        bvs.s   .coarse
+.step   move.l  d0,d1
+        swap    d1
+        move.l  d1,scale_dq(sp)
+        move.w  #$7fff,d1
+        tst.l   d0
+        bpl.s   .length
+        neg.l   d0
+.length cmp.l   #8<<16,d0
+        bhs.s   .enough
+.coarse moveq   #1,d1
+        lsl.w   d5,d1
+.enough move.w  d1,scale_far(sp)
+        bra     .same

@@ -41,7 +41,7 @@ pack_steps macro
 ;          that the steps are even; the last piece is as long as it must be
 ; error:   at the ends of pieces 18 units, 10 with 8 pixels; at the last pixel so many
 ;          units as the last piece has steps
-; cost:    bench rows persp_every16, persp_every8
+; cost:    bench rows persp_every16_exact, persp_every8_exact
 ;==============================================================================
 ; S, Q and P of a pixel_apart run on from piece to piece: what changes is their steps.
 
