@@ -206,7 +206,7 @@ class Plane:
 
 
 class Picture:
-    """What a triangle should be in a frame: extents {line: (first pixel, end)}, how many
+    """What a convex polygon should be in a frame: extents {line: (first pixel, end)}, how many
     pixels, and the planes of u and v."""
 
     def __init__(self, vertices, width: int, height: int) -> None:
@@ -217,8 +217,8 @@ class Picture:
             if ends[0] < ends[1]:
                 self.extents[y] = tuple(ends)
         self.pixels = sum(end - first for first, end in self.extents.values())
-        points = [v[:2] for v in vertices]
-        self.planes = [Plane(points, [v[k] for v in vertices]) for k in (2, 3)]
+        three = [vertices[k] for k in corners(vertices)]
+        self.planes = [Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
         self.endless = True  # planes go on beyond the polygon
 
 

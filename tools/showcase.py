@@ -1,0 +1,93 @@
+"""The scenes of effects and depth, drawn on the emulated machine: animations, cycles, error.
+
+Errors are taken against the exact curve where a material has a perspective, and against the
+exact plane elsewhere, over every ERROR_STEP-th frame.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from . import ideal, model, run
+from .accuracy import Errors
+from .errors import UserError
+from .fuzz_polygons import has_ideal
+from .ideal_perspective import Picture
+from .model import Settings
+from .model_mesh import polygons_at
+from .paths import SCENES
+from .scene import compile_scene
+from .scene_file import Scene
+
+NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
+ERROR_STEP = 8
+
+
+@dataclass
+class Shown:
+    """One scene as it was drawn."""
+
+    name: str
+    totals: dict  # as tools.run.total gives them
+    frames: int
+    errors: Errors
+
+
+def errors_of(scene: Scene) -> Errors:
+    """What the polygons' u and v are off; those without texture or an ideal are left out."""
+    total, size = Errors(), (scene.width, scene.height)
+    for number in range(0, scene.frames, ERROR_STEP):
+        for which, vertices in polygons_at(scene, number):
+            m = scene.materials[which]
+            settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
+            texels = scene.textures[m.texture].texels.shape if m.texture >= 0 else (256, 256)
+            adapted = model.adapt(vertices, settings, max(texels))
+            if m.mapper == "flat" or not has_ideal(adapted, settings):
+                continue
+            polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
+            exact = ideal.Picture([v[:4] for v in adapted], *size)
+            if polygon and polygon.perspective:
+                exact = Picture(adapted, *size)
+            elif not exact.planes[0].d:  # without an area
+                continue
+            total.add(polygon, exact, settings)
+    return total
+
+
+def show(name: str, machine: str, folder: Path) -> Shown:
+    """Draws a scene: its animation goes to ``folder``/NAME.gif."""
+    scene = compile_scene(SCENES / f"{name}.toml")
+    frames, figures = run.render(scene, machine, "addx")
+    if any(len(np.unique(frame)) == 1 for frame in frames):
+        raise UserError(f"{name}: a frame of one colour")
+    first, *others = [run.picture_of(frame, scene.palette) for frame in frames]
+    first.save(folder / f"{name}.gif", save_all=True, append_images=others,
+               duration=run.GIF_FRAME_MS, loop=0)
+    return Shown(name, run.total(figures), scene.frames, errors_of(scene))
+
+
+def table(shown: list[Shown], machine: str) -> str:
+    """The figures in Markdown."""
+    lines = [f"| scene, {machine} | frames | polygons a frame | cycles a frame | cycles a pixel "
+             "| largest error, texels | rms | spans |", "|---|--:|--:|--:|--:|--:|--:|---|"]
+    for each in shown:
+        t, e = each.totals, each.errors
+        rms = (e.squares / max(e.pixels, 1)) ** 0.5
+        lines.append(f"| {each.name} | {each.frames} | {t['polygons'] / each.frames:,.0f} "
+                     f"| {t['cycles'] / each.frames:,.0f} | {t['cycles_per_pixel']:.1f} "
+                     f"| {e.worst:.4f} | {rms:.4f} | {', '.join(t['spans'])} |")
+    return "\n".join(lines)
+
+
+def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:
+    """scenes.md and an animation of each scene; returns the table."""
+    shown = []
+    for name in names:
+        shown.append(show(name, machine, folder))
+        if on_step:
+            on_step()
+    text = table(shown, machine)
+    pictures = "\n".join(f"## {name}\n\n![{name}]({name}.gif)\n" for name in names)
+    (folder / "scenes.md").write_text(f"# Scenes\n\n{text}\n\n{pictures}")
+    return text
