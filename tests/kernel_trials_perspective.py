@@ -11,7 +11,8 @@ from kernel_trials_span import BIAS, FRAME, picture_memory, texture
 from tools import bench_perspective, layout
 from tools import model_perspective as model
 from tools.fixed import signed
-from tools.kernels import M32, Case, Result
+from tools.kernels import M32, Case
+from tools.scanline import pack
 
 M64 = (1 << 64) - 1
 PITCH = 1152
@@ -77,17 +78,21 @@ def any_plane(rng, value: int) -> model.Plane:
     return model.Plane(value, any_size(rng, 50), any_size(rng, 50))
 
 
-def lines_trial(setting: str, rng) -> Trial:
-    """Some lines, empty ones and single pixels among them, on planes that may lead anywhere."""
-    count = int(rng.integers(1, 8))
+def any_perspective(rng) -> model.Perspective:
+    """Planes that may lead anywhere."""
     scale, reach = int(rng.integers(16, 32)), int(rng.integers(17, 30))
     least = 1 << int(rng.integers(8, 30))
     q = any_plane(rng, int(rng.integers(least, (1 << 30) + 1)) << 32)
-    deep = model.Perspective(q, any_plane(rng, any_size(rng, 30) << scale),
+    return model.Perspective(q, any_plane(rng, any_size(rng, 30) << scale),
                              any_plane(rng, any_size(rng, 30) << scale), int(rng.integers(0, 40)), 0,
                              tuple(any_size(rng, 13) << 16 for _ in "uv"), scale, least,
                              tuple(-abs(any_size(rng, reach)) for _ in "uv"),
                              tuple(abs(any_size(rng, reach)) for _ in "uv"))
+
+
+def lines_trial(setting: str, rng) -> Trial:
+    """Some lines, empty ones and single pixels among them."""
+    count, deep = int(rng.integers(1, 8)), any_perspective(rng)
     memory, shapes = Memory(), layout.load()
     entry, shape = shapes.struct("scanline"), shapes.struct("perspective_line")
     out = memory.room("perspective_line", count)
@@ -112,14 +117,37 @@ def lines_trial(setting: str, rng) -> Trial:
     if setting == "fine":
         field = shape.fields["enough32"]["offset"]
         writes += [Write(out + k * shape.size + field, bytes(4), bytes(4)) for k in range(count)]
-    at = memory.struct(
-        "perspective_plan", dict(lines=memory.add(table, name="lines", shape=entry), to=out),
-        count=count, left=deep.i, q_low=least, gentle=0, bend=model.bend(setting), u=deep.base[0],
-        v=deep.base[1], u_low=deep.low[0], v_low=deep.low[1], u_high=deep.high[0],
-        v_high=deep.high[1], **{key: longs(plane.at, plane.dx, plane.dy)
-                                for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t))})
+    at = bench_perspective.plan_of(memory, deep, setting, count, dict(
+        lines=memory.add(table, name="lines", shape=entry), to=out))
     return Trial(Case("perspective_lines", memory, pointers={"a0": at}),
                  f"{setting}, {count} lines, {deep}", writes=writes,
+                 also=first_of([part[1] for part in parts]))
+
+
+def level_trial(rng) -> Trial:
+    """Lines of which only the first pixel's q counts."""
+    count, deep = int(rng.integers(1, 8)), any_perspective(rng)
+    memory, shapes = Memory(), layout.load()
+    entry = shapes.struct("scanline")
+    rows, parts = [], []
+    out = memory.room("scanline_step", count)
+    for k in range(count):
+        left, pixels = deep.i + int(rng.integers(0, 900)), int(rng.choice((0, -5, 1, 2, 300)))
+        rows.append((left, pixels))
+    table = b"".join(entry.pack(left=left + BIAS, last=left + pixels - 1 + BIAS, start0=0, start1=0,
+                                start2=0) for left, pixels in rows)
+    lines = memory.add(table, name="lines", shape=entry)
+    for k, (left, pixels) in enumerate(rows):
+        if pixels > 0:
+            u, v = (c.tolist() for c in model.level(deep, left, left + 2, k))
+            parts.append(fields_check(lines + k * entry.size, "scanline", pack("addx", u[0], v[0]), {},
+                                      f"line {k}"))
+            parts.append(fields_check(out + 8 * k, "scanline_step",
+                                      {"dudx": signed(u[1] - u[0]), "dvdx": signed(v[1] - v[0])}, {},
+                                      f"step {k}"))
+    at = bench_perspective.plan_of(memory, deep, "every16", count, dict(lines=lines, to=out))
+    return Trial(Case("level_lines", memory, pointers={"a0": at, "a1": out}),
+                 f"{count} lines, {deep}", writes=[w for part in parts for w in part[0]],
                  also=first_of([part[1] for part in parts]))
 
 
@@ -164,5 +192,5 @@ def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng) for _ in range(120)),
-            *(lines_trial(setting, rng) for setting in every for _ in range(40)),
+            *(level_trial(rng) for _ in range(60)), *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *span_trials(every[:2], rng), *span_trials(every[2:], rng)]

@@ -83,11 +83,13 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
 def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
                 upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
                 code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
-                wide: int = 1, columns: dict[str, int] | None = None, **plan_values: int) -> Trial:
+                wide: int = 1, columns: dict[str, int] | None = None, light_at: int | None = None,
+                shades: list[int] | None = None, **plan_values: int) -> Trial:
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel."""
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel. ``light_at``: in the far arena; ``shades``: one
+    a line."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
     table = np.zeros(len(starts), shape.dtype)
@@ -115,7 +117,10 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
             name="steps", shape=shape_of_steps)
     if columns:
         near["columns"] = memory.struct("column_layout", {}, **columns)
-    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at), count=len(lines),
+    if shades:
+        near["shades"] = memory.add(b"".join(s.to_bytes(4, "big") for s in shades), name="shades")
+    light = {} if light_at is None else {"light": light_at}
+    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at) | light, count=len(lines),
                          pitch=-pitch if upwards else pitch, **plan_values)
 
     def where(offset: int, far: bool) -> str | None:
@@ -142,6 +147,12 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
 
 
+def form_of(kernel: str) -> str:
+    """How the lines of a span routine are packed."""
+    chained = ("_addx", "_row", "_column", "_scanline", "_wrap")
+    return "addx" if "affine" in kernel and any(part in kernel for part in chained) else "plain"
+
+
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
                ground: Ground | None = None) -> Trial:
     """One table: every count at all four alignments, with a start of its own."""
@@ -165,10 +176,30 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
                      for k in range(len(starts))]
     return table_trial(
-        kernel, "addx" if "addx" in kernel or own_steps else "plain", starts, pitch, rng, upwards,
+        kernel, form_of(kernel), starts, pitch, rng, upwards,
         (ground.memory, ground.frame_at, ground.map_at), drawn,
         ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
         own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx, colour=colour)
+
+
+ALONE_MOST = 64000  # texels that u or v alone may travel in a line
+
+
+def alone_trials(kernel: str, rng) -> list[Trial]:
+    """Steps of all kinds with the other one 0, or whole maps."""
+    moving = [*STEPS, *(a for pair in PAIRS for a in pair),
+              *(int(n) for n in rng.integers(-ONE, ONE, 8)),
+              *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
+    trials = []
+    for sizes in (SHORT, LONG):
+        for k, step in enumerate(moving):
+            still = (0, TURN, -3 * TURN)[k % 3]
+            reduced = abs((step + TURN // 2) % TURN - TURN // 2) / ONE
+            longest = int(ALONE_MOST / reduced) if reduced else ALONE_MOST
+            size = [min(count, longest) for count in sizes[0]], sizes[1]
+            pair = (step, still) if kernel.endswith("_row") else (still, step)
+            trials.append(span_trial(kernel, *pair, 0, size, rng, k % 8 == 7))
+    return trials
 
 
 def steps_text(dudx: int, dvdx: int) -> str:
@@ -198,5 +229,7 @@ def trials() -> list[Trial]:
     """All of them, the same in every run."""
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
              "span_affine_c", "span_affine_scanline", "span_fill_16")
-    return [trial for seed, name in enumerate(names)
+    made = [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]
+    return made + [trial for seed, name in enumerate(("span_affine_row", "span_affine_column"))
+                   for trial in alone_trials(name, np.random.default_rng([4, seed]))]

@@ -48,7 +48,14 @@ def test_speeds_that_are_promised(found) -> None:
     assert figures["affine_addx", "a1200-fast", 256] <= 17.0
     assert figures["affine_addx", "a1200-mixed", 256] <= 21.0
     assert figures["affine_addx", "a1200-fast", 16] <= 21.5
+    assert figures["affine_row", "a1200-fast", 256] <= 13.0
+    assert figures["affine_column", "a1200-fast", 256] <= 15.0
+    assert figures["affine_lit", "a1200-fast", 256] <= 24.5
+    assert figures["affine_gouraud", "a1200-fast", 256] <= 29.0
+    assert figures["rotator", "a1200-fast", 320] <= 17.0
+    assert figures["rotator", "a1200-mixed", 320] <= 21.0
     for machine in bench.CONDITIONS:
+        assert figures["rotator", machine, 320] < figures["rotator_swap", machine, 320]
         assert figures["affine_addx", machine, 256] < figures["affine_swap", machine, 256]
 
 

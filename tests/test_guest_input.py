@@ -40,14 +40,23 @@ def every_mapper() -> Scene:
     """A scene with a triangle of each mapper, material n with texture n - 2."""
     scene = example(0)
     sizes = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
-             "margins": (256, 256)}
+             "margins": (256, 256), "light": (256, 64)}
     scene.textures = [Texture(np.zeros((height, width), np.uint8), layout)
                       for layout, (width, height) in sizes.items()]
     mappers = list(scene_file.MAPPER_LAYOUT)
     scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
-                       for n, mapper in enumerate(mappers)]
+                       for n, mapper in enumerate(mappers[:7])]
+    scene.materials += [Material("lit", texture=0, light=5),
+                        Material("lit_gouraud", texture=0, light=5)]
     scene.vertices = np.full((6, 6), 65536)
     scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
+    return scene
+
+
+def lit() -> Scene:
+    """A scene with a lit triangle."""
+    scene = every_mapper()
+    scene.objects = [Object(7, 0, 3, 0, 3, 0)]
     return scene
 
 
@@ -93,10 +102,10 @@ def lengths(header: str, data: bytes) -> list[int]:
 
 def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
-    every, wide = scene_file.write(every_mapper()), scene_file.write(wide_pixels())
+    every, wide, light_only = map(scene_file.write, (every_mapper(), wide_pixels(), lit()))
     size = "texture.width or texture.height"
-    page, linear, tiled, columns, margins = range(5)
-    flat, gouraud, affine, arbitrary, *_ = range(7)
+    page, linear, tiled, columns, margins, light = range(6)
+    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
     out = []
 
     def entry(source, table, index, field, *values, said=None):
@@ -105,25 +114,32 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
         out.extend((source, at + struct.fields[field]["offset"], value,
                     said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
 
-    entry(every, "textures", page, "layout", 5, M32)
+    entry(every, "textures", page, "layout", 6, M32)
     entry(every, "textures", page, "layout", linear, said="material.texture")
     entry(every, "textures", page, "texel_bytes", 0, 2, M32)
     entry(every, "textures", page, "at", 0, 82, len(every) - 124, M32 - 3)
     for index, widths in ((page, (0, 4, 12, 512, M32, 2**31)), (linear, (0, 1025, M32, 2**31)),
                           (tiled, (0, 255, 512, M32)), (columns, (4, 48, 2**16, M32, 2**31)),
-                          (margins, (8, 512, M32))):
+                          (margins, (8, 512, M32)), (light, (255, 128, M32))):
         entry(every, "textures", index, "width", *widths, said=size)
         entry(every, "textures", index, "height", *widths, said=size)
     entry(wide, "textures", 0, "layout", page, linear)
     entry(wide, "textures", 0, "texel_bytes", 1)
-    entry(every, "materials", flat, "mapper", 7, M32)
+    entry(every, "materials", flat, "mapper", 9, M32)
     entry(every, "materials", flat, "texture", 0)
     entry(every, "materials", gouraud, "texture", 0)
-    entry(every, "materials", affine, "texture", linear, -1, 5)
+    entry(every, "materials", affine, "texture", linear, light, -1, 6)
     entry(every, "materials", affine, "edges", 3, M32)
     entry(every, "materials", affine, "gradients", 3, M32)
     entry(every, "materials", affine, "start", 2, M32)
     entry(every, "materials", affine, "clip", 2, M32)
+    entry(every, "materials", affine, "light", 0, light)
+    for index in lit_flat, lit_gouraud:
+        entry(every, "materials", index, "texture", linear, light, -1)
+        entry(every, "materials", index, "light", page, -1, 6, M32)
+    entry(every, "materials", lit_gouraud, "gradients", 0, 1)
+    entry(every, "materials", lit_gouraud, "start", 0)
+    entry(light_only, "vertices", 0, "shade", -1, 256 << 16, 2**31)
     entry(wide, "materials", 0, "mapper", gouraud, affine)
     entry(wide, "materials", 0, "colour", 65536)
     entry(every, "objects", gouraud, "vertices", 4)

@@ -17,7 +17,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import hard_cases, hard_report, ideal, layout, model, scene_file
+from tools import (bounds_perspective, hard_cases, hard_report, ideal, ideal_perspective, layout, model,
+                   scene_file)
 from tools.errors import UserError
 from tools.hard_case import FAR
 from tools.hard_cases import HEIGHT, WIDTH, Case
@@ -85,16 +86,24 @@ def test_pictures_differ_at_texel_borders_alone() -> None:
             continue
         assert np.array_equal(exact < 0, ours < 0), case.name
         shown += np.count_nonzero(exact >= 0)
-        vertices = [v[:4] for v in model.adapt(case.vertices, settings, 256)]
+        vertices = model.adapt(case.vertices, settings, 256)
         polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
         t = polygon.texturing if polygon else None
-        for y, x in np.argwhere(exact != ours):
-            three = [vertices[k] for k in ideal.corners(vertices)]
+        three = [vertices[k] for k in ideal.corners(vertices)]
+        if polygon and polygon.perspective:
+            made = ideal_perspective.curves(vertices)
+            allowed = {(key, y): bound for key, y, *_, bound
+                       in bounds_perspective.line_errors(vertices, polygon)}
+        for y, x in np.argwhere(exact != ours).tolist():
             near = []
-            for k, spare in ((2, t.spare), (3, 0)):
-                plane = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
-                u = plane.at(int(x) << 16, int(y) << 16) / 65536
-                near.append(abs(u - round(u)) <= plane.bound(int(x), int(y), t.i, t.j, spare))
+            for k, key in ((2, "u"), (3, "v")):
+                if t:
+                    curve = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
+                    bound = curve.bound(x, y, t.i, t.j, t.spare if key == "u" else 0)
+                else:
+                    curve, bound = made[k - 2], allowed[key, y]
+                u = curve.at(x << 16, y << 16) / 65536
+                near.append(abs(u - round(u)) <= bound)
             assert any(near), f"{case.name}: pixel ({x}, {y})"
             different += 1
     assert shown > 100_000 and different > 0

@@ -146,6 +146,32 @@ def test_palette_of_unlike_pictures():
     assert (colours[maps[0]] == large).all() and (colours[maps[1]] == small).all()
 
 
+def test_light_table():
+    """Black, then ever lighter, at last the entry itself; always the nearest entry."""
+    colours = np.random.default_rng(4).integers(0, 256, (256, 3)).astype(np.uint8)
+    colours[0] = 0
+    table = palette.light(colours)
+    assert table.shape == (64, 256) and (table[0] == 0).all()
+    assert (table[63] == np.arange(256)).all()
+    for level in (1, 20, 62):
+        wanted = np.rint(colours * (level / 63)).astype(int)
+        distance = ((wanted[:, None] - colours.astype(int)) ** 2).sum(axis=-1)
+        assert (distance[np.arange(256), table[level]] == distance.min(axis=-1)).all()
+
+
+def test_palette_of_lit_pictures():
+    """It has entries for them in less light, too."""
+    v, u = np.indices((64, 64)) * 4
+    picture = np.stack([u, 255 - v, (u + v) // 2], axis=-1).astype(np.uint8)
+    errors = []
+    for lit in ([], [picture]):
+        colours, (texels,) = palette.build([(0, 0, 0)], [picture], "here", lit)
+        table = palette.light(colours)
+        errors.append(np.mean([abs(colours[table[level, texels]] - picture * (level / 63)).mean()
+                               for level in range(0, 64, 7)]))
+    assert errors[1] < 0.7 * errors[0]
+
+
 @pytest.mark.parametrize("count, pictures, taken", [
     (256, 0, True), (257, 0, False), (192, 1, True), (193, 1, False)])
 def test_palette_has_256_entries(count, pictures, taken):

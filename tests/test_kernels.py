@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import kernel_checker
 import kernel_trials_edge
+import kernel_trials_lit
 import kernel_trials_mappers
 import kernel_trials_math
 import kernel_trials_mesh
@@ -35,7 +36,7 @@ def called(request):
               if item.path == request.path and hasattr(item, "callspec")}
     trials = [trial for room in (kernel_trials_math, kernel_trials_mesh, kernel_trials_edge,
                                  kernel_trials_span, kernel_trials_mappers, kernel_trials_pixel,
-                                 kernel_trials_scanline, kernel_trials_tiled,
+                                 kernel_trials_scanline, kernel_trials_tiled, kernel_trials_lit,
                                  kernel_trials_polygon, kernel_trials_perspective,
                                  kernel_trials_reciprocal)
               for trial in room.trials() if trial.case.kernel in wanted]

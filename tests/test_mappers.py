@@ -25,7 +25,8 @@ high = {image = "noise.png", width = 64, height = 512}
 #: mapper: (what the material has besides, radius on the map)
 LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
-         "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300)}
+         "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
+         "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300)}
 MACHINES = {8: "a1200-fast", 16: "a1200"}
 
 
@@ -36,7 +37,9 @@ def scene(bits: int) -> str:
                if kind not in ("mapper", "perspective")}
     materials = objects = ""
     mappers = ["columns"] if bits == 16 else LOOKS
-    for n, (mapper, *names) in enumerate(itertools.product(mappers, *choices.values())):
+    wanted = [(mapper, *names) for mapper, *names in itertools.product(mappers, *choices.values())
+              if mapper != "lit_gouraud" or {"plane", "subtexel"} <= set(names)]
+    for n, (mapper, *names) in enumerate(wanted):
         look, map_radius = LOOKS[mapper]
         settings = dict(zip(choices, names)) | ({"mapper": mapper} if map_radius else {})
         materials += f"m{n} = {{{look}" + "".join(f', {k} = "{v}"' for k, v in settings.items())
@@ -44,7 +47,8 @@ def scene(bits: int) -> str:
         sides = 3 if settings["gradients"] == "polygon" else 3 + n % 5
         objects += (f'[[objects]]\nmaterial = "m{n}"\nsides = {sides}\nangle = {7 * n}\n'
                     f"radius = {47.3 if n % 3 else 11.7}\nmap_radius = {map_radius}\n"
-                    f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n")
+                    f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n"
+                    + "shades = [130]\n" * (mapper == "lit"))
     return f"frames = {n + 1}\nbits = {bits}\n" + HEAD + materials + objects
 
 
@@ -65,5 +69,5 @@ def test_every_mapper_is_the_models(tmp_path, bits):
     assert not wrong, "\n".join(wrong)
     about = json.loads((out / "run.json").read_text())
     assert about["pixel_bytes"] == bits // 8
-    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else set(LOOKS))
+    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else {*LOOKS, "lit_wrap"})
     assert all(frame["pixels"] > 100 for frame in about["frames"])

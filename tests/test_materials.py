@@ -80,11 +80,17 @@ HEAD_16 = HEAD.replace("frames", "bits = 16\nframes")
     ('texture = "square", mapper = "tiled"', Material("tiled", texture=0)),
     ('texture = "square", mapper = "generated"', Material("generated", texture=0)),
     ('texture = "tall", mapper = "columns"', Material("columns", texture=0)),
+    ('texture = "small", mapper = "lit", gradients = "scanline"',
+     Material("lit", gradients="scanline", texture=0, light=1)),
+    ('texture = "square", mapper = "lit_gouraud"', Material("lit_gouraud", texture=0, light=1)),
 ])
 def test_settings(folder, text, material):
     made = make(folder, text)
+    found = scene_file.read(scene_file.write(made), "x").materials
+    if material.light >= 0:
+        assert made.textures.pop().layout == "light"
     assert made.materials == [material]
-    assert scene_file.read(scene_file.write(made), "x").materials == [material]
+    assert found == [material]
     if material.texture >= 0:
         assert [texture.layout for texture in made.textures] == [
             scene_file.MAPPER_LAYOUT[material.mapper]]
@@ -159,6 +165,23 @@ def test_arbitrary_maps_are_not_left(folder):
         scene_file.write(make(folder, 'texture = "odd", mapper = "arbitrary"', listed(text), head))
 
 
+def test_light_of_corners(folder):
+    """Shades are four to a level; in full light a lit map shows itself, in none black."""
+    light = 'texture = "square", mapper = "{0}"'
+    corners = listed("[[0, 0, 0, 0, {0}], [64, 0, 256, 0, {0}], [64, 48, 256, 192, {0}], "
+                     "[0, 48, 0, 192, {0}]]")
+    plain = make(folder, 'texture = "square"', corners.replace(", {0}]", "]"))
+    shown = plain.palette[model.render(plain, 0)]
+    for mapper in "lit", "lit_gouraud":
+        for shade, part in ((255, 1), (0, 0), (127, 31 / 63)):
+            made = make(folder, light.format(mapper), corners.format(shade))
+            assert set(made.vertices[:, 4].tolist()) == {shade * ONE + ONE // 2}
+            found = made.palette[model.render(made, 0)]
+            assert abs(found - shown * part).max() < (2 if part != 31 / 63 else 24)
+    sides = make(folder, light.format("lit"), shaped("", 5)).vertices[:, 4].tolist()
+    assert set(sides) == {255 * ONE + ONE // 2}  # where nothing is said: full light
+
+
 def test_16_bits(folder):
     made = make(folder, 'texture = "small", mapper = "columns"',
                 head=HEAD_16 + 'red.colour = "#ff0000"\n')
@@ -185,7 +208,23 @@ def test_16_bit_frames_of_the_model(folder):
     ([FLAT + ', gradients = 3'], "materials.it.gradients: must be text, not a number"),
     ([FLAT + ', start = "a\\nb"'], "materials.it.start: must be text on one line"),
     (['texture = "square", mapper = "cubic"'],
-     "materials.it.mapper: 'cubic' is not one of affine, arbitrary, tiled, columns, generated"),
+     "materials.it.mapper: 'cubic' is not one of affine, arbitrary, tiled, columns, generated, lit, "
+     "lit_gouraud"),
+    (['texture = "odd", mapper = "lit"'], 'materials.it.mapper: "lit" needs sides that are powers'),
+    (['texture = "square", mapper = "lit_gouraud", gradients = "polygon"'],
+     'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
+    (['texture = "square", mapper = "lit_gouraud", start = "truncated"'],
+     'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
+    (['texture = "square", mapper = "lit"', TRIANGLE, HEAD_16], "materials.it.mapper: a scene of 16"),
+    (['texture = "square", mapper = "lit"', shaped("shades = [256]")],
+     "objects[0].shades[0]: must be from 0 to 255"),
+    (['texture = "square", mapper = "lit_gouraud"', shaped("shades = [0, 255]", 4)],
+     "objects[0].shades: shades of more than three corners must lie on one plane"),
+    (['texture = "square", mapper = "lit"', listed("[[0, 0, 0, 0], [8, 0, 9, 0], [8, 8, 1, 1]]")],
+     "objects[0].vertices[0]: must be [x, y, s, t, shade]"),
+    (['texture = "square", mapper = "lit_gouraud"',
+      listed("[[0, 0, 0, 0, 1], [8, 0, 9, 0, 2], [8, 8, 1, 1, 256]]")],
+     "objects[0].vertices[2][4]: must be from 0 to 255"),
     ([RAMP.replace("]", ', "#000000"]')], "materials.it.shades: must have 2 entries, not 3"),
     ([RAMP + ", steps = 1"], "materials.it.steps: must be from 2 to 128"),
     ([RAMP + ", steps = 129"], "materials.it.steps: must be from 2 to 128"),

@@ -20,3 +20,13 @@ def test_picture_is_the_default_scenes() -> None:
     shown = np.asarray(Image.open(readme.PICTURE).convert("RGB"))
     assert np.array_equal(shown, compiled.palette[model.render(compiled, 0)]), (
         "the README's picture is not the default scene's first frame: scripts/tmap readme")
+
+
+def test_animation_is_the_knots() -> None:
+    """Its first frame is the one that is drawn, and it turns."""
+    compiled = scene.compile_scene(SCENES / "environment.toml", 1)
+    with Image.open(readme.ANIMATION) as shown:
+        assert shown.n_frames == 20
+        first = np.asarray(shown.convert("RGB"))
+    assert np.array_equal(first, compiled.palette[model.render(compiled, 0)]), (
+        "the README's animation is not the knot's: scripts/tmap readme")

@@ -31,6 +31,7 @@ material = "wall"
 sides = 6
 radius = 30
 centre = [24, 20]
+angle = 5
 turns = 0.3
 [[objects]]
 material = "red"

@@ -89,6 +89,18 @@ def test_round_trip_of_16_bits():
     assert data[-1024:-1008] == texels[:2, :4].astype(">u2").tobytes()
 
 
+LIGHT = Texture(np.arange(64 * 256, dtype=np.uint32).reshape(64, 256).astype(np.uint8), "light")
+
+
+def test_round_trip_of_a_light_table():
+    scene = example()
+    scene.textures.append(LIGHT)
+    scene.materials = [Material("lit", gradients="scanline", texture=0, light=1),
+                       Material("lit_gouraud", texture=0, light=1)]
+    scene.vertices[:, 4] &= 0xFFFFFF
+    assert_equal(scene, scene_file.read(scene_file.write(scene), "x"))
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_round_trip_of_meshes(seed):
     for scene in (mesh_cases.boxes(seed), mesh_cases.hostile(seed)):
@@ -142,7 +154,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\3"
+    assert data[:8] == b"TMAP\0\0\0\4"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[144:148] == b"\0" + scene.palette[0].tobytes()
@@ -208,7 +220,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x3 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x4 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -239,7 +251,8 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "width", -256, "textures[0].width or height: -256x256 is not sides"),
     ("scene_texture", "width", 512, "textures[0].width or height: 512x256 is not sides"),
     ("scene_texture", "height", 255, "textures[0].width or height: 256x255 is not sides"),
-    ("scene_texture", "layout", 5, "textures[0].layout: 5 is not from 0 to 4"),
+    ("scene_texture", "layout", 6, "textures[0].layout: 6 is not from 0 to 5"),
+    ("scene_texture", "layout", 5, "textures[0].width or height: 256x256 is not 256x64"),
     ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
     ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
     ("scene_texture", "at", 0, "textures[0].at: 0 is not from 144 to"),
@@ -247,8 +260,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "at", 146, "textures[0].at: 146 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
-    ("scene_material", "mapper", 7, "materials[0].mapper: 7 is not from 0 to 6"),
+    ("scene_material", "mapper", 9, "materials[0].mapper: 9 is not from 0 to 8"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
+    ("scene_material", "light", 0, "materials[0].light: 0 is not from -1 to -1"),
     ("scene_material", "edges", 3, "materials[0].edges: 3 is not from 0 to 2"),
     ("scene_material", "gradients", 3, "materials[0].gradients: 3 is not from 0 to 2"),
     ("scene_material", "start", 2, "materials[0].start: 2 is not from 0 to 1"),
@@ -322,6 +336,15 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
     ({"pixel_bytes": 2}, r"textures\[0\].layout: 'page' is not for these pixels"),
     ({"pixel_bytes": 2, "textures": [], "materials": [Material("gouraud"), Material()]},
      r"materials\[0\].mapper: 'gouraud' is not for pixels of 2 bytes"),
+    ({"materials": [Material("lit", texture=0, light=0), Material()]},
+     r"materials\[0\].light: its layout is page, not light"),
+    ({"materials": [Material("lit", texture=0), Material()]},
+     r"materials\[0\].light: -1 is not from 0 to 0"),
+    ({"materials": [Material("lit_gouraud", gradients="scanline", texture=0), Material()]},
+     r"materials\[0\].mapper: 'lit_gouraud' needs gradients 'plane' and start 'subtexel'"),
+    ({"textures": [Texture(np.zeros((256, 256), np.uint8)), LIGHT],
+      "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
+      "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),
     ({"objects": [Object(0, 0, 3, 0, 5, 0)]}, r"scene: objects\[0\].pose"),
     ({"vertices": np.full((6, 6), 2**31)}, "scene_vertex.x does not fit 32 bits"),
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),

@@ -16,6 +16,7 @@ from . import emulator, ideal, ideal_perspective, model, polygon_sets, provenanc
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .model import Settings
+from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
 from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
                          write)
@@ -28,14 +29,20 @@ USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
          ("exact", "plane", "subtexel"))
 
 
+def usual(mapper: str) -> list[Settings]:
+    """USUAL, as far as the mapper has them."""
+    return [Settings(*each, mapper=mapper) for each in USUAL
+            if mapper != "lit_gouraud" or each[1:] == ("plane", "subtexel")]
+
+
 def combinations() -> list[Settings]:
     """Every sensible combination of settings and mapper."""
     made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
              for e in ("integer", "subpixel", "exact")]
-    return made + [Settings(*usual, mapper=mapper) for mapper in MAPPER_LAYOUT
-                   if mapper not in ("flat", "affine") for usual in USUAL]
+    return made + [settings for mapper in MAPPER_LAYOUT if mapper not in ("flat", "affine")
+                   for settings in usual(mapper)]
 
 
 def depth_combinations() -> list[Settings]:
@@ -61,14 +68,15 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
         materials.append(Material(s.mapper, s.edges, s.gradients, s.start, perspective=s.perspective,
-                                  colour=200,
-                                  texture=layouts.index(layout) if layout else -1))
+                                  colour=200, texture=layouts.index(layout) if layout else -1,
+                                  light=len(layouts) if s.mapper in LIT else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, palette,
-                 [Texture(picture(), layout) for layout in layouts], materials, objects,
+                 [*(Texture(picture(), layout) for layout in layouts),
+                  Texture(picture()[:64], "light")], materials, objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 
@@ -116,17 +124,16 @@ class Errors:
             self.coverage += right - left + end - first - 2 * both
             self.pixels += right - left
             if right > left and settings.mapper != "flat":
-                self.texels(polygon, line, y, exact, settings)
+                self.texels(polygon.coordinates(line, y, settings.mapper), line.left, y, exact)
 
-    def texels(self, polygon: model.Polygon, line: model.Line, y: int, exact: ideal.Picture,
-               settings: Settings) -> None:
-        """Adds u and v of a line's pixels; where the ideal ends with the polygon, of those in it."""
-        first, end = (line.left, line.right) if exact.endless else exact.extents.get(y, (0, 0))
-        columns = np.arange(line.left, line.right)
+    def texels(self, found, left: int, y: int, exact: ideal.Picture) -> None:
+        """Adds u and v of a line's pixels from ``left`` on; where the ideal ends with the polygon,
+        of those in it."""
+        columns = np.arange(left, left + len(found[0]))
+        first, end = (left, columns[-1] + 1) if exact.endless else exact.extents.get(y, (0, 0))
         inside = (columns >= first) & (columns < end)
         if inside.any():
-            self.compare([c[inside] for c in polygon.coordinates(line, y, settings.mapper)],
-                         columns[inside], y, exact)
+            self.compare([c[inside] for c in found], columns[inside], y, exact)
 
     def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
         """Adds u and v that were found at pixels of a line, next to each other."""
@@ -238,12 +245,12 @@ def as_json(found: dict) -> str:
     return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'
 
 
-#: The set whose rows are kept beside the bench's baseline, for README and tests.
-BASELINE_SET = "medium"
+#: The sets whose rows are kept beside the bench's baseline, for README and tests.
+BASELINE_SETS = "medium", "depth"
 
 
-#: What --set takes besides the sets: the page of hard cases.
-HARD = "hard"
+#: What --set takes besides the sets: the turning face, the page of hard cases.
+METHODS, HARD = "methods", "hard"
 
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
@@ -266,7 +273,7 @@ def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool
     (folder / "accuracy.md").write_text(report(found))
     (folder / "accuracy.json").write_text(as_json(found))
     if accept:
-        kept = [r for r in rows if r["name"] == BASELINE_SET]
+        kept = [r for r in rows if r["name"] in BASELINE_SETS]
         ACCURACY_BASELINE.write_text(as_json(found | {"rows": kept}))
     return table(rows, names[min(1, len(names) - 1)], machines[-1])
 
@@ -294,24 +301,33 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
     known = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS]
-    unknown = set(names or ()) - {*known, HARD}
+    unknown = set(names or ()) - {*known, METHODS, HARD}
     if unknown:
         raise UserError(f"accuracy: no set is called {unknown.pop()}; "
-                        f"there are {', '.join(known)} and {HARD}")
-    names = names or [*known, HARD]
-    sets = [name for name in names if name != HARD]
+                        f"there are {', '.join(known)}, {METHODS} and {HARD}")
+    names = names or [*known, METHODS, HARD]
+    sets = [name for name in names if name in known]
     machines, text, excess = [machine] if machine else list(MACHINES), "", []
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
             text = write_sets(folder, sets, machines, accept, lambda: progress.advance(task))
+        if METHODS in names:
+            from . import methods
+
+            task = progress.add_task("methods", total=len(methods.METHODS))
+            folder.mkdir(parents=True, exist_ok=True)
+            made = methods.write(folder, machines[-1], lambda: progress.advance(task))
+            text += f"\n{made}\n" if text else f"{made}\n"
         if HARD in names:
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
     deep = bool(polygon_sets.DEPTHS.keys() & sets)
     written = (["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-                "swimming.png"] * bool(sets) + ["pieces.png"] * deep + [f"{HARD}/index.html"] * (HARD in names))
+                "swimming.png"] * bool(sets) + ["pieces.png"] * deep
+               + ["methods.md", "methods.png", "methods.gif"] * (METHODS in names)
+               + [f"{HARD}/index.html"] * (HARD in names))
     print(text + f"written to {out}: {', '.join(written)}")
     for line in excess:
         print(f"exceeds its bound: {line}")

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import bench_perspective, bench_reciprocal, layout, maps, model
+from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
 from .kernels import M32, Arena, Case, Result
@@ -41,7 +42,7 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
-def span_case(kernel: str, form: str, length: int):
+def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV):
     """A table of spans of one length; starts such that v wraps once in a long one."""
     rng = np.random.default_rng(length)
     lines = min(128, max(16, 2048 // length))
@@ -66,18 +67,18 @@ def span_case(kernel: str, form: str, length: int):
     pointers = dict(lines=arena.add(entries.tobytes()))
     if "scanline" in kernel:
         pointers["steps"] = arena.add(layout.load().struct("scanline_step").pack(
-            dudx=DU, dvdx=DV) * lines)
+            dudx=du, dvdx=dv) * lines)
     if "columns" in kernel:
         pointers["columns"] = arena.struct("column_layout", {}, v_bits=8, u_mask=0xFC03,
                                            v_mask=0x3FC)
     frame_at = far.add(bytes(pitch * lines * size))
     plan_at = add_span_plan(
         arena, pointers, dict(row=frame_at - constants["EDGE_BIAS"] * size, map=map_at),
-        count=lines, pitch=pitch * size, dudx=DU, dvdx=DV, colour=0x5C)
+        count=lines, pitch=pitch * size, dudx=du, dvdx=dv, colour=0x5C)
     expected = np.zeros((lines, pitch), picture.dtype)
     n = np.arange(length)
     for k, (u, v) in enumerate(starts):
-        texels = picture[(v + n * DV) >> 16 & 255, (u + n * DU) >> 16 & 255]
+        texels = picture[(v + n * dv) >> 16 & 255, (u + n * du) >> 16 & 255]
         expected[k, k % 4:k % 4 + length] = 0x5C if "fill" in kernel else texels
 
     def check(result: Result) -> str | None:
@@ -292,6 +293,9 @@ def pixel_rows(chip: bool) -> list[Row]:
                            ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
                            ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
+        rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))
+        rows.append(Row("affine_column", length,
+                        *span_case("span_affine_column", "addx", length, du=0)))
         for name in ("gouraud", "arbitrary", "generated"):
             rows.append(Row(name, length, *mapper_case(name, length)))
         for name, (setting, ratio) in bench_perspective.SPANS.items():
@@ -299,6 +303,8 @@ def pixel_rows(chip: bool) -> list[Row]:
         for name, m in bench_reciprocal.SPANS.items():
             rows.append(Row(name, length, *bench_reciprocal.span_case(m, length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
+        rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
+    rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
     # One line: written, flushed and drawn once.
     rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))
     for count in (1, 2, 3):
@@ -319,9 +325,12 @@ def line_rows(chip: bool) -> list[Row]:
         "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
         "edge_flat", "edge_flat_exact")]
     rows.append(Row("edge_ramp", EDGE_LINES, *ramp_case()))
+    rows.append(Row("edge_shade", EDGE_LINES, *shade_case(EDGE_LINES)))
+    rows.append(Row("edge_shade_inside", EDGE_LINES, *shade_case(EDGE_LINES, inside=1)))
     rows += [Row(name, bench_perspective.LINES, *bench_perspective.lines_case(setting))
              for name, setting in (("perspective_lines", "every16"),
                                    ("perspective_lines_curves", "pixel"))]
+    rows.append(Row("level_lines", bench_perspective.LINES, *bench_perspective.level_case()))
     rows.append(Row("reciprocal_lines", bench_perspective.LINES, *bench_reciprocal.lines_case(16)))
     for row in rows:
         row.case.chip = chip

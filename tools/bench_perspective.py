@@ -9,9 +9,10 @@ import numpy as np
 from . import layout
 from .bench_mappers import first_difference
 from .kernels import Arena, Case, Result
-from .model_perspective import (CURVES, PIECES, Ends, bend, coordinates, ends, enough,
-                                perspective, weights)
 from .model_edges import measure
+from .model_perspective import (CURVES, PIECES, Ends, Perspective, bend, coordinates, ends, enough,
+                                level, perspective, weights)
+from .scanline import MASKS, pack
 
 RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
@@ -75,6 +76,19 @@ def span_case(setting: str, ratio: int, length: int):
     return count * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
 
 
+def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
+    """Puts a struct perspective_plan into an arena."""
+    fields = {}
+    for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
+        fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
+                                    for n in (plane.at, plane.dx, plane.dy)))
+    limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
+              for c, value in zip("uv", pair)}
+    return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least,
+                        gentle=deep.gentle, u=deep.base[0], v=deep.base[1], bend=bend(setting), **fields,
+                        **limits)
+
+
 def polygon_lines():
     """The planes of a turned triangle whose w differs RATIO times, and (left, right, y) of
     LINES lines."""
@@ -85,21 +99,40 @@ def polygon_lines():
         [(5 + y // 8, 60 + y, y) for y in range(LINES)]
 
 
-def add_plan(arena: Arena, deep, lines, to_at: int, curve: int = 0) -> int:
-    """Adds a perspective_plan and its scanline table."""
+def scanlines(arena, lines) -> int:
+    """Puts a table of (left, right, y) into an arena."""
     shapes = layout.load()
     bias = shapes.constants["EDGE_BIAS"]
-    fields = {}
-    for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
-        fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
-                                    for n in (plane.at, plane.dx, plane.dy)))
-    table = b"".join(shapes.struct("scanline").pack(left=left + bias, last=right - 1 + bias, start0=0,
-                                                    start1=0, start2=0) for left, right, _ in lines)
-    limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
-              for c, value in zip("uv", pair)}
-    return arena.struct("perspective_plan", dict(lines=arena.add(table), to=to_at),
-                        count=len(lines), left=deep.i, q_low=deep.least, gentle=int(deep.gentle),
-                        u=deep.base[0], v=deep.base[1], bend=curve, **fields, **limits)
+    return arena.add(b"".join(shapes.struct("scanline").pack(
+        left=left + bias, last=right - 1 + bias, start0=0, start1=0, start2=0)
+        for left, right, _ in lines))
+
+
+def add_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+    """Adds a perspective_plan and its scanline table."""
+    return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
+
+
+def level_case():
+    """LINES lines as if each had its first pixel's depth."""
+    arena, shape = Arena(), layout.load().struct("scanline")
+    deep, lines = polygon_lines()
+    lines_at, steps_at = scanlines(arena, lines), arena.add(bytes(8 * LINES))
+    plan_at = plan_of(arena, deep, "every16", LINES, dict(lines=lines_at, to=steps_at))
+
+    def check(result: Result) -> str | None:
+        found = np.frombuffer(result.memory, shape.dtype, LINES, lines_at)
+        steps = np.frombuffer(result.memory, ">i4", 2 * LINES, steps_at).reshape(-1, 2)
+        for left, _, y in lines:
+            u, v = level(deep, left, left + 2, y)
+            for field, value in pack("addx", int(u[0]), int(v[0])).items():
+                if (int(found[y][field]) ^ value) & MASKS["addx"][field]:
+                    return f"line {y}: {field} is {found[y][field]}, expected {value}"
+            if [int(u[1] - u[0]), int(v[1] - v[0])] != steps[y].tolist():
+                return f"line {y}: steps {steps[y]}, expected {u[1] - u[0]}, {v[1] - v[0]}"
+        return None
+
+    return LINES, Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), check
 
 
 def lines_case(setting: str):
@@ -108,7 +141,7 @@ def lines_case(setting: str):
     deep, lines = polygon_lines()
     expected = [ends(deep, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_plan(arena, deep, lines, to_at, bend(setting))
+    plan_at = add_plan(arena, deep, lines, to_at, setting)
 
     def check(result: Result) -> str | None:
         for k, each in enumerate(expected):

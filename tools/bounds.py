@@ -47,6 +47,10 @@ in a range (edge_hold): with B the largest bound of the polygon, and how far its
 the range at a vertex, a step shrinks by 2B over the
 longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
 6B + 2U.
+
+**Light** (`lit_gouraud`): levels are on a plane as u is; that plane is cut to multiples of 4U
+(3U), its steps rounded to such (2U each): with x, y from where it is seen, p + (2 |x| + 2 |y| + 3) U.
+Every line is held: 6B + 8U.
 """
 
 from dataclasses import dataclass
@@ -239,6 +243,17 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
     return exact, bound
 
 
+def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) -> None:
+    """Adds one pixel's error to a verdict."""
+    if error > out.texel_error or not out.texel_bound:
+        out.texel_error, out.texel_bound = error, bound
+    if bound < LARGEST and error / bound > out.texel_ratio:
+        out.texel_ratio = error / bound
+        if error > bound * FLOAT and not out.complaint:
+            out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
+                             f"{bound:.9f} are allowed")
+
+
 def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
                  out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon: between
@@ -267,13 +282,26 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
         most = max((bound for _, bound, *_ in found), default=0.0) + beyond
         found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
     for error, bound, key, pixel in found:
-        if error > out.texel_error or not out.texel_bound:
-            out.texel_error, out.texel_bound = error, bound
-        if bound < LARGEST and error / bound > out.texel_ratio:
-            out.texel_ratio = error / bound
-            if error > bound * FLOAT and not out.complaint:
-                out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
-                                 f"{bound:.9f} are allowed")
+        add_error(error, bound, key, pixel, out)
+
+
+def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
+    """Adds the error of the level at both ends of every line inside the exact polygon."""
+    t, light, three = polygon.shading.plane, polygon.shading, ideal.corners(vertices)
+    plane = ideal.Plane([vertices[k][:2] for k in three], [vertices[k][-1] for k in three])
+    (least, _), (most, _) = model.plane_range(vertices, t)
+    beyond = max(0, light.low - least, most - light.high) * UNIT
+    found = []  # error, bound on the plane, pixel
+    for y, line in enumerate(polygon.lines, polygon.top):
+        left, right = (-(-n // (d << 16)) for n, d in ideal.extent(vertices, y))
+        left, right = max(line.left, left), min(line.right, right)
+        for i in {left, right - 1} if left < right else ():
+            cut = 2 * (abs(i - t.i) + abs(y - t.j)) + 3
+            found.append((abs(plane.error(line.c + (i - line.left) * line.dcdx, i, y)),
+                          plane.bound(i, y, t.i, t.j, 0) + cut * UNIT, (i, y)))
+    bound = 6 * (max((b for _, b, _ in found), default=0.0) + beyond) + 8 * UNIT
+    for error, _, pixel in found:
+        add_error(error, bound, "level", pixel, out)
 
 
 def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
@@ -302,6 +330,8 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         judge_texels(adapted, polygon, settings,
                      held_beyond(adapted, polygon, settings, size), out)
+        if polygon.shading:
+            judge_levels(adapted, polygon, out)
     return out
 
 

@@ -30,6 +30,8 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
+**Level lines**: b, what the setting lets them be off for their change of q, and half a unit a step.
+
 Lines by reciprocals are off from their planes' quotients by what ``model_reciprocal.bound``
 says; that comes on top.
 
@@ -45,7 +47,7 @@ from . import ideal, model_reciprocal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import PIECES, Ends, Perspective, ends
+from .model_perspective import LEVEL, PIECES, Ends, Perspective, ends
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
@@ -122,6 +124,11 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
     return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
 
 
+def level_bound(b: float, setting: str, n: int) -> float:
+    """Of a level line of n steps, from the exact value, in texels."""
+    return b + (LEVEL[setting][0] + n / 2 + 1) * UNIT + FLOAT
+
+
 def line_bound(b: float, setting: str) -> float:
     """What pixels may be off from what is intended, in texels."""
     if setting in PIECES:
@@ -129,9 +136,10 @@ def line_bound(b: float, setting: str) -> float:
     return 1.25 * b + TOLERANCE[setting] + FLOAT
 
 
-def judge_texels(vertices, polygon, out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; vertices
-    as ``model.adapt`` gives them, in front of the viewer."""
+def line_errors(vertices, polygon):
+    """(u or v, line, pixels, error, what is intended, bound) of each line inside the exact polygon,
+    in texels, arrays over the pixels but for the bound; vertices as ``model.adapt`` gives them,
+    in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
@@ -151,19 +159,30 @@ def judge_texels(vertices, polygon, out) -> None:
         more = model_reciprocal.bound(taken) * UNIT if taken else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
+            if polygon.is_level:
+                b = bound.line(made, y, inside)
+                yield key, y, columns, error, 0 * error, level_bound(b, polygon.setting, made.n)
+                continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
                 allowed = line_bound(bound.line(made, y, inside), polygon.setting) + more
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
-            k = int(abs(error).argmax())
-            if abs(error[k]) > out.texel_error or not out.texel_bound:
-                out.texel_error = float(abs(error[k]))
-                out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
-            k = int(abs(error - wanted).argmax())
-            ratio = abs(error - wanted)[k] / allowed
-            if allowed < BOUNDLESS:
-                out.texel_ratio = max(out.texel_ratio, float(ratio))
-            if ratio > 1 and allowed < BOUNDLESS and not out.complaint:
-                out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {abs(error - wanted)[k]:.9f} off "
-                                 f"what the setting intends, {allowed:.9f} are allowed")
+            yield key, y, columns, error, wanted, allowed
+
+
+def judge_texels(vertices, polygon, out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict."""
+    for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon):
+        k = int(abs(error).argmax())
+        if abs(error[k]) > out.texel_error or not out.texel_bound:
+            out.texel_error = float(abs(error[k]))
+            out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
+        if allowed >= BOUNDLESS:
+            continue
+        off = abs(error - wanted)
+        k = int(off.argmax())
+        out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
+        if off[k] > allowed and not out.complaint:
+            out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+                             f"setting intends, {allowed:.9f} are allowed")

@@ -51,9 +51,10 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
     frame = np.full((height, width), 7, np.uint8)
     if made:
-        model.draw(frame, made, texels, 200, settings.mapper)
+        model.draw(frame, made, texels, 200, settings.mapper, textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
-    judged, verdict = has_ideal(adapted, settings), bounds.Verdict(pixels=made.pixels if made else 0)
+    judged = has_ideal(adapted, settings)
+    verdict = bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)

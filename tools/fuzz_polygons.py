@@ -14,6 +14,7 @@ from . import fuzz_depths
 from .fixed import ceil16
 from .ideal_perspective import in_front
 from .model import FAR
+from .model_shading import LIT
 from .model_texturing import Settings
 from .random_polygons import convex_polygon, fix, is_convex
 from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Object,
@@ -54,7 +55,7 @@ def winds_once(points) -> bool:
 
 @cache
 def textures(seed: int, block: int) -> list[Texture]:
-    """The maps of a block: some of each layout."""
+    """The maps of a block: some of each layout, a light table last."""
     rng = random.Random(f"{seed} maps {block}")
     noise = np.random.default_rng([seed, block])
     sizes = [("page", (256, 256)), ("page", (rng.choice(SIDES["page"]), rng.choice(SIDES["page"]))),
@@ -62,6 +63,7 @@ def textures(seed: int, block: int) -> list[Texture]:
     sizes += [("linear", (rng.choice(ODD_SIDES), rng.choice(ODD_SIDES))) for _ in range(3)]
     sizes += [("columns", (rng.choice(SIDES["columns"]), rng.choice(SIDES["columns"])))
               for _ in range(2)]
+    sizes += [("light", (256, 64))]  # the last one
     return [Texture(noise.integers(0, 256, (h, w), dtype=np.uint8), layout)
             for layout, (w, h) in sizes]
 
@@ -161,10 +163,12 @@ def polygon(seed: int, number: int) -> Fuzzed:
     block = number // BLOCK
     width, height = FRAMES[block % len(FRAMES)]
     points = visible_corners(rng, width, height)
-    mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated")
-                        + 4 * ("affine",))
+    mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
+                         "lit_gouraud") + 4 * ("affine",))
     choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
+    if mapper == "lit_gouraud":
+        choices |= {"gradients": "plane", "start": "subtexel"}
     settings = Settings(mapper=mapper, **choices)
     if len(points) > 3 and settings.gradients == "polygon":
         settings = replace(settings, gradients="plane")
@@ -188,14 +192,16 @@ def polygon(seed: int, number: int) -> Fuzzed:
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
     """The polygons on a block's frame and maps, one a frame."""
     materials: dict[Material, int] = {}
+    maps = textures(seed, block)
     objects, vertices = [], []
     for number, each in enumerate(polygons):
         s = each.settings
         material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                            each.texture, 200 if s.mapper == "flat" else 0)
+                            each.texture, 200 if s.mapper == "flat" else 0,
+                            len(maps) - 1 if s.mapper in LIT else -1)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(each.vertices), 0, 1, number))
         vertices += each.vertices
     palette = np.zeros((256, 3), np.uint8)
-    return Scene(*FRAMES[block % len(FRAMES)], len(polygons), 7, palette, textures(seed, block),
+    return Scene(*FRAMES[block % len(FRAMES)], len(polygons), 7, palette, maps,
                  list(materials), objects, np.array(vertices), np.array([IDENTITY]))

@@ -15,6 +15,7 @@ from .clip import clip, frame_window
 from .errors import UserError
 from .hard_case import HEIGHT, WIDTH, Case
 from .model import Settings
+from .model_shading import LIT
 from .paths import ROOT
 from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene,
                          Texture, size_fault)
@@ -76,7 +77,7 @@ def combinations(case: Case) -> Iterator[Settings]:
         elif mapper == "flat":
             made = [Settings(e) for e in SETTINGS["edges"]]
         else:
-            made = [Settings(*usual) for usual in accuracy.USUAL]
+            made = accuracy.usual(mapper)
         for settings in made:
             for way in clips if mapper in ("affine", "flat") or settings == made[-1] else clips[:1]:
                 yield replace(settings, clip=way, mapper=mapper)
@@ -94,8 +95,9 @@ def scene(drawings: list[Drawing]) -> Scene:
         layout, texture = MAPPER_LAYOUT[s.mapper], -1
         if layout:
             texture = textures.setdefault((layout, map_size(case, s.mapper)), len(textures))
+        light = textures.setdefault(("light", (256, 64)), len(textures)) if s.mapper in LIT else -1
         material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                            texture, 200)
+                            texture, 200, light)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(case.vertices), 0, 1, number))
         vertices += case.vertices

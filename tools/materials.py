@@ -7,6 +7,7 @@ import numpy as np
 
 from . import images, maps, palette
 from .fields import REQUIRED, choice, colour, fail, integer, join, one_of, rows, table, text
+from .model_shading import LIT
 from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, SETTINGS, TEXEL, Material,
                          Texture, size_fault)
 
@@ -64,6 +65,9 @@ def check(spec: dict, where: str) -> None:
                 mapper, material["gradients"], material["start"]) != ("affine", "plane", "subtexel"):
             fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
                                       'gradients "plane" and start "subtexel"')
+        if mapper == "lit_gouraud" and (material["gradients"], material["start"]) != (
+                "plane", "subtexel"):
+            fail(f"{at}.mapper", '"lit_gouraud" needs gradients "plane" and start "subtexel"')
         if "texture" not in material:
             continue
         if material["texture"] not in spec["textures"]:
@@ -80,7 +84,7 @@ class Pixels:
     """The exact colours of a scene: what pixel each is, and the palette's first entries."""
 
     of: dict[tuple, int]  # flat colour: pixel
-    ramps: dict[str, tuple[int, int]]  # Gouraud material: first entry, steps
+    ramps: dict[str, tuple[int, int]]  # Gouraud or lit material: first entry, steps
     exact: list[tuple[int, int, int]] = field(default_factory=list)
 
 
@@ -94,6 +98,8 @@ def pixels(spec: dict) -> Pixels:
     made = Pixels({rgb: i for i, rgb in enumerate(flat)}, {}, list(flat))
     known = {}
     for name, material in materials.items():
+        if mapper_of(material) in LIT:
+            made.ramps[name] = 0, SHADES
         if "shades" not in material:
             continue
         steps, key = material["steps"], (*material["shades"], material["steps"])
@@ -132,15 +138,21 @@ def build(spec: dict, made: Pixels, folder: Path,
     if spec["bits"] == 16:
         colours, texels = np.zeros((256, 3), np.uint8), map(texels_16, pictures.values())
     else:
-        colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials")
+        lit = {m["texture"] for m in spec["materials"].values() if mapper_of(m) in LIT}
+        colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",
+                                        [pictures[name] for name in pictures if name in lit])
     stored, number = [], {}
     for name, array in zip(pictures, texels):
         for layout in LAYOUTS:
             if (name, layout) in wanted:
                 number[name, layout] = len(stored)
                 stored.append(Texture(array, layout))
+    light = len(stored)
+    if any(mapper_of(m) in LIT for m in spec["materials"].values()):
+        stored.append(Texture(palette.light(colours), "light"))
     return colours, stored, [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
-                 made.of[m["colour"]] if "colour" in m else 0)
+                 made.of[m["colour"]] if "colour" in m else 0,
+                 light if mapper_of(m) in LIT else -1)
         for m in spec["materials"].values()]

@@ -19,8 +19,9 @@ from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_mesh import polygons_at
-from .model_perspective import PIECES, Perspective, ends, perspective
+from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective
 from .model_perspective import coordinates as perspective_coordinates
+from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates, pixels
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
                               scanline_line)
@@ -47,20 +48,27 @@ class Polygon:
     textured: bool
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
+    level: int = 0  # lit: the row of the light table
+    shading: Shading | None = None  # lit Gouraud
+    is_level: bool = False  # the perspective's depth does not change along lines
     constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
 
     def taken(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
-        """The line as it is drawn by reciprocals; None if it is not."""
-        return model_reciprocal.line(self.perspective, self.constants, line.left, line.right, y) \
-            if self.constants else None
+        """The line at y as it is drawn by reciprocals; None if it is not."""
+        return self.constants and model_reciprocal.line(self.perspective, self.constants, line.left,
+                                                        line.right, y)
 
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
-        if self.perspective:
-            taken = self.taken(line, y)
-            return model_reciprocal.coordinates(taken) if taken else perspective_coordinates(
-                ends(self.perspective, line.left, line.right, y), self.setting)
-        return coordinates(line, mapper)
+        if not self.perspective:
+            return coordinates(line, mapper)
+        if self.is_level:
+            return level(self.perspective, line.left, line.right, y)
+        taken = self.taken(line, y)
+        if taken:
+            return model_reciprocal.coordinates(taken)
+        return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
+                                       self.setting)
 
     @property
     def pixels(self) -> int:
@@ -131,8 +139,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
 
-    ``vertices``: a list of (x, y, u, v) or, with a perspective, (x, y, u, v, w), 16.16, as
-    ``adapt`` gives them; ``size`` is the map's, in texels.
+    ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
+    with their level last, as ``adapt`` gives them; ``size`` is the map's, in texels.
     """
     n = len(vertices)
     if not 3 <= n <= 64 or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
@@ -161,7 +169,9 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         deep = perspective(vertices, corners, box)
         if deep:
             return Polygon(box[1], lines, None, lefts, rights, textured, deep,
-                           settings.perspective, constants(deep, lines, box, settings))
+                           settings.perspective,
+                           is_level=is_level(deep, box[2] - box[0], settings.perspective),
+                           constants=constants(deep, lines, box, settings))
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -182,7 +192,13 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
                             is_steep(settings, group[0].dudx, group[0].dvdx))
         if ranges:
             hold(group, ranges)
-    return Polygon(box[1], lines, t, lefts, rights, textured)
+    polygon = Polygon(box[1], lines, t, lefts, rights, textured)
+    if settings.mapper == "lit":
+        polygon.level = vertices[0][-1] >> 16
+    elif settings.mapper == "lit_gouraud":
+        polygon.shading = shading(vertices, corners, box)
+        light_lines(lines, box[1], polygon.shading)
+    return polygon
 
 
 def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
@@ -196,8 +212,8 @@ def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
-    s and t in texels of a map whose longer side is given, rounded down, or the shade as u,
-    kept INSET inside the range of the pixels it may become."""
+    s and t in texels of a map whose longer side is given, rounded down, w, and a lit mapper's
+    level; or the shade as u, kept INSET inside the range of the pixels it may become."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if settings.mapper == "gouraud":
@@ -205,21 +221,25 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
         return [(x, y, min(max(shade, low), high), 0, *w)
                 for x, y, _, _, shade, *w in vertices]
-    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w)
-            for x, y, s, t, _, *w in vertices]
+    lit = settings.mapper in LIT
+    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w, *[level_of(shade)][:lit])
+            for x, y, s, t, shade, *w in vertices]
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
-         mapper: str = "affine") -> None:
-    """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]."""
+         mapper: str = "affine", light: np.ndarray | None = None) -> None:
+    """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
+    [level][texel], of the lit mappers."""
+    if mapper == "lit":
+        light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
             u, v = polygon.coordinates(line, y)
             height, width = texture.shape
             frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
         elif line.right > line.left:
-            frame[y, line.left:line.right] = pixels(line, mapper, texture) if polygon.textured \
-                else colour
+            frame[y, line.left:line.right] = pixels(line, mapper, texture, light) \
+                if polygon.textured else colour
 
 
 def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
@@ -251,5 +271,6 @@ def render(scene, number: int) -> np.ndarray:
         polygon, material = prepare_polygon(scene, which, vertices), scene.materials[which]
         if polygon:
             texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-            draw(frame, polygon, texture, material.colour, material.mapper)
+            light = scene.textures[material.light].texels if material.light >= 0 else None
+            draw(frame, polygon, texture, material.colour, material.mapper, light)
     return frame

@@ -15,14 +15,16 @@ import numpy as np
 from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
 
 Q_ONE = 1 << 30  # q of the nearest vertex
-Q_SURE = 16  # q is at least so many times its error
-TOO_STEEP = 1 << 26  # Q_SURE times this is above all q
+Q_SURE = 4  # q is at least so many times its error
+TOO_STEEP = 1 << 28  # Q_SURE times this is above all q but the nearest's
 STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
-RANGE = 7 << 27  # |u - base|, 16.16: differences stay inside 32 bits
 PIECES = {"every16": 16, "every8": 8}
 #: log2 of the longest curved piece, and what it may be off, in 1/65536 texel: the setting's
 #: 1/32 or 1/128 texel less the rounding of its second difference, ``h*h/2`` at length 2h.
 CURVES = {"pixel": (5, 2048 - 128 - 8), "fine": (4, 512 - 32 - 8)}
+#: What a line may be off for being level, in 1/65536 texel, and how wide it may be: half a unit a
+#: pixel comes besides.
+LEVEL = {"every16": (0, 1024), "every8": (0, 1024), "pixel": (1024, 1024), "fine": (128, 640)}
 OCTAVE = 64  # steps of a logarithm
 LG_UP = [ceil(OCTAVE * log2(1 + (i + 1) / OCTAVE)) for i in range(OCTAVE)]
 LG_DOWN = [floor(OCTAVE * log2(1 + i / OCTAVE)) for i in range(OCTAVE)]
@@ -93,15 +95,15 @@ class Ends:
 def error_part(gradient: int, pixels: int) -> int:
     """Units that a plane may be off after so many pixels, by its gradient (48.16)."""
     steep = abs(signed(gradient, 64)) >> 32
-    if steep >= 1 << 28:
-        return TOO_STEEP
-    far = steep * pixels >> 15 if steep < 1 << 16 else ((steep >> 14) + 1) * pixels >> 1
-    return far + (pixels >> 14) + 2
+    if steep < 1 << 16:
+        return (steep * pixels >> 15) + (pixels >> 14) + 2
+    steep = (steep >> 15) + 1
+    return TOO_STEEP if steep > TOO_STEEP // pixels else steep * pixels + (pixels >> 14) + 2
 
 
 def perspective(vertices, corners, box) -> Perspective | None:
     """The planes of (x, y, u, v, w) vertices; None where the polygon is drawn affine: w is
-    constant, the range of u or v too large, or the planes not sure enough.
+    constant, or the planes are not sure enough.
 
     ``corners``: indices of top, bottom and apex.
     """
@@ -113,8 +115,6 @@ def perspective(vertices, corners, box) -> Perspective | None:
     low = tuple(min(span) - b for span, b in zip(spans, base))
     high = tuple(max(span) - b for span, b in zip(spans, base))
     farthest = max(*high, *(-c for c in low))
-    if farthest > RANGE:
-        return None
     shift = max(farthest.bit_length(), 16)
     first, bottom, apex = (vertices[k] for k in corners)
     triple = []
@@ -138,9 +138,41 @@ def perspective(vertices, corners, box) -> Perspective | None:
         errors.append(2 + error_part(gx, ways[0]) + error_part(gy, ways[1]))
         planes.append(Plane(signed(at << scale - 16, 64), signed(gx << scale - 16, 64),
                             signed(gy << scale - 16, 64)))
-    if lowest < Q_SURE * errors[0] or lowest < Q_SURE * max(errors[1:]):
+    if max(errors) >= TOO_STEEP or lowest < Q_SURE * max(errors):
         return None
     return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
+
+
+def is_level(p: Perspective, width: int, setting: str) -> bool:
+    """Whether lines are drawn as if depth did not change along them."""
+    tolerance, widest = LEVEL[setting]
+    grows = abs(p.q.dx)
+    high, part = p.q.dx >> 32, grows & M32
+    if high not in (0, -1) or part >> 16 == 0xFFFF or width > widest:
+        return False
+    if not part:
+        return not high
+    farthest = max(*p.high, *(-c for c in p.low))
+    off = (((farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
+
+
+def level_step(gradient: int, q: int) -> int:
+    """gradient / q to the nearest; 0 where that does not fit 32 bits."""
+    n = gradient + (q >> 1)
+    magnitude = n >> 32 if n >= 0 else ~(n >> 32)
+    if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
+        return 0
+    return n // q
+
+
+def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+    at, k = (left - p.i, y - p.j), np.arange(right - left, dtype=np.int64)
+    q = max(p.q.value(*at) >> 32, p.least)
+    return tuple(b + min(max(cut_quotient(plane.value(*at), q), low), high)
+                 + k * level_step(signed(plane.dx, 64), q) & M32
+                 for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:

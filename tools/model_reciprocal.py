@@ -98,11 +98,11 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
     if shift > FURTHEST:
         return None
     q0, q1 = q0 << shift, q1 << shift
-    dq = signed(p.q.dx << shift + k.piece >> 32)
+    dq = signed(p.q.dx, 64) << shift + k.piece >> 32
     more = min(q0, q1) < TWO and max(q0, q1) < THREE
     if more:
-        q0, q1, dq = q0 + (q0 >> 1), q1 + (q1 >> 1), signed(dq + (dq >> 1))
-    if min(q0, q1) < LEAST or (n >= m and abs(dq) < 8 << 16):
+        q0, q1, dq = q0 + (q0 >> 1), q1 + (q1 >> 1), dq + (dq >> 1)
+    if min(q0, q1) < LEAST or (n >= m and not 8 << 16 <= abs(dq) < 1 << 31):
         return None
     r0, r1 = (TABLE[(q >> 16) - LOWEST] for q in (q0, q1))
     if n < 3 * m and not -32768 <= r1 - r0 < 32768:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from .fixed import M32, signed
+from .model_shading import LIT, rows
 from .model_texturing import Line
 
 #: Bits that a mapper cuts off the fractions of u and v, of starts and of steps.
@@ -33,8 +34,9 @@ def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndar
     return (v >> 8 & 0xFF00 | u >> 16 & 0xFF) + generated_offsets(dudx, dvdx, count)
 
 
-def pixels(line: Line, mapper: str, texture: np.ndarray | None) -> np.ndarray:
-    """A line's pixels. ``texture``: [v][u]."""
+def pixels(line: Line, mapper: str, texture: np.ndarray | None,
+           light: np.ndarray | None = None) -> np.ndarray:
+    """A line's pixels. ``texture``: [v][u]; ``light``: [level][texel], or of one level."""
     if mapper == "generated":
         at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
         return texture.reshape(-1)[at & 0xFFFF]  # the margins repeat the map
@@ -44,4 +46,7 @@ def pixels(line: Line, mapper: str, texture: np.ndarray | None) -> np.ndarray:
     height, width = texture.shape
     if mapper == "arbitrary":
         return texture[v, u]  # u and v are inside: an index beyond is an error
-    return texture[v & height - 1, u & width - 1]
+    texels = texture[v & height - 1, u & width - 1]
+    if mapper not in LIT:
+        return texels
+    return light[rows(line), texels] if light.ndim == 2 else light[texels]

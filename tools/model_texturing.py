@@ -7,6 +7,10 @@ from .fixed import M32, ceil16, cut_quotient, mul, mul_div, quotient, signed, st
 from .model_edges import Edge
 
 
+#: Mappers whose u and v share an addx chain.
+CHAINED = ("affine", "lit")
+
+
 @dataclass(frozen=True)
 class Settings:
     """How a polygon is drawn: the choices of struct material."""
@@ -21,7 +25,7 @@ class Settings:
 
 @dataclass
 class Line:
-    """Pixels left to right - 1 of a line; u, v and their steps at pixel left."""
+    """Pixels left to right - 1 of a line; u, v and their steps at pixel left, 16.16."""
 
     left: int
     right: int
@@ -29,6 +33,8 @@ class Line:
     v: int = 0
     dudx: int = 0
     dvdx: int = 0
+    c: int = 0  # level of light, and its step
+    dcdx: int = 0
 
 
 @dataclass
@@ -85,7 +91,7 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     u = a[2] + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
     v = a[3] + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
     dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
-    chained = settings.mapper == "affine"  # only its u and v share a chain
+    chained = settings.mapper in CHAINED  # only their u and v share a chain
     inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
     spare, guard, wraps = guarded(dvdx, right - left, chained and not inside)
     return Texturing(step(dsdx, spare), dvdx, spare, guard, wraps, step(dsdy, spare), dvdy,
@@ -107,7 +113,7 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
         y = part[1]
         part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
     dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
-    spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper == "affine")
+    spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper in CHAINED)
     return Texturing(dudx & ~spare & M32, dvdx & M32, spare, guard, wraps)
 
 

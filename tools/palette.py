@@ -3,10 +3,12 @@
 import numpy as np
 from PIL import Image
 
+from . import layout
 from .errors import UserError
 
 COLOURS = 256
 EXACT_MAX = 192  # what exact colours may take where there are textures
+DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # light in which lit pictures count too
 EVERY_PIXEL = 128 * 128  # pixels of a picture up to which all count, not a quarter
 
 
@@ -36,13 +38,23 @@ def sample(picture: np.ndarray) -> np.ndarray:
     return picture[(s + t) % 4 == 0]  # from every row and column
 
 
-def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray],
-          where: str) -> tuple[np.ndarray, list[np.ndarray]]:
+def light(palette: np.ndarray) -> np.ndarray:
+    """The light table of a palette, uint8 (LIGHT_LEVELS, 256): what each entry becomes at each
+    level: the nearest to it darkened, from black at 0; at the last one itself."""
+    levels = layout.load().constants["LIGHT_LEVELS"]
+    part = np.arange(levels)[:, None, None] / (levels - 1)
+    table = nearest(np.rint(palette * part).astype(np.uint8), palette)
+    table[-1] = np.arange(COLOURS)
+    return table
+
+
+def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
+          lit: list[np.ndarray] = ()) -> tuple[np.ndarray, list[np.ndarray]]:
     """The palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
 
     ``exact`` colours get the first entries, in their order; the pictures, uint8
-    (height, width, 3), share what is left and are mapped without dithering. Unused
-    entries are black.
+    (height, width, 3), share what is left and are mapped without dithering; those that are
+    ``lit`` also as they look in less light. Unused entries are black.
     """
     most = EXACT_MAX if pictures else COLOURS
     if len(exact) > most:
@@ -52,7 +64,10 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray],
     palette[:len(exact)] = np.array(exact, np.uint8).reshape(-1, 3)
     if not pictures:
         return palette, []
-    together = Image.fromarray(np.concatenate([sample(picture) for picture in pictures])[None])
+    samples = [sample(picture) for picture in pictures]
+    samples += [np.rint(sample(picture) * part).astype(np.uint8) for picture in lit
+                for part in DIMMED]
+    together = Image.fromarray(np.concatenate(samples)[None])
     reduced = together.quantize(COLOURS - len(exact), Image.Quantize.MEDIANCUT, kmeans=1,
                                 dither=Image.Dither.NONE)
     shared = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)[:COLOURS - len(exact)]

@@ -7,12 +7,13 @@ import json
 
 from PIL import Image
 
-from . import bench, emulator, polys, run, scene, scene_file
+from . import bench, bench_effects, emulator, polys, run, scene, scene_file
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
 README = ROOT / "README.md"
-PICTURE = SCENES / "default.png"
+PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
+METHODS = SCENES / "methods.png"
 BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
 MACHINES = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
 #: What is compared: title, name with {} for the form, length.
@@ -46,13 +47,14 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("exact", "plane", "subtexel", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (
-                      "arbitrary", "tiled", "columns", "generated", "gouraud")))
+                      "arbitrary", "tiled", "columns", "generated", "gouraud",
+                      "lit", "lit_gouraud")))
 
 
 def accuracy_table(baseline: dict) -> str:
     """Markdown: the medium set in fast RAM."""
     rows = {(r["edges"], r["gradients"], r["start"], r["mapper"]): r for r in baseline["rows"]
-            if r["machine"] == "a1200-fast"}
+            if r["machine"] == "a1200-fast" and r["name"] == "medium"}
     lines = ["| mapper | edges | gradients | start | cycles a pixel | wrong pixels in 10^6 "
              "| rms error, texels | wrong texels |", "|---|---|---|---|--:|--:|--:|--:|"]
     for edges, gradients, start, mapper in ACCURACY_LINES:
@@ -60,6 +62,55 @@ def accuracy_table(baseline: dict) -> str:
         lines.append(f"| {mapper} | {edges} | {gradients} | {start} | {r['cycles_per_pixel']:.1f} "
                      f"| {r['coverage_errors_per_million']:,.0f} | {r['texel_error_rms']:.4f} "
                      f"| {r['wrong_texels_percent']:.2f} % |")
+    return "\n".join(lines)
+
+
+#: Perspective: title, setting, bench row of its spans, of the ones that take over.
+PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
+                     ("every 16 pixels", "every16", "persp_every16", "persp_every16_exact"),
+                     ("every 8 pixels", "every8", "persp_every8", "persp_every8_exact"),
+                     ("each pixel, 1/32 texel", "pixel", "persp_pixel", None),
+                     ("each pixel, 1/128 texel", "fine", "persp_pixel_fine", None))
+
+
+def perspective_table(baseline: dict, accuracy: dict) -> str:
+    """Markdown: spans of 256 pixels in fast and mixed RAM, whole polygons in fast RAM."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
+    rows = {r["perspective"]: r for r in accuracy["rows"] if r["name"] == "depth"
+            and (r["machine"], r["edges"]) == ("a1200-fast", "exact")}
+    lines = ["| perspective | span, fast RAM | data in chip | the exact form | polygons | largest error, "
+             "texels | rms |", "|---|--:|--:|--:|--:|--:|--:|"]
+    for title, setting, name, exact in PERSPECTIVE_LINES:
+        cells = [figures[name, machine, 256] for machine in ("a1200-fast", "a1200-mixed")]
+        other = f"{figures[exact, 'a1200-fast', 256]:.1f}" if exact else ""
+        r = rows[setting]
+        lines.append(f"| {title} | {cells[0]:.1f} | {cells[1]:.1f} | {other} | {r['cycles_per_pixel']:.0f} "
+                     f"| {r['texel_error_max']:.3f} | {r['texel_error_rms']:.4f} |")
+    return "\n".join(lines)
+
+
+#: Effects: title, bench row, its length.
+EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
+                ("rotator, v wraps more than once a line", "rotator_wrap", 320),
+                ("rotator, swap", "rotator_swap", 320),
+                ("rotator, generated code", "rotator_generated", 320),
+                ("v's step 0: floors, upright pictures", "affine_row", 256),
+                ("u's step 0: walls on their side", "affine_column", 256),
+                ("lit, one level", "affine_lit", 256),
+                ("lit, a level each pixel", "affine_gouraud", 256))
+
+
+def effects_table(baseline: dict) -> str:
+    """Markdown: cycles a pixel on each machine, pixels a second and wrong texels."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
+    lines = ["| cycles a pixel | " + " | ".join(MACHINES.values())
+             + " | pixels a second, fast RAM | wrong texels |", "|---|" + "--:|" * 5]
+    for title, name, length in EFFECT_LINES:
+        found = [figures[name, machine, length] for machine in MACHINES]
+        kernel, _, steps = bench_effects.ROTATORS.get(name, ("exact", "", bench_effects.TURNED))
+        wrong = 100 * bench_effects.wrong_texels(kernel, steps)
+        lines.append(f"| {title} | " + " | ".join(f"{n:.1f}" for n in found)
+                     + f" | {run.CLOCK_HZ / found[0]:,.0f} | {wrong:.0f} % |")
     return "\n".join(lines)
 
 
@@ -96,9 +147,11 @@ def with_tables(text: str) -> str:
     """The README's text with all tables as the baselines have them."""
     measured = json.loads(BASELINE.read_text())
     text = with_table(text, "addx against swap", table(measured))
+    text = with_table(text, "effects", effects_table(measured))
     text = with_table(text, "meshes", mesh_table(measured))
-    text = with_table(text, "what accuracy costs",
-                      accuracy_table(json.loads(ACCURACY_BASELINE.read_text())))
+    accuracy = json.loads(ACCURACY_BASELINE.read_text())
+    text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
+    text = with_table(text, "perspective", perspective_table(measured, accuracy))
     rows = json.loads(POLYS_BASELINE.read_text())["rows"]
     return with_table(text, "polygons a second", polys.table(rows).rstrip())
 
@@ -115,9 +168,25 @@ def picture() -> Image.Image:
     return image
 
 
+def animation() -> list[Image.Image]:
+    """Every other frame of the environment-mapped knot."""
+    compiled = scene.compile_scene(SCENES / "environment.toml")
+    frames, _ = run.render(compiled, "a1200-fast", "addx")
+    images = [Image.fromarray(frame) for frame in frames[::2]]
+    for image in images:
+        image.putpalette(compiled.palette.tobytes())
+    return images
+
+
 def command() -> int:
-    """Writes both."""
+    """Writes the tables and all pictures."""
+    from . import methods
+
     README.write_text(with_tables(README.read_text()))
     picture().save(PICTURE, optimize=True)
-    print(f"written: {README.name}, {PICTURE.relative_to(ROOT)}")
+    first, *others = animation()
+    first.save(ANIMATION, save_all=True, append_images=others, duration=80, loop=0)
+    methods.write_picture(methods.measure("a1200-fast"), METHODS)
+    written = ", ".join(str(path.relative_to(ROOT)) for path in (README, PICTURE, ANIMATION, METHODS))
+    print(f"written: {written}")
     return 0

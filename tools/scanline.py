@@ -19,6 +19,11 @@ def pack(form: str, u: int, v: int) -> dict[str, int]:
             "start2": (v & 0xFF) << 24 | u >> 16 & 0xFF}
 
 
+def pack_shade(level: int, added: int = 0) -> int:
+    """An entry of struct shade_plan's shades: a level of 16.16 as c-Cc, and what is added."""
+    return ((level & 0xFF) << 24 | level >> 8 & 0xFFFFFF) + added & M32
+
+
 def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
     """struct edge of x and slope in 16.16, EDGE_BIAS included in x; no stepper reads where
     it comes from."""

@@ -14,6 +14,7 @@ import numpy as np
 from . import layout, materials, scene_space
 from .fields import REQUIRED, choice, colour, fail, integer, named, number, rows, table, text
 from .map_range import MAP_CENTRE, check_map, fixed, inside
+from .model_shading import LIT
 from .scene_file import Object, Scene
 
 ONE = 65536  # 1.0 in 16.16
@@ -104,8 +105,8 @@ def check_convex(corners: list[list[float]], where: str) -> None:
 def listed(spec: dict, kind: str, where: str) -> list[list[float]]:
     """A vertex list as x, y, s, t, shade, w. ``kind``: the mapper, or "perspective"."""
     forms = {"flat": "[x, y, s, t] or, as it is flat, [x, y]", "gouraud": "[x, y, shade]",
-             "perspective": "[x, y, s, t, w]"}
-    lengths = {"flat": (2, 4), "gouraud": (3,), "perspective": (5,)}
+             "perspective": "[x, y, s, t, w]"} | dict.fromkeys(LIT, "[x, y, s, t, shade]")
+    lengths = {"flat": (2, 4), "gouraud": (3,), "perspective": (5,)} | dict.fromkeys(LIT, (5,))
     limits = layout.load().constants
     depth = number(limits["W_MIN"] / ONE, limits["W_MAX"] / ONE)
     out = []
@@ -116,6 +117,8 @@ def listed(spec: dict, kind: str, where: str) -> list[list[float]]:
         s, t, shade, w = [*rest[:2], 0.0, 0.0][:2] + [0.0, 1.0]
         if kind == "gouraud":
             s, shade = 0.0, number(0, materials.SHADES - 1)(corner[2], f"{where}[{i}][2]")
+        elif kind in LIT:
+            shade = number(0, materials.SHADES - 1)(corner[4], f"{where}[{i}][4]")
         elif kind == "perspective":
             w = depth(corner[4], f"{where}[{i}][4]")
         out.append([x, y, s, t, shade, w])
@@ -139,7 +142,7 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
     mapper = materials.mapper_of(material)
     at = f"{where}.vertices" if "vertices" in spec else f"{where}.sides"
     if spec.get("shades") is not None:
-        if mapper != "gouraud":
+        if mapper not in ("gouraud", *LIT):
             fail(f"{where}.shades", f"material {spec['material']!r} has no shades")
         if len(spec["shades"]) > spec["sides"]:
             fail(f"{where}.shades", f"must have 1 to {spec['sides']} entries, "
@@ -147,13 +150,15 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
     size = (texture["width"], texture["height"]) if texture else (256, 256)
     extent = tuple(2 * MAP_CENTRE * side / max(size) for side in size)
     kind = mapper if material["perspective"] == "none" else "perspective"
+    if mapper == "lit" and "sides" in spec and spec["shades"] is None:
+        spec = spec | {"shades": [materials.SHADES - 1.0]}  # full light
     corners = regular(spec, extent) if "sides" in spec else listed(spec, kind, at)
     if mapper != "flat" and len(corners) > 3:
         if material["gradients"] == "polygon":
             fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
                      '"polygon", which are for triangles')
         even = material["gradients"] == "plane"  # others go from edge to edge
-        if mapper == "gouraud" and even:
+        if mapper in ("gouraud", "lit_gouraud") and even:
             shades_at = at if "vertices" in spec else f"{where}.shades"
             check_even(corners, [4], UNEVEN_SHADE, shades_at)
         elif mapper == "arbitrary" and even:

@@ -7,6 +7,7 @@ import numpy as np
 
 from . import layout, maps, scene_meshes
 from .errors import UserError
+from .model_shading import LIT
 from .scene_meshes import Instance, Mesh
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
@@ -20,8 +21,9 @@ HEADER = ("width", "height", "frames", "pixel_bytes", "background", "near_plane"
 PALETTE_BYTES = 256 * 4
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
-                 "tiled": "tiled", "columns": "columns", "generated": "margins"}
-LAYOUTS = ("page", "linear", "tiled", "columns", "margins")
+                 "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
+                 "lit_gouraud": "page"}
+LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
 #: The settings of a material by their names, and the prefix of each one's enumerators.
 SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
@@ -57,6 +59,7 @@ class Material:
     perspective: str = "none"
     texture: int = -1  # index, or NO_TEXTURE
     colour: int = 0  # pixel
+    light: int = -1  # index of a light table, or NO_TEXTURE
 
 
 @dataclass
@@ -147,6 +150,9 @@ def size_fault(kind: str, width: int, height: int) -> str | None:
         fits = powers and least <= low and width * height <= texels
         return None if fits else (f"sides that are powers of two from {least} and at most "
                                   f"{texels} texels")
+    if kind == "light":
+        levels = limits["LIGHT_LEVELS"]
+        return None if (width, height) == (page, levels) else f"{page}x{levels}"
     return None if low == high == page else f"{page}x{page}"
 
 
@@ -171,17 +177,24 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             "affine", "plane", "subtexel"):
         raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper 'affine', "
                         "gradients 'plane' and start 'subtexel'")
+    if material.mapper == "lit_gouraud" and (material.gradients, material.start) != (
+            "plane", "subtexel"):
+        raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
+                        "start 'subtexel'")
     if scene.pixel_bytes == 2 and material.mapper not in MAPPERS_16:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of 2 bytes")
     wanted = MAPPER_LAYOUT[material.mapper]
     none = layout.load().constants["NO_TEXTURE"]
-    if wanted is None:
-        require(name, f"{where}.texture", material.texture, none, none)
-    else:
-        require(name, f"{where}.texture", material.texture, 0, len(scene.textures) - 1)
-        found = scene.textures[material.texture].layout
-        if found != wanted:
-            raise UserError(f"{name}: {where}.texture: its layout is {found}, not {wanted}")
+    light = "light" if material.mapper in LIT else None
+    for kind, index, layout_wanted in (("texture", material.texture, wanted),
+                                       ("light", material.light, light)):
+        if layout_wanted is None:
+            require(name, f"{where}.{kind}", index, none, none)
+            continue
+        require(name, f"{where}.{kind}", index, 0, len(scene.textures) - 1)
+        found = scene.textures[index].layout
+        if found != layout_wanted:
+            raise UserError(f"{name}: {where}.{kind}: its layout is {found}, not {layout_wanted}")
     require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel_bytes - 1)
 
 
@@ -192,7 +205,7 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
         raise UserError(f"{name}: {where}.vertices: {obj.vertices}, but gradients 'polygon' "
                         "are for triangles")
     corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices]
-    if material.mapper == "gouraud":
+    if material.mapper in ("gouraud", *LIT):
         require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
         require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
     if material.perspective != "none":
@@ -281,7 +294,7 @@ def write(scene: Scene) -> bytes:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
-        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour]
+        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]

@@ -9,10 +9,12 @@
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/edges.h"
+#include "polygon/kind.h"
 #include "polygon/material.h"
 #include "polygon/perspective.h"
 #include "polygon/polygon.h"
 #include "polygon/ramps.h"
+#include "polygon/shading.h"
 #include "polygon/sides.h"
 #include "polygon/texturing.h"
 #include "span/scanline.h"
@@ -23,38 +25,15 @@
 
 static struct scanline lines[SCENE_SIDE_MAX];
 
-typedef void edge_routine(const struct edge_plan *plan);
-
-/* What draws each kind of span, in the order of enum span_kind. */
-static const struct {
-    edge_routine *edges, *exact_edges;
-    void (*scissor)(const struct scissor_plan *plan);
-    void (*span)(const struct span_plan *plan);
-} routines[SPAN_KINDS] = {
-    [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
-    [SPAN_FILL_16] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_16},
-    [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
-    [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
-                               span_affine_addx_wrap},
-    [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
-                              span_affine_scanline},
-    [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
-    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
-    [SPAN_GOURAUD] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud},
-    [SPAN_ARBITRARY] = {edge_plain, edge_plain_exact, scissor_plain, span_arbitrary},
-    [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
-    [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
-    [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16},
-    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated}
-};
-
 /* The layout that each mapper with a map reads. */
 static const uint8 layout_of[MAPPER_KINDS] = {
     [MAPPER_AFFINE] = MAP_PAGE,
     [MAPPER_ARBITRARY] = MAP_LINEAR,
     [MAPPER_TILED] = MAP_TILED,
     [MAPPER_COLUMNS] = MAP_COLUMNS,
-    [MAPPER_GENERATED] = MAP_MARGINS
+    [MAPPER_GENERATED] = MAP_MARGINS,
+    [MAPPER_LIT] = MAP_PAGE,
+    [MAPPER_LIT_GOURAUD] = MAP_PAGE
 };
 
 static int32 minimum(int32 a, int32 b)
@@ -65,32 +44,6 @@ static int32 minimum(int32 a, int32 b)
 static int32 maximum(int32 a, int32 b)
 {
     return a > b ? a : b;
-}
-
-/* What draws a polygon of this material. */
-static enum span_kind kind_of(const struct material *material, const struct frame *frame,
-                              enum form form, int32 wraps)
-{
-    switch (material->mapper) {
-    case MAPPER_GOURAUD:
-        return SPAN_GOURAUD;
-    case MAPPER_AFFINE:
-        if (material->gradients == GRADIENTS_SCANLINE)
-            return SPAN_AFFINE_SCANLINE;
-        return form == FORM_SWAP ? SPAN_AFFINE_SWAP
-             : form == FORM_C ? SPAN_AFFINE_C
-             : wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
-    case MAPPER_ARBITRARY:
-        return SPAN_ARBITRARY;
-    case MAPPER_TILED:
-        return SPAN_TILED;
-    case MAPPER_COLUMNS:
-        return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
-    case MAPPER_GENERATED:
-        return SPAN_GENERATED;
-    default:
-        return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
-    }
 }
 
 /* A polygon on its way through the set-up. */
@@ -183,6 +136,9 @@ static enum polygon_result set_map(struct setup *s)
     s->span.map_height = map->height;
     s->span.columns = &columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
+    if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
+        && !shading_light(&s->span, s->material, s->vertices))
+        return POLYGON_WRONG_MAP;
     if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
     return POLYGON_DRAWN;
@@ -204,7 +160,7 @@ static enum polygon_result set_span(struct setup *s)
 static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
 {
     const struct material *m = s->material;
-    enum chain chain = m->mapper != MAPPER_AFFINE ? CHAIN_NONE
+    enum chain chain = m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT ? CHAIN_NONE
                      : m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL
                      ? CHAIN_PLANE : CHAIN_ANYWHERE;
 
@@ -263,7 +219,7 @@ static void set_ramps(struct setup *s)
     plan.right = right;
     plan.steps = steps;
     plan.truncated = s->material->start == START_TRUNCATED;
-    plan.packed = s->kind == SPAN_AFFINE_SCANLINE;
+    plan.packed = s->kind == SPAN_AFFINE_SCANLINE || s->kind == SPAN_LIT_WRAP;
     edge_ramp(&plan);
     s->span.steps = steps;
 }
@@ -285,20 +241,21 @@ static void hold_lines(const struct setup *s, const struct texturing *t, struct 
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
-static void draw_each_line(const struct setup *s, const struct texturing *t)
+static void draw_each_line(struct setup *s, const struct texturing *t)
 {
-    struct span_plan line = s->span;
+    struct span_plan *line = &s->span;
+    int32 count = line->count;
 
-    line.count = 1;
-    for (int32 i = 0; i < s->span.count; i++) {
-        line.lines = &lines[i];
-        line.dudx = s->span.steps[i].dudx;
-        line.dvdx = s->span.steps[i].dvdx;
+    line->count = 1;
+    for (int32 i = 0; i < count; i++) {
+        line->lines = &lines[i];
+        line->dudx = line->steps[i].dudx;
+        line->dvdx = line->steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
-            hold_lines(s, t, &line);
-            routines[s->kind].span(&line);
+            hold_lines(s, t, line);
+            kind_routines[s->kind].span(line);
         }
-        line.row += line.pitch;
+        line->row += line->pitch;
     }
 }
 
@@ -341,20 +298,21 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
         return result;
     if (material->perspective && draw_perspective(&s, counts))
         return POLYGON_DRAWN;
-    texturing.wraps = 0;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
         if (result != POLYGON_DRAWN)
             return result;
     }
-    s.kind = kind_of(material, frame, form, texturing.wraps);
+    s.kind = kind_of(material, frame, form, &texturing);
     if (scanline) {
         set_ramps(&s);
     } else {
-        make_lines(&s, routines[s.kind].edges, routines[s.kind].exact_edges);
-        cut_lines(&s, routines[s.kind].scissor);
+        make_lines(&s, kind_routines[s.kind].edges, kind_routines[s.kind].exact_edges);
+        cut_lines(&s, kind_routines[s.kind].scissor);
         hold_lines(&s, &texturing, &s.span);
     }
+    if (s.kind == SPAN_LIT_GOURAUD)
+        shading_lines(&s.span, &s.sides, s.vertices, count, &s.box);
     if (counts) {
         counts->polygons++;
         counts->pixels[s.kind] += lines_pixels(lines, s.span.count);
@@ -362,6 +320,6 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(&s, &texturing);
     else
-        routines[s.kind].span(&s.span);
+        kind_routines[s.kind].span(&s.span);
     return POLYGON_DRAWN;
 }

@@ -3,11 +3,10 @@
 #include "polygon/math.h"
 
 /* q is at least so many times its error: it cannot become 0, nor a quotient too large. */
-#define SURE 16
+#define SURE 4
 #define Q_ONE (1 << 30)
-#define RANGE (7 << 27)
 #define STEEP (1 << 14)                /* of 2^16 units a pixel */
-#define TOO_STEEP (1 << 26)            /* SURE times this is above all q */
+#define TOO_STEEP (1 << 28)            /* SURE times this is above all q but the nearest's */
 
 static int32 magnitude(int32 value)
 {
@@ -30,10 +29,10 @@ static int32 error_part(const struct number64 *gradient, int32 pixels)
 {
     int32 steep = steepness(gradient);
 
-    if (steep >= 1 << 28)
-        return TOO_STEEP;
-    steep = steep < 1 << 16 ? steep * pixels >> 15 : ((steep >> 14) + 1) * pixels >> 1;
-    return steep + (pixels >> 14) + 2;
+    if (steep < 1 << 16)
+        return (steep * pixels >> 15) + (pixels >> 14) + 2;
+    steep = (steep >> 15) + 1;
+    return steep > TOO_STEEP / pixels ? TOO_STEEP : steep * pixels + (pixels >> 14) + 2;
 }
 
 static void shift_left(struct number64 *to, const struct number64 *from, int32 bits)
@@ -137,8 +136,6 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
         return 0;
     plan->u = middle(vertices, count, 0, &plan->u_low, &plan->u_high, &farthest);
     plan->v = middle(vertices, count, 1, &plan->v_low, &plan->v_high, &farthest);
-    if (farthest > RANGE)
-        return 0;
     while (farthest >> scale)
         scale++;
     set_corner(&corners.first, sides->top, nearest, plan, scale);

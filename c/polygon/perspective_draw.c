@@ -1,6 +1,18 @@
 /* Lines with perspective: by reciprocals where they are good enough, exactly elsewhere. */
 #include "polygon/perspective.h"
 
+/* What a line may be off for being level, in 1/65536 texel; its steps take half a unit a
+   pixel besides, and both are to stay inside the setting's tolerance. */
+static const struct {
+    int32 off;
+    int32 width;                /* pixels: up to so wide */
+} level_limits[PERSPECTIVE_KINDS] = {
+    [PERSPECTIVE_EVERY16] = {0, SCENE_SIDE_MAX},
+    [PERSPECTIVE_EVERY8] = {0, SCENE_SIDE_MAX},
+    [PERSPECTIVE_PIXEL] = {1024, SCENE_SIDE_MAX},
+    [PERSPECTIVE_FINE] = {128, 640}
+};
+
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
 #define FAR (512 << 16)
 
@@ -90,6 +102,44 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
         span_perspective_pieces(&lines);
 }
 
+/* Whether depth changes so little along lines that they may be drawn as if it did not. */
+static int32 is_level(const struct perspective_plan *plan, int32 width, enum perspective kind)
+{
+    int32 tolerance = level_limits[kind].off;
+    const struct number64 *grows = &plan->q.dx;
+    uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
+    fix16 farthest = plan->u_high > plan->v_high ? plan->u_high : plan->v_high;
+    int32 off;
+
+    if ((grows->hi && grows->hi != 0xffffffff) || part >> 16 == 0xffff
+        || width > level_limits[kind].width)
+        return 0;
+    if (!part)
+        return !grows->hi;
+    if (-plan->u_low > farthest)
+        farthest = -plan->u_low;
+    if (-plan->v_low > farthest)
+        farthest = -plan->v_low;
+    /* in units of q: what it grows by along the width, times texels */
+    off = mul_shift(((farthest >> 16) + 1) * width, (int32)(part >> 16) + 1, 16) + 1;
+    return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
+}
+
+static void draw_level(const struct perspective_plan *plan, const struct span_plan *span)
+{
+    static struct scanline_step steps[SCENE_SIDE_MAX];
+    struct span_plan lines;
+
+    level_lines(plan, steps);
+    lines.lines = plan->lines;
+    lines.count = plan->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.steps = steps;
+    span_affine_scanline(&lines);
+}
+
 void perspective_draw(struct perspective_plan *plan, const struct material *material,
                       const struct span_plan *span, int32 width, struct draw_counts *counts)
 {
@@ -97,6 +147,14 @@ void perspective_draw(struct perspective_plan *plan, const struct material *mate
     uint32 pixels = counts ? lines_pixels(plan->lines, plan->count) : 0, others;
     int32 left = plan->count;
 
+    if (is_level(plan, width, kind)) {
+        draw_level(plan, span);
+        if (counts) {
+            counts->polygons++;
+            counts->pixels[SPAN_AFFINE_SCANLINE] += pixels;
+        }
+        return;
+    }
     if (material->reciprocals)
         left = draw_reciprocals(plan, material, span, width);
     if (counts) {

@@ -8,7 +8,8 @@
 
 /* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded).
    s, t: 0 to 256 along the longer side of the map, whatever its size; any value
-   where the map repeats, in the same range. shade: 0 to 255. w: depth, which counts
+   where the map repeats, in the same range. shade: 0 to 255; lit: a quarter is the level
+   of light. w: depth, which counts
    with a perspective alone, W_MIN to W_MAX. All 16.16. */
 struct vertex {
     fix16 x, y, s, t, shade, w;
@@ -86,14 +87,19 @@ enum mapper {
     MAPPER_TILED,               /* MAP_TILED */
     MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
     MAPPER_GENERATED,           /* MAP_MARGINS: code written for the polygon's steps */
+    MAPPER_LIT,                 /* MAP_PAGE through a light table, the level is that of the
+                                   first vertex */
+    MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,
+                                   START_SUBTEXEL */
     MAPPER_KINDS
 };
 
 /* Which routines drew, counted where it is asked for. */
 enum span_kind {
     SPAN_FILL, SPAN_FILL_16, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
-    SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP, SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED,
-    SPAN_COLUMNS, SPAN_COLUMNS_16, SPAN_GENERATED, SPAN_PERSPECTIVE_PIECES,
+    SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
+    SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
+    SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
     SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL,
     SPAN_KINDS
 };
@@ -109,6 +115,7 @@ struct material {
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
+    const struct map *light;    /* of lit ones: MAP_LIGHT */
     const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
 };
 

@@ -19,8 +19,9 @@
 #define FRAME_LIMIT 650
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_scanline",
-    "affine_swap", "affine_c", "arbitrary", "tiled", "columns", "columns_16", "generated",
+    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
+    "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
+    "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
     "perspective_pieces", "perspective_curves", "reciprocal"
 };
 

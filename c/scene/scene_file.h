@@ -9,7 +9,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 3,
+    SCENE_VERSION = 4,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -57,6 +57,7 @@ struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
     uint32 colour;              /* pixel of a flat material */
+    int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
 };
 
 /* One convex polygon that moves: in frame f it is drawn with pose
@@ -71,7 +72,7 @@ struct scene_object {
 
 /* Before the pose: x, y relative to the object; s, t are the texture's, 0 to 256
    along its longer side and, for MAPPER_ARBITRARY, inside it; y and t downwards.
-   shade is a Gouraud material's pixel, 0 to 255; w the depth where the material has
+   shade is a Gouraud material's pixel, 0 to 255, of a lit one 4 times the level; w the depth where the material has
    a perspective. All 16.16. */
 struct scene_vertex {
     fix16 x, y, s, t, shade, w;

@@ -97,6 +97,8 @@ static int32 size_usable(int32 width, int32 height, enum map_layout layout)
         return smaller >= MAP_SIDE_MIN && larger <= 1 << (MAP_COLUMNS_BITS - 3)
             && is_power_of_two(width) && is_power_of_two(height)
             && width * height <= 1 << MAP_COLUMNS_BITS;
+    case MAP_LIGHT:
+        return width == MAP_PAGE_SIDE && height == LIGHT_LEVELS;
     default:
         return smaller == MAP_PAGE_SIDE && larger == MAP_PAGE_SIDE;
     }
@@ -122,11 +124,17 @@ static const char *wrong_texture(const struct scene *scene)
     return 0;
 }
 
+static int32 is_lit(uint32 mapper)
+{
+    return mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD;
+}
+
 static const char *wrong_material(const struct scene *scene)
 {
     /* What each mapper wants; MAP_LAYOUTS: none. */
     static const uint8 layouts[MAPPER_KINDS] = {
-        MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS
+        MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS,
+        MAP_PAGE, MAP_PAGE
     };
     const struct scene_header *h = scene->header;
 
@@ -138,9 +146,11 @@ static const char *wrong_material(const struct scene *scene)
             return "material.mapper";
         if (m->edges >= EDGES_KINDS)
             return "material.edges";
-        if (m->gradients >= GRADIENTS_KINDS)
+        if (m->gradients >= GRADIENTS_KINDS
+            || (m->mapper == MAPPER_LIT_GOURAUD && m->gradients != GRADIENTS_PLANE))
             return "material.gradients";
-        if (m->start >= START_KINDS)
+        if (m->start >= START_KINDS
+            || (m->mapper == MAPPER_LIT_GOURAUD && m->start != START_SUBTEXEL))
             return "material.start";
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
@@ -152,6 +162,10 @@ static const char *wrong_material(const struct scene *scene)
             : (uint32)m->texture >= h->textures
               || scene->textures[m->texture].layout != layouts[m->mapper])
             return "material.texture";
+        if (is_lit(m->mapper) ? (uint32)m->light >= h->textures
+                                || scene->textures[m->light].layout != MAP_LIGHT
+            : m->light != NO_TEXTURE)
+            return "material.light";
         if (m->colour > pixel_max(h))
             return "material.colour";
     }
@@ -178,7 +192,8 @@ static const char *wrong_vertex(const struct scene *scene, const struct scene_ob
     const struct scene_vertex *v = &scene->vertices[object->vertex];
 
     for (uint32 left = object->vertices; left; left--, v++) {
-        if (m->mapper == MAPPER_GOURAUD && (v->shade < 0 || v->shade >= 256 << 16))
+        if ((m->mapper == MAPPER_GOURAUD || is_lit(m->mapper))
+            && (v->shade < 0 || v->shade >= 256 << 16))
             return "vertex.shade";
         if (m->perspective && (v->w < W_MIN || v->w > W_MAX))
             return "vertex.w";
@@ -271,6 +286,7 @@ static int32 make_materials(struct scene *scene)
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
+        to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
     return 1;
 }

@@ -63,11 +63,12 @@ static void make_map(struct map *map, const struct scene_texture *t, const uint8
 }
 
 /* All maps lie in one block, layout by layout: those of a page, from a multiple of
-   65,536; those with margins, which begin half a page behind one; then the others. */
+   65,536; those with margins, which begin half a page behind one; light tables, so
+   that each is inside a page; then the others. */
 int32 scene_make_maps(struct scene *scene, int32 kind)
 {
     static const uint8 order[MAP_LAYOUTS] = {
-        MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LINEAR, MAP_COLUMNS
+        MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LIGHT, MAP_LINEAR, MAP_COLUMNS
     };
     uint32 count = scene->header->textures, bytes = 0, align = 4, gap = 0;
     uint8 *at;

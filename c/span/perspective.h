@@ -52,6 +52,7 @@ struct perspective_span {
 
 /* src68k/edge and src68k/span: contracts there. */
 void perspective_lines(const struct perspective_plan *plan);
+void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
 void span_perspective_pieces(const struct perspective_span *span);
 void span_perspective_curves(const struct perspective_span *span);
 

@@ -13,7 +13,10 @@ enum scanline_constants {
     /* Of generated code: 4 bytes a pixel, SCENE_SIDE_MAX pixels, a return. At a multiple
        of the instruction cache's size its speed does not depend on chance. */
     CODE_BYTES = 4 * 1024 + 4,
-    CACHE_BYTES = 256
+    CACHE_BYTES = 256,
+
+    /* In a lit line's shade: what the wraps of a falling v are taken from. */
+    SHADE_FALLS = 0x3ff0000
 };
 
 /* One line of a polygon, and what is interpolated at its first pixel's centre, in
@@ -97,6 +100,20 @@ struct hold_plan {
     fix16 v_low, v_high;
 };
 
+/* Everything edge_shade needs: levels of a light table, 16.16 in multiples of 4 units. */
+struct shade_plan {
+    const struct scanline *lines;       /* left and last are there */
+    int32 count;                /* lines, 1 or more */
+    uint32 *shades;             /* one a line, as span_lit_gouraud begins */
+    uint32 added;               /* to each: SHADE_FALLS where dvdx is negative modulo 256,
+                                   and the light table's place in its page */
+    uint32 shade;               /* where left is 0 on the first line; modulo 2^32 */
+    fix16 dcdx, dcdy;           /* levels a pixel, a line; dcdx is made smaller where it
+                                   must be */
+    fix16 low, high;            /* the least and greatest of any pixel */
+    int32 inside;               /* all pixels have such: nothing to be done for it */
+};
+
 /* Everything a span routine needs: it draws the whole table. */
 struct span_plan {
     const struct scanline *lines;
@@ -110,6 +127,9 @@ struct span_plan {
     const struct column_layout *columns;        /* column layout */
     const struct scanline_step *steps;          /* scanline: instead of dudx, dvdx */
     void *code;                 /* generated: room for CODE_BYTES */
+    const uint8 *light;         /* lit: the level's row; lit Gouraud: the light table */
+    const uint32 *shades;       /* lit Gouraud: struct shade_plan's */
+    fix16 dcdx;                 /* lit Gouraud: levels a pixel */
 };
 
 /* src68k/edge and src68k/span: contracts there. */
@@ -121,6 +141,7 @@ void edge_plain(const struct edge_plan *plan);
 void edge_plain_exact(const struct edge_plan *plan);
 void edge_swap(const struct edge_plan *plan);
 void edge_ramp(const struct ramp_plan *plan);
+void edge_shade(struct shade_plan *plan);
 void edge_hold(struct hold_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
@@ -129,6 +150,8 @@ void span_fill(const struct span_plan *plan);
 void span_fill_16(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
+void span_affine_row(const struct span_plan *plan);
+void span_affine_column(const struct span_plan *plan);
 void span_affine_scanline(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
 void span_gouraud(const struct span_plan *plan);
@@ -137,6 +160,9 @@ void span_tiled(const struct span_plan *plan);
 void span_columns(const struct span_plan *plan);
 void span_columns_16(const struct span_plan *plan);
 void span_generated(const struct span_plan *plan);
+void span_lit(const struct span_plan *plan);
+void span_lit_wrap(const struct span_plan *plan);
+void span_lit_gouraud(const struct span_plan *plan);
 
 /* c/span: the same work as span_affine_swap in plain C. */
 void span_affine_c(const struct span_plan *plan);

@@ -14,12 +14,15 @@ enum map_layout {
     MAP_COLUMNS,                /* columns 4 texels wide: 4 height (u/4) + 4 v + u%4 */
     MAP_MARGINS,                /* MAP_PAGE, its second half once more before it and its
                                    first half once more behind */
+    MAP_LIGHT,                  /* 256 level + texel: what a texel becomes in the light;
+                                   at a multiple of 256, inside a page */
     MAP_LAYOUTS
 };
 
 enum map_constants {
     MAP_SIDE_MIN = 8,           /* of repeating maps: powers of two */
     MAP_PAGE_SIDE = 256,
+    LIGHT_LEVELS = 64,          /* MAP_LIGHT: from dark to the texels themselves */
     MAP_LINEAR_MAX = 1024,      /* MAP_LINEAR: 1 to this, each side */
     MAP_COLUMNS_BITS = 18       /* MAP_COLUMNS: log2(width) + log2(height) at most */
 };

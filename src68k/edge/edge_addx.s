@@ -8,11 +8,11 @@
 
 addx_steps macro
         pack_uv d0,d5,d4
-        whole_pixels d0,d1,d4,b
+        add_below d0,d1,d4,b
         movea.l d0,a2
         pack_uv d2,d7,d6
         addq.l  #1,d1
-        whole_pixels d2,d1,d6,b
+        add_below d2,d1,d6,b
         movea.l d2,a3
         endm
 

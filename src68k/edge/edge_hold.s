@@ -1,53 +1,6 @@
         include "routine.i"
         include "layout.i"
-
-; The start \1 within [\4, \5] less the way \2 that the line goes, both ends included.
-; \3 is free.
-hold    macro
-        move.l  \4,\3
-        tst.l   \2
-        bpl.s   .rises\@
-        sub.l   \2,\3                   ; lowest start
-        cmp.l   \3,\1
-        bge.s   .above\@
-        move.l  \3,\1
-.above\@
-        cmp.l   \5,\1
-        ble.s   .held\@
-        move.l  \5,\1
-        bra.s   .held\@
-.rises\@
-        cmp.l   \3,\1
-        bge.s   .first\@
-        move.l  \3,\1
-.first\@
-        move.l  \5,\3
-        sub.l   \2,\3                   ; highest start
-        cmp.l   \3,\1
-        ble.s   .held\@
-        move.l  \3,\1
-.held\@
-        endm
-
-; Keeps the step \1 (memory) times d7 within the room from \2 to \3 (memory). Uses d0-d2.
-limit   macro
-        move.l  \3,d0
-        sub.l   \2,d0
-        divu.l  d7,d0                   ; the largest step
-        move.l  \1,d1
-        move.l  d1,d2
-        bpl.s   .positive\@
-        neg.l   d2
-.positive\@
-        cmp.l   d0,d2
-        bls.s   .small\@
-        tst.l   d1
-        bpl.s   .write\@
-        neg.l   d0
-.write\@
-        move.l  d0,\1
-.small\@
-        endm
+        include "hold.i"
 
 ;==============================================================================
 ; edge_hold - moves the lines of a table so that no pixel leaves a range of u and v
@@ -70,16 +23,7 @@ limit   macro
         ; the longest line
         movea.l hold_plan_lines(a6),a4
         move.l  hold_plan_count(a6),d6
-        moveq   #0,d7
-.longer move.w  scanline_last(a4),d0
-        sub.w   scanline_left(a4),d0
-        cmp.w   d0,d7
-        bge.s   .shorter
-        move.w  d0,d7
-.shorter
-        lea     scanline_sizeof(a4),a4
-        subq.l  #1,d6
-        bne.s   .longer
+        longest_line
         tst.l   d7                      ; its pixels less one
         beq.s   .limited
         limit   hold_plan_dudx(a6),hold_plan_u_low(a6),hold_plan_u_high(a6)

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "edge.i"
 
         xref    edge_right
@@ -19,11 +20,11 @@ plain_steps macro
         move.l  d0,d5
         move.l  d2,d7
         fraction d5,d0
-        whole_pixels d0,d1,d5,w
+        add_below d0,d1,d5,w
         movea.l d0,a2
         fraction d7,d0
         addq.l  #1,d1
-        whole_pixels d0,d1,d7,w
+        add_below d0,d1,d7,w
         movea.l d0,a3
         endm
 

@@ -81,9 +81,9 @@ next    macro
 ;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
 ;          - piece + 5) / 2^26, 16.16, times 3/2 alike; rounded, K taking what that is
 ;          in the middle of the line's r. A line is left to others where q is below the
-;          plan's least, w differs 4 to 6 times or more, r grows more than 16 bits hold in
-;          less than three pieces, a piece moves q by less than 8 indices, or |C| r exceeds
-;          the plan's limit
+;          plan's least, w differs more than 4 times, r too much for 16 bits in less than
+;          three pieces, a piece moves q by less than 8 indices or more than 32 bits have,
+;          or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
@@ -293,7 +293,8 @@ next    macro
         move.w  d0,scale_c(sp)
         add.w   d5,d1
         movem.l perspective_plan_q+screen_plane_dx(a5),d0/d4
-        lsl.l   d1,d0
+        asl.l   d1,d0
+        bvs.s   .coarse
         neg.w   d1
         add.w   #32,d1
         lsr.l   d1,d4
@@ -303,6 +304,7 @@ next    macro
         move.l  d0,d1
         asr.l   #1,d1
         add.l   d1,d0
+        bvs.s   .coarse
 .step   move.l  d0,d1
         swap    d1
         move.l  d1,scale_dq(sp)
@@ -312,7 +314,7 @@ next    macro
         neg.l   d0
 .length cmp.l   #8<<16,d0
         bhs.s   .enough
-        moveq   #1,d1
+.coarse moveq   #1,d1
         lsl.w   d5,d1
 .enough move.w  d1,scale_far(sp)
         bra     .same

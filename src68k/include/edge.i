@@ -9,20 +9,6 @@ edge_end macro
         adda.l  d0,a4
         endm
 
-; Adds the whole pixels \2 (sign-extended) to the step \1 = uu--, so that one addition
-; moves uu:left. A negative \2 borrows from uu, which the carry out of left pays
-; back; with nothing to borrow from, left's carry goes on into \3, u's integer: \3
-; is made one less (\4: b or w, how much of \3 the integer has).
-whole_pixels macro
-        tst.l   \2
-        bpl.s   .forward\@
-        tst.l   \1
-        bne.s   .forward\@
-        subq.\4 #1,\3
-.forward\@
-        add.l   \2,\1
-        endm
-
 ; Writes x of the edges from a5 on (d5 of them) to the table: to a0, and each line's
 ; entry on. \1: what moves x (d1) and its error (d0) a line further: a1 the error's part,
 ; d4 whole pixels, d7 height. \2: added to x. Two lines a round, of an odd number one

@@ -52,6 +52,11 @@ span_rounds macro
         lsr.w   #\1,d7
         endm
 
+span_enter_10 macro
+        lea     (a3,d6.w*2),a2
+        jmp     (a2,d6.w*8)
+        endm
+
 span_enter_12 macro
         lea     (a3,d6.w*4),a2
         jmp     (a2,d6.w*8)
@@ -60,6 +65,11 @@ span_enter_12 macro
 span_enter_14 macro
         lea     (a3,d6.w*2),a2
         lea     (a2,d6.w*4),a2
+        jmp     (a2,d6.w*8)
+        endm
+
+span_enter_16 macro
+        lea     (a3,d6.w*8),a2
         jmp     (a2,d6.w*8)
         endm
 

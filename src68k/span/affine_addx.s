@@ -39,16 +39,7 @@ pixel   macro
         move.l  span_plan_dudx(a0),d2
         move.l  span_plan_dvdx(a0),d5
         span_table
-        pack_uv d2,d5,d3                ; d2 uu--, d5 .Vv, d3 v--U
-        ext.l   d5
-        bpl.s   .packed
-        tst.l   d2
-        bne.s   .packed
-        subq.b  #1,d3                   ; nothing to borrow from: B always carries
-.packed add.l   d5,d2                   ; uuVv, a negative Vv borrows from uu
-        move.l  d3,d0
-        clr.w   d0
-        movea.l d0,a4                   ; v---
+        chain_steps
         move.l  (sp),d5
         lea     .pixels_end-12(pc),a3
         span_line d0,d1

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "span.i"
 
 ;==============================================================================
@@ -15,12 +16,8 @@
 ; error:   none: pixel n is floor(s + n dudx)
 ; cost:    bench row gouraud
 ;==============================================================================
-; One register that carries into itself:
-;       d0  ss-S        S with a byte of room above it
-; Its fraction runs one step ahead, so that the carry it gave is ready when S needs
-; it; MOVE, JMP and DBRA keep X between pixels. Room is 00 with a step from 0 on: S
-; never carries into ss. With a negative one it is FF: S always does, and the step
-; of ss is one less.
+; One register that carries into itself, as pack_alone has it; MOVE, JMP and DBRA keep X
+; between pixels.
 
 pixel   macro
         move.b  d0,(a1)+
@@ -31,15 +28,7 @@ pixel   macro
         span_open
         move.l  span_plan_dudx(a0),d2
         span_table
-        swap    d2
-        ext.w   d2                      ; ss-S
-        bpl.s   .packed
-        sub.l   #$10000,d2
-        bcc.s   .packed
-        subq.w  #1,d2                   ; nothing to borrow from: ss always carries
-.packed move.l  d2,d5
-        clr.b   d5
-        movea.l d5,a4                   ; ss-0: a step of ss alone
+        pack_alone d2,d5,a4
         move.l  (sp),d4
         lea     .pixels_end-4(pc),a3
         span_line d0

@@ -1,0 +1,78 @@
+#include "polygon/kind.h"
+
+const struct kind_routines kind_routines[SPAN_KINDS] = {
+    [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
+    [SPAN_FILL_16] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_16},
+    [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
+    [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
+                               span_affine_addx_wrap},
+    [SPAN_AFFINE_ROW] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_row},
+    [SPAN_AFFINE_COLUMN] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_column},
+    [SPAN_AFFINE_SCANLINE] = {edge_flat, edge_flat_exact, scissor_flat,
+                              span_affine_scanline},
+    [SPAN_AFFINE_SWAP] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_swap},
+    [SPAN_AFFINE_C] = {edge_swap, edge_plain_exact, scissor_plain, span_affine_c},
+    [SPAN_GOURAUD] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud},
+    [SPAN_ARBITRARY] = {edge_plain, edge_plain_exact, scissor_plain, span_arbitrary},
+    [SPAN_TILED] = {edge_plain, edge_plain_exact, scissor_plain, span_tiled},
+    [SPAN_COLUMNS] = {edge_plain, edge_plain_exact, scissor_plain, span_columns},
+    [SPAN_COLUMNS_16] = {edge_plain, edge_plain_exact, scissor_plain, span_columns_16},
+    [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated},
+    [SPAN_LIT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit},
+    [SPAN_LIT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_wrap},
+    [SPAN_LIT_GOURAUD] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_gouraud}
+};
+
+/* Whether a step is 0, and whether one is small enough for the spans that step u or v
+   alone: 62 texels a pixel, for 1,024 pixels. Both as the map repeats, modulo 256. */
+static int32 is_still(fix16 step)
+{
+    return !((uint32)step << 8);
+}
+
+static int32 is_slow(fix16 step)
+{
+    const uint32 most = (uint32)62 << 24;
+
+    return ((uint32)step << 8) + most <= 2 * most;
+}
+
+/* The addx chain, or a part of it where the polygon needs no more. */
+static enum span_kind affine_kind(const struct texturing *t)
+{
+    if (is_still(t->dvdx) && is_slow(t->dudx))
+        return SPAN_AFFINE_ROW;
+    if (is_still(t->dudx) && is_slow(t->dvdx))
+        return SPAN_AFFINE_COLUMN;
+    return t->wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
+}
+
+enum span_kind kind_of(const struct material *material, const struct frame *frame,
+                       enum form form, const struct texturing *texturing)
+{
+    switch (material->mapper) {
+    case MAPPER_GOURAUD:
+        return SPAN_GOURAUD;
+    case MAPPER_AFFINE:
+        if (material->gradients == GRADIENTS_SCANLINE)
+            return SPAN_AFFINE_SCANLINE;
+        return form == FORM_SWAP ? SPAN_AFFINE_SWAP
+             : form == FORM_C ? SPAN_AFFINE_C
+             : affine_kind(texturing);
+    case MAPPER_ARBITRARY:
+        return SPAN_ARBITRARY;
+    case MAPPER_TILED:
+        return SPAN_TILED;
+    case MAPPER_COLUMNS:
+        return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
+    case MAPPER_GENERATED:
+        return SPAN_GENERATED;
+    case MAPPER_LIT:
+        return material->gradients == GRADIENTS_SCANLINE || texturing->wraps
+             ? SPAN_LIT_WRAP : SPAN_LIT;
+    case MAPPER_LIT_GOURAUD:
+        return SPAN_LIT_GOURAUD;
+    default:
+        return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
+    }
+}

@@ -1,0 +1,100 @@
+#include "polygon/shading.h"
+
+#include "polygon/math.h"
+#include "polygon/texturing.h"
+
+/* A level is a quarter of a shade. Spans keep the two lowest bits of its fraction for
+   wraps of v: all levels are multiples of 4 units. */
+#define LEVEL_OF(shade) ((shade) >> 2)
+#define FREE_BITS 3
+
+/* What a pixel may have beyond the vertices, as the plane is stepped: the pixel is within
+   1/64 pixel of the polygon, and as far by cut vertices, times a level at most. */
+#define INSET (65536 / 16)
+#define STEEP 65536
+
+int32 shading_light(struct span_plan *span, const struct material *material,
+                    const struct vertex *vertices)
+{
+    if (!material->light || material->light->layout != MAP_LIGHT)
+        return 0;
+    span->light = material->light->texels;
+    if (material->mapper == MAPPER_LIT)
+        span->light += 256 * (LEVEL_OF(vertices->shade) >> 16);
+    return 1;
+}
+
+/* A corner with its level in the place of s. */
+static const struct vertex *lit(struct vertex *to, const struct vertex *from)
+{
+    to->x = from->x;
+    to->y = from->y;
+    to->s = LEVEL_OF(from->shade);
+    to->t = 0;
+    return to;
+}
+
+static fix16 rounded(fix16 step)
+{
+    return (fix16)(((uint32)step + 2) & ~(uint32)FREE_BITS);
+}
+
+/* Whether no pixel leaves the range, as the stepped plane has it at the vertices: in
+   quarters, whose sums do not overflow. */
+static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
+                       const struct vertex *v, int32 count)
+{
+    if (plan->dcdx >= STEEP || plan->dcdx <= -STEEP || plan->dcdy >= STEEP
+        || plan->dcdy <= -STEEP)
+        return 0;
+    for (; count > 0; count--, v++) {
+        fix16 quarter = ((fix16)t->u >> 2)
+                      + (mul_fix(plan->dcdx, v->x - (t->i << 16)) >> 2)
+                      + (mul_fix(plan->dcdy, v->y - (t->j << 16)) >> 2);
+
+        if (quarter < (plan->low + INSET) >> 2 || quarter > (plan->high - INSET) >> 2)
+            return 0;
+    }
+    return 1;
+}
+
+void shading_lines(struct span_plan *span, const struct sides *sides,
+                   const struct vertex *vertices, int32 count, const struct rectangle *box)
+{
+    static uint32 shades[SCENE_SIDE_MAX];
+    struct vertex corners[3];
+    struct sides shaded;        /* as far as texturing_plane reads it */
+    struct texturing t;
+    struct shade_plan plan;
+
+    shaded.top = lit(&corners[0], sides->top);
+    shaded.bottom = lit(&corners[1], sides->bottom);
+    shaded.apex = lit(&corners[2], sides->apex);
+    shaded.area = sides->area;
+    shaded.apex_right = sides->apex_right;
+    texturing_plane(&t, &shaded, box, CHAIN_NONE);
+    plan.lines = span->lines;
+    plan.count = span->count;
+    plan.shades = shades;
+    plan.dcdx = rounded(t.dudx);
+    plan.dcdy = rounded(t.dudy);
+    plan.shade = (t.u & ~(uint32)FREE_BITS)
+               + (uint32)plan.dcdy * (uint32)(box->top - t.j)
+               - (uint32)plan.dcdx * (uint32)(EDGE_BIAS + t.i);
+    plan.low = plan.high = LEVEL_OF(vertices->shade);
+    for (int32 k = 1; k < count; k++) {
+        fix16 level = LEVEL_OF(vertices[k].shade);
+
+        plan.low = level < plan.low ? level : plan.low;
+        plan.high = level > plan.high ? level : plan.high;
+    }
+    plan.low &= ~0xffff;
+    plan.high = (plan.high | 0xffff) - FREE_BITS;
+    plan.inside = is_inside(&plan, &t, vertices, count);
+    plan.added = (uint32)span->light & 0xffff;
+    if (span->dvdx & 0x800000)
+        plan.added += SHADE_FALLS;
+    edge_shade(&plan);
+    span->shades = shades;
+    span->dcdx = plan.dcdx;
+}

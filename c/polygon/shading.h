@@ -1,0 +1,19 @@
+/* Polygons in the light of a table: which level each pixel has. */
+#ifndef SHADING_H
+#define SHADING_H
+
+#include "polygon/edges.h"
+#include "polygon/polygon.h"
+#include "span/scanline.h"
+
+/* Sets the light of a span plan, for MAPPER_LIT the first vertex's level; 0: the material
+   has no light table. */
+int32 shading_light(struct span_plan *span, const struct material *material,
+                    const struct vertex *vertices);
+
+/* MAPPER_LIT_GOURAUD: the levels of a table's lines, on the plane of the polygon, cut to
+   the frame already. No pixel has one beyond those of the vertices. */
+void shading_lines(struct span_plan *span, const struct sides *sides,
+                   const struct vertex *vertices, int32 count, const struct rectangle *box);
+
+#endif

@@ -1,0 +1,81 @@
+        include "routine.i"
+        include "layout.i"
+        include "hold.i"
+
+;==============================================================================
+; edge_shade - the shade of each line's first pixel, on the polygon's plane
+;
+; in:      a0  shade_plan*  the table, the plane, the range, where the shades go
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and last of its lines
+; writes:  the shades of lines with pixels, of others where inside is said; dcdx where
+;          even the longest line could not stay in the range with it
+; formats: levels 16.16 in multiples of 4 units: shade + line dcdy + left dcdx modulo
+;          2^32. Unless the plan says that all pixels are inside the range low to high,
+;          both included, themselves 0 to 63.99: moved as little as it must be for that.
+;          Packed as c-Cc: the lower 8 of 16 bits of fraction, room, the level, its
+;          fraction's upper byte; to that comes what the plan says
+; error:   none
+; cost:    bench row edge_shade; with inside, edge_shade_inside
+;==============================================================================
+        routine edge_shade,a0
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l a0,a6
+        movea.l shade_plan_lines(a6),a4
+        movea.l shade_plan_shades(a6),a1
+        movea.l shade_plan_shade(a6),a2
+        movea.l shade_plan_dcdy(a6),a3
+        movea.l shade_plan_added(a6),a5
+        move.l  shade_plan_dcdx(a6),d3
+        move.l  shade_plan_count(a6),d7
+        tst.l   shade_plan_inside(a6)
+        beq.s   .held
+
+.inside moveq   #0,d0
+        move.w  scanline_left(a4),d0
+        muls.l  d3,d0
+        add.l   a2,d0
+        ror.l   #8,d0                   ; c-Cc
+        add.l   a5,d0
+        move.l  d0,(a1)+
+        adda.l  a3,a2
+        lea     scanline_sizeof(a4),a4
+        subq.l  #1,d7
+        bne.s   .inside
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+.held   move.l  d3,-(sp)
+        move.l  d7,d6
+        longest_line
+        tst.l   d7
+        beq.s   .limited
+        limit   shade_plan_dcdx(a6),shade_plan_low(a6),shade_plan_high(a6),$fc
+.limited
+        movea.l shade_plan_lines(a6),a4
+        move.l  shade_plan_count(a6),d7
+        move.l  shade_plan_dcdx(a6),d3
+        movem.l shade_plan_low(a6),d4-d5
+.line   move.w  scanline_last(a4),d6
+        sub.w   scanline_left(a4),d6
+        blt.s   .next
+        ext.l   d6
+        moveq   #0,d0
+        move.w  scanline_left(a4),d0
+        muls.l  (sp),d0
+        add.l   a2,d0
+        move.l  d3,d1
+        muls.l  d6,d1
+        hold    d0,d1,d2,d4,d5
+        ror.l   #8,d0                   ; c-Cc
+        add.l   a5,d0
+        move.l  d0,(a1)
+.next   addq.l  #4,a1
+        adda.l  a3,a2
+        lea     scanline_sizeof(a4),a4
+        subq.l  #1,d7
+        bne.s   .line
+        addq.l  #4,sp
+        movem.l (sp)+,d2-d7/a2-a6
+        rts

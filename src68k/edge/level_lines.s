@@ -1,0 +1,91 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "perspective.i"
+
+; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, to the nearest.
+; Uses d0-d2.
+step    macro
+        movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
+        move.l  d3,d2
+        lsr.l   #1,d2
+        add.l   d2,d1
+        bcc.s   .rounded\@
+        addq.l  #1,d0
+.rounded\@
+        move.l  d0,d2
+        bpl.s   .positive\@
+        not.l   d2
+.positive\@
+        add.l   d2,d2
+        cmp.l   d3,d2
+        bhs.s   .none\@                 ; more than the map has: the line is a pixel or two
+        divs.l  d3,d0:d1
+        bvs.s   .none\@
+        tst.l   d0
+        bpl.s   .floor\@
+        subq.l  #1,d1
+.floor\@
+        move.l  d1,\1
+        bra.s   .made\@
+.none\@ clr.l   \1
+.made\@
+        endm
+
+;==============================================================================
+; level_lines - lines on which depth does not change, for the affine span
+;
+; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
+;          a1  scanline_step*     what u and v grow by a pixel: one a line
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and last of its lines
+; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
+;          those of empty lines
+; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
+;          kept within the plan's limits; its step the nearest of ds / q.hi; 16.16
+; error:   where q is the same all along the line: of u a unit at the first pixel, half
+;          a unit more at each other one
+; cost:    bench row level_lines
+;==============================================================================
+; A floor or a ceiling before an upright camera is such a polygon.
+
+        routine level_lines,a0,a1
+        movem.l d2-d7/a2-a6,-(sp)
+        rows_open
+        movea.l a1,a5
+        movea.l perspective_plan_lines(a6),a0
+        movea.l perspective_plan_left(a6),a4
+        lea     EDGE_BIAS(a4),a4
+
+.line   moveq   #0,d7
+        move.w  scanline_left(a0),d7
+        cmp.w   scanline_last(a0),d7
+        bgt     .next
+        sub.l   a4,d7
+        value   q
+        weight  d3
+        value   s
+        quotient u,d3
+        add.l   perspective_plan_u(a6),d1
+        move.l  d1,d4
+        value   t
+        quotient v,d3
+        add.l   perspective_plan_v(a6),d1
+        move.l  d1,d5
+        step    scanline_step_dudx(a5),s
+        step    scanline_step_dvdx(a5),t
+        pack_uv d4,d5,d6
+        swap    d4
+        move.w  d4,scanline_start0(a0)
+        move.w  d5,scanline_start1(a0)
+        move.l  d6,scanline_start2(a0)
+
+.next   rows_next
+        lea     scanline_sizeof(a0),a0
+        addq.l  #scanline_step_sizeof,a5
+        subq.l  #1,row_lines(sp)
+        bne     .line
+        lea     row_sizeof(sp),sp
+        movem.l (sp)+,d2-d7/a2-a6
+        rts

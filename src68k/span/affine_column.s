@@ -1,0 +1,60 @@
+        include "routine.i"
+        include "layout.i"
+        include "span.i"
+
+;==============================================================================
+; span_affine_column - span_affine_addx where u's step is 0: walls on their side
+;
+; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: v 8.16, U 8 bits; both wrap at 256; 8-bit texels and pixels. Of dvdx counts
+;          what is left modulo 256, -128 to 127.99: times count up to 64,000. dudx is
+;          0 modulo 256 and not read
+; error:   none: pixel n shows texel (floor(u), floor(v + n dvdx))
+; cost:    bench row affine_column
+;==============================================================================
+; v alone, carried into itself: v-Vv, with the room and the borrowing of pack_alone.
+
+pixel   macro
+        move.w  d1,d4                   ; mmVv
+        move.b  d5,d4                   ; mmVU
+        addx.l  d2,d1
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+        routine span_affine_column,a0
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dvdx(a0),d2
+        span_table
+        moveq   #0,d3                   ; the room of a line's start
+        lsl.l   #8,d2
+        asr.l   #8,d2                   ; -Vvv
+        bmi.s   .falls
+        ror.l   #8,d2                   ; v-Vv
+        bra.s   .packed
+.falls  ror.l   #8,d2
+        move.l  #$ff0000,d3
+        sub.l   #$1000000,d2
+        bcc.s   .packed
+        subq.l  #1,d2                   ; nothing to borrow from: v always carries
+.packed move.l  d2,d5
+        clr.w   d5
+        movea.l d5,a4                   ; v-00
+        lea     .pixels_end-10(pc),a3
+        span_line d0,d1
+        span_rounds 4
+        move.b  d1,d5
+        move.w  d0,d1                   ; v.Vv
+        and.l   #$ff00ffff,d1
+        or.l    d3,d1
+        add.l   a4,d1
+        span_enter_10
+.pixels rept    16
+        pixel
+        endr
+        span_close (sp)

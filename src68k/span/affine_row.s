@@ -1,0 +1,47 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "span.i"
+
+;==============================================================================
+; span_affine_row - span_affine_addx where v's step is 0: floors, upright pictures
+;
+; in:      a0  span_plan*  the table, the frame, the map, the step dudx
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: u 8.16, V 8 bits; both wrap at 256; 8-bit texels and pixels. Of dudx counts
+;          what is left modulo 256, -128 to 127.99: times count up to 64,000. dvdx is
+;          0 modulo 256 and not read
+; error:   none: pixel n shows texel (floor(u + n dudx), floor(v))
+; cost:    bench row affine_row
+;==============================================================================
+; A line's texels lie in one row of the map: u alone, carried into itself.
+
+pixel   macro
+        move.b  d0,d4                   ; mmVU
+        addx.l  d2,d0
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+        routine span_affine_row,a0
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dudx(a0),d2
+        span_table
+        pack_alone d2,d5,a4
+        move.l  (sp),d3
+        lea     .pixels_end-8(pc),a3
+        span_line d0,d1
+        span_rounds 4
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d5
+        move.w  d5,d0                   ; uu-U
+        add.l   a4,d0
+        jmp     (a3,d6.w*8)
+.pixels rept    16
+        pixel
+        endr
+        span_close d3

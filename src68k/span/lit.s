@@ -1,0 +1,49 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "span.i"
+
+;==============================================================================
+; span_lit - span_affine_addx through one row of a light table
+;
+; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
+;          256 bytes at light, a multiple of 256
+; writes:  the pixels of the lines, nothing else
+; formats: as span_affine_addx
+; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
+; cost:    bench row affine_lit
+;==============================================================================
+; The texel becomes the lowest byte of the row's address.
+
+pixel   macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        movea.l d4,a2
+        move.b  (a2),d5
+        movea.l d5,a2
+        move.b  (a2),(a1)+
+        endm
+
+        routine span_lit,a0
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_light(a0),-(sp)
+        move.l  span_plan_dudx(a0),d2
+        move.l  span_plan_dvdx(a0),d5
+        span_table
+        chain_steps
+        move.l  (sp),d5                 ; lll0
+        lea     .pixels_end-16(pc),a3
+        span_line d0,d1
+        span_rounds 3
+        add.l   a4,d1
+        span_enter_16
+.pixels rept    8
+        pixel
+        endr
+        span_close 4(sp),8
