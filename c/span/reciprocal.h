@@ -32,7 +32,7 @@ struct reciprocal_line {
     uint16 left;                /* x of the first pixel + EDGE_BIAS */
     int16 n;                    /* below 0: nothing to draw */
     uint32 u, v;                /* of the first pixel, 8.24 */
-    uint32 q, dq;               /* index and step of a piece, fraction:integer */
+    uint32 q, dq;               /* index and step of a piece, if it has one; fraction:integer */
     int16 cu, cv;               /* C: times r, 256 texels are 2^(32 - piece) */
     uint16 first, last;         /* r of the first and the last pixel */
     int16 carry;                /* added to u's steps, in 2^-24: rounding, less v's borrow */

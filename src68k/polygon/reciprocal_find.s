@@ -138,7 +138,7 @@ FLAT    equ     1<<8                    ; q grows less a pixel: no line would be
 ;          which does not change along a line. No gradient of q by x or y, nor of s
 ;          and t by x, reaches 2^30 times their unit of q.hi a pixel
 ; error:   of K |K| / 2^31; of C 3 units of 2^-64 of the planes' own, times the lines
-; cost:    about 1,900 cycles
+; cost:    about 2,700 cycles
 ;==============================================================================
         routine reciprocal_find,a0,d0,d1
         movem.l d2-d7/a2-a6,-(sp)
