@@ -212,7 +212,8 @@ def edge_rounded_trials(rng) -> list[Trial]:
 def sides_block(memory: Memory, at: int, vertices, wanted) -> int:
     """struct sides as sides_find leaves it."""
     numbers, pointers = sides_numbers(vertices, wanted), sides_pointers(at, vertices, wanted)
-    return memory.struct("sides", pointers, **numbers, area=list(wanted[4].to_bytes(8, "big")))
+    return memory.struct("sides", pointers, **numbers, spare=[0] * 3,
+                         area=list(wanted[4].to_bytes(8, "big")))
 
 
 def edges_make_trial(vertices, exact: bool) -> Trial | None:

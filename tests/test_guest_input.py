@@ -109,7 +109,7 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     out = []
 
     def entry(source, table, index, field, *values, said=None):
-        struct = SHAPES.struct("scene_" + {"vertices": "vertex"}.get(table, table[:-1]))
+        struct = SHAPES.struct(scene_file.TABLES[table])
         at = SHAPES.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
         out.extend((source, at + struct.fields[field]["offset"], value,
                     said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)

@@ -180,3 +180,11 @@ def test_this_trees_layout():
     text = (paths.LAYOUT.parent / "layout.i").read_text().splitlines()
     assert "scanline_left equ 2" in text and "scanline_sizeof equ 12" in text
     assert json.loads(paths.LAYOUT.read_text()).keys() == {"structs", "constants"}
+
+
+def test_longwords_take_one_access():
+    """A 68020 reads one at 4n + 2 in two: polygons were 1.5 % slower in chip RAM by that."""
+    for name, struct in layout.load().structs.items():
+        wide = [f["offset"] for f in struct["fields"].values() if f["size"] == 4]
+        assert not any(offset % 4 for offset in wide), name
+        assert not wide or struct["size"] % 4 == 0, f"{name}: {struct['size']} bytes"

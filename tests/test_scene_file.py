@@ -346,7 +346,7 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
       "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
       "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),
     ({"objects": [Object(0, 0, 3, 0, 5, 0)]}, r"scene: objects\[0\].pose"),
-    ({"vertices": np.full((6, 6), 2**31)}, "scene_vertex.x does not fit 32 bits"),
+    ({"vertices": np.full((6, 6), 2**31)}, "vertex.x does not fit 32 bits"),
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
 ])
 def test_bad_scenes_are_not_written(change, message):

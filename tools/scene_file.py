@@ -13,7 +13,7 @@ from .scene_meshes import Instance, Mesh
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
 TABLES = {"textures": "scene_texture", "materials": "scene_material",
-          "objects": "scene_object", "vertices": "scene_vertex", "poses": "scene_pose",
+          "objects": "scene_object", "vertices": "vertex", "poses": "scene_pose",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
           "views": "scene_view"}

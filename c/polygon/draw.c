@@ -178,14 +178,17 @@ static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
     return POLYGON_DRAWN;
 }
 
-/* Cuts the table to the frame's columns where an edge can lie outside them. */
+/* Whether an edge can lie outside the frame's columns. */
+static int32 leaves_columns(const struct setup *s)
+{
+    return s->outline_sides->x_low < 0
+        || s->outline_sides->x_high + EDGE_ERROR > s->frame->width << 16;
+}
+
 static void cut_lines(const struct setup *s, void (*routine)(const struct scissor_plan *plan))
 {
     struct scissor_plan scissor;
 
-    if (s->outline_sides->x_low >= 0
-        && s->outline_sides->x_high + EDGE_ERROR <= s->frame->width << 16)
-        return;
     scissor.lines = lines;
     scissor.count = s->span.count;
     scissor.width = s->frame->width;
@@ -194,12 +197,15 @@ static void cut_lines(const struct setup *s, void (*routine)(const struct scisso
     routine(&scissor);
 }
 
-static void make_lines(const struct setup *s, edge_routine *rounded, edge_routine *exact)
+/* The table of lines, cut to the frame's columns. */
+static void make_lines(const struct setup *s, const struct kind_routines *routines)
 {
     if (s->material->edges == EDGES_EXACT)
-        exact(&s->edges);
+        routines->exact_edges(&s->edges);
     else
-        rounded(&s->edges);
+        routines->edges(&s->edges);
+    if (leaves_columns(s))
+        cut_lines(s, routines->scissor);
 }
 
 /* Two divides a scanline: the sides' u and v after their x. */
@@ -209,8 +215,7 @@ static void set_ramps(struct setup *s)
     static struct scanline_step steps[SCENE_SIDE_MAX];
     struct ramp_plan plan;
 
-    make_lines(s, edge_flat, edge_flat_exact);
-    cut_lines(s, scissor_flat);
+    make_lines(s, &kind_routines[SPAN_FILL]);
     ramps_make(left, s->edges.left, s->edges.lefts);
     ramps_make(right, s->edges.right, s->edges.rights);
     plan.lines = lines;
@@ -259,6 +264,16 @@ static void draw_each_line(struct setup *s, const struct texturing *t)
     }
 }
 
+static int32 has_depth(const struct vertex *v, int32 count)
+{
+    fix16 w = v->w;
+
+    while (--count > 0)
+        if ((++v)->w != w)
+            return 1;
+    return 0;
+}
+
 /* Perspective: 0 where the affine spans do. */
 static int32 draw_perspective(const struct setup *s, struct draw_counts *counts)
 {
@@ -266,8 +281,7 @@ static int32 draw_perspective(const struct setup *s, struct draw_counts *counts)
 
     if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box))
         return 0;
-    make_lines(s, edge_flat, edge_flat_exact);
-    cut_lines(s, scissor_flat);
+    make_lines(s, &kind_routines[SPAN_FILL]);
     plan.lines = lines;
     plan.count = s->span.count;
     perspective_draw(&plan, s->material, &s->span, s->box.right - s->box.left, counts);
@@ -296,7 +310,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     result = set_span(&s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (material->perspective && draw_perspective(&s, counts))
+    if (material->perspective && has_depth(vertices, count) && draw_perspective(&s, counts))
         return POLYGON_DRAWN;
     if (material->mapper != MAPPER_FLAT && !scanline) {
         result = set_texturing(&s, &texturing);
@@ -307,8 +321,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     if (scanline) {
         set_ramps(&s);
     } else {
-        make_lines(&s, kind_routines[s.kind].edges, kind_routines[s.kind].exact_edges);
-        cut_lines(&s, kind_routines[s.kind].scissor);
+        make_lines(&s, &kind_routines[s.kind]);
         hold_lines(&s, &texturing, &s.span);
     }
     if (s.kind == SPAN_LIT_GOURAUD)

@@ -38,7 +38,7 @@ static int32 is_slow(fix16 step)
 }
 
 /* The addx chain, or a part of it where the polygon needs no more. */
-static enum span_kind affine_kind(const struct texturing *t)
+static enum span_kind addx_kind(const struct texturing *t)
 {
     if (is_still(t->dvdx) && is_slow(t->dudx))
         return SPAN_AFFINE_ROW;
@@ -47,32 +47,33 @@ static enum span_kind affine_kind(const struct texturing *t)
     return t->wraps ? SPAN_AFFINE_ADDX_WRAP : SPAN_AFFINE_ADDX;
 }
 
+static enum span_kind affine_kind(enum gradients gradients, enum form form,
+                                  const struct texturing *t)
+{
+    return gradients == GRADIENTS_SCANLINE ? SPAN_AFFINE_SCANLINE
+         : form == FORM_SWAP ? SPAN_AFFINE_SWAP
+         : form == FORM_C ? SPAN_AFFINE_C
+         : addx_kind(t);
+}
+
 enum span_kind kind_of(const struct material *material, const struct frame *frame,
                        enum form form, const struct texturing *texturing)
 {
-    switch (material->mapper) {
-    case MAPPER_GOURAUD:
-        return SPAN_GOURAUD;
-    case MAPPER_AFFINE:
-        if (material->gradients == GRADIENTS_SCANLINE)
-            return SPAN_AFFINE_SCANLINE;
-        return form == FORM_SWAP ? SPAN_AFFINE_SWAP
-             : form == FORM_C ? SPAN_AFFINE_C
-             : affine_kind(texturing);
-    case MAPPER_ARBITRARY:
-        return SPAN_ARBITRARY;
-    case MAPPER_TILED:
-        return SPAN_TILED;
-    case MAPPER_COLUMNS:
-        return frame->pixel_bytes == 2 ? SPAN_COLUMNS_16 : SPAN_COLUMNS;
-    case MAPPER_GENERATED:
-        return SPAN_GENERATED;
-    case MAPPER_LIT:
-        return material->gradients == GRADIENTS_SCANLINE || texturing->wraps
-             ? SPAN_LIT_WRAP : SPAN_LIT;
-    case MAPPER_LIT_GOURAUD:
-        return SPAN_LIT_GOURAUD;
-    default:
-        return frame->pixel_bytes == 2 ? SPAN_FILL_16 : SPAN_FILL;
-    }
+    /* Where the mapper decides: with 1 and 2 bytes a pixel. */
+    static const uint8 kinds[MAPPER_KINDS][2] = {
+        [MAPPER_FLAT] = {SPAN_FILL, SPAN_FILL_16},
+        [MAPPER_GOURAUD] = {SPAN_GOURAUD},
+        [MAPPER_ARBITRARY] = {SPAN_ARBITRARY},
+        [MAPPER_TILED] = {SPAN_TILED},
+        [MAPPER_COLUMNS] = {SPAN_COLUMNS, SPAN_COLUMNS_16},
+        [MAPPER_GENERATED] = {SPAN_GENERATED},
+        [MAPPER_LIT_GOURAUD] = {SPAN_LIT_GOURAUD}
+    };
+    enum gradients gradients = material->gradients;
+
+    if (material->mapper == MAPPER_AFFINE)
+        return affine_kind(gradients, form, texturing);
+    if (material->mapper == MAPPER_LIT)
+        return gradients == GRADIENTS_SCANLINE || texturing->wraps ? SPAN_LIT_WRAP : SPAN_LIT;
+    return kinds[material->mapper][frame->pixel_bytes - 1];
 }

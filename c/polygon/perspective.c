@@ -123,17 +123,12 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     struct plane_corners corners;
     struct found_planes planes;
     int32 right, down, least;
-    fix16 nearest = vertices->w, deepest = vertices->w;
+    fix16 nearest = vertices->w;
     int32 farthest = 0, scale = 16;
 
-    for (int32 i = 1; i < count; i++) {
+    for (int32 i = 1; i < count; i++)
         if (vertices[i].w < nearest)
             nearest = vertices[i].w;
-        if (vertices[i].w > deepest)
-            deepest = vertices[i].w;
-    }
-    if (nearest == deepest)
-        return 0;
     plan->u = middle(vertices, count, 0, &plan->u_low, &plan->u_high, &farthest);
     plan->v = middle(vertices, count, 1, &plan->v_low, &plan->v_high, &farthest);
     while (farthest >> scale)

@@ -29,8 +29,8 @@ struct found_planes {
 void planes_find(struct found_planes *planes, const struct plane_corners *corners);
 
 /* Fills in the planes and bases of a plan, for the box's pixels; 0: the polygon is to be
-   drawn affine, because w is constant or the planes are not sure enough: q of a vertex is
-   below 4 times its error. The vertices are as material_vertices gives them. */
+   drawn affine, because the planes are not sure enough: q of a vertex is below 4 times its
+   error. w is not constant; the vertices are as material_vertices gives them. */
 int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
                          int32 count, const struct sides *sides, const struct rectangle *box);
 

@@ -3,23 +3,9 @@
 #define POLYGON_H
 
 #include "compiler.h"
+#include "polygon/vertex.h"
 #include "scene/scene_file.h"
 #include "texture/map.h"
-
-/* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded).
-   s, t: 0 to 256 along the longer side of the map, whatever its size; any value
-   where the map repeats, in the same range. shade: 0 to 255; lit: a quarter is the level
-   of light. w: depth, which counts
-   with a perspective alone, W_MIN to W_MAX. All 16.16. */
-struct vertex {
-    fix16 x, y, s, t, shade, w;
-};
-
-enum polygon_constants {
-    POLYGON_FAR = 16384,        /* pixels: differences stay inside 16.16 */
-    W_MIN = 1 << 8,             /* 1/256 ... */
-    W_MAX = 1 << 30             /* ... to 16,384: 22 bits apart in one polygon */
-};
 
 /* How near the picture comes to the exact one, from cheap to exact. */
 enum edges {
@@ -113,6 +99,7 @@ struct draw_counts {
 struct material {
     uint8 mapper, edges, gradients, start, clip;
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
+    uint8 spare[2];
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
     const struct map *light;    /* of lit ones: MAP_LIGHT */

@@ -18,6 +18,7 @@ struct sides {
                                            the last comes the first */
     fix16 x_low, x_high;
     uint8 apex_right;                   /* where the apex lies: 255 right, 0 left */
+    uint8 spare[3];
 };
 
 /* The smallest integer not below x. */

@@ -11,7 +11,7 @@ struct scene {
     const struct scene_texture *textures;
     const struct scene_material *materials;
     const struct scene_object *objects;
-    const struct scene_vertex *vertices;
+    const struct vertex *vertices;
     const struct scene_pose *poses;
     const struct scene_point *points;
     const struct scene_normal *normals;

@@ -25,17 +25,15 @@ static void clear(const struct frame *frame, uint32 colour)
         span_fill(&plan);
 }
 
-/* Whether a pose only moves. */
-static int32 is_upright(const struct scene_pose *pose)
+/* The vertices as a pose has them: in place, or where they stand already. */
+static const struct vertex *place(struct vertex *room, const struct vertex *from, uint32 count,
+                                  const struct scene_pose *pose)
 {
-    return pose->xx == 65536 && pose->yy == 65536 && !pose->xy && !pose->yx;
-}
+    int32 upright = pose->xx == 65536 && pose->yy == 65536 && !pose->xy && !pose->yx;
+    struct vertex *to = room;
 
-static void place(struct vertex *to, const struct scene_vertex *from, uint32 count,
-                  const struct scene_pose *pose)
-{
-    int32 upright = is_upright(pose);
-
+    if (upright && !pose->x0 && !pose->y0)
+        return from;
     for (; count; count--, from++, to++) {
         to->x = from->x + pose->x0;
         to->y = from->y + pose->y0;
@@ -48,54 +46,59 @@ static void place(struct vertex *to, const struct scene_vertex *from, uint32 cou
         to->shade = from->shade;
         to->w = from->w;
     }
+    return room;
 }
 
-/* The instances before an object, from the first that is not drawn yet; returns the next. */
-static uint32 draw_meshes(const struct scene *scene, uint32 first, uint32 object,
-                          const struct mesh_target *target, enum polygon_result *refused)
+/* Objects first to end (excluded). */
+static enum polygon_result draw_objects(const struct scene *scene, const struct frame *frame,
+                                        int32 number, enum form form,
+                                        struct draw_counts *counts, uint32 first, uint32 end)
 {
-    uint32 end = first;
-    enum polygon_result result;
+    enum polygon_result refused = POLYGON_DRAWN;
+    const struct scene_object *object = &scene->objects[first];
+    static struct vertex room[POLYGON_VERTICES_MAX];
 
-    while (end < scene->header->instances && scene->instances[end].before <= object)
-        end++;
-    if (end == first)
-        return end;
-    result = mesh_draw(scene, first, end, target);
-    if (result != POLYGON_DRAWN)
-        *refused = result;
-    return end;
+    for (; first < end; first++, object++) {
+        uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
+        const struct vertex *vertices;
+        enum polygon_result result;
+
+        if (age >= object->poses)
+            continue;
+        vertices = place(room, &scene->vertices[object->vertex], object->vertices,
+                         &scene->poses[object->pose + age]);
+        result = polygon_draw(frame, vertices, (int32)object->vertices,
+                              &scene->drawn[object->material], form, counts);
+        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+            refused = result;
+    }
+    return refused;
 }
 
 enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
                                int32 number, enum form form, struct draw_counts *counts)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
-    const struct scene_object *object = scene->objects;
-    struct vertex vertices[POLYGON_VERTICES_MAX];
-    uint32 drawn = 0;           /* instances */
+    const struct scene_header *header = scene->header;
+    enum polygon_result refused = POLYGON_DRAWN, result;
+    uint32 object = 0, instance = 0;
     struct mesh_target target;
 
     target.frame = frame;
     target.number = number;
     target.form = form;
     target.counts = counts;
-    clear(frame, scene->header->background);
-    for (uint32 i = 0; i < scene->header->objects; i++, object++) {
-        uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
-        enum polygon_result result;
+    clear(frame, header->background);
+    while (instance < header->instances) {      /* those before one object are together */
+        uint32 before = scene->instances[instance].before, first = instance;
 
-        if (drawn < scene->header->instances && scene->instances[drawn].before <= i)
-            drawn = draw_meshes(scene, drawn, i, &target, &refused);
-        if (age >= object->poses)
-            continue;
-        place(vertices, &scene->vertices[object->vertex], object->vertices,
-              &scene->poses[object->pose + age]);
-        result = polygon_draw(frame, vertices, (int32)object->vertices,
-                              &scene->drawn[object->material], form, counts);
-        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
-            refused = result;
+        result = draw_objects(scene, frame, number, form, counts, object, before);
+        refused = result == POLYGON_DRAWN ? refused : result;
+        while (instance < header->instances && scene->instances[instance].before == before)
+            instance++;
+        result = mesh_draw(scene, first, instance, &target);
+        refused = result == POLYGON_DRAWN ? refused : result;
+        object = before;
     }
-    draw_meshes(scene, drawn, scene->header->objects, &target, &refused);
-    return refused;
+    result = draw_objects(scene, frame, number, form, counts, object, header->objects);
+    return result == POLYGON_DRAWN ? refused : result;
 }

@@ -6,6 +6,7 @@
 #define SCENE_FILE_H
 
 #include "compiler.h"
+#include "polygon/vertex.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
@@ -62,20 +63,13 @@ struct scene_material {
 
 /* One convex polygon that moves: in frame f it is drawn with pose
    pose + (f - first_frame), as long as that is below poses. Objects are drawn
-   in the order of the file. */
+   in the order of the file. Its struct vertex have x and y before the pose, and for
+   MAPPER_ARBITRARY s and t inside the map. */
 struct scene_object {
     uint32 material;            /* index */
     uint32 vertex, vertices;    /* first vertex, how many: 3 where gradients need it */
     uint32 pose, poses;         /* first pose, how many frames it lives */
     uint32 first_frame;
-};
-
-/* Before the pose: x, y relative to the object; s, t are the texture's, 0 to 256
-   along its longer side and, for MAPPER_ARBITRARY, inside it; y and t downwards.
-   shade is a Gouraud material's pixel, 0 to 255, of a lit one 4 times the level; w the depth where the material has
-   a perspective. All 16.16. */
-struct scene_vertex {
-    fix16 x, y, s, t, shade, w;
 };
 
 /* screen x = xx * x + xy * y + x0; screen y = yx * x + yy * y + y0, each product

@@ -57,7 +57,7 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "materials or materials_at";
     if (!table_usable(h->objects_at, h->objects, sizeof(struct scene_object), bytes))
         return "objects or objects_at";
-    if (!table_usable(h->vertices_at, h->vertices, sizeof(struct scene_vertex), bytes))
+    if (!table_usable(h->vertices_at, h->vertices, sizeof(struct vertex), bytes))
         return "vertices or vertices_at";
     if (!table_usable(h->poses_at, h->poses, sizeof(struct scene_pose), bytes))
         return "poses or poses_at";
@@ -189,7 +189,7 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
 static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
 {
     const struct scene_material *m = &scene->materials[object->material];
-    const struct scene_vertex *v = &scene->vertices[object->vertex];
+    const struct vertex *v = &scene->vertices[object->vertex];
 
     for (uint32 left = object->vertices; left; left--, v++) {
         if ((m->mapper == MAPPER_GOURAUD || is_lit(m->mapper))
@@ -307,7 +307,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     scene->textures = (const struct scene_texture *)(data + header->textures_at);
     scene->materials = (const struct scene_material *)(data + header->materials_at);
     scene->objects = (const struct scene_object *)(data + header->objects_at);
-    scene->vertices = (const struct scene_vertex *)(data + header->vertices_at);
+    scene->vertices = (const struct vertex *)(data + header->vertices_at);
     scene->poses = (const struct scene_pose *)(data + header->poses_at);
     scene->points = (const struct scene_point *)(data + header->points_at);
     scene->normals = (const struct scene_normal *)(data + header->normals_at);

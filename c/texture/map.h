@@ -33,6 +33,7 @@ struct map {
     fix16 scale;                /* texels for 1 of s or t: the longer side / 256 */
     uint8 layout;
     uint8 texel_bytes;          /* 1: palette index; 2: RGB565, big-endian */
+    uint8 spare[2];
 };
 
 /* The scale of a map of this size. */

@@ -1,0 +1,22 @@
+/* A corner of a polygon on the screen, in scene files too. */
+#ifndef VERTEX_H
+#define VERTEX_H
+
+#include "compiler.h"
+
+/* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded); y and t
+   downwards. s, t: 0 to 256 along the longer side of the map, whatever its size; any value
+   where the map repeats, in the same range. shade: 0 to 255, Gouraud's pixel; lit: a quarter
+   of it is the level of light. w: depth, which counts with a perspective alone, W_MIN to
+   W_MAX. All 16.16. */
+struct vertex {
+    fix16 x, y, s, t, shade, w;
+};
+
+enum vertex_limits {
+    POLYGON_FAR = 16384,        /* pixels: differences stay inside 16.16 */
+    W_MIN = 1 << 8,             /* 1/256 ... */
+    W_MAX = 1 << 30             /* ... to 16,384: 22 bits apart in one polygon */
+};
+
+#endif
