@@ -245,7 +245,7 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
             results[index] = result
 
     parts, done = [], 0
-    for batch in kernels.batches([trial.case for trial in trials]):
+    for batch in kernels.batches([trial.case for trial in trials], machine):
         parts.append(list(range(done, done + len(batch))))
         done += len(batch)
     with ThreadPoolExecutor(BOOTS) as boots:

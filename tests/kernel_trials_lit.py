@@ -75,9 +75,9 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
 def pairs_of(rng) -> list[tuple[int, int]]:
     """Steps of u and v of all kinds."""
     steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
-    steps = [steps[k] for k in rng.choice(len(steps), 22, replace=False)]
-    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(5)]
-    return steps + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(5)]
+    steps = [steps[k] for k in rng.choice(len(steps), 48, replace=False)]
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(8)]
+    return steps + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
 
 
 def lit_trials(kernel: str, rng) -> list[Trial]:

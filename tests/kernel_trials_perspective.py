@@ -184,7 +184,7 @@ def span_trials(settings, rng) -> list[Trial]:
     counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
     lines = FRAME // PITCH - 1
     return [span_trial(setting, counts[:lines], ends, reach, rng) for setting in settings
-            for k, ends in enumerate(Q_ENDS) for reach in ((31, 20), (24, 12))[k % 2]]
+            for ends in Q_ENDS for reach in (31, 24, 20, 12)]
 
 
 def trials() -> list[Trial]:

@@ -1,7 +1,7 @@
 /* bench - calls kernels as a plan says, times them and writes what they did.
 
    bench PLAN RESULTS
-   prints a line a case before it starts. */
+   prints a line before each case that is timed, and before every REPORTED-th. */
 #include "bench/kernels.h"
 #include "bench/plan_file.h"
 #include "span/scanline.h"
@@ -9,6 +9,8 @@
 #include "system/system.h"
 #include "system/text.h"
 #include "texture/map.h"
+
+#define REPORTED 32
 
 /* column_layout_make as a kernel: its arguments are in a plan, the result in count. */
 static void make_columns(struct span_plan *plan)
@@ -122,6 +124,35 @@ static void prepare(const struct plan_case *c, const uint8 *plan, uint8 *near, u
     }
 }
 
+/* Results on their way to the file: a write takes AmigaDOS milliseconds, however short. */
+static uint8 kept[32768];
+static uint32 kept_bytes;
+
+static int32 results_write(int32 file, const uint8 *from, uint32 bytes)
+{
+    return file_write(file, from, (int32)bytes) == (int32)bytes
+        || text_refuse("bench", "results cannot be written");
+}
+
+static int32 results_flush(int32 file)
+{
+    uint32 bytes = kept_bytes;
+
+    kept_bytes = 0;
+    return results_write(file, kept, bytes);
+}
+
+static int32 results_add(int32 file, const uint8 *from, uint32 bytes)
+{
+    if (bytes > sizeof kept - kept_bytes && !results_flush(file))
+        return 0;
+    if (bytes > sizeof kept)
+        return results_write(file, from, bytes);
+    copy(kept + kept_bytes, from, bytes);
+    kept_bytes += bytes;
+    return 1;
+}
+
 static int32 run(const struct plan_case *c, const uint8 *plan, const struct arenas *arenas,
                  int32 file)
 {
@@ -141,9 +172,8 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
     call_kernel(registers, routine);
     clock_stop();
     quiet_leave();
-    if (file_write(file, near, (int32)c->near) != (int32)c->near
-        || file_write(file, far, (int32)c->far) != (int32)c->far)
-        return text_refuse(name, "results cannot be written");
+    if (!results_add(file, near, c->near) || !results_add(file, far, c->far))
+        return 0;
     result.near = (uint32)near;
     result.far = (uint32)far;
     for (int32 i = 0; i < PLAN_REGISTERS; i++)
@@ -159,9 +189,7 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
         result.ticks = clock_stop();
         quiet_leave();
     }
-    if (file_write(file, &result, sizeof result) != sizeof result)
-        return text_refuse(name, "results cannot be written");
-    return 1;
+    return results_add(file, (const uint8 *)&result, sizeof result);
 }
 
 /* Every offset of the list must leave room for a longword in `near`. */
@@ -218,6 +246,17 @@ static int32 usable_cases(const struct plan_case *cases, uint32 count, const uin
     return 1;
 }
 
+static void report(uint32 number, uint32 cases, const char *name)
+{
+    text_add("case ");
+    text_number((int32)number);
+    text_add(" of ");
+    text_number((int32)cases);
+    text_add(": ");
+    text_add(name);
+    text_print();
+}
+
 static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 results)
 {
     const struct plan_header *header = (const struct plan_header *)plan;
@@ -229,17 +268,12 @@ static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 r
     if (!make_arenas(&arenas, cases, header->cases))
         return text_refuse(name, "not enough memory");
     for (uint32 i = 0; i < header->cases; i++) {
-        text_add("case ");
-        text_number((int32)i);
-        text_add(" of ");
-        text_number((int32)header->cases);
-        text_add(": ");
-        text_add((const char *)(plan + cases[i].name_at));
-        text_print();
+        if (cases[i].repeats || i % REPORTED == 0)
+            report(i, header->cases, (const char *)(plan + cases[i].name_at));
         if (!run(&cases[i], plan, &arenas, results))
             return 0;
     }
-    return 1;
+    return results_flush(results);
 }
 
 int main(void)
