@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import bench_perspective, bench_reciprocal, layout, maps, model
+from . import bench_logarithm, bench_perspective, bench_reciprocal, layout, maps, model
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
@@ -302,6 +302,7 @@ def pixel_rows(chip: bool) -> list[Row]:
             rows.append(Row(name, length, *bench_perspective.span_case(setting, ratio, length)))
         for name, m in bench_reciprocal.SPANS.items():
             rows.append(Row(name, length, *bench_reciprocal.span_case(m, length)))
+        rows.append(Row("persp_pixel", length, *bench_logarithm.span_case(length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
         rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
     rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]

@@ -20,7 +20,7 @@ LINES = 64
 ENOUGH = ("enough4", "enough8", "enough16", "enough32")
 #: Row: setting, ratio of w.
 SPANS = {"persp_every16_exact": ("every16", RATIO), "persp_every8_exact": ("every8", RATIO),
-         "persp_pixel": ("pixel", RATIO), "persp_pixel_fine": ("fine", RATIO),
+         "persp_pixel_exact": ("pixel", RATIO), "persp_pixel_fine": ("fine", RATIO),
          "persp_pixel_deep": ("pixel", 100), "persp_pixel_fine_deep": ("fine", 100)}
 
 

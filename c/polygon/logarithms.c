@@ -1,0 +1,67 @@
+/* The tables of logarithms and powers that spans with perspective read. */
+#include "polygon/math.h"
+#include "span/logarithm.h"
+
+#define ONE ((uint32)1 << 30)           /* of mantissas, 2.30 */
+#define COARSE 1079572136               /* 2^(1/128) */
+#define FINE 1073787251                 /* 2^(1/16384) */
+
+enum { FACTORS = 128, FIRST_BIT = 13, OCTAVES = 3 };    /* of the indices */
+
+/* Powers of a factor: half a unit of its own and one each time, below 2^-23 of it in all. */
+static void multiply_up(int32 *to, int32 factor)
+{
+    *to = (int32)ONE;
+    for (int32 i = 1; i < FACTORS; i++, to++)
+        to[1] = mul_shift(*to, factor, 30);
+}
+
+/* The mantissa t units up: 2^(t / OCTAVE). */
+static uint32 mantissa(const int32 *coarse, const int32 *fine, int32 t)
+{
+    return t == LOGARITHM_OCTAVE ? 2 * ONE
+        : (uint32)mul_shift(coarse[t / FACTORS], fine[t % FACTORS], 30);
+}
+
+/* An octave of powers a line apart. */
+static void set_powers(uint16 *to, uint32 here)
+{
+    uint32 half = ONE / 2;
+
+    for (int32 bits = 30; half > ONE >> LOGARITHM_OCTAVES >> 1; bits--, half >>= 1) {
+        *to = (uint16)((here + half) >> bits);
+        to += LOGARITHM_OCTAVE;
+    }
+}
+
+void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *powers)
+{
+    int32 coarse[FACTORS], fine[FACTORS];
+    int16 *to[OCTAVES];
+    uint32 index[OCTAVES], part = ONE, here = ONE;      /* the next of each octave, 2.30 */
+    uint32 *parts = tables->parts;
+
+    multiply_up(coarse, COARSE);
+    multiply_up(fine, FINE);
+    for (int32 k = 0; k < OCTAVES; k++) {
+        to[k] = logs + ((1 << (FIRST_BIT + k)) - LOGARITHM_LOWEST);
+        index[k] = ONE + (ONE >> (FIRST_BIT + 1 + k));
+    }
+    for (int32 t = 0; t <= LOGARITHM_OCTAVE; t++) {
+        /* Indices belong to t up to the middle of it and the next. */
+        uint32 next = t < LOGARITHM_OCTAVE ? mantissa(coarse, fine, t + 1) : here;
+        uint32 middle = t < LOGARITHM_OCTAVE ? (here >> 1) + (next >> 1) : 2 * ONE;
+
+        for (int32 k = 0; k < OCTAVES; k++)
+            for (; index[k] < middle; index[k] += ONE >> (FIRST_BIT + k))
+                *to[k]++ = (int16)(LOGARITHM_MIDDLE - ((FIRST_BIT + k) << LOGARITHM_BITS) - t);
+        for (; part < next; part += ONE / LOGARITHM_PARTS)
+            *parts++ = ((uint32)t << 8) + ((part - here) << 8) / (next - here);
+        if (t < LOGARITHM_OCTAVE)
+            set_powers(powers + t, here);
+        here = next;
+    }
+    *parts = (uint32)LOGARITHM_OCTAVE << 8;
+    tables->logs = logs + LOGARITHM_COUNT / 2;
+    tables->powers = powers;
+}

@@ -1,0 +1,61 @@
+/* Lines with perspective by tables of logarithms and powers: what logarithm_lines writes and
+   span_logarithm reads. u = K + C / q: K belongs to the polygon, C to the line, and
+   |C| / q = 2^(log2 |C| - log2 q), so that C moves a pointer into the table of powers. */
+#ifndef LOGARITHM_H
+#define LOGARITHM_H
+
+#include "span/reciprocal.h"
+
+/* A unit of a logarithm is 1/16384 of an octave: 4.23e-5 of the number. */
+enum logarithm_constants {
+    LOGARITHM_BITS = 14,
+    LOGARITHM_OCTAVE = 1 << LOGARITHM_BITS,
+    /* q's indices, its upper 16 bits: three octaves, so w may differ 7 times. */
+    LOGARITHM_LOWEST = 8192,
+    LOGARITHM_COUNT = 65536 - LOGARITHM_LOWEST,
+    LOGARITHM_ORIGIN = LOGARITHM_LOWEST + LOGARITHM_COUNT / 2,  /* where indices are 0 */
+    /* What the table of logarithms is less: from -1.5 to 1.5 octaves are left. */
+    LOGARITHM_MIDDLE = 29 * LOGARITHM_OCTAVE / 2,
+    /* Powers: from 1/256 texel, three octaves below 1/32, to 512. */
+    LOGARITHM_OCTAVES = 17,
+    LOGARITHM_POWERS = LOGARITHM_OCTAVES * LOGARITHM_OCTAVE,
+    LOGARITHM_PARTS = 256
+};
+
+struct logarithm_tables {
+    const int16 *logs;          /* index 0 (ORIGIN's): MIDDLE - log2(index + 1/2), rounded */
+    const uint16 *powers;       /* 2^(i / OCTAVE), rounded, modulo 2^16 */
+    uint32 parts[LOGARITHM_PARTS + 1];  /* log2(1 + i / PARTS), in 1/256 units */
+};
+
+/* One line of n + 1 pixels. */
+struct logarithm_line {
+    uint16 left;                /* x of the first pixel + EDGE_BIAS */
+    int16 n;                    /* below 0: nothing to draw */
+    uint32 q, dq;               /* index and step of a pixel; fraction:integer */
+    uint16 u, v;                /* K, 8.8 */
+    int32 power_u, power_v;     /* log2 |C|: bytes from powers to what a logarithm of 0 means */
+    uint16 way;                 /* bit 0: C of u is negative, bit 1: that of v */
+    uint16 spare;
+};
+
+/* Everything a span by logarithms needs: it draws the whole table. */
+struct logarithm_span {
+    const struct logarithm_line *lines;
+    int32 count;                /* lines, 1 or more */
+    uint8 *row;                 /* pixel -EDGE_BIAS of the first line */
+    int32 pitch;                /* bytes from line to line */
+    const uint8 *map;           /* MAP_PAGE */
+    const int16 *logs;          /* as in the tables */
+    const uint16 *powers;
+};
+
+/* Fills COUNT logarithms, POWERS powers and what leads to them. */
+void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *powers);
+
+/* src68k: contracts there. */
+int32 logarithm_lines(const struct reciprocal_plan *plan, const struct logarithm_tables *tables,
+                      struct logarithm_line *to);
+void span_logarithm(const struct logarithm_span *span);
+
+#endif
