@@ -6,6 +6,7 @@ from dataclasses import replace
 import kernel_checker
 import kernel_trials_edge
 import kernel_trials_lit
+import kernel_trials_logarithm
 import kernel_trials_mappers
 import kernel_trials_math
 import kernel_trials_mesh
@@ -26,7 +27,10 @@ IN_C = contracts.Contract(
     contracts.expand("d0-d1/a0-a1"), *[""] * 5)
 COLUMNS_IN_C = replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
                        summary="where a column map has its texels")
-CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C, COLUMNS_IN_C]}
+LOGARITHMS_IN_C = replace(IN_C, name="logarithms_make", file="c/polygon/logarithms.c",
+                          summary="tables of logarithms and powers")
+CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C, COLUMNS_IN_C,
+                                 LOGARITHMS_IN_C]}
 
 
 @pytest.fixture(scope="module")
@@ -38,7 +42,7 @@ def called(request):
                                  kernel_trials_span, kernel_trials_mappers, kernel_trials_pixel,
                                  kernel_trials_scanline, kernel_trials_tiled, kernel_trials_lit,
                                  kernel_trials_polygon, kernel_trials_perspective,
-                                 kernel_trials_reciprocal)
+                                 kernel_trials_reciprocal, kernel_trials_logarithm)
               for trial in room.trials() if trial.case.kernel in wanted]
     results = kernel_checker.run(trials)
     return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]

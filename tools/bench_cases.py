@@ -333,6 +333,7 @@ def line_rows(chip: bool) -> list[Row]:
                                    ("perspective_lines_curves", "pixel"))]
     rows.append(Row("level_lines", bench_perspective.LINES, *bench_perspective.level_case()))
     rows.append(Row("reciprocal_lines", bench_perspective.LINES, *bench_reciprocal.lines_case(16)))
+    rows.append(Row("logarithm_lines", bench_perspective.LINES, *bench_logarithm.lines_case()))
     for row in rows:
         row.case.chip = chip
     return rows

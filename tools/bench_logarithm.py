@@ -6,8 +6,11 @@ import numpy as np
 
 from . import layout
 from . import model_logarithm as logarithms
+from . import model_reciprocal as reciprocals
 from .bench_mappers import first_difference
-from .bench_perspective import NEAR, RATIO
+from .bench_perspective import LINES, RATIO, polygon_lines
+from .bench_perspective import add_plan as planes_plan
+from .fixed import signed
 from .kernels import M32, Arena, Case, Result
 from .model_reciprocal import swap
 
@@ -16,7 +19,8 @@ NEAREST = 63000 << 16  # q of the nearer end as normalised
 
 def log_table(arena: Arena) -> int:
     """Adds the table of logarithms; where its index 0 is."""
-    return arena.add(logarithms.logs().astype(">i2").tobytes()) + logarithms.COUNT
+    return arena.add(logarithms.logs().astype(">i2").tobytes()) \
+        + 2 * (logarithms.ORIGIN - logarithms.LOWEST)
 
 
 def power_table(arena: Arena, lines) -> int:
@@ -75,3 +79,35 @@ def span_case(length: int):
         return first_difference(expected, found.reshape(expected.shape))
 
     return count * length, Case("span_logarithm", arena, pointers={"a0": plan_at}, far=far), check
+
+
+def add_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
+    """Adds a reciprocal_plan with its constants, and the tables but for the powers."""
+    longs = {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in
+             zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)}
+    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **longs, ku=signed(constants.k[0]),
+                        kv=signed(constants.k[1]), limit=0, piece=0, table=0, to=0)
+    return plan, arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
+                              parts=logarithms.parts())
+
+
+def lines_case():
+    """LINES lines of a turned triangle, all of which are taken."""
+    arena, shape = Arena(), layout.load().struct("logarithm_line")
+    deep, lines = polygon_lines()
+    constants = reciprocals.find(deep, None, 200, lines[0][0] - deep.i, 0)
+    expected = [logarithms.line(deep, constants, *each) for each in lines]
+    to_at = arena.add(bytes(shape.size * LINES))
+    plan, tables = add_plan(arena, planes_plan(arena, deep, lines, to_at), constants)
+
+    def check(result: Result) -> str | None:
+        if result.registers["d0"]:
+            return f"{result.registers['d0']} lines are left to others"
+        for k, each in enumerate(expected):
+            found = shape.unpack(result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size])
+            for field, value in shape.unpack(entry(each)).items():
+                if found[field] != value and field != "spare":
+                    return f"line {k}: {field} is {found[field]}, expected {value}"
+        return None
+
+    return LINES, Case("logarithm_lines", arena, pointers={"a0": plan, "a1": tables, "d0": to_at}), check

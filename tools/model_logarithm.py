@@ -8,24 +8,48 @@ left to ``model_perspective``.
 
 from dataclasses import dataclass
 from functools import cache
+from math import floor, log, log2
 
 import numpy as np
 
 from .fixed import M32, signed
+from .model_reciprocal import swap
 
 BITS = 14
 OCTAVE = 1 << BITS
 LOWEST = 8192
-COUNT = 65536 - LOWEST
-ORIGIN = LOWEST + COUNT // 2
+COUNT = 65537 - LOWEST
+ORIGIN = (LOWEST + 65536) // 2
 MIDDLE = 29 * OCTAVE // 2
 OCTAVES = 17
 POWERS = OCTAVES * OCTAVE
+LEAST = 3 * OCTAVE  # 1/32 texel
+FURTHEST = 8
 PARTS = 256
 ONE = 1 << 30  # of mantissas
 FACTORS = 128
+#: Centre of what parts lie below the curve between them, 11.5 / 2, and are cut.
+BIAS = 7
 #: 2^(1/128) and 2^(1/16384)
 COARSE, FINE = 1079572136, 1073787251
+
+
+#: What makes a line's pixels wrong (units of 1/65536 texel; of an index; of a logarithm, each of
+#: 1/OCTAVE of an octave): K and powers rounded, the rest; q's index cut in the middle, its
+#: shift and steps cut; logs rounded, what the moved K leaves of C's rounding, C's own.
+REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.27 + 0.04
+
+
+def limit(bucket: int) -> int:
+    """The power up to which a line may go whose largest logarithm has this upper part: the distance
+    from K that keeps to 1/32 texel, and 512 texels."""
+    smallest = 2 ** ((MIDDLE - (bucket - 23) * 1024) / OCTAVE) - 1.5
+    far = (2048 - REST) / 65536 / (OFF_INDEX / smallest + OFF_LOG * log(2) / OCTAVE)
+    return min(floor(OCTAVE * log2(256 * far)), POWERS - 1)
+
+
+#: Of each 1/16 of an octave of logs, from the lowest.
+LIMITS = [limit(bucket) for bucket in range(48)]
 
 
 @cache
@@ -49,7 +73,7 @@ def logs() -> np.ndarray:
     for k in range(LOWEST.bit_length() - 1, 16):
         x = 2 * np.arange(1 << k, 2 << k) + 1 << 29 - k
         out.append(MIDDLE - k * OCTAVE - np.searchsorted(means, x, "right"))
-    return np.concatenate(out)
+    return np.append(np.concatenate(out), out[-1][-1])
 
 
 @cache
@@ -98,3 +122,70 @@ def coordinates(each: Logarithmic) -> tuple[np.ndarray, np.ndarray]:
     log = logs()[indices(each)]
     return tuple((k + (-d if each.way >> bit & 1 else d)) << 8 & M32 for bit, k, d in
                  ((axis, each.k[axis], powers()[each.power[axis] + log]) for axis in (0, 1)))
+
+
+def mantissa(power: int) -> int:
+    """2^(power / OCTAVE) in 1/OCTAVE, straight between octaves; up to 6.2 % too large."""
+    return (power % OCTAVE + OCTAVE) << (power >> BITS)
+
+
+def constant(c: int, k: int, base: int, low: int, high: int) -> tuple[int, int] | None:
+    """(K in 8.8, power) of a line whose 64 C, K and ends' logs are given; None where C is too
+    large."""
+    size = abs(c)
+    power = None
+    if size >> 32:
+        up = 64 - size.bit_length()
+        m = size << up >> 32
+        part, rest = m >> 23 & 255, m >> 7 & 0xFFFF
+        full = parts()[part] + ((parts()[part + 1] - parts()[part]) * rest >> 16) - (up << 22) + base
+        power = full >> 8
+        if power + high > LIMITS[(high + 24576) >> 10]:
+            return None
+    if power is None or power + high < LEAST:
+        reach = 8 if power is None or power + high < 0 else mantissa(power + high) >> 10
+        power = LEAST - high
+        more = -((128 - reach) * (128 + (mantissa(power + low) >> 10)) >> 4)
+    else:
+        mean = mantissa(power + high) + mantissa(power + low) >> 17
+        more = ((full & 255) - 128) * 11 * mean >> 16
+    return signed(k) + (-more if c < 0 else more) + 128 >> 8, power
+
+
+def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
+    """The line's record from ``model_reciprocal.Constants``; None: it is left to others.
+    ``right`` is excluded."""
+    q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
+    if min(q0, q1) < p.least:
+        return None
+    shift = 32 - max(q0, q1).bit_length()
+    if shift > FURTHEST:
+        return None
+    factor = 1024 // ((max(q0, q1) << shift >> 26) + 1)
+    q0, q1 = ((q << shift >> 4) * factor for q in (q0, q1))
+    if min(q0, q1) < LOWEST + 1 << 16:
+        return None
+    dq = ((signed(p.q.dx, 64) >> 4) * factor << shift) + (1 << 31) >> 32
+    log0, log1 = (int(logs()[(q >> 16) - LOWEST]) for q in (q0, q1))
+    base = (shift + 33 << 22) - (MIDDLE << 8) + parts()[(factor - 16) * 16] + BIAS + 128
+    found, way = [], 0
+    for axis, (middle, c, dc) in enumerate(zip(k.k, k.c, k.dc)):
+        c = signed(c + (y - p.j) * dc, 64)
+        found.append(constant(c, middle, base, min(log0, log1), max(log0, log1)))
+        way |= (c < 0) << axis
+    if None in found:
+        return None
+    (u, power_u), (v, power_v) = found
+    return Logarithmic(left, right - 1 - left, swap(q0 - (ORIGIN << 16) & M32), swap(dq & M32), (u, v),
+                       (power_u, power_v), way)
+
+
+def bound(each: Logarithmic) -> float:
+    """What a line's u or v may be off from S / q of its planes, in 1/65536 texel: see OFF_INDEX;
+    where |C| is too small for the powers, half of what a line's powers of 1/32 texel differ
+    by, and what chords make of that."""
+    high = int(logs()[indices(each)[[0, -1]]].max())
+    far = int(powers()[max(each.power) + high]) * 256
+    i = 2 ** ((MIDDLE - high) / OCTAVE) - 1
+    found = REST + far * (OFF_INDEX / i + OFF_LOG * log(2) / OCTAVE)
+    return max(found, 900 + REST) if min(each.power) + high == LEAST else found

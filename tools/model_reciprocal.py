@@ -31,8 +31,8 @@ class Constants:
     k: tuple[int, int]
     c: tuple[int, int]
     dc: tuple[int, int]
-    limit: int
-    piece: int
+    limit: int | None
+    piece: int | None
 
 
 @dataclass
@@ -68,9 +68,10 @@ def asymptote(q, plane) -> int | None:
     return sign * ((top << up + 32) // (bottom << up >> 32))
 
 
-def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
+def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
     """The constants of a tools.model_perspective.Perspective: (x, y) is a pixel of the
-    polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried."""
+    polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried. By
+    logarithms there is no ``piece``."""
     if not p.gentle:
         return None
     k, c, dc = [], [], []
@@ -85,7 +86,7 @@ def find(p, piece: int, width: int, x: int, y: int) -> Constants | None:
     if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR:
         return None
     return Constants(tuple(b + n & M32 for b, n in zip(p.base, k)), tuple(c), tuple(dc),
-                     REACH[piece] - width // 7 << 24 - piece, piece)
+                     piece and REACH[piece] - width // 7 << 24 - piece, piece)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:

@@ -26,17 +26,13 @@ static uint32 mantissa(const int32 *coarse, const int32 *fine, int32 t)
 /* An octave of powers a line apart. */
 static void set_powers(uint16 *to, uint32 here)
 {
-    uint32 half = ONE / 2;
-
-    for (int32 bits = 30; half > ONE >> LOGARITHM_OCTAVES >> 1; bits--, half >>= 1) {
-        *to = (uint16)((here + half) >> bits);
-        to += LOGARITHM_OCTAVE;
-    }
+    for (int32 bits = 30; bits > 30 - LOGARITHM_OCTAVES; bits--, to += LOGARITHM_OCTAVE)
+        *to = (uint16)((here + ((uint32)1 << (bits - 1))) >> bits);
 }
 
 void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *powers)
 {
-    int32 coarse[FACTORS], fine[FACTORS];
+    static int32 coarse[FACTORS], fine[FACTORS];
     int16 *to[OCTAVES];
     uint32 index[OCTAVES], part = ONE, here = ONE;      /* the next of each octave, 2.30 */
     uint32 *parts = tables->parts;
@@ -62,6 +58,7 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
         here = next;
     }
     *parts = (uint32)LOGARITHM_OCTAVE << 8;
-    tables->logs = logs + LOGARITHM_COUNT / 2;
+    logs[LOGARITHM_COUNT - 1] = logs[LOGARITHM_COUNT - 2];
+    tables->logs = logs + (LOGARITHM_ORIGIN - LOGARITHM_LOWEST);
     tables->powers = powers;
 }

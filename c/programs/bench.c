@@ -4,6 +4,7 @@
    prints a line before each case that is timed, and before every REPORTED-th. */
 #include "bench/kernels.h"
 #include "bench/plan_file.h"
+#include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/file.h"
 #include "system/system.h"
@@ -19,6 +20,12 @@ static void make_columns(struct span_plan *plan)
                                      plan->map_height);
 }
 
+/* logarithms_make as a kernel: the tables name the memory. */
+static void make_logarithms(struct logarithm_tables *tables)
+{
+    logarithms_make(tables, (int16 *)tables->logs, (uint16 *)tables->powers);
+}
+
 static void nothing(void)
 {
 }
@@ -27,6 +34,7 @@ static void nothing(void)
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
     {"column_layout_make", (void (*)(void))make_columns},
+    {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
     {0, 0}
 };

@@ -12,11 +12,13 @@ enum logarithm_constants {
     LOGARITHM_OCTAVE = 1 << LOGARITHM_BITS,
     /* q's indices, its upper 16 bits: three octaves, so w may differ 7 times. */
     LOGARITHM_LOWEST = 8192,
-    LOGARITHM_COUNT = 65536 - LOGARITHM_LOWEST,
-    LOGARITHM_ORIGIN = LOGARITHM_LOWEST + LOGARITHM_COUNT / 2,  /* where indices are 0 */
+    LOGARITHM_COUNT = 65537 - LOGARITHM_LOWEST,     /* one more: steps are rounded */
+    LOGARITHM_ORIGIN = (LOGARITHM_LOWEST + 65536) / 2,      /* where indices are 0 */
+    LOGARITHM_FURTHEST = 8,     /* a line's larger q is at least 2^(31 - this) */
     /* What the table of logarithms is less: from -1.5 to 1.5 octaves are left. */
     LOGARITHM_MIDDLE = 29 * LOGARITHM_OCTAVE / 2,
-    /* Powers: from 1/256 texel, three octaves below 1/32, to 512. */
+    /* Powers: from 1/256 texel, three octaves below LEAST's 1/32, to 512. */
+    LOGARITHM_LEAST = 3 * LOGARITHM_OCTAVE,
     LOGARITHM_OCTAVES = 17,
     LOGARITHM_POWERS = LOGARITHM_OCTAVES * LOGARITHM_OCTAVE,
     LOGARITHM_PARTS = 256

@@ -1,0 +1,377 @@
+        include "routine.i"
+        include "layout.i"
+
+; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
+row_q   equ     0
+row_cu  equ     8
+row_cv  equ     16
+row_lines equ   24
+row_others equ  28
+row_tables equ  32
+; What holds for all lines of one scale of q, a shift and a factor in sixteenths: a pixel's
+; step, and the scale's part of log2 |C|.
+scale   equ     36
+scale_dq equ    38
+scale_base equ  42
+row_sizeof equ  46
+
+LEAST   equ     (LOGARITHM_LOWEST+1)<<16
+ORIGIN  equ     LOGARITHM_ORIGIN<<16
+BIAS    equ     7                       ; parts lie on chords up to 11.5 below, and are cut
+
+; What the first loop leaves to the second.
+line_base equ   logarithm_line_power_u  ; the scale's part
+line_low equ    logarithm_line_power_v  ; logs of the larger and the smaller q
+line_high equ   logarithm_line_power_v+2
+
+; The row's number \1 a line further by \2. Uses d0-d1.
+next    macro
+        movem.l \2(\3),d0-d1
+        add.l   d1,\1+number64_lo(sp)
+        move.l  \1(sp),d1
+        addx.l  d0,d1
+        move.l  d1,\1(sp)
+        endm
+
+; \2 = 2^(\1 / OCTAVE) in 1/OCTAVE, straight between octaves. \1 loses its fraction.
+mantissa macro
+        bfextu  \1{32-LOGARITHM_BITS:LOGARITHM_BITS},\2
+        bset    #LOGARITHM_BITS,\2
+        bfextu  \1{27-LOGARITHM_BITS:5},\1
+        lsl.l   \1,\2
+        endm
+
+;==============================================================================
+; logarithm_lines - what spans by logarithms need to know of each line
+;
+; in:      a0  reciprocal_plan*   the planes, the constants
+;          a1  logarithm_tables*  the tables
+;          d0  logarithm_line*    where the lines go
+; out:     d0  int32              lines that are left to others
+; trashes: d0-d1/a0-a1
+; reads:   the plan but for what pieces need, its planes, left and last of its lines, logs
+;          and parts of the tables
+; writes:  count logarithm_lines; if some are left, last of the lines that are not, so
+;          that they are empty to others
+; formats: q.hi of both ends is shifted left to 2^31 and more, at most 8 bits, and multiplied
+;          by the sixteenths, 16 to 31, that just fit: the larger index is 59,000 or more.
+;          log2 |C|, 2^-14 octave, is rounded, K taking what that is in the middle of the
+;          line; below the logarithm by which no pixel is 1/32 texel from K it is that one,
+;          K taking what that is. A line is left to others where q is below the plan's least,
+;          w differs 7 times or more, or a pixel is farther from K than keeps to 1/32 texel
+; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
+;          q's index: E (35390 / i + 2.26), of K and powers 256, else 24; of a line that
+;          is 1/32 texel from K at most 900 and these 280
+; cost:    bench row logarithm_lines
+;==============================================================================
+; Of an index: a half by its cut, 1/25 by q.hi's shift (1/128), the factor (1/2000) and 1023
+; steps (half a unit of rounding and one of overflow each). Of a logarithm: 0.505 its own
+; rounding, 0.27 a rounded C less K's move (a quarter, and 1/16 by mantissas on chords), 0.04
+; C's own. Else: C and K by reciprocal_find (19), K and its move cut. 900: 7/8 of 1/64 texel.
+
+        routine logarithm_lines,a0,a1,d0
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l a0,a6
+        movea.l reciprocal_plan_planes(a6),a5
+        lea     -row_sizeof(sp),sp
+        move.l  a1,row_tables(sp)
+        movea.l logarithm_tables_logs(a1),a3
+        movea.l d0,a1
+        movea.l d0,a2
+        movem.l perspective_plan_q+screen_plane_at(a5),d0-d1
+        movem.l reciprocal_plan_cu(a6),d2-d5
+        move.l  perspective_plan_count(a5),d6
+        moveq   #0,d7
+        movem.l d0-d7,row_q(sp)
+        clr.w   scale(sp)
+        movea.l perspective_plan_lines(a5),a0
+        movea.l perspective_plan_left(a5),a4
+        lea     EDGE_BIAS(a4),a4
+
+        ; Two loops, each of which fits the cache. First q:
+        ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
+        ; d6 n  d7 shift
+.line   moveq   #0,d7
+        moveq   #0,d6
+        move.w  scanline_left(a0),d7
+        move.w  scanline_last(a0),d6
+        move.w  d7,logarithm_line_left(a1)
+        sub.w   d7,d6
+        move.w  d6,logarithm_line_n(a1)
+        bmi     .next
+        sub.l   a4,d7
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
+        mulu.l  d7,d0:d1
+        muls.l  d4,d7
+        add.l   d7,d0
+        add.l   row_q+number64_lo(sp),d1
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
+        move.l  d2,d4
+        move.l  d3,d5
+        cmp.l   d4,d5
+        ble.s   .sorted
+        exg     d4,d5
+.sorted cmp.l   perspective_plan_q_low(a5),d5
+        blt     .other
+        bfffo   d4{0:32},d7
+        cmp.w   #LOGARITHM_FURTHEST,d7
+        bhi     .other
+        lsl.l   d7,d4
+        bfextu  d4{1:5},d4
+        move.b  .factors(pc,d4.w),d4
+        lsl.l   d7,d3
+        lsr.l   #4,d3
+        mulu.l  d4,d3
+        lsl.l   d7,d2
+        lsr.l   #4,d2
+        mulu.l  d4,d2
+        lsl.w   #8,d7
+        move.b  d4,d7
+        cmp.w   scale(sp),d7
+        bne     .scale
+.same   move.l  #LEAST,d4
+        cmp.l   d4,d3
+        blo     .other
+        cmp.l   d4,d2
+        blo     .other
+        move.l  scale_dq(sp),logarithm_line_dq(a1)
+        move.l  scale_base(sp),line_base(a1)
+        move.l  #ORIGIN,d4
+        sub.l   d4,d2
+        swap    d2
+        move.w  (a3,d2.w*2),d0
+        sub.l   d4,d3
+        swap    d3
+        move.l  d3,logarithm_line_q(a1)
+        move.w  (a3,d3.w*2),d1
+        cmp.w   d0,d1
+        bge.s   .logs
+        exg     d0,d1
+.logs   move.w  d0,line_low(a1)
+        move.w  d1,line_high(a1)
+.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
+        lea     scanline_sizeof(a0),a0
+        lea     logarithm_line_sizeof(a1),a1
+        subq.l  #1,row_lines(sp)
+        bne     .line
+
+        ; Then C and K: a0 parts  a2 the scale's part  a3 limits  a4 the line's limit
+        ; d4, d5 the lower and the higher logarithm
+        move.l  perspective_plan_count(a5),row_lines(sp)
+        movea.l a2,a1
+        movea.l row_tables(sp),a0
+        lea     logarithm_tables_parts(a0),a0
+        lea     .limits(pc),a3
+.second tst.w   logarithm_line_n(a1)
+        bmi.s   .done
+        movea.l line_base(a1),a2
+        movem.w line_low(a1),d4-d5
+        move.w  d5,d0
+        add.w   #3*LOGARITHM_OCTAVE/2,d0
+        bfextu  d0{16:6},d0
+        moveq   #0,d1
+        move.w  (a3,d0.w*2),d1
+        add.l   #16*LOGARITHM_OCTAVE,d1
+        movea.l d1,a4
+        movem.l row_cu(sp),d0-d1
+        move.l  reciprocal_plan_ku(a6),d2
+        bsr     .constant
+        move.l  d0,logarithm_line_power_u(a1)
+        move.w  d2,logarithm_line_u(a1)
+        and.w   #1,d6
+        move.w  d6,logarithm_line_way(a1)
+        movem.l row_cv(sp),d0-d1
+        move.l  reciprocal_plan_kv(a6),d2
+        bsr     .constant
+        move.l  d0,logarithm_line_power_v(a1)
+        move.w  d2,logarithm_line_v(a1)
+        and.w   #2,d6
+        or.w    d6,logarithm_line_way(a1)
+.done   next    row_cu,reciprocal_plan_dcu,a6
+        next    row_cv,reciprocal_plan_dcv,a6
+        lea     logarithm_line_sizeof(a1),a1
+        subq.l  #1,row_lines(sp)
+        bne     .second
+        bra     .empty_others
+
+; d0 = the power and d2 = K, 8.8, of 64 C d0:d1 and K d2; d6 its sign. Uses d1/d3/d7/a5.
+.constant
+        tst.l   d0
+        smi     d6
+        bpl.s   .positive
+        neg.l   d1
+        negx.l  d0
+.positive
+        bfffo   d0{0:32},d7
+        beq     .none
+        moveq   #32,d3
+        sub.l   d7,d3
+        lsl.l   d7,d0
+        lsr.l   d3,d1
+        or.l    d1,d0
+        bfextu  d0{1:8},d3
+        bfextu  d0{9:16},d1
+        lea     (a0,d3.w*4),a5
+        move.l  (a5)+,d0
+        move.l  (a5),d3
+        sub.l   d0,d3
+        mulu.w  d1,d3
+        clr.w   d3
+        swap    d3
+        add.l   d3,d0
+        swap    d7
+        lsl.l   #6,d7
+        sub.l   d7,d0
+        add.l   a2,d0                   ; in 1/256 units
+        move.l  d0,d7
+        asr.l   #8,d7
+        move.l  d7,d3
+        add.l   d5,d3
+        cmp.l   a4,d3
+        bgt     .too_far
+        cmp.l   #LOGARITHM_LEAST,d3
+        blt.s   .small
+        mantissa d3,d1
+        move.l  d7,d3
+        add.l   d4,d3
+        movea.l d0,a5
+        mantissa d3,d0
+        add.l   d0,d1
+        lsr.l   #1,d1
+        swap    d1                      ; the middle, 1/64 texel
+        move.w  a5,d0
+        and.w   #255,d0
+        sub.w   #128,d0                 ; what rounding took
+        move.w  d0,d3
+        add.w   d0,d0
+        add.w   d0,d3
+        lsl.w   #2,d0
+        add.w   d3,d0                   ; 11 / 4: ln 2 / OCTAVE of 1/256 in 2^-16
+        muls.w  d1,d0
+        swap    d0
+        ext.l   d0
+.move   tst.b   d6
+        beq.s   .moved
+        neg.l   d0
+.moved  add.l   d0,d2
+        add.l   #$80,d2
+        asr.l   #8,d2
+        move.l  d7,d0
+        add.l   d0,d0
+        rts
+
+        ; All of the line is within 1/32 texel of K.
+.none   moveq   #-1,d3
+.small  move.l  #LOGARITHM_LEAST,d7
+        sub.l   d5,d7
+        moveq   #8,d1                   ; 1/4096 texel
+        tst.l   d3
+        bmi.s   .tiny
+        mantissa d3,d1
+        lsr.l   #8,d1
+        lsr.l   #2,d1
+.tiny   moveq   #64,d0
+        add.w   d0,d0
+        sub.w   d1,d0
+        move.l  d7,d3
+        add.l   d4,d3
+        mantissa d3,d1
+        lsr.l   #8,d1
+        lsr.l   #2,d1
+        add.w   #128,d1
+        mulu.w  d1,d0
+        lsr.l   #4,d0
+        neg.l   d0
+        bra.s   .move
+
+.too_far
+        addq.l  #4,sp
+        addq.l  #1,row_others(sp)
+        move.w  #-1,logarithm_line_n(a1)
+        bra     .done
+
+.empty_others
+        move.l  row_others(sp),d0
+        beq.s   .all
+        movea.l reciprocal_plan_planes(a6),a5
+        movea.l perspective_plan_lines(a5),a0
+        move.l  perspective_plan_count(a5),d1
+        move.l  d1,d2
+        muls.w  #logarithm_line_sizeof,d2
+        suba.l  d2,a1
+.empty  tst.w   logarithm_line_n(a1)
+        bmi.s   .keep
+        move.w  scanline_left(a0),d2
+        subq.w  #1,d2
+        move.w  d2,scanline_last(a0)
+.keep   lea     scanline_sizeof(a0),a0
+        lea     logarithm_line_sizeof(a1),a1
+        subq.l  #1,d1
+        bne.s   .empty
+.all    lea     row_sizeof(sp),sp
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+.other  addq.l  #1,row_others(sp)
+        move.w  #-1,logarithm_line_n(a1)
+        bra     .next
+
+        ; Another scale than the line's before. d7 is shift:factor, d4 the factor.
+.scale  move.w  d7,scale(sp)
+        movem.l perspective_plan_q+screen_plane_dx(a5),d0-d1
+        lsr.l   #4,d1
+        move.l  d0,d5
+        ror.l   #4,d5
+        and.l   #$f0000000,d5
+        or.l    d5,d1
+        asr.l   #4,d0
+        mulu.l  d4,d5:d1
+        muls.l  d4,d0
+        add.l   d5,d0
+        lsr.w   #8,d7
+        lsl.l   d7,d0
+        move.l  d1,d5
+        lsl.l   d7,d1
+        neg.w   d7
+        add.w   #32,d7
+        lsr.l   d7,d5
+        or.l    d5,d0
+        add.l   d1,d1
+        moveq   #0,d1
+        addx.l  d1,d0                   ; to the nearest
+        swap    d0
+        move.l  d0,scale_dq(sp)
+        moveq   #32+33,d1
+        sub.w   d7,d1                   ; shift + 33
+        swap    d1
+        lsl.l   #6,d1                   ; octaves, 1/256 units
+        sub.l   #(LOGARITHM_MIDDLE<<8)-BIAS-128,d1
+        move.l  a0,d5
+        movea.l row_tables(sp),a0
+        sub.w   #16,d4
+        lsl.w   #6,d4
+        add.l   logarithm_tables_parts(a0,d4.w),d1
+        movea.l d5,a0
+        move.l  d1,scale_base(sp)
+        bra     .same
+
+; Sixteenths that a q whose upper 6 bits are 32 and more fits with.
+.factors
+        rept    32
+        dc.b    1024/(REPTN+33)
+        endr
+
+; log2 of 256 E less 16 octaves, E being the texels from K that keep to 1/32 texel and 512
+; at most, by sixteenths of an octave of the higher logarithm.
+.limits
+        dc.w    16383,16383,16383,16383,16383,16383,16383,16383,16383,16383,16383,16383
+        dc.w    16383,16383,16383,16383,16383,16383,16135,15769,15393,15006,14609,14201
+        dc.w    13783,13354,12914,12463,12001,11528,11044,10549,10043,9526,8998,8458
+        dc.w    7908,7347,6774,6191,5597,4992,4376,3750,3114,2467,1809,1142
