@@ -32,8 +32,9 @@ more: from the chords of the exact curve.
 
 **Level lines**: b, what the setting lets them be off for their change of q, and half a unit a step.
 
-Lines by reciprocals are off from their planes' quotients by what ``model_reciprocal.bound``
-says; that comes on top.
+Lines by tables are off from their planes' quotients by what ``model_reciprocal.bound`` and
+``model_logarithm.bound`` say, by logarithms not more than the setting's 1/32 texel; that comes on
+top.
 
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).

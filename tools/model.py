@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import model_reciprocal
+from . import model_logarithm, model_reciprocal
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
@@ -51,12 +51,17 @@ class Polygon:
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
     is_level: bool = False  # the perspective's depth does not change along lines
-    constants: model_reciprocal.Constants | None = None  # of lines by reciprocals
+    constants: model_reciprocal.Constants | None = None  # of lines by tables
 
-    def taken(self, line: Line, y: int) -> model_reciprocal.Reciprocal | None:
-        """The line at y as it is drawn by reciprocals; None if it is not."""
-        return self.constants and model_reciprocal.line(self.perspective, self.constants, line.left,
-                                                        line.right, y)
+    @property
+    def by(self):
+        """The model of lines by tables."""
+        return model_reciprocal if self.setting in PIECES else model_logarithm
+
+    def taken(self, line: Line, y: int):
+        """The line at y as it is drawn by tables; None if it is not."""
+        return self.constants and self.by.line(self.perspective, self.constants, line.left,
+                                               line.right, y)
 
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
@@ -66,7 +71,7 @@ class Polygon:
             return level(self.perspective, line.left, line.right, y)
         taken = self.taken(line, y)
         if taken:
-            return model_reciprocal.coordinates(taken)
+            return self.by.coordinates(taken)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
                                        self.setting)
 
@@ -202,11 +207,11 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
 
 
 def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
-    """The constants of lines by reciprocals; None where there are none."""
+    """The constants of lines by tables; None where there are none."""
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
-    if settings.perspective not in PIECES or first is None:
+    if settings.perspective == "fine" or first is None:
         return None
-    piece = PIECES[settings.perspective].bit_length() - 1
+    piece = PIECES[settings.perspective].bit_length() - 1 if settings.perspective in PIECES else None
     return model_reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 

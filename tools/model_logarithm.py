@@ -37,7 +37,7 @@ COARSE, FINE = 1079572136, 1073787251
 #: What makes a line's pixels wrong (units of 1/65536 texel; of an index; of a logarithm, each of
 #: 1/OCTAVE of an octave): K and powers rounded, the rest; q's index cut in the middle, its
 #: shift and steps cut; logs rounded, what the moved K leaves of C's rounding, C's own.
-REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.27 + 0.04
+REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.14 + 0.04
 
 
 def limit(bucket: int) -> int:
@@ -129,9 +129,10 @@ def mantissa(power: int) -> int:
     return (power % OCTAVE + OCTAVE) << (power >> BITS)
 
 
-def constant(c: int, k: int, base: int, low: int, high: int) -> tuple[int, int] | None:
-    """(K in 8.8, power) of a line whose 64 C, K and ends' logs are given; None where C is too
-    large."""
+def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
+    """(K in 8.8, power) of a line whose 64 C, K and higher logarithm are given; None where C is
+    too large. K takes 0.72 of what a rounded C is off at the farthest pixel, or the middle of what
+    the least power is."""
     size = abs(c)
     power = None
     if size >> 32:
@@ -145,10 +146,9 @@ def constant(c: int, k: int, base: int, low: int, high: int) -> tuple[int, int] 
     if power is None or power + high < LEAST:
         reach = 8 if power is None or power + high < 0 else mantissa(power + high) >> 10
         power = LEAST - high
-        more = -((128 - reach) * (128 + (mantissa(power + low) >> 10)) >> 4)
+        more = (reach - 128) * 9
     else:
-        mean = mantissa(power + high) + mantissa(power + low) >> 17
-        more = ((full & 255) - 128) * 11 * mean >> 16
+        more = ((full & 255) - 128) * (mantissa(power + high) >> 16) >> 15
     return signed(k) + (-more if c < 0 else more) + 128 >> 8, power
 
 
@@ -166,12 +166,12 @@ def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
     if min(q0, q1) < LOWEST + 1 << 16:
         return None
     dq = ((signed(p.q.dx, 64) >> 4) * factor << shift) + (1 << 31) >> 32
-    log0, log1 = (int(logs()[(q >> 16) - LOWEST]) for q in (q0, q1))
+    high = int(logs()[(min(q0, q1) >> 16) - LOWEST])
     base = (shift + 33 << 22) - (MIDDLE << 8) + parts()[(factor - 16) * 16] + BIAS + 128
     found, way = [], 0
     for axis, (middle, c, dc) in enumerate(zip(k.k, k.c, k.dc)):
         c = signed(c + (y - p.j) * dc, 64)
-        found.append(constant(c, middle, base, min(log0, log1), max(log0, log1)))
+        found.append(constant(c, middle, base, high))
         way |= (c < 0) << axis
     if None in found:
         return None

@@ -1,4 +1,4 @@
-/* Lines with perspective: by reciprocals where they are good enough, exactly elsewhere. */
+/* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
 #include "polygon/perspective.h"
 
 /* What a line may be off for being level, in 1/65536 texel; its steps take half a unit a
@@ -21,7 +21,7 @@ static int32 is_near(fix16 value, fix16 low, fix16 high)
     return value > -FAR && value < FAR && low > -FAR && high < FAR;
 }
 
-static int32 find_constants(struct reciprocal_plan *plan, int32 width)
+static int32 find_constants(struct reciprocal_plan *plan)
 {
     const struct perspective_plan *planes = plan->planes;
     int32 y = 0;
@@ -36,13 +36,10 @@ static int32 find_constants(struct reciprocal_plan *plan, int32 width)
         return 0;
     plan->ku += planes->u;
     plan->kv += planes->v;
-    /* Texels from K that keep a line within 1/32 texel: see reciprocal_lines. Each pixel
-       of the width takes half a unit of them. */
-    plan->limit = (uint32)((plan->piece == 4 ? 386 : 440) - width / 7) << (24 - plan->piece);
     return 1;
 }
 
-/* Draws the lines it can and empties them; returns how many are left. */
+/* Draws the lines it can and empties them; returns how many are left. So below. */
 static int32 draw_reciprocals(struct perspective_plan *planes, const struct material *material,
                               const struct span_plan *span, int32 width)
 {
@@ -55,8 +52,11 @@ static int32 draw_reciprocals(struct perspective_plan *planes, const struct mate
     plan.piece = material->perspective == PERSPECTIVE_EVERY16 ? 4 : 3;
     plan.table = material->reciprocals;
     plan.to = drawn;
-    if (!find_constants(&plan, width))
+    if (!find_constants(&plan))
         return planes->count;
+    /* Texels from K that keep a line within 1/32 texel: see reciprocal_lines. Each pixel
+       of the width takes half a unit of them. */
+    plan.limit = (uint32)((plan.piece == 4 ? 386 : 440) - width / 7) << (24 - plan.piece);
     left = reciprocal_lines(&plan);
     lines.lines = drawn;
     lines.count = planes->count;
@@ -68,6 +68,30 @@ static int32 draw_reciprocals(struct perspective_plan *planes, const struct mate
         span_reciprocal_16(&lines);
     else
         span_reciprocal_8(&lines);
+    return left;
+}
+
+static int32 draw_logarithms(struct perspective_plan *planes,
+                             const struct logarithm_tables *tables,
+                             const struct span_plan *span)
+{
+    static struct logarithm_line drawn[SCENE_SIDE_MAX];
+    struct reciprocal_plan plan;
+    struct logarithm_span lines;
+    int32 left;
+
+    plan.planes = planes;
+    if (!find_constants(&plan))
+        return planes->count;
+    left = logarithm_lines(&plan, tables, drawn);
+    lines.lines = drawn;
+    lines.count = planes->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.logs = tables->logs;
+    lines.powers = tables->powers;
+    span_logarithm(&lines);
     return left;
 }
 
@@ -157,10 +181,13 @@ void perspective_draw(struct perspective_plan *plan, const struct material *mate
     }
     if (material->reciprocals)
         left = draw_reciprocals(plan, material, span, width);
+    else if (material->logarithms)
+        left = draw_logarithms(plan, material->logarithms, span);
     if (counts) {
         others = left ? lines_pixels(plan->lines, plan->count) : 0;
         counts->polygons++;
-        counts->pixels[SPAN_RECIPROCAL] += pixels - others;
+        counts->pixels[material->reciprocals ? SPAN_RECIPROCAL : SPAN_LOGARITHM]
+            += pixels - others;
         counts->pixels[kind == PERSPECTIVE_PIXEL || kind == PERSPECTIVE_FINE
                        ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES] += others;
     }

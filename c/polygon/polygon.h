@@ -5,6 +5,7 @@
 #include "compiler.h"
 #include "polygon/vertex.h"
 #include "scene/scene_file.h"
+#include "span/logarithm.h"
 #include "texture/map.h"
 
 /* How near the picture comes to the exact one, from cheap to exact. */
@@ -86,7 +87,7 @@ enum span_kind {
     SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
     SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
     SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
-    SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL,
+    SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
     SPAN_KINDS
 };
 
@@ -104,6 +105,7 @@ struct material {
     const struct map *map;      /* in the layout of the mapper */
     const struct map *light;    /* of lit ones: MAP_LIGHT */
     const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
+    const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
 };
 
 /* Draws a convex polygon, either winding. counts may be 0; counting takes time. */

@@ -22,7 +22,7 @@ static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
-    "perspective_pieces", "perspective_curves", "reciprocal"
+    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm"
 };
 
 static const char *const why_refused[] = {

@@ -24,6 +24,7 @@ struct scene {
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
+    const struct logarithm_tables *logarithms;  /* the same */
 };
 
 /* Puts the textures of a checked scene into memory of the kind given, each as its

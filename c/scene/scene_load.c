@@ -1,7 +1,7 @@
 #include "scene/scene.h"
 
 #include "polygon/math.h"
-#include "span/reciprocal.h"
+#include "span/logarithm.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -251,20 +251,49 @@ static int32 needs_reciprocals(const struct scene_material *material)
         || material->perspective == PERSPECTIVE_EVERY8;
 }
 
+static int32 needs_logarithms(const struct scene_material *material)
+{
+    return material->perspective == PERSPECTIVE_PIXEL;
+}
+
+static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct scene_material *))
+{
+    for (uint32 i = 0; i < scene->header->materials; i++)
+        if (needs(&scene->materials[i]))
+            return 1;
+    return 0;
+}
+
 /* The table of reciprocals, where a material needs it. */
 static int32 make_reciprocals(struct scene *scene)
 {
-    uint32 i = 0;
     uint16 *table;
 
     scene->reciprocals = 0;
-    while (i < scene->header->materials && !needs_reciprocals(&scene->materials[i]))
-        i++;
-    if (i == scene->header->materials)
+    if (!is_needed(scene, needs_reciprocals))
         return 1;
     if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
         return 0;
     scene->reciprocals = reciprocals_make(table);
+    return 1;
+}
+
+/* Logarithms and powers alike, 673 KB. */
+static int32 make_logarithms(struct scene *scene)
+{
+    struct logarithm_tables *tables;
+    int16 *logs;
+    uint16 *powers;
+
+    scene->logarithms = 0;
+    if (!is_needed(scene, needs_logarithms))
+        return 1;
+    if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
+        || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
+        || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
+        return 0;
+    logarithms_make(tables, logs, powers);
+    scene->logarithms = tables;
     return 1;
 }
 
@@ -285,6 +314,7 @@ static int32 make_materials(struct scene *scene)
         to->perspective = (uint8)from->perspective;
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
+        to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
@@ -323,6 +353,8 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         return text_refuse(name, "not enough memory for the textures");
     if (!make_reciprocals(scene))
         return text_refuse(name, "not enough memory for the reciprocals of perspective");
+    if (!make_logarithms(scene))
+        return text_refuse(name, "not enough memory for the logarithms of perspective");
     if (!make_materials(scene))
         return text_refuse(name, "not enough memory for the materials");
     if (!scene_make_work(scene))

@@ -1,19 +1,21 @@
         include "routine.i"
         include "layout.i"
 
-; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
+; On the stack: q at the line's first possible pixel; of u and v 64 C there, a line's step of
+; it, K and half a unit of 8.8; lines left, lines not taken.
 row_q   equ     0
-row_cu  equ     8
-row_cv  equ     16
-row_lines equ   24
-row_others equ  28
-row_tables equ  32
+row_u   equ     8
+row_v   equ     28
+row_lines equ   48
+row_others equ  52
+row_tables equ  56
 ; What holds for all lines of one scale of q, a shift and a factor in sixteenths: a pixel's
 ; step, and the scale's part of log2 |C|.
-scale   equ     36
-scale_dq equ    38
-scale_base equ  42
-row_sizeof equ  46
+scale   equ     60
+scale_dq equ    62
+scale_base equ  66
+row_to  equ     70
+row_sizeof equ  74
 
 LEAST   equ     (LOGARITHM_LOWEST+1)<<16
 ORIGIN  equ     LOGARITHM_ORIGIN<<16
@@ -21,16 +23,13 @@ BIAS    equ     7                       ; parts lie on chords up to 11.5 below, 
 
 ; What the first loop leaves to the second.
 line_base equ   logarithm_line_power_u  ; the scale's part
-line_low equ    logarithm_line_power_v  ; logs of the larger and the smaller q
-line_high equ   logarithm_line_power_v+2
+line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 
-; The row's number \1 a line further by \2. Uses d0-d1.
-next    macro
-        movem.l \2(\3),d0-d1
-        add.l   d1,\1+number64_lo(sp)
-        move.l  \1(sp),d1
-        addx.l  d0,d1
-        move.l  d1,\1(sp)
+; \1, q.hi, as the scale wants it.
+scaled  macro
+        lsl.l   d7,\1
+        lsr.l   #4,\1
+        mulu.l  d4,\1
         endm
 
 ; \2 = 2^(\1 / OCTAVE) in 1/OCTAVE, straight between octaves. \1 loses its fraction.
@@ -39,6 +38,14 @@ mantissa macro
         bset    #LOGARITHM_BITS,\2
         bfextu  \1{27-LOGARITHM_BITS:5},\1
         lsl.l   \1,\2
+        endm
+
+; What is left of a line that is not taken: a5 the row of u or of v.
+step_c  macro
+        movem.l (a5)+,d0-d3
+        add.l   d1,d3
+        addx.l  d0,d2
+        movem.l d2-d3,-16(a5)
         endm
 
 ;==============================================================================
@@ -77,12 +84,23 @@ mantissa macro
         move.l  a1,row_tables(sp)
         movea.l logarithm_tables_logs(a1),a3
         movea.l d0,a1
-        movea.l d0,a2
+        move.l  d0,row_to(sp)
+        movem.l reciprocal_plan_cu(a6),d0-d7
+        movem.l d0-d1,row_u(sp)
+        movem.l d2-d3,row_v(sp)
+        movem.l d4-d5,row_u+8(sp)
+        movem.l d6-d7,row_v+8(sp)
+        movem.l reciprocal_plan_ku(a6),d0-d1
+        moveq   #64,d2
+        add.l   d2,d2
+        add.l   d2,d0
+        add.l   d2,d1
+        move.l  d0,row_u+16(sp)
+        move.l  d1,row_v+16(sp)
         movem.l perspective_plan_q+screen_plane_at(a5),d0-d1
-        movem.l reciprocal_plan_cu(a6),d2-d5
-        move.l  perspective_plan_count(a5),d6
-        moveq   #0,d7
-        movem.l d0-d7,row_q(sp)
+        movem.l d0-d1,row_q(sp)
+        move.l  perspective_plan_count(a5),row_lines(sp)
+        clr.l   row_others(sp)
         clr.w   scale(sp)
         movea.l perspective_plan_lines(a5),a0
         movea.l perspective_plan_left(a5),a4
@@ -126,83 +144,75 @@ mantissa macro
         lsl.l   d7,d4
         bfextu  d4{1:5},d4
         move.b  .factors(pc,d4.w),d4
-        lsl.l   d7,d3
-        lsr.l   #4,d3
-        mulu.l  d4,d3
-        lsl.l   d7,d2
-        lsr.l   #4,d2
-        mulu.l  d4,d2
+        move.l  d5,d2
+        sub.l   d3,d2
+        scaled  d3
+        tst.l   d2
+        beq.s   .first
+        scaled  d5
+        bra.s   .scaled
+.first  move.l  d3,d5
+.scaled cmp.l   #LEAST,d5
+        blo     .other
         lsl.w   #8,d7
         move.b  d4,d7
         cmp.w   scale(sp),d7
         bne     .scale
-.same   move.l  #LEAST,d4
-        cmp.l   d4,d3
-        blo     .other
-        cmp.l   d4,d2
-        blo     .other
-        move.l  scale_dq(sp),logarithm_line_dq(a1)
+.same   move.l  scale_dq(sp),logarithm_line_dq(a1)
         move.l  scale_base(sp),line_base(a1)
         move.l  #ORIGIN,d4
-        sub.l   d4,d2
-        swap    d2
-        move.w  (a3,d2.w*2),d0
         sub.l   d4,d3
         swap    d3
         move.l  d3,logarithm_line_q(a1)
-        move.w  (a3,d3.w*2),d1
-        cmp.w   d0,d1
-        bge.s   .logs
-        exg     d0,d1
-.logs   move.w  d0,line_low(a1)
-        move.w  d1,line_high(a1)
-.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
+        sub.l   d4,d5
+        swap    d5
+        move.w  (a3,d5.w*2),line_high(a1)
+.next   movem.l perspective_plan_q+screen_plane_dy(a5),d0-d1
+        add.l   d1,row_q+number64_lo(sp)
+        move.l  row_q(sp),d1
+        addx.l  d0,d1
+        move.l  d1,row_q(sp)
         lea     scanline_sizeof(a0),a0
         lea     logarithm_line_sizeof(a1),a1
         subq.l  #1,row_lines(sp)
         bne     .line
 
         ; Then C and K: a0 parts  a2 the scale's part  a3 limits  a4 the line's limit
-        ; d4, d5 the lower and the higher logarithm
+        ; a5 the row of u or v  d5 the higher logarithm
         move.l  perspective_plan_count(a5),row_lines(sp)
-        movea.l a2,a1
+        movea.l row_to(sp),a1
         movea.l row_tables(sp),a0
         lea     logarithm_tables_parts(a0),a0
         lea     .limits(pc),a3
-.second tst.w   logarithm_line_n(a1)
-        bmi.s   .done
+.second lea     row_u(sp),a5
+        tst.w   logarithm_line_n(a1)
+        bmi     .skip
         movea.l line_base(a1),a2
-        movem.w line_low(a1),d4-d5
+        move.w  line_high(a1),d5
         move.w  d5,d0
+        ext.l   d5
         add.w   #3*LOGARITHM_OCTAVE/2,d0
         bfextu  d0{16:6},d0
-        moveq   #0,d1
-        move.w  (a3,d0.w*2),d1
-        add.l   #16*LOGARITHM_OCTAVE,d1
-        movea.l d1,a4
-        movem.l row_cu(sp),d0-d1
-        move.l  reciprocal_plan_ku(a6),d2
-        bsr     .constant
+        movea.l (a3,d0.w*4),a4
+        bsr.s   .constant
         move.l  d0,logarithm_line_power_u(a1)
         move.w  d2,logarithm_line_u(a1)
         and.w   #1,d6
         move.w  d6,logarithm_line_way(a1)
-        movem.l row_cv(sp),d0-d1
-        move.l  reciprocal_plan_kv(a6),d2
-        bsr     .constant
+        bsr.s   .constant
         move.l  d0,logarithm_line_power_v(a1)
         move.w  d2,logarithm_line_v(a1)
         and.w   #2,d6
         or.w    d6,logarithm_line_way(a1)
-.done   next    row_cu,reciprocal_plan_dcu,a6
-        next    row_cv,reciprocal_plan_dcv,a6
-        lea     logarithm_line_sizeof(a1),a1
+.done   lea     logarithm_line_sizeof(a1),a1
         subq.l  #1,row_lines(sp)
-        bne     .second
+        bne.s   .second
         bra     .empty_others
 
-; d0 = the power and d2 = K, 8.8, of 64 C d0:d1 and K d2; d6 its sign. Uses d1/d3/d7/a5.
+; d0 = the power and d2 = K, 8.8, of the row a5, which goes on; d6 C's sign. Uses d1/d3/d7.
 .constant
+        step_c
+        move.l  (a5)+,d2
         tst.l   d0
         smi     d6
         bpl.s   .positive
@@ -210,7 +220,7 @@ mantissa macro
         negx.l  d0
 .positive
         bfffo   d0{0:32},d7
-        beq     .none
+        beq.s   .none
         moveq   #32,d3
         sub.l   d7,d3
         lsl.l   d7,d0
@@ -218,9 +228,8 @@ mantissa macro
         or.l    d1,d0
         bfextu  d0{1:8},d3
         bfextu  d0{9:16},d1
-        lea     (a0,d3.w*4),a5
-        move.l  (a5)+,d0
-        move.l  (a5),d3
+        move.l  (a0,d3.w*4),d0
+        move.l  4(a0,d3.w*4),d3
         sub.l   d0,d3
         mulu.w  d1,d3
         clr.w   d3
@@ -235,33 +244,21 @@ mantissa macro
         move.l  d7,d3
         add.l   d5,d3
         cmp.l   a4,d3
-        bgt     .too_far
+        bgt.s   .too_far
         cmp.l   #LOGARITHM_LEAST,d3
         blt.s   .small
         mantissa d3,d1
-        move.l  d7,d3
-        add.l   d4,d3
-        movea.l d0,a5
-        mantissa d3,d0
-        add.l   d0,d1
-        lsr.l   #1,d1
-        swap    d1                      ; the middle, 1/64 texel
-        move.w  a5,d0
-        and.w   #255,d0
-        sub.w   #128,d0                 ; what rounding took
-        move.w  d0,d3
-        add.w   d0,d0
-        add.w   d0,d3
-        lsl.w   #2,d0
-        add.w   d3,d0                   ; 11 / 4: ln 2 / OCTAVE of 1/256 in 2^-16
+        swap    d1                      ; the farthest, 1/64 texel
+        eor.b   #$80,d0
+        ext.w   d0                      ; what rounding took
         muls.w  d1,d0
-        swap    d0
+        add.l   d0,d0
+        swap    d0                      ; 0.72 of it, ln 2 / OCTAVE / 256 being 2.77 / 2^22
         ext.l   d0
 .move   tst.b   d6
         beq.s   .moved
         neg.l   d0
 .moved  add.l   d0,d2
-        add.l   #$80,d2
         asr.l   #8,d2
         move.l  d7,d0
         add.l   d0,d0
@@ -277,24 +274,27 @@ mantissa macro
         mantissa d3,d1
         lsr.l   #8,d1
         lsr.l   #2,d1
-.tiny   moveq   #64,d0
-        add.w   d0,d0
-        sub.w   d1,d0
-        move.l  d7,d3
-        add.l   d4,d3
-        mantissa d3,d1
-        lsr.l   #8,d1
-        lsr.l   #2,d1
-        add.w   #128,d1
-        mulu.w  d1,d0
-        lsr.l   #4,d0
-        neg.l   d0
+.tiny   move.l  d1,d0
+        sub.w   #128,d0
+        move.l  d0,d1
+        ext.l   d0
+        lsl.l   #3,d0
+        ext.l   d1
+        add.l   d1,d0                   ; 9/16, the middle of 1 and 1/8
         bra.s   .move
 
 .too_far
         addq.l  #4,sp
         addq.l  #1,row_others(sp)
         move.w  #-1,logarithm_line_n(a1)
+        lea     row_v(sp),a4
+        cmpa.l  a4,a5
+        bne     .done                   ; it was v
+        step_c
+        bra     .done
+.skip   step_c
+        addq.l  #4,a5
+        step_c
         bra     .done
 
 .empty_others
@@ -303,9 +303,7 @@ mantissa macro
         movea.l reciprocal_plan_planes(a6),a5
         movea.l perspective_plan_lines(a5),a0
         move.l  perspective_plan_count(a5),d1
-        move.l  d1,d2
-        muls.w  #logarithm_line_sizeof,d2
-        suba.l  d2,a1
+        movea.l row_to(sp),a1
 .empty  tst.w   logarithm_line_n(a1)
         bmi.s   .keep
         move.w  scanline_left(a0),d2
@@ -327,22 +325,22 @@ mantissa macro
 .scale  move.w  d7,scale(sp)
         movem.l perspective_plan_q+screen_plane_dx(a5),d0-d1
         lsr.l   #4,d1
-        move.l  d0,d5
-        ror.l   #4,d5
-        and.l   #$f0000000,d5
-        or.l    d5,d1
+        move.l  d0,d2
+        ror.l   #4,d2
+        and.l   #$f0000000,d2
+        or.l    d2,d1
         asr.l   #4,d0
-        mulu.l  d4,d5:d1
+        mulu.l  d4,d2:d1
         muls.l  d4,d0
-        add.l   d5,d0
+        add.l   d2,d0
         lsr.w   #8,d7
         lsl.l   d7,d0
-        move.l  d1,d5
+        move.l  d1,d2
         lsl.l   d7,d1
         neg.w   d7
         add.w   #32,d7
-        lsr.l   d7,d5
-        or.l    d5,d0
+        lsr.l   d7,d2
+        or.l    d2,d0
         add.l   d1,d1
         moveq   #0,d1
         addx.l  d1,d0                   ; to the nearest
@@ -353,12 +351,12 @@ mantissa macro
         swap    d1
         lsl.l   #6,d1                   ; octaves, 1/256 units
         sub.l   #(LOGARITHM_MIDDLE<<8)-BIAS-128,d1
-        move.l  a0,d5
+        move.l  a0,d2
         movea.l row_tables(sp),a0
         sub.w   #16,d4
         lsl.w   #6,d4
         add.l   logarithm_tables_parts(a0,d4.w),d1
-        movea.l d5,a0
+        movea.l d2,a0
         move.l  d1,scale_base(sp)
         bra     .same
 
@@ -368,10 +366,13 @@ mantissa macro
         dc.b    1024/(REPTN+33)
         endr
 
-; log2 of 256 E less 16 octaves, E being the texels from K that keep to 1/32 texel and 512
+; log2 of 256 E, E being the texels from K that keep to 1/32 texel and 512
 ; at most, by sixteenths of an octave of the higher logarithm.
+        cnop    0,4
 .limits
-        dc.w    16383,16383,16383,16383,16383,16383,16383,16383,16383,16383,16383,16383
-        dc.w    16383,16383,16383,16383,16383,16383,16135,15769,15393,15006,14609,14201
-        dc.w    13783,13354,12914,12463,12001,11528,11044,10549,10043,9526,8998,8458
-        dc.w    7908,7347,6774,6191,5597,4992,4376,3750,3114,2467,1809,1142
+        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
+        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
+        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
+        dc.l    278247,277774,277290,276795,276289,275772,275243,274704
+        dc.l    274153,273592,273019,272436,271842,271237,270621,269995
+        dc.l    269358,268711,268054,267386,266709,266021,265324,264617
