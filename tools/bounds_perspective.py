@@ -44,7 +44,7 @@ from math import sqrt
 
 import numpy as np
 
-from . import ideal, model_reciprocal
+from . import ideal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
@@ -157,7 +157,7 @@ def line_errors(vertices, polygon):
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
         taken = polygon.taken(line, y)
-        more = model_reciprocal.bound(taken) * UNIT if taken else 0
+        more = polygon.by.bound(taken) * UNIT if taken else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -166,7 +166,9 @@ def line_errors(vertices, polygon):
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
-                allowed = line_bound(bound.line(made, y, inside), polygon.setting) + more
+                b = bound.line(made, y, inside)
+                allowed = more + (b + FLOAT if taken and polygon.setting not in PIECES
+                                  else line_bound(b, polygon.setting))
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, error, wanted, allowed

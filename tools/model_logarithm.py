@@ -181,11 +181,13 @@ def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
 
 
 def bound(each: Logarithmic) -> float:
-    """What a line's u or v may be off from S / q of its planes, in 1/65536 texel: see OFF_INDEX;
-    where |C| is too small for the powers, half of what a line's powers of 1/32 texel differ
-    by, and what chords make of that."""
-    high = int(logs()[indices(each)[[0, -1]]].max())
-    far = int(powers()[max(each.power) + high]) * 256
-    i = 2 ** ((MIDDLE - high) / OCTAVE) - 1
+    """What a line's u or v may be off from S / q of its planes, in 1/65536 texel: see OFF_INDEX.
+    Where |C| is too small for the powers, they show 1/32 texel at the farthest pixel and 1/256 at
+    least: 7/16 of 1/32, as K is moved to the middle; its move by chords 1/9 of 9/16 of that."""
+    q = swap(each.q) + (ORIGIN << 16) & M32
+    smaller = min(q, q + each.n * swap(each.dq) & M32)
+    high = int(logs()[(smaller >> 16) - LOWEST])
+    far = int(powers()[min(max(each.power) + high, POWERS - 1)]) << 8
+    i = (smaller >> 16) - 0.5
     found = REST + far * (OFF_INDEX / i + OFF_LOG * log(2) / OCTAVE)
-    return max(found, 900 + REST) if min(each.power) + high == LEAST else found
+    return max(found, 1024 + REST) if min(each.power) + high <= LEAST + 4 else found
