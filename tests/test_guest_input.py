@@ -36,6 +36,14 @@ def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -
         poses=random.integers(-2**31, 2**31, (4, 6)))
 
 
+def large_with(perspective: str) -> Scene:
+    """A scene that leaves some 600 KB of chip RAM alone, its polygons drawn with a perspective."""
+    scene = example(8)
+    scene.materials = [Material("affine", perspective=perspective, texture=0)] * 2
+    scene.vertices[:, 5] = 65536 << np.arange(len(scene.vertices))
+    return scene
+
+
 def every_mapper() -> Scene:
     """A scene with a triangle of each mapper, material n with texture n - 2."""
     scene = example(0)
@@ -248,7 +256,9 @@ def bad_scenes() -> list[tuple[bytes, str]]:
     many.materials, many.instances = [Material()], [Instance(0, 0, 0, 0, 1, 0)] * 17
     cases.append((scene_file.write(many), ": not enough memory for the meshes"))
     cases += [(bytes(3 << 20), ": does not fit into memory"),
-              (scene_file.write(example(14)), ": not enough memory for the textures")]
+              (scene_file.write(example(14)), ": not enough memory for the textures"),
+              (scene_file.write(large_with("pixel")),
+               ": not enough memory for the logarithms of perspective")]
     return cases
 
 
@@ -338,8 +348,9 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
     files = {"noise": scene_file.write(example()), "more": scene_file.write(example(corners=64)),
              "near": scene_file.write(tangles(1, 40)), "wide": scene_file.write(tangles(2, 300)),
              "far": scene_file.write(tangles(3, 16383)), "large": scene_file.write(large),
+             "fine": scene_file.write(large_with("fine")),
              "calls": good_plan(), "idle": kernels.plan([])}
-    scenes = ("noise", "more", "near", "wide", "far")
+    scenes = ("noise", "more", "near", "wide", "far", "fine")
     good = [f"render {name} FRAMES 1 COUNT FORM {form}" for name in scenes
             for form in ("addx", "swap", "c")] + ["bench calls out", "bench idle out"]
     said = {"render noise": "frame_001.chunky: cannot be created",
