@@ -34,9 +34,9 @@ BIAS = 7
 COARSE, FINE = 1079572136, 1073787251
 
 
-#: What makes a line's pixels wrong (units of 1/65536 texel; of an index; of a logarithm, each of
-#: 1/OCTAVE of an octave): K and powers rounded, the rest; q's index cut in the middle, its
-#: shift and steps cut; logs rounded, what the moved K leaves of C's rounding, C's own.
+#: What makes a line's pixels wrong: in 1/65536 texel K and powers rounded, C and K of the polygon;
+#: in indices of q its cut and its shift and steps; in units of a logarithm logs' rounding, what
+#: K's move leaves of C's, C's own. See src68k/edge/logarithm_lines.s.
 REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.14 + 0.04
 
 

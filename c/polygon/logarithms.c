@@ -23,11 +23,15 @@ static uint32 mantissa(const int32 *coarse, const int32 *fine, int32 t)
         : (uint32)mul_shift(coarse[t / FACTORS], fine[t % FACTORS], 30);
 }
 
-/* An octave of powers a line apart. */
+/* The mantissa in every octave, to the nearest; `to` is the highest one's. */
 static void set_powers(uint16 *to, uint32 here)
 {
-    for (int32 bits = 30; bits > 30 - LOGARITHM_OCTAVES; bits--, to += LOGARITHM_OCTAVE)
-        *to = (uint16)((here + ((uint32)1 << (bits - 1))) >> bits);
+    here >>= 30 - LOGARITHM_OCTAVES;
+    for (int32 left = LOGARITHM_OCTAVES; left; left--) {
+        *to = (uint16)((here + 1) >> 1);
+        here >>= 1;
+        to -= LOGARITHM_OCTAVE;
+    }
 }
 
 void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *powers)
@@ -54,7 +58,7 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
         for (; part < next; part += ONE / LOGARITHM_PARTS)
             *parts++ = ((uint32)t << 8) + ((part - here) << 8) / (next - here);
         if (t < LOGARITHM_OCTAVE)
-            set_powers(powers + t, here);
+            set_powers(powers + (LOGARITHM_OCTAVES - 1) * LOGARITHM_OCTAVE + t, here);
         here = next;
     }
     *parts = (uint32)LOGARITHM_OCTAVE << 8;

@@ -67,14 +67,16 @@ step_c  macro
 ;          K taking what that is. A line is left to others where q is below the plan's least,
 ;          w differs 7 times or more, or a pixel is farther from K than keeps to 1/32 texel
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
-;          q's index: E (35390 / i + 2.26), of K and powers 256, else 24; of a line that
-;          is 1/32 texel from K at most 900 and these 280
+;          q's index: E (35390 / i + 1.9), of K and powers 256, else 24; of a line that
+;          is 1/32 texel from K at most 968 and these 280
 ; cost:    bench row logarithm_lines
 ;==============================================================================
 ; Of an index: a half by its cut, 1/25 by q.hi's shift (1/128), the factor (1/2000) and 1023
 ; steps (half a unit of rounding and one of overflow each). Of a logarithm: 0.505 its own
-; rounding, 0.27 a rounded C less K's move (a quarter, and 1/16 by mantissas on chords), 0.04
-; C's own. Else: C and K by reciprocal_find (19), K and its move cut. 900: 7/8 of 1/64 texel.
+; rounding, 0.14 a rounded C less K's move, 0.04 C's own; the move is 0.72 of what C's
+; rounding is at the farthest pixel, up to 1/16 more by a mantissa on a chord, so that what it
+; is too much elsewhere is less than what is gained there. Else: C and K by reciprocal_find
+; (19), K and its move cut. 968: 7/16 of 1/32 texel, and 72 of chords.
 
         routine logarithm_lines,a0,a1,d0
         movem.l d2-d7/a2-a6,-(sp)

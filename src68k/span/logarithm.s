@@ -11,8 +11,8 @@
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.8, both wrap at 256; 8-bit texels and pixels. q's index steps in 16.16,
 ;          what it overflows enters its fraction
-; error:   of u and v 1/512 texel, and of their way from K a part: half a unit of logs and
-;          one in twice the index; what q, C and K bring: see logarithm_lines
+; error:   of a power 1/512 texel, of u's and v's way from K half a unit of logs and one part
+;          in twice the index; what q, C and K bring: see logarithm_lines
 ; cost:    bench row persp_pixel
 ;==============================================================================
 
