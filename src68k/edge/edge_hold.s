@@ -17,7 +17,7 @@
 ; cost:    about 130 cycles a line
 ;==============================================================================
         routine edge_hold,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
 
         ; the longest line
@@ -57,5 +57,4 @@
 .next   lea     scanline_sizeof(a4),a4
         subq.l  #1,d7
         bne     .line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -22,7 +22,7 @@
 ; is made up by a product, as the way to a pixel's centre is.
 
         routine edge_ramp,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l ramp_plan_lines(a6),a4
         movea.l ramp_plan_steps(a6),a3
@@ -137,8 +137,7 @@
         exg     a1,a2
         subq.l  #1,d7
         bne     .line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 .widest move.l  #$7fffffff,d2
         bra     .wide

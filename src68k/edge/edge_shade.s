@@ -20,7 +20,7 @@
 ; cost:    bench row edge_shade; with inside, edge_shade_inside
 ;==============================================================================
         routine edge_shade,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l shade_plan_lines(a6),a4
         movea.l shade_plan_shades(a6),a1
@@ -43,8 +43,7 @@
         lea     scanline_sizeof(a4),a4
         subq.l  #1,d7
         bne.s   .inside
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 .held   move.l  d3,-(sp)
         move.l  d7,d6
@@ -77,5 +76,4 @@
         subq.l  #1,d7
         bne.s   .line
         addq.l  #4,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -51,7 +51,7 @@ step    macro
 ; A floor or a ceiling before an upright camera is such a polygon.
 
         routine level_lines,a0,a1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         rows_open
         movea.l a1,a5
         movea.l perspective_plan_lines(a6),a0
@@ -87,5 +87,4 @@ step    macro
         subq.l  #1,row_lines(sp)
         bne     .line
         lea     row_sizeof(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

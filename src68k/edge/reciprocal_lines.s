@@ -90,7 +90,7 @@ next    macro
 ; cost:    bench row reciprocal_lines
 ;==============================================================================
         routine reciprocal_lines,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l reciprocal_plan_planes(a6),a5
         lea     -row_sizeof(sp),sp
@@ -248,8 +248,7 @@ next    macro
         subq.l  #1,d1
         bne.s   .empty
 .all    lea     row_sizeof(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
         half    u
         half    v

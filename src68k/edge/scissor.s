@@ -5,7 +5,7 @@
 ; Cuts the lines of a table to the frame's columns. \1: what moves the start of the
 ; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4-d5 free.
 scissor macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l scissor_plan_lines(a0),a4
         move.l  scissor_plan_count(a0),d7
         movea.l scissor_plan_dudx(a0),a2
@@ -30,8 +30,7 @@ scissor macro
 .left_inside
         lea     scanline_sizeof(a4),a4
         dbra    d7,.line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 .outside
         move.l  #EDGE_BIAS<<16+EDGE_BIAS-1,scanline_left(a4)    ; and last
         bra.s   .left_inside

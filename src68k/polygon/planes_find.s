@@ -60,7 +60,7 @@ plane   macro
 ; cost:    about 2,400 cycles
 ;==============================================================================
         routine planes_find,a0,a1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a1,a5
         lea     plane_corners_a(a5),a2
         lea     plane_corners_b(a5),a3
@@ -70,5 +70,4 @@ plane   macro
         plane   q
         plane   s
         plane   t
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -28,19 +28,6 @@
 ; one less. Either fails once in 65,536 texels, at most twice in a line: the two bits
 ; below c are kept for that, 0 and 3.
 
-pixel   macro
-        move.w  d2,d6                   ; mmVv
-        move.b  d1,d6                   ; mmVU
-        movea.l d6,a2
-        move.w  d0,d7                   ; llCc
-        move.b  (a2),d7                 ; ll, C and the texel
-        addx.l  d3,d0
-        addx.l  d4,d1
-        addx.l  d5,d2
-        movea.l d7,a2
-        move.b  (a2),(a1)+
-        endm
-
         routine span_lit_gouraud,a0
         span_open
         move.l  span_plan_map(a0),d6    ; mm00
@@ -100,7 +87,7 @@ pixel   macro
         add.l   a4,d2
         jmp     .pixels(pc,d6.w*4)
 .pixels rept    8
-        pixel
+        pixel_lit d2,d0
         endr
         cmpa.l  a3,a1
         bne     .pixels
@@ -109,5 +96,4 @@ pixel   macro
         cmpa.l  (sp),a0
         bne     .line
         addq.l  #8,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
