@@ -123,11 +123,7 @@
         move.w  d5,scanline_start1(a4)
         move.l  d6,scanline_start2(a4)
         bra.s   .next
-.packed pack_uv d5,d6,d4
-        swap    d5
-        move.w  d5,scanline_start0(a4)
-        move.w  d6,scanline_start1(a4)
-        move.l  d4,scanline_start2(a4)
+.packed pack_start d5,d6,d4,a4
 
 .next   addq.l  #8,a3
         lea     scanline_sizeof(a4),a4

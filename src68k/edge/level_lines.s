@@ -75,11 +75,7 @@ step    macro
         move.l  d1,d5
         step    scanline_step_dudx(a5),s
         step    scanline_step_dvdx(a5),t
-        pack_uv d4,d5,d6
-        swap    d4
-        move.w  d4,scanline_start0(a0)
-        move.w  d5,scanline_start1(a0)
-        move.l  d6,scanline_start2(a0)
+        pack_start d4,d5,d6,a0
 
 .next   rows_next
         lea     scanline_sizeof(a0),a0

@@ -68,11 +68,7 @@ start_addx macro
         move.l  a3,d1
         muls.l  d3,d1
         add.l   d1,d4
-        pack_uv d0,d4,d1
-        swap    d0
-        move.w  d0,scanline_start0(a4)
-        move.w  d4,scanline_start1(a4)
-        move.l  d1,scanline_start2(a4)
+        pack_start d0,d4,d1,a4
         endm
 
 ;==============================================================================

@@ -18,6 +18,15 @@ pack_uv macro
         clr.w   \1                      ; uu--
         endm
 
+; Packs u (\1) and v (\2), both 16.16, into the start of the line \4. Uses \3.
+pack_start macro
+        pack_uv \1,\2,\3
+        swap    \1
+        move.w  \1,scanline_start0(\4)
+        move.w  \2,scanline_start1(\4)
+        move.l  \3,scanline_start2(\4)
+        endm
+
 ; Adds the number \2 (sign-extended) to the step \1 = uu--, so that one addition moves
 ; both. A negative \2 borrows from uu, which the carry out of the lower half pays back;
 ; with nothing to borrow from, that carry goes on into \3, u's integer: \3 is made one
