@@ -34,26 +34,18 @@
         move.l  span_plan_dudx(a0),d3
         move.l  span_plan_dvdx(a0),d2
         pack_uv d3,d2,d4                ; d3 uu--, d2 .Vv, d4 v--U
-        move.l  span_plan_dcdx(a0),d5
-        moveq   #0,d1
-        and.b   #$fc,d5
+        move.l  span_plan_dcdx(a0),d1
+        moveq   #0,d5
+        and.b   #$fc,d1
         move.w  d2,d7
         ext.l   d7
-        move.b  d5,d1
-        ror.l   #8,d1                   ; c---
-        lsr.l   #8,d5
-        ext.l   d5                      ; Cc
-        move.l  d7,d2
-        bpl.s   .rises
-        tst.l   d1
-        bne.s   .rises
-        subq.l  #1,d5                   ; nothing to borrow from: c always carries
-.rises
-        add.l   d1,d2                   ; c-Vv
-        add_below d3,d5,d4,b            ; uuCc
-        move.l  d2,d5
-        clr.w   d2
-        movea.l d2,a4                   ; c-00
+        move.b  d1,d5
+        ror.l   #8,d5                   ; c---
+        lsr.l   #8,d1
+        ext.l   d1                      ; Cc
+        add_below d5,d7,d1,l            ; c-Vv
+        add_below d3,d1,d4,b            ; uuCc
+        ahead   d5,d2,a4,w              ; c-00
         move.l  span_plan_light(a0),d7
         clr.w   d7                      ; ll00
         movea.l span_plan_shades(a0),a3
