@@ -1,6 +1,7 @@
         include "routine.i"
         include "layout.i"
         include "chain.i"
+        include "number.i"
         include "perspective.i"
 
 ; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, to the nearest.

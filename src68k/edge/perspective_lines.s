@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "number.i"
         include "perspective.i"
 
 ; Adds 64 log2(\1), more than 0, to d2: by the table \2, above or below. Uses d0-d1/a2.
