@@ -57,7 +57,7 @@ plane   macro
 ;          down; all in 48.16 modulo 2^64: far from the corners at may be any
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^16 units a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
-; cost:    about 2,400 cycles
+; cost:    2,500 to 2,700 cycles, in chip RAM 3,600 to 3,750: its code exceeds the cache
 ;==============================================================================
         routine planes_find,a0,a1
         save_all
