@@ -35,9 +35,9 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 ;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
 ;          - piece + 5) / 2^26, 16.16, times 3/2 alike; rounded, K taking what that is
 ;          in the middle of the line's r. A line is left to others where q is below the
-;          plan's least, w differs more than 4 times, r too much for 16 bits in less than
-;          three pieces, a piece moves q by less than 8 indices or more than 32 bits have,
-;          or |C| r exceeds the plan's limit
+;          plan's least or the table's (never with w up to 4 times apart, always with 6), r
+;          differs too much for 16 bits in less than three pieces, a piece moves q by less
+;          than 8 indices or more than 32 bits have, or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
