@@ -7,7 +7,6 @@ expect to be written. Each block of memory lies between guards of noise.
 """
 
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -19,7 +18,6 @@ from tools.errors import UserError
 from tools.kernels import M32
 
 MACHINE = "a1200-fast"
-BOOTS = 2  # emulators that run side by side
 GUARD = 64  # bytes before and behind each block, at least
 REPORTED = 4  # failed trials of one kernel that are shown
 RERUN = '.deps/venv/bin/python -m pytest "tests/test_kernels.py::test_contract[{}]"'
@@ -244,12 +242,10 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
         for index, result in zip(part, called):
             results[index] = result
 
-    parts, done = [], 0
+    done = 0
     for batch in kernels.batches([trial.case for trial in trials], machine):
-        parts.append(list(range(done, done + len(batch))))
+        attempt(list(range(done, done + len(batch))))
         done += len(batch)
-    with ThreadPoolExecutor(BOOTS) as boots:
-        list(boots.map(attempt, parts))
     return results
 
 

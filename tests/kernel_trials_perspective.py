@@ -16,7 +16,7 @@ from tools.scanline import pack
 
 M64 = (1 << 64) - 1
 PITCH = 1152
-CURVES = tuple(model.CURVES)
+CURVES = model.CURVES
 #: Depths of a line's ends: q in the polygon's scale.
 Q_ENDS = ((1 << 30, 1 << 30), (1 << 30, 1 << 29), (1 << 28, 1 << 30), (1 << 30, (1 << 30) // 100),
           ((1 << 30) // 1000, 1 << 30), (256, 1 << 30), (1 << 30, 256), (257, 256), (256, 256),
@@ -170,11 +170,9 @@ def span_trial(setting: str, counts, ends, reach: int, rng) -> Trial:
                                 texture()[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
         else:
             table += shape.pack(**dict.fromkeys(shape.fields, 0) | {"n": pixels - 1})
-    longest = model.CURVES[setting][0] if setting in CURVES \
-        else model.PIECES[setting].bit_length() - 1
     at = memory.struct("perspective_span", dict(lines=memory.add(table, name="lines", shape=shape)),
                        dict(row=frame_at + 64 - BIAS, map=map_at), count=len(counts), pitch=PITCH,
-                       longest=longest)
+                       longest=model.way(setting).piece)
     kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
     return Trial(Case(kernel, memory, pointers={"a0": at}, far=far),
                  f"{setting}, q {ends}, {reach} bits of u and v", writes=writes)

@@ -1,6 +1,7 @@
 """Every routine of src68k/math, mesh, polygon, edge and span, called on the emulated A1200 and
 held to its contract block and to a reference in Python."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import kernel_checker
@@ -33,20 +34,25 @@ CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C
                                  LOGARITHMS_IN_C]}
 
 
+ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, kernel_trials_tiled,
+         kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_perspective,
+         kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
+         kernel_trials_logarithm)
+BOOTS = 2  # emulators that run side by side, while the next trials are made
+
+
 @pytest.fixture(scope="module")
 def called(request):
-    """Trials and results by kernel, of the kernels that this run asks for; one boot."""
+    """Trials and results by kernel, of the kernels that this run asks for; a few boots a room."""
     wanted = {item.callspec.params["kernel"] for item in request.session.items
               if item.path == request.path and hasattr(item, "callspec")}
-    trials = [trial for room in (kernel_trials_math, kernel_trials_mesh, kernel_trials_edge,
-                                 kernel_trials_span, kernel_trials_mappers, kernel_trials_pixel,
-                                 kernel_trials_scanline, kernel_trials_tiled, kernel_trials_lit,
-                                 kernel_trials_polygon, kernel_trials_perspective,
-                                 kernel_trials_reciprocal, kernel_trials_logarithm)
-              for trial in room.trials() if trial.case.kernel in wanted]
-    results = kernel_checker.run(trials)
-    return {kernel: [(t, r) for t, r in zip(trials, results) if t.case.kernel == kernel]
-            for kernel in wanted}
+    with ThreadPoolExecutor(BOOTS) as boots:
+        begun = []
+        for room in ROOMS:
+            trials = [trial for trial in room.trials() if trial.case.kernel in wanted]
+            begun.append((trials, boots.submit(kernel_checker.run, trials)))
+        done = [pair for trials, results in begun for pair in zip(trials, results.result())]
+    return {kernel: [pair for pair in done if pair[0].case.kernel == kernel] for kernel in wanted}
 
 
 @pytest.mark.parametrize("kernel", CONTRACTS)

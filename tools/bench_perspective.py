@@ -10,8 +10,8 @@ from . import layout
 from .bench_mappers import first_difference
 from .kernels import Arena, Case, Result
 from .model_edges import measure
-from .model_perspective import (CURVES, PIECES, Ends, Perspective, bend, coordinates, ends, enough,
-                                level, perspective, weights)
+from .model_perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level,
+                                perspective, way, weights)
 from .scanline import MASKS, pack
 
 RATIO = 4
@@ -63,10 +63,9 @@ def span_case(setting: str, ratio: int, length: int):
         u, v = coordinates(each, setting)
         expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
     frame_at = far.add(bytes(pitch * count))
-    longest = CURVES[setting][0] if setting in CURVES else PIECES[setting].bit_length() - 1
     plan_at = arena.struct("perspective_span", dict(lines=arena.add(table)),
                            dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch,
-                           longest=longest)
+                           longest=way(setting).piece)
 
     def check(result: Result) -> str | None:
         found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
@@ -85,8 +84,8 @@ def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[s
     limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
               for c, value in zip("uv", pair)}
     return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least,
-                        gentle=deep.gentle, u=deep.base[0], v=deep.base[1], bend=bend(setting), **fields,
-                        **limits)
+                        gentle=deep.gentle, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
+                        **fields, **limits)
 
 
 def polygon_lines():

@@ -30,27 +30,30 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
-**Level lines**: b, what the setting lets them be off for their change of q, and half a unit a step.
+**Level lines**: b, what the setting lets them be off for their change of q (half or a quarter of
+its tolerance), and half a unit a step.
 
 Lines by tables are off from their planes' quotients by what ``model_reciprocal.bound`` and
-``model_logarithm.bound`` say, by logarithms not more than the setting's 1/32 texel; that comes on
-top.
+``model_logarithm.bound`` say, which is kept within 1/32 texel, by logarithms all of the setting's; that
+comes on top.
 
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
 """
 
-from math import sqrt
+from math import log2, sqrt
 
 import numpy as np
 
-from . import ideal
+from . import ideal, model_reciprocal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import LEVEL, PIECES, Ends, Perspective, ends
+from .model_perspective import PIECES, Ends, Perspective, ends
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
+LEVEL = {"pixel": TOLERANCE["pixel"] / 2, "fine": TOLERANCE["fine"] / 4}  # of straight pieces 0
+RECIPROCALS = 1 / 32  # texels: what lines by reciprocals may be off from their planes
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
 BOUNDLESS = 32768.0  # texels: all is modulo twice that
 
@@ -127,7 +130,29 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
 
 def level_bound(b: float, setting: str, n: int) -> float:
     """Of a level line of n steps, from the exact value, in texels."""
-    return b + (LEVEL[setting][0] + n / 2 + 1) * UNIT + FLOAT
+    return b + LEVEL.get(setting, 0) + (n / 2 + 1) * UNIT + FLOAT
+
+
+def bend(setting: str, piece: int) -> float:
+    """64 log2 of a curve's error over what the setting leaves for it, where the rest of the error
+    (see ``model_perspective.enough``) is 1; its longest piece has 2^piece pixels. The second
+    difference is off by half a unit, which the square of half the length multiplies; 8 units are
+    for the three points."""
+    left = TOLERANCE[setting] / UNIT - (1 << piece - 1)**2 / 2 - 8
+    return 64 * log2(6 / (9 * sqrt(3)) / left)
+
+
+def reach(piece: int, width: int) -> float:
+    """Texels from K, piece and width given, with which every line by reciprocals is within
+    RECIPROCALS by its bound: r of an end is one of the table, the other's the least."""
+    def bound(first: int, far: int) -> float:
+        c = far * (1 << 24 - piece) / first, 0
+        return model_reciprocal.bound(model_reciprocal.Reciprocal(
+            0, width - 1, (0, 0), 0, 0, c, first, model_reciprocal.TABLE[-1], 0, piece))
+
+    least = model_reciprocal.LEAST >> 16
+    firsts = model_reciprocal.TABLE[least - model_reciprocal.LOWEST:]
+    return min((RECIPROCALS / UNIT - bound(r, 0)) / (bound(r, 1) - bound(r, 0)) for r in firsts)
 
 
 def line_bound(b: float, setting: str) -> float:

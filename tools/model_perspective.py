@@ -8,10 +8,12 @@ happens, so no pixel ever leaves the range of its line's ends.
 """
 
 from dataclasses import dataclass
+from functools import cache
 from math import ceil, floor, log2
 
 import numpy as np
 
+from . import layout
 from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
 
 Q_ONE = 1 << 30  # q of the nearest vertex
@@ -19,18 +21,36 @@ Q_SURE = 4  # q is at least so many times its error
 TOO_STEEP = 1 << 28  # Q_SURE times this is above all q but the nearest's
 STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
 PIECES = {"every16": 16, "every8": 8}
-#: log2 of the longest curved piece, and what it may be off, in 1/65536 texel: the setting's
-#: 1/32 or 1/128 texel less the rounding of its second difference, ``h*h/2`` at length 2h.
-CURVES = {"pixel": (5, 2048 - 128 - 8), "fine": (4, 512 - 32 - 8)}
-#: What a line may be off for being level, in 1/65536 texel, and how wide it may be: half a unit a
-#: pixel comes besides.
-LEVEL = {"every16": (0, 1024), "every8": (0, 1024), "pixel": (1024, 1024), "fine": (128, 640)}
+CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
 LG_UP = [ceil(OCTAVE * log2(1 + (i + 1) / OCTAVE)) for i in range(OCTAVE)]
 LG_DOWN = [floor(OCTAVE * log2(1 + i / OCTAVE)) for i in range(OCTAVE)]
 #: 2^(15 + i / OCTAVE), rounded up
 EXP_UP = [ceil(2 ** (15 + i / OCTAVE)) for i in range(OCTAVE)]
 NEVER = (1 << 31) - 1  # above all weights
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a setting's lines are drawn; derived in c/span/perspective.h."""
+
+    piece: int  # log2 of a piece's pixels, of curves the longest one's
+    bend: int  # of curves; else 0
+    off: int  # what a line may be off for being level, in 1/65536 texel
+    width: int  # how wide a polygon with such lines may be
+
+
+@cache
+def way(setting: str) -> Way:
+    """The setting's numbers in the C headers."""
+    found = layout.load().constants
+
+    def number(what: str, otherwise: int = 0) -> int:
+        return found.get(f"PERSPECTIVE_{what}_{setting.upper()}", otherwise)
+
+    widest = found["SCENE_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
+    return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
+               widest)
 
 
 @dataclass
@@ -145,7 +165,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:
     """Whether lines are drawn as if depth did not change along them."""
-    tolerance, widest = LEVEL[setting]
+    tolerance, widest = way(setting).off, way(setting).width
     grows = abs(p.q.dx)
     high, part = p.q.dx >> 32, grows & M32
     if high not in (0, -1) or part >> 16 == 0xFFFF or width > widest:
@@ -212,11 +232,6 @@ def exp_up(x: int) -> int:
     return min((EXP_UP[x % OCTAVE] << 16 >> 31 - x // OCTAVE) + 1, NEVER)
 
 
-def bend(setting: str) -> int:
-    """What does not change from line to line of the logarithm in ``enough``; 0: no curves."""
-    return ceil(OCTAVE * log2(6 / (9 * 3**0.5) / CURVES[setting][1])) if setting in CURVES else 0
-
-
 def enough(line: Ends, setting: str) -> list[int]:
     """The least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
     setting's tolerance.
@@ -224,14 +239,14 @@ def enough(line: Ends, setting: str) -> list[int]:
     A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| / 15.59
     at most (9 sqrt 3), and u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
     """
-    longest = CURVES[setting][0]
-    way = max(abs(line.du), abs(line.dv))
+    longest = way(setting).piece
+    far = max(abs(line.du), abs(line.dv))
     step = abs(line.last - line.first)
-    if not way or not step:
+    if not far or not step:
         return [0] * (longest - 1)
     q0, q1 = line.n * line.first, line.n * line.last
-    total = (lg(way, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
-            - lg(line.n, LG_DOWN) + bend(setting))
+    total = (lg(far, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
+            - lg(line.n, LG_DOWN) + way(setting).bend)
     return [exp_up(total + 3 * OCTAVE * j + 3 >> 2) for j in range(1, longest)]
 
 
@@ -266,7 +281,7 @@ def curve(points: list[int], j: int, count: int) -> np.ndarray:
 def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]:
     """(first pixel, u, v) of the line's pieces in drawing order; later ones are drawn over."""
     limits, out, k = enough(line, setting), [], 0
-    longest = CURVES[setting][0]
+    longest = way(setting).piece
     j = longest
     while k < line.n:
         while j > 1:

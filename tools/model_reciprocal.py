@@ -7,9 +7,11 @@ the table is not good enough are left to tools.model_perspective.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
+from . import layout
 from .fixed import M32, signed
 
 LOWEST = 10920
@@ -19,8 +21,6 @@ FURTHEST = 8
 TWO, THREE, LEAST = 0x40000000, 0xAAAA0000, LOWEST + 2 << 16
 FLAT = 1 << 8
 FAR = 512 << 16  # of K, u and v from their base
-#: log2 of a piece: texels that a line may lie away from K, for frames of no width
-REACH = {4: 386, 3: 440}
 TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
 
 
@@ -49,6 +49,14 @@ class Reciprocal:
     last: int
     carry: int
     piece: int
+
+
+@cache
+def reach(piece: int, width: int) -> int:
+    """Texels that a line of 2^piece pixels each may lie away from K; as c/span/reciprocal.h
+    derives it."""
+    found = layout.load().constants
+    return found[f"RECIPROCAL_REACH_{1 << piece}"] - width // found["RECIPROCAL_REACH_WIDTH"]
 
 
 def product(k: int, q: int) -> int:
@@ -86,7 +94,7 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
     if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR:
         return None
     return Constants(tuple(b + n & M32 for b, n in zip(p.base, k)), tuple(c), tuple(dc),
-                     piece and REACH[piece] - width // 7 << 24 - piece, piece)
+                     piece and reach(piece, width) << 24 - piece, piece)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:

@@ -5,15 +5,17 @@ Each table stands between two marker lines; its figures are the committed baseli
 
 import json
 
+import numpy as np
 from PIL import Image
 
-from . import bench, bench_effects, emulator, polys, run, scene, scene_file
+from . import bench, bench_effects, emulator, palette, polys, run, scene, scene_file
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
 README = ROOT / "README.md"
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
 METHODS = SCENES / "methods.png"
+COLOURS = 24  # of the animation
 BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
 MACHINES = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
 #: What is compared: title, name with {} for the form, length.
@@ -168,13 +170,24 @@ def picture() -> Image.Image:
     return image
 
 
+def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """COLOURS colours for what a frame shows of a palette, its first one kept, and which of them
+    stands for each entry."""
+    shown = Image.fromarray(full[frame[frame != 0]][None])
+    reduced = shown.quantize(COLOURS - 1, Image.Quantize.MEDIANCUT, kmeans=1,
+                             dither=Image.Dither.NONE).getpalette()
+    colours = np.concatenate([full[:1], np.array(reduced, np.uint8).reshape(-1, 3)])[:COLOURS]
+    return colours, palette.nearest(full, colours)
+
+
 def animation() -> list[Image.Image]:
-    """Every other frame of the environment-mapped knot."""
+    """Every other frame of the environment-mapped knot, in few colours: half the bytes."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
     frames, _ = run.render(compiled, "a1200-fast", "addx")
-    images = [Image.fromarray(frame) for frame in frames[::2]]
+    colours, entries = fewer_colours(compiled.palette, frames[0])
+    images = [Image.fromarray(entries[frame]) for frame in frames[::2]]
     for image in images:
-        image.putpalette(compiled.palette.tobytes())
+        image.putpalette(colours.tobytes())
     return images
 
 

@@ -1,16 +1,17 @@
 /* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
 #include "polygon/perspective.h"
 
-/* What a line may be off for being level, in 1/65536 texel; its steps take half a unit a
-   pixel besides, and both are to stay inside the setting's tolerance. */
+/* What each setting's lines are drawn by. */
 static const struct {
-    int32 off;
-    int32 width;                /* pixels: up to so wide */
-} level_limits[PERSPECTIVE_KINDS] = {
-    [PERSPECTIVE_EVERY16] = {0, SCENE_SIDE_MAX},
-    [PERSPECTIVE_EVERY8] = {0, SCENE_SIDE_MAX},
-    [PERSPECTIVE_PIXEL] = {1024, SCENE_SIDE_MAX},
-    [PERSPECTIVE_FINE] = {128, 640}
+    int32 piece, bend;
+    int32 off, width;           /* as level lines: by so much at most, up to so wide */
+} ways[PERSPECTIVE_KINDS] = {
+    [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, 0, SCENE_SIDE_MAX},
+    [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, 0, SCENE_SIDE_MAX},
+    [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
+                           PERSPECTIVE_LEVEL_PIXEL, SCENE_SIDE_MAX},
+    [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
+                          PERSPECTIVE_LEVEL_FINE, PERSPECTIVE_LEVEL_WIDTH}
 };
 
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
@@ -46,17 +47,16 @@ static int32 draw_reciprocals(struct perspective_plan *planes, const struct mate
     static struct reciprocal_line drawn[SCENE_SIDE_MAX];
     struct reciprocal_plan plan;
     struct reciprocal_span lines;
-    int32 left;
+    int32 reach, left;
 
     plan.planes = planes;
-    plan.piece = material->perspective == PERSPECTIVE_EVERY16 ? 4 : 3;
+    plan.piece = ways[material->perspective].piece;
     plan.table = material->reciprocals;
     plan.to = drawn;
     if (!find_constants(&plan))
         return planes->count;
-    /* Texels from K that keep a line within 1/32 texel: see reciprocal_lines. Each pixel
-       of the width takes half a unit of them. */
-    plan.limit = (uint32)((plan.piece == 4 ? 386 : 440) - width / 7) << (24 - plan.piece);
+    reach = plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8;
+    plan.limit = (uint32)(reach - width / RECIPROCAL_REACH_WIDTH) << (24 - plan.piece);
     left = reciprocal_lines(&plan);
     lines.lines = drawn;
     lines.count = planes->count;
@@ -64,7 +64,7 @@ static int32 draw_reciprocals(struct perspective_plan *planes, const struct mate
     lines.pitch = span->pitch;
     lines.map = span->map;
     lines.table = plan.table;
-    if (plan.piece == 4)
+    if (plan.piece == PERSPECTIVE_PIECE_EVERY16)
         span_reciprocal_16(&lines);
     else
         span_reciprocal_8(&lines);
@@ -99,16 +99,6 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
                          const struct span_plan *span)
 {
     static struct perspective_line drawn[SCENE_SIDE_MAX];
-    /* The longest piece, and curves' bend: 64 log2(6 / (9 sqrt 3) / what they may be off), in
-       1/65536 texel: 1/32 or 1/128 texel less the rounding of longest^2 / 8 + 8 units. */
-    static const struct {
-        int32 longest, bend;
-    } ways[PERSPECTIVE_KINDS] = {
-        [PERSPECTIVE_EVERY16] = {4, 0},
-        [PERSPECTIVE_EVERY8] = {3, 0},
-        [PERSPECTIVE_PIXEL] = {5, -785},
-        [PERSPECTIVE_FINE] = {4, -656}
-    };
     struct perspective_span lines;
 
     plan->bend = ways[kind].bend;
@@ -119,7 +109,7 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = ways[kind].longest;
+    lines.longest = ways[kind].piece;
     if (plan->bend)
         span_perspective_curves(&lines);
     else
@@ -129,14 +119,14 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
 /* Whether depth changes so little along lines that they may be drawn as if it did not. */
 static int32 is_level(const struct perspective_plan *plan, int32 width, enum perspective kind)
 {
-    int32 tolerance = level_limits[kind].off;
+    int32 tolerance = ways[kind].off;
     const struct number64 *grows = &plan->q.dx;
     uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
     fix16 farthest = plan->u_high > plan->v_high ? plan->u_high : plan->v_high;
     int32 off;
 
     if ((grows->hi && grows->hi != 0xffffffff) || part >> 16 == 0xffff
-        || width > level_limits[kind].width)
+        || width > ways[kind].width)
         return 0;
     if (!part)
         return !grows->hi;

@@ -5,6 +5,24 @@
 #include "polygon/math.h"
 #include "span/scanline.h"
 
+enum perspective_constants {
+    /* log2 of a piece's pixels; of curves the longest one's. */
+    PERSPECTIVE_PIECE_EVERY16 = 4,
+    PERSPECTIVE_PIECE_EVERY8 = 3,
+    PERSPECTIVE_PIECE_PIXEL = 5,
+    PERSPECTIVE_PIECE_FINE = 4,
+    /* Curves' bend, rounded up: 64 log2(6 / (9 sqrt 3) / what they may be off), that being
+       1/32 or 1/128 texel, in 1/65536, less the rounding of longest^2 / 8 + 8 units. */
+    PERSPECTIVE_BEND_PIXEL = -785,
+    PERSPECTIVE_BEND_FINE = -656,
+    /* What a line may be off for being level, in 1/65536 texel, and the widest polygon with
+       such lines: their steps take half a unit a pixel besides, and both together stay
+       inside 1/32 or 1/128 texel. Straight pieces: level is what changes by nothing. */
+    PERSPECTIVE_LEVEL_PIXEL = 1024,
+    PERSPECTIVE_LEVEL_FINE = 128,
+    PERSPECTIVE_LEVEL_WIDTH = 640           /* of the latter; of others any frame's */
+};
+
 /* A value over the screen: at pixel (i, j), and what it grows by a pixel and a line. */
 struct screen_plane {
     struct number64 at, dx, dy;
@@ -22,7 +40,7 @@ struct perspective_plan {
     int32 gentle;                       /* q.dx, q.dy, s.dx and t.dx: no 2^30 of q.hi's units */
     fix16 u, u_low, u_high;             /* the base, a whole texel; u less the base */
     fix16 v, v_low, v_high;
-    int32 bend;                         /* curves: PERSPECTIVE_BEND(...); else 0 */
+    int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
 };
 

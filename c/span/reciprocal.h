@@ -8,11 +8,19 @@
 
 enum reciprocal_constants {
     /* The table: 2^29 / (i + 1/2), rounded, of the indices i from LOWEST to 65535. Where w
-       differs 4 times in a line, the smaller q's index is half of a 3/2 of 2^14 at least. */
+       differs up to 4 times in a line, the smaller q's index is 2/3 of 2^14 at least, and
+       where it does more than 6 times never. */
     RECIPROCAL_LOWEST = 10920,
     RECIPROCAL_COUNT = 65536 - RECIPROCAL_LOWEST,
     RECIPROCAL_ORIGIN = RECIPROCAL_LOWEST + RECIPROCAL_COUNT / 2,   /* where indices are 0 */
-    RECIPROCAL_FURTHEST = 8         /* a line's larger q is at least 2^(31 - this) */
+    RECIPROCAL_FURTHEST = 8,        /* a line's larger q is at least 2^(31 - this) */
+    /* Texels from K, E, that a line may reach with pieces of 16 and of 8 pixels, so that it
+       keeps to 1/32 texel, 2048 units. E (32768 / i + i / 16384) + (r - r') / 2^(10 - piece)
+       + 50 (see reciprocal_lines) is most with w 6 times apart, i = 2/3 of 2^14: 3.667 E +
+       690 or 370; or with q all along at its largest: 4.5 E + 50. */
+    RECIPROCAL_REACH_16 = 369,
+    RECIPROCAL_REACH_8 = 440,
+    RECIPROCAL_REACH_WIDTH = 7      /* pixels a texel less: each one takes half a unit */
 };
 
 /* Everything reciprocal_lines needs. */

@@ -24,7 +24,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ; The value for a0 lies on the stack too: C's first argument.
 
         routine call_kernel,a0,d0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  a0,-(sp)
         move.l  d0,kernel
         movem.l (a0),d0-d7/a0-a6
@@ -42,8 +42,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 .copy   move.l  (a1)+,(a0)+
         dbra    d1,.copy
         move.l  d0,(a0)
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 ;==============================================================================
 ; call_place - puts the calling loop where it and a routine share no cache line
@@ -63,7 +62,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ; linker and AmigaDOS put things; routines of up to 256 - LOOP_SIZE bytes stay cached.
 
         routine call_place,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  a0,kernel
         lea     room,a1
         move.l  a0,d0
@@ -78,8 +77,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
         dbra    d0,.copy
         movea.l 4.w,a6
         lvo     CacheClearU
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 ; Runs as a copy only.
         cnop    0,4
@@ -108,15 +106,14 @@ LOOP_SIZE               equ     *-calling_loop
 ; cost:    the same for every routine: measure one that only returns
 ;==============================================================================
         routine call_repeat,a0,d0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  d0,calls
         lea     registers,a1
         moveq   #REGISTERS-1,d1
 .copy   move.l  (a0)+,(a1)+
         dbra    d1,.copy
         jsr     ([loop])
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
         section .bss.call,bss
 kernel          ds.l    1

@@ -7,7 +7,7 @@
 
 ; \1: what steps x; \2: the routine for the right side.
 steps   macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l edge_plan_lines(a6),a0
         addq.l  #scanline_left,a0
@@ -15,8 +15,7 @@ steps   macro
         move.l  edge_plan_lefts(a6),d5
         edge_loop \1,0
         jsr     \2
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
         endm
 
 ;==============================================================================

@@ -17,15 +17,13 @@
 ; cost:    about 130 cycles a line
 ;==============================================================================
         routine edge_hold,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
 
         ; the longest line
         movea.l hold_plan_lines(a6),a4
         move.l  hold_plan_count(a6),d6
-        longest_line
-        tst.l   d7                      ; its pixels less one
-        beq.s   .limited
+        longest_line .limited
         limit   hold_plan_dudx(a6),hold_plan_u_low(a6),hold_plan_u_high(a6)
         limit   hold_plan_dvdx(a6),hold_plan_v_low(a6),hold_plan_v_high(a6)
 .limited
@@ -36,26 +34,18 @@
         movea.l hold_plan_v_high(a6),a3
         movea.l hold_plan_dudx(a6),a0
         movea.l hold_plan_dvdx(a6),a1
-.line   move.w  scanline_last(a4),d6
-        sub.w   scanline_left(a4),d6
-        blt.s   .next
-        ext.l   d6
+.line   line_length .next
         move.w  scanline_start1(a4),d0
         swap    d0
         move.w  scanline_start0(a4),d0
-        move.l  a0,d1
-        muls.l  d6,d1
-        hold    d0,d1,d2,d4,d5
+        hold_line d0,a0,d4,d5
         move.w  d0,scanline_start0(a4)
         swap    d0
         move.w  d0,scanline_start1(a4)
         move.l  scanline_start2(a4),d0
-        move.l  a1,d1
-        muls.l  d6,d1
-        hold    d0,d1,d2,a2,a3
+        hold_line d0,a1,a2,a3
         move.l  d0,scanline_start2(a4)
 .next   lea     scanline_sizeof(a4),a4
         subq.l  #1,d7
         bne     .line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -22,7 +22,7 @@
 ; is made up by a product, as the way to a pixel's centre is.
 
         routine edge_ramp,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l ramp_plan_lines(a6),a4
         movea.l ramp_plan_steps(a6),a3
@@ -123,11 +123,7 @@
         move.w  d5,scanline_start1(a4)
         move.l  d6,scanline_start2(a4)
         bra.s   .next
-.packed pack_uv d5,d6,d4
-        swap    d5
-        move.w  d5,scanline_start0(a4)
-        move.w  d6,scanline_start1(a4)
-        move.l  d4,scanline_start2(a4)
+.packed pack_start d5,d6,d4,a4
 
 .next   addq.l  #8,a3
         lea     scanline_sizeof(a4),a4
@@ -137,8 +133,7 @@
         exg     a1,a2
         subq.l  #1,d7
         bne     .line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 .widest move.l  #$7fffffff,d2
         bra     .wide

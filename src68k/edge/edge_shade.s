@@ -2,6 +2,19 @@
         include "layout.i"
         include "hold.i"
 
+; d0 = the shade of the line's first pixel: a2 and \1 for each pixel of left.
+on_plane macro
+        moveq   #0,d0
+        move.w  scanline_left(a4),d0
+        muls.l  \1,d0
+        add.l   a2,d0
+        endm
+
+packed  macro
+        ror.l   #8,d0                   ; c-Cc
+        add.l   a5,d0
+        endm
+
 ;==============================================================================
 ; edge_shade - the shade of each line's first pixel, on the polygon's plane
 ;
@@ -20,7 +33,7 @@
 ; cost:    bench row edge_shade; with inside, edge_shade_inside
 ;==============================================================================
         routine edge_shade,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l shade_plan_lines(a6),a4
         movea.l shade_plan_shades(a6),a1
@@ -32,44 +45,28 @@
         tst.l   shade_plan_inside(a6)
         beq.s   .held
 
-.inside moveq   #0,d0
-        move.w  scanline_left(a4),d0
-        muls.l  d3,d0
-        add.l   a2,d0
-        ror.l   #8,d0                   ; c-Cc
-        add.l   a5,d0
+.inside on_plane d3
+        packed
         move.l  d0,(a1)+
         adda.l  a3,a2
         lea     scanline_sizeof(a4),a4
         subq.l  #1,d7
         bne.s   .inside
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 .held   move.l  d3,-(sp)
         move.l  d7,d6
-        longest_line
-        tst.l   d7
-        beq.s   .limited
+        longest_line .limited
         limit   shade_plan_dcdx(a6),shade_plan_low(a6),shade_plan_high(a6),$fc
 .limited
         movea.l shade_plan_lines(a6),a4
         move.l  shade_plan_count(a6),d7
         move.l  shade_plan_dcdx(a6),d3
         movem.l shade_plan_low(a6),d4-d5
-.line   move.w  scanline_last(a4),d6
-        sub.w   scanline_left(a4),d6
-        blt.s   .next
-        ext.l   d6
-        moveq   #0,d0
-        move.w  scanline_left(a4),d0
-        muls.l  (sp),d0
-        add.l   a2,d0
-        move.l  d3,d1
-        muls.l  d6,d1
-        hold    d0,d1,d2,d4,d5
-        ror.l   #8,d0                   ; c-Cc
-        add.l   a5,d0
+.line   line_length .next
+        on_plane (sp)
+        hold_line d0,d3,d4,d5
+        packed
         move.l  d0,(a1)
 .next   addq.l  #4,a1
         adda.l  a3,a2
@@ -77,5 +74,4 @@
         subq.l  #1,d7
         bne.s   .line
         addq.l  #4,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

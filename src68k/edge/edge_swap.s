@@ -24,7 +24,7 @@ joined  macro
 ;          the table, for the sake of addx
 ;==============================================================================
         routine edge_swap,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l edge_plan_lines(a6),a0
         movea.l edge_plan_left(a6),a5
@@ -92,5 +92,4 @@ joined  macro
         lea     edge_sizeof(a5),a5
         subq.l  #1,d4
         bne.s   .right_edge
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

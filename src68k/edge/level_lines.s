@@ -1,6 +1,7 @@
         include "routine.i"
         include "layout.i"
         include "chain.i"
+        include "number.i"
         include "perspective.i"
 
 ; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, to the nearest.
@@ -51,7 +52,7 @@ step    macro
 ; A floor or a ceiling before an upright camera is such a polygon.
 
         routine level_lines,a0,a1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         rows_open
         movea.l a1,a5
         movea.l perspective_plan_lines(a6),a0
@@ -75,11 +76,7 @@ step    macro
         move.l  d1,d5
         step    scanline_step_dudx(a5),s
         step    scanline_step_dvdx(a5),t
-        pack_uv d4,d5,d6
-        swap    d4
-        move.w  d4,scanline_start0(a0)
-        move.w  d5,scanline_start1(a0)
-        move.l  d6,scanline_start2(a0)
+        pack_start d4,d5,d6,a0
 
 .next   rows_next
         lea     scanline_sizeof(a0),a0
@@ -87,5 +84,4 @@ step    macro
         subq.l  #1,row_lines(sp)
         bne     .line
         lea     row_sizeof(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

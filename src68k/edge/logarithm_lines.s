@@ -1,5 +1,7 @@
         include "routine.i"
         include "layout.i"
+        include "number.i"
+        include "reciprocal_lines.i"
 
 ; On the stack: q at the line's first possible pixel; of u and v 64 C there, a line's step of
 ; it, K and half a unit of 8.8; lines left, lines not taken.
@@ -120,19 +122,7 @@ step_c  macro
         move.w  d6,logarithm_line_n(a1)
         bmi     .next
         sub.l   a4,d7
-        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
-        move.l  d5,d1
-        mulu.l  d7,d0:d1
-        muls.l  d4,d7
-        add.l   d7,d0
-        add.l   row_q+number64_lo(sp),d1
-        move.l  row_q(sp),d3
-        addx.l  d0,d3
-        mulu.l  d6,d2:d5
-        muls.l  d6,d4
-        add.l   d4,d2
-        add.l   d1,d5
-        addx.l  d3,d2
+        ends_q
         move.l  d2,d4
         move.l  d3,d5
         cmp.l   d4,d5
@@ -169,11 +159,7 @@ step_c  macro
         sub.l   d4,d5
         swap    d5
         move.w  (a3,d5.w*2),line_high(a1)
-.next   movem.l perspective_plan_q+screen_plane_dy(a5),d0-d1
-        add.l   d1,row_q+number64_lo(sp)
-        move.l  row_q(sp),d1
-        addx.l  d0,d1
-        move.l  d1,row_q(sp)
+.next   next    row_q,perspective_plan_q+screen_plane_dy,a5
         lea     scanline_sizeof(a0),a0
         lea     logarithm_line_sizeof(a1),a1
         subq.l  #1,row_lines(sp)

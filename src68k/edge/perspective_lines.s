@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "number.i"
         include "perspective.i"
 
 ; Adds 64 log2(\1), more than 0, to d2: by the table \2, above or below. Uses d0-d1/a2.
@@ -37,7 +38,7 @@ logarithm macro
 ; of logarithms it gives the least q for each length.
 
         routine perspective_lines,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         rows_open
         movea.l perspective_plan_lines(a6),a0
         movea.l perspective_plan_to(a6),a1
@@ -113,8 +114,7 @@ logarithm macro
         subq.l  #1,row_lines(sp)
         bne     .line
         lea     row_sizeof(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
         ; d3 the first end's share, d4 dv, a5 du, d6 dweight, d7 n
 .curves move.l  a5,d5

@@ -1,5 +1,7 @@
         include "routine.i"
         include "layout.i"
+        include "number.i"
+        include "reciprocal_lines.i"
 
 ; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
 row_q   equ     0
@@ -20,54 +22,6 @@ THREE   equ     $aaaa0000               ; 3/2 times less than this fits 32 bits
 LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
-; The line's C and first pixel of \1, u or v. In: d3 = r of it, d4 = a quarter of the sum
-; of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of C's unit. Leaves C in d6.
-; Uses d1-d2.
-constant macro
-        move.l  row_c\1(sp),d1
-        asl.l   d7,d1
-        bvs     .too_far
-        tst.w   d7
-        bmi     .half_\1
-.scaled_\1
-        move.l  d1,d6
-        add.l   a5,d6
-        bvs     .too_far
-        swap    d6
-        move.w  d6,reciprocal_line_c\1(a1)
-        ext.l   d6
-        muls.w  d4,d1                   ; what rounding took, in the line's middle
-        add.l   d1,d1
-        swap    d1
-        ext.l   d1
-        move.l  d3,d2
-        muls.l  d6,d2
-        add.l   d2,d1
-        move.w  reciprocal_plan_piece+2(a6),d2
-        lsl.l   d2,d1
-        add.l   \2,d1
-        move.l  d1,reciprocal_line_\1(a1)
-        endm
-
-; C times 3/2, behind the loop.
-half    macro
-.half_\1
-        move.l  d1,d6
-        asr.l   #1,d6
-        add.l   d6,d1
-        bvc     .scaled_\1
-        bra     .too_far
-        endm
-
-; The row's number \1 a line further by \2. Uses d0-d1.
-next    macro
-        movem.l \2(\3),d0-d1
-        add.l   d1,\1+number64_lo(sp)
-        move.l  \1(sp),d1
-        addx.l  d0,d1
-        move.l  d1,\1(sp)
-        endm
-
 ;==============================================================================
 ; reciprocal_lines - what spans by reciprocals need to know of each line
 ;
@@ -81,16 +35,16 @@ next    macro
 ;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
 ;          - piece + 5) / 2^26, 16.16, times 3/2 alike; rounded, K taking what that is
 ;          in the middle of the line's r. A line is left to others where q is below the
-;          plan's least, w differs more than 4 times, r too much for 16 bits in less than
-;          three pieces, a piece moves q by less than 8 indices or more than 32 bits have,
-;          or |C| r exceeds the plan's limit
+;          plan's least or the table's (never with w up to 4 times apart, always with 6), r
+;          differs too much for 16 bits in less than three pieces, a piece moves q by less
+;          than 8 indices or more than 32 bits have, or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
 ; cost:    bench row reciprocal_lines
 ;==============================================================================
         routine reciprocal_lines,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a6
         movea.l reciprocal_plan_planes(a6),a5
         lea     -row_sizeof(sp),sp
@@ -118,19 +72,7 @@ next    macro
         move.w  d6,reciprocal_line_n(a1)
         bmi     .next
         sub.l   a4,d7
-        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
-        move.l  d5,d1
-        mulu.l  d7,d0:d1
-        muls.l  d4,d7
-        add.l   d7,d0
-        add.l   row_q+number64_lo(sp),d1
-        move.l  row_q(sp),d3
-        addx.l  d0,d3
-        mulu.l  d6,d2:d5
-        muls.l  d6,d4
-        add.l   d4,d2
-        add.l   d1,d5
-        addx.l  d3,d2
+        ends_q
         move.l  d2,d4
         move.l  d3,d5
         cmp.l   d4,d5
@@ -157,15 +99,8 @@ next    macro
         bge     .other
         move.l  scale_dq(sp),reciprocal_line_dq(a1)
         move.w  scale_c(sp),reciprocal_line_scale(a1)
-        sub.l   #ORIGIN,d3
-        swap    d3
-        move.l  d3,reciprocal_line_q(a1)
-        moveq   #0,d0
-        move.w  (a3,d3.w*2),d0
-        sub.l   #ORIGIN,d2
-        swap    d2
-        moveq   #0,d1
-        move.w  (a3,d2.w*2),d1
+        look_up d3,d0,q
+        look_up d2,d1
         move.w  d0,reciprocal_line_first(a1)
         move.w  d1,reciprocal_line_last(a1)
         sub.l   d0,d1                   ; what r grows
@@ -208,18 +143,8 @@ next    macro
         bpl.s   .cu
         neg.l   d0
 .cu     constant v,a4
-        moveq   #127,d1
-        addq.w  #1,d1
-        move.l  d6,d2
-        beq.s   .cv
-        bpl.s   .up
-        neg.l   d6
-.up     move.l  a2,d3
-        beq.s   .cv
-        eor.l   d3,d2
-        bpl.s   .cv
-        neg.w   d1                      ; v falls: half a unit less the one it borrows
-.cv     move.w  d1,reciprocal_line_carry(a1)
+        carry_of_u
+        move.w  d1,reciprocal_line_carry(a1)
         cmp.w   d0,d6
         bls.s   .larger
         move.w  d6,d0
@@ -248,11 +173,10 @@ next    macro
         subq.l  #1,d1
         bne.s   .empty
 .all    lea     row_sizeof(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
-        half    u
-        half    v
+        constant_more u
+        constant_more v
 .too_far
         addq.l  #1,row_others(sp)
         move.w  #-1,reciprocal_line_n(a1)
@@ -268,53 +192,10 @@ next    macro
         bra     .next
 
 .half   bset    #15,d7
-        move.l  d2,d1
-        lsr.l   #1,d1
-        add.l   d1,d2
-        move.l  d3,d1
-        lsr.l   #1,d1
-        add.l   d1,d3
-        move.l  d5,d1
-        lsr.l   #1,d1
-        add.l   d1,d5
+        three_halves d2,lsr,d1
+        three_halves d3,lsr,d1
+        three_halves d5,lsr,d1
         bra     .as_is
 
-        ; Another scale than the line's before. d4, d5 are not needed any more.
-.scale  move.w  d7,scale(sp)
-        moveq   #15,d1
-        and.w   d7,d1
-        move.w  reciprocal_plan_piece+2(a6),d5
-        move.w  d1,d0
-        addq.w  #5,d0
-        sub.w   d5,d0
-        move.w  d7,d4
-        and.w   #$8000,d4
-        or.w    d4,d0
-        move.w  d0,scale_c(sp)
-        add.w   d5,d1
-        movem.l perspective_plan_q+screen_plane_dx(a5),d0/d4
-        asl.l   d1,d0
-        bvs.s   .coarse
-        neg.w   d1
-        add.w   #32,d1
-        lsr.l   d1,d4
-        or.l    d4,d0
-        tst.w   d7
-        bpl.s   .step
-        move.l  d0,d1
-        asr.l   #1,d1
-        add.l   d1,d0
-        bvs.s   .coarse
-.step   move.l  d0,d1
-        swap    d1
-        move.l  d1,scale_dq(sp)
-        move.w  #$7fff,d1
-        tst.l   d0
-        bpl.s   .length
-        neg.l   d0
-.length cmp.l   #8<<16,d0
-        bhs.s   .enough
-.coarse moveq   #1,d1
-        lsl.w   d5,d1
-.enough move.w  d1,scale_far(sp)
+.scale  scale_made
         bra     .same

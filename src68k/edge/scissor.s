@@ -5,7 +5,7 @@
 ; Cuts the lines of a table to the frame's columns. \1: what moves the start of the
 ; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4-d5 free.
 scissor macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l scissor_plan_lines(a0),a4
         move.l  scissor_plan_count(a0),d7
         movea.l scissor_plan_dudx(a0),a2
@@ -30,8 +30,7 @@ scissor macro
 .left_inside
         lea     scanline_sizeof(a4),a4
         dbra    d7,.line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 .outside
         move.l  #EDGE_BIAS<<16+EDGE_BIAS-1,scanline_left(a4)    ; and last
         bra.s   .left_inside
@@ -69,11 +68,7 @@ start_addx macro
         move.l  a3,d1
         muls.l  d3,d1
         add.l   d1,d4
-        pack_uv d0,d4,d1
-        swap    d0
-        move.w  d0,scanline_start0(a4)
-        move.w  d4,scanline_start1(a4)
-        move.l  d1,scanline_start2(a4)
+        pack_start d0,d4,d1,a4
         endm
 
 ;==============================================================================

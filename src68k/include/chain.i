@@ -18,10 +18,19 @@ pack_uv macro
         clr.w   \1                      ; uu--
         endm
 
+; Packs u (\1) and v (\2), both 16.16, into the start of the line \4. Uses \3.
+pack_start macro
+        pack_uv \1,\2,\3
+        swap    \1
+        move.w  \1,scanline_start0(\4)
+        move.w  \2,scanline_start1(\4)
+        move.l  \3,scanline_start2(\4)
+        endm
+
 ; Adds the number \2 (sign-extended) to the step \1 = uu--, so that one addition moves
 ; both. A negative \2 borrows from uu, which the carry out of the lower half pays back;
 ; with nothing to borrow from, that carry goes on into \3, u's integer: \3 is made one
-; less (\4: b or w, how much of \3 the integer has).
+; less (\4: b, w or l, how much of \3 the integer has).
 add_below macro
         tst.l   \2
         bpl.s   .forward\@
@@ -38,9 +47,7 @@ chain_steps macro
         pack_uv d2,d5,d3                ; d2 uu--, d5 .Vv, d3 v--U
         ext.l   d5
         add_below d2,d5,d3,b            ; uuVv
-        move.l  d3,d0
-        clr.w   d0
-        movea.l d0,a4                   ; v---
+        ahead   d3,d0,a4,w              ; v---
         endm
 
 ; Packs a step (\1, 16.16) that is carried into itself into ss-S, S with a byte of room
@@ -52,24 +59,132 @@ pack_alone macro
         swap    \1
         ext.w   \1                      ; ss-S
         bpl.s   .packed\@
-        sub.l   #$10000,\1
-        bcc.s   .packed\@
-        subq.w  #1,\1                   ; nothing to borrow from: ss always carries
+        borrow  \1,1<<16,w
 .packed\@
+        ahead   \1,\2,\3,b
+        endm
+
+; A negative step: its fraction, whose lowest bit is \2, is one less; with nothing to
+; borrow from, its integer (\3: w or l) is, and the fraction always carries.
+borrow  macro
+        sub.l   #\2,\1
+        bcc.s   .borrowed\@
+        subq.\3 #1,\1
+.borrowed\@
+        endm
+
+; \3 = the fraction of the step \1, what starts run ahead by: without the integer in its
+; lower \4, b or w. \2 holds it too.
+ahead   macro
         move.l  \1,\2
-        clr.b   \2
+        clr.\4   \2
         movea.l \2,\3
         endm
 
-; A pixel of 14 bytes with S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2,
-; the map's page in d4: P is stepped as a word, so V's overflow is lost instead of
-; entering u.
-pixel_apart macro
+; The pixels of the spans have their map's page in d4 and go to (a1)+. texel_next makes
+; d4 the texel's address and steps the coordinates; a2 is free.
+
+; The chain of two registers: B in d0, A in d1, their steps in d2 and d3. 8 bytes.
+texel_next macro
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d4                   ; mmVU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        endm
+
+; S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2: P is stepped as a word, so
+; V's overflow is lost instead of entering u. 10 bytes.
+texel_next_apart macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU
         add.l   a4,d5
         addx.l  d3,d1
         addx.w  d2,d0
+        endm
+
+; Draws the texel at d4. 4 bytes.
+draw    macro
         movea.l d4,a2
         move.b  (a2),(a1)+
+        endm
+
+; The same through a row of the light table, its address \1, the texel its lowest byte.
+; 8 bytes.
+draw_lit macro
+        movea.l d4,a2
+        move.b  (a2),\1
+        movea.l \1,a2
+        move.b  (a2),(a1)+
+        endm
+
+pixel_chain macro
+        texel_next
+        draw
+        endm
+
+pixel_apart macro
+        texel_next_apart
+        draw
+        endm
+
+; A chain of three registers d0-d2, their steps in d3-d5: \1 ..Vv, d1 --U, \2 ..Cc, the
+; level of light. The map's page in d6, the light table's in d7. 20 bytes.
+pixel_lit macro
+        move.w  \1,d6                   ; mmVv
+        move.b  d1,d6                   ; mmVU
+        movea.l d6,a2
+        move.w  \2,d7                   ; llCc
+        move.b  (a2),d7                 ; ll, C and the texel
+        addx.l  d3,d0
+        addx.l  d4,d1
+        addx.l  d5,d2
+        movea.l d7,a2
+        move.b  (a2),(a1)+
+        endm
+
+; The way into a span with the chain of two registers: see span_open. \1: a field of the
+; plan that goes onto the stack besides.
+chain_open macro
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        ifnb    \1
+        move.l  span_plan_\1(a0),-(sp)
+        endc
+        move.l  span_plan_dudx(a0),d2
+        move.l  span_plan_dvdx(a0),d5
+        span_table
+        chain_steps
+        endm
+
+; The same with S, Q and P apart.
+apart_open macro
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        ifnb    \1
+        move.l  span_plan_\1(a0),-(sp)
+        endc
+        move.l  span_plan_dudx(a0),d5
+        move.l  span_plan_dvdx(a0),d2
+        span_table
+        apart_steps
+        endm
+
+; The steps d5 (u) and d2 (v), 16.16, as those of S, Q and P.
+apart_steps macro
+        pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
+        movea.l d5,a4
+        endm
+
+; S of a line from its start0:start1.
+apart_start macro
+        move.l  d0,d5                   ; uu.. (Vv below it is never carried)
+        clr.w   d5
+        endm
+
+; The way into a span with one coordinate, whose step is \1 of the plan: in d2.
+alone_open macro
+        span_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_\1(a0),d2
+        span_table
         endm

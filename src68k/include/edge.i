@@ -78,7 +78,7 @@ left_line macro
 ; many pixels to the right as x, which the carry tells. So they stay on the plane
 ; without a multiplication a line.
 edge_left macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  a0,-(sp)
         move.l  edge_plan_lefts(a0),-(sp)
         movea.l edge_plan_left(a0),a5
@@ -137,6 +137,5 @@ edge_left macro
         addq.l  #4,sp
         movea.l (sp)+,a6
         jsr     \3
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
         endm

@@ -1,6 +1,7 @@
 ; Keeping interpolants in their ranges, line by line.
 
-; d7 = pixels of the longest line, less one, of the table a4 (d6 lines). Uses d0.
+; d7 = pixels of the longest line, less one, of the table a4 (d6 lines). Goes to \1 where
+; that is none. Uses d0.
 longest_line macro
         moveq   #0,d7
 .longer move.w  scanline_last(a4),d0
@@ -12,6 +13,23 @@ longest_line macro
         lea     scanline_sizeof(a4),a4
         subq.l  #1,d6
         bne.s   .longer
+        tst.l   d7
+        beq.s   \1
+        endm
+
+; d6 = pixels of the line a4, less one. Goes to \1 where it is empty.
+line_length macro
+        move.w  scanline_last(a4),d6
+        sub.w   scanline_left(a4),d6
+        blt.s   \1
+        ext.l   d6
+        endm
+
+; The start \1 held as below on a line of d6 pixels more, by steps of \2. Uses d1-d2.
+hold_line macro
+        move.l  \2,d1
+        muls.l  d6,d1
+        hold    \1,d1,d2,\3,\4
         endm
 
 ; The start \1 within [\4, \5] less the way \2 that the line goes, both ends included.

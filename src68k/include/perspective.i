@@ -54,13 +54,8 @@ weight  macro
         endm
 
 ; The plane \1 of the row a line further. Uses d0-d1.
-next    macro
-        move.l  perspective_plan_\1+screen_plane_dy+number64_lo(a6),d1
-        add.l   d1,row_\1+number64_lo(sp)
-        move.l  row_\1(sp),d0
-        move.l  perspective_plan_\1+screen_plane_dy(a6),d1
-        addx.l  d1,d0
-        move.l  d0,row_\1(sp)
+plane_next macro
+        next    row_\1,perspective_plan_\1+screen_plane_dy,a6
         endm
 
 ; Takes the plan in a0: it is in a6 then, its first row on the stack.
@@ -77,7 +72,7 @@ rows_open macro
 
 ; All planes a line further.
 rows_next macro
-        next    q
-        next    s
-        next    t
+        plane_next q
+        plane_next s
+        plane_next t
         endm

@@ -17,13 +17,12 @@ reciprocal_pixel macro
         move.b  d1,d4                   ; mmVU
         addx.l  d2,d0
         addx.\1 d3,d1
-        movea.l d4,a2
-        move.b  (a2),(a1)+
+        draw
         endm
 
 ; Draws the table of the span in a0.
 reciprocal_pieces macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  reciprocal_span_count(a0),-(sp)
         move.l  reciprocal_span_pitch(a0),-(sp)
         move.l  reciprocal_span_row(a0),-(sp)
@@ -129,8 +128,7 @@ reciprocal_pieces macro
         subq.l  #1,reciprocal_left(sp)
         bne     .line
         lea     16(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
         ; 2^31 / steps
         cnop    0,4

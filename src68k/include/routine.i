@@ -28,3 +28,13 @@ _\1:
         endc
 \1:
         endm
+
+; A routine that needs most registers begins with save_all and ends with return_all.
+save_all macro
+        movem.l d2-d7/a2-a6,-(sp)
+        endm
+
+return_all macro
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+        endm

@@ -4,7 +4,7 @@
 
 ; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  span_plan_pitch(a0),-(sp)
         movea.l span_plan_row(a0),a6
         movea.l span_plan_lines(a0),a5
@@ -98,8 +98,7 @@ span_next macro
         else
         addq.l  #\2,sp
         endc
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
         endm
 
 ; Writes d3 longwords of d0 from (a0) on, 16 at a time. In: a3 = .longwords_end,

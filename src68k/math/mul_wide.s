@@ -12,7 +12,7 @@
 ; writes:  -
 ; formats: the product in units, 32.0
 ; error:   half a unit
-; cost:    about 130 cycles
+; cost:    110 cycles, in chip RAM 130; with the cache warm, call and arguments besides
 ;==============================================================================
         routine mul_wide,a0,d0
         movem.l d2-d3,-(sp)

@@ -14,7 +14,7 @@
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
 ;==============================================================================
         routine mesh_faces,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l faces_plan_view(a0),a1
         movem.l scene_view_eye_x(a1),d5-d7
         movea.l faces_plan_placed(a0),a4
@@ -76,5 +76,4 @@
         sub.l   (sp)+,d0
         divu.w  #mesh_face_sizeof,d0    ; 4,096 at most: fits
         and.l   #$ffff,d0
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

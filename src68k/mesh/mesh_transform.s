@@ -56,7 +56,7 @@ shifts  equ     60
 room    equ     shifts+8
 
         routine mesh_transform,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l a0,a4
         lea     -room(sp),sp
         movea.l transform_plan_view(a4),a1      ; factors come first
@@ -131,5 +131,4 @@ room    equ     shifts+8
         cmpa.l  a5,a0
         blo     .point
         lea     room(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -26,7 +26,7 @@ top     equ     8                       ; on the stack in .side: the polygon's l
 bottom  equ     12
 
         routine edges_make,a0,a1,d0,d1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l d0,a2
         lea     edge_rounded,a5
         tst.l   d1
@@ -48,8 +48,7 @@ bottom  equ     12
         movea.l edge_plan_right(a0),a0
         bsr.s   .side
         lea     12(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 ; A side: a0 edges, a3 where their number goes, a4 sides, a5 routine, a6 step
 .side   clr.l   (a3)

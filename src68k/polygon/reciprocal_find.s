@@ -141,15 +141,14 @@ FLAT    equ     1<<8                    ; q grows less a pixel: no line would be
 ; cost:    about 2,700 cycles
 ;==============================================================================
         routine reciprocal_find,a0,d0,d1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l reciprocal_plan_planes(a0),a5
         movem.l d0-d1,-(sp)
         constant u,s
         constant v,t
         moveq   #1,d0
 .out    addq.l  #8,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 .not    moveq   #0,d0
         bra.s   .out
 

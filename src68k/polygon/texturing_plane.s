@@ -86,7 +86,7 @@ step    macro
 ; cost:    about 2,100 cycles, with a cold cache 2,600
 ;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  d1,-(sp)                ; chain
         move.l  d0,-(sp)                ; box
         movea.l a0,a6
@@ -137,5 +137,4 @@ step    macro
         or.l    texturing_guard(a6),d0
         move.l  d0,texturing_u(a6)
         lea     40(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

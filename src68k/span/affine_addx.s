@@ -24,22 +24,8 @@
 ; DBRA keep X between pixels. A's v runs one step ahead, so that its carry is
 ; ready when B needs it. V's own overflow enters u's lowest bit: see formats.
 
-pixel   macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        addx.l  d2,d0
-        addx.l  d3,d1
-        movea.l d4,a2
-        move.b  (a2),(a1)+
-        endm
-
         routine span_affine_addx,a0
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
-        span_table
-        chain_steps
+        chain_open
         move.l  (sp),d5
         lea     .pixels_end-12(pc),a3
         span_line d0,d1
@@ -47,6 +33,6 @@ pixel   macro
         add.l   a4,d1
         span_enter_12
 .pixels rept    16
-        pixel
+        pixel_chain
         endr
         span_close d5

@@ -20,17 +20,10 @@
 ; the map in fast RAM and none in chip RAM, where the bus is waited for anyway.
 
         routine span_affine_addx_wrap,a0
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d5
-        move.l  span_plan_dvdx(a0),d2
-        span_table
-        pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
-        movea.l d5,a4
+        apart_open
         lea     .pixels_end-14(pc),a3
         span_line d0,d1
-        move.l  d0,d5                   ; uu.. (Vv below it is never carried)
-        clr.w   d5
+        apart_start
         span_rounds 4
         span_enter_14
 .pixels rept    16

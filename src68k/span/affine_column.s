@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "span.i"
 
 ;==============================================================================
@@ -22,15 +23,11 @@ pixel   macro
         move.w  d1,d4                   ; mmVv
         move.b  d5,d4                   ; mmVU
         addx.l  d2,d1
-        movea.l d4,a2
-        move.b  (a2),(a1)+
+        draw
         endm
 
         routine span_affine_column,a0
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dvdx(a0),d2
-        span_table
+        alone_open dvdx
         moveq   #0,d3                   ; the room of a line's start
         lsl.l   #8,d2
         asr.l   #8,d2                   ; -Vvv
@@ -39,12 +36,8 @@ pixel   macro
         bra.s   .packed
 .falls  ror.l   #8,d2
         move.l  #$ff0000,d3
-        sub.l   #$1000000,d2
-        bcc.s   .packed
-        subq.l  #1,d2                   ; nothing to borrow from: v always carries
-.packed move.l  d2,d5
-        clr.w   d5
-        movea.l d5,a4                   ; v-00
+        borrow  d2,1<<24,l
+.packed ahead   d2,d5,a4,w              ; v-00
         lea     .pixels_end-10(pc),a3
         span_line d0,d1
         span_rounds 4

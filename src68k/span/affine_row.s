@@ -22,15 +22,11 @@
 pixel   macro
         move.b  d0,d4                   ; mmVU
         addx.l  d2,d0
-        movea.l d4,a2
-        move.b  (a2),(a1)+
+        draw
         endm
 
         routine span_affine_row,a0
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        span_table
+        alone_open dudx
         pack_alone d2,d5,a4
         move.l  (sp),d3
         lea     .pixels_end-8(pc),a3

@@ -27,10 +27,8 @@
         movea.l (sp),a2
         move.l  (a2)+,d5
         move.l  (a2),d2
-        pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
-        movea.l d5,a4
-        move.l  d0,d5                   ; uu.. (Vv below it is never carried)
-        clr.w   d5
+        apart_steps
+        apart_start
         span_rounds 3
         span_enter_14
 .pixels rept    8
@@ -44,5 +42,4 @@
         cmpa.l  a5,a0
         bne     .line
         addq.l  #8,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

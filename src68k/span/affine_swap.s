@@ -1,6 +1,7 @@
         include "routine.i"
         include "layout.i"
         include "span.i"
+        include "swap.i"
 
 ;==============================================================================
 ; span_affine_swap - draws a scanline table from a 256x256 map, by add and swap
@@ -18,11 +19,7 @@
 ; U when u's lower bytes replace v's, and one swap makes an index of both.
 
 pixel   macro
-        move.l  d1,d4                   ; Vvv-
-        eor.l   d0,d4
-        and.l   d5,d4
-        eor.l   d1,d4                   ; VUuu
-        swap    d4                      ; uuVU
+        join_uv d5
         add.l   d2,d0
         add.l   d3,d1
         move.b  (a4,d4.w),(a1)+

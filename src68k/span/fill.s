@@ -20,7 +20,7 @@
 SHORT                   equ     12
 
         routine span_fill,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l span_plan_lines(a0),a1
         move.l  span_plan_count(a0),d7
         movea.l span_plan_row(a0),a6
@@ -46,8 +46,7 @@ SHORT                   equ     12
 .next   adda.l  d6,a1
         adda.l  a5,a6
         dbra    d7,.line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w),a0

@@ -17,7 +17,7 @@
 ; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
 
         routine span_fill_16,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         movea.l span_plan_lines(a0),a1
         move.l  span_plan_count(a0),d7
         movea.l span_plan_row(a0),a6
@@ -52,5 +52,4 @@
 .next   adda.l  d6,a1
         adda.l  a5,a6
         dbra    d7,.line
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -16,27 +16,13 @@
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
 ;==============================================================================
-; The texel becomes the lowest byte of the row's address.
-
 pixel   macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        addx.l  d2,d0
-        addx.l  d3,d1
-        movea.l d4,a2
-        move.b  (a2),d5
-        movea.l d5,a2
-        move.b  (a2),(a1)+
+        texel_next
+        draw_lit d5
         endm
 
         routine span_lit,a0
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_light(a0),-(sp)
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
-        span_table
-        chain_steps
+        chain_open light
         move.l  (sp),d5                 ; lll0
         lea     .pixels_end-16(pc),a3
         span_line d0,d1

@@ -28,45 +28,24 @@
 ; one less. Either fails once in 65,536 texels, at most twice in a line: the two bits
 ; below c are kept for that, 0 and 3.
 
-pixel   macro
-        move.w  d2,d6                   ; mmVv
-        move.b  d1,d6                   ; mmVU
-        movea.l d6,a2
-        move.w  d0,d7                   ; llCc
-        move.b  (a2),d7                 ; ll, C and the texel
-        addx.l  d3,d0
-        addx.l  d4,d1
-        addx.l  d5,d2
-        movea.l d7,a2
-        move.b  (a2),(a1)+
-        endm
-
         routine span_lit_gouraud,a0
         span_open
         move.l  span_plan_map(a0),d6    ; mm00
         move.l  span_plan_dudx(a0),d3
         move.l  span_plan_dvdx(a0),d2
         pack_uv d3,d2,d4                ; d3 uu--, d2 .Vv, d4 v--U
-        move.l  span_plan_dcdx(a0),d5
-        moveq   #0,d1
-        and.b   #$fc,d5
+        move.l  span_plan_dcdx(a0),d1
+        moveq   #0,d5
+        and.b   #$fc,d1
         move.w  d2,d7
         ext.l   d7
-        move.b  d5,d1
-        ror.l   #8,d1                   ; c---
-        lsr.l   #8,d5
-        ext.l   d5                      ; Cc
-        move.l  d7,d2
-        bpl.s   .rises
-        tst.l   d1
-        bne.s   .rises
-        subq.l  #1,d5                   ; nothing to borrow from: c always carries
-.rises
-        add.l   d1,d2                   ; c-Vv
-        add_below d3,d5,d4,b            ; uuCc
-        move.l  d2,d5
-        clr.w   d2
-        movea.l d2,a4                   ; c-00
+        move.b  d1,d5
+        ror.l   #8,d5                   ; c---
+        lsr.l   #8,d1
+        ext.l   d1                      ; Cc
+        add_below d5,d7,d1,l            ; c-Vv
+        add_below d3,d1,d4,b            ; uuCc
+        ahead   d5,d2,a4,w              ; c-00
         move.l  span_plan_light(a0),d7
         clr.w   d7                      ; ll00
         movea.l span_plan_shades(a0),a3
@@ -100,7 +79,7 @@ pixel   macro
         add.l   a4,d2
         jmp     .pixels(pc,d6.w*4)
 .pixels rept    8
-        pixel
+        pixel_lit d2,d0
         endr
         cmpa.l  a3,a1
         bne     .pixels
@@ -109,5 +88,4 @@ pixel   macro
         cmpa.l  (sp),a0
         bne     .line
         addq.l  #8,sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "swap.i"
 
 ; On the stack.
 now_u   equ     0                       ; of the next pixel, 16.16
@@ -37,11 +38,7 @@ single  macro
         endm
 
 pixel   macro
-        move.l  d1,d4                   ; Vvv-
-        eor.l   d0,d4
-        and.l   d5,d4
-        eor.l   d1,d4                   ; VUuu
-        swap    d4                      ; uuVU
+        join_uv d5
         add.l   d2,d0
         add.l   a2,d2
         add.l   d3,d1
@@ -88,7 +85,7 @@ bend    macro
 ;==============================================================================
 
         routine span_perspective_curves,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  perspective_span_count(a0),-(sp)
         move.l  a0,-(sp)
         move.l  perspective_span_row(a0),-(sp)
@@ -274,5 +271,4 @@ bend    macro
         subq.l  #1,lines(sp)
         bne     .line
         lea     locals(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all

@@ -46,7 +46,7 @@ pack_steps macro
 ; S, Q and P of a pixel_apart run on from piece to piece: what changes is their steps.
 
         routine span_perspective_pieces,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  perspective_span_count(a0),-(sp)
         move.l  perspective_span_pitch(a0),-(sp)
         move.l  perspective_span_row(a0),-(sp)
@@ -133,8 +133,7 @@ pack_steps macro
         subq.l  #1,lines(sp)
         bne     .line
         lea     locals(sp),sp
-        movem.l (sp)+,d2-d7/a2-a6
-        rts
+        return_all
 
         ; The last piece, and the line's last pixel.
 .rest   move.l  steps(sp),d7

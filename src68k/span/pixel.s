@@ -2,6 +2,8 @@
 ; from a row, fetched from a 256x256 map, fetched from it and lit through a table.
 
         include "routine.i"
+        include "chain.i"
+        include "swap.i"
 
 ; \1: how many in a round, \2: the pixel's code
 pixels  macro
@@ -26,31 +28,14 @@ pixel_a1 macro
         endm
 
 pixel_s2 macro
-        move.l  d1,d4                   ; Vvv-
-        eor.l   d0,d4
-        and.l   d7,d4
-        eor.l   d1,d4                   ; VUuu
-        swap    d4                      ; uuVU
+        join_uv d7
         add.l   d2,d0
         add.l   d3,d1
         move.b  (a0,d4.w),(a1)+
         endm
 
-pixel_a2 macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        addx.l  d2,d0
-        addx.l  d3,d1
-        movea.l d4,a2
-        move.b  (a2),(a1)+
-        endm
-
 pixel_s3 macro
-        move.l  d1,d4
-        eor.l   d0,d4
-        and.l   d7,d4
-        eor.l   d1,d4
-        swap    d4                      ; uuVU
+        join_uv d7
         move.l  d5,d6                   ; Ccc-
         swap    d6                      ; c-Cc
         move.b  (a0,d4.w),d6            ; C and the texel
@@ -62,16 +47,7 @@ pixel_s3 macro
 
 ; d0 uuVv, d1 c--U, d2 v-Cc: u carries into U, c's lower byte into Cc, v's into Vv.
 pixel_a3 macro
-        move.w  d0,d6                   ; mmVv
-        move.b  d1,d6                   ; mmVU
-        movea.l d6,a2
-        move.w  d2,d7                   ; llCc
-        move.b  (a2),d7                 ; ll, C and the texel
-        addx.l  d3,d0
-        addx.l  d4,d1
-        addx.l  d5,d2
-        movea.l d7,a2
-        move.b  (a2),(a1)+
+        pixel_lit d0,d2
         endm
 
 ;==============================================================================
@@ -155,7 +131,7 @@ pixel_a3 macro
 ;==============================================================================
         routine pixel_addx_2
         move    #0,ccr
-        pixels  16,pixel_a2
+        pixels  16,pixel_chain
 
 ;==============================================================================
 ; pixel_swap_3 - three interpolants by swap: u, v and a shade

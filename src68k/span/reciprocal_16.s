@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "reciprocal.i"
 
 ;==============================================================================

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "reciprocal.i"
 
 ;==============================================================================
@@ -8,12 +9,10 @@
 ; in:      a0  reciprocal_span*  the lines, the frame, the map, the table
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   the span, its lines, the table, the map
+; reads:   as span_reciprocal_16
 ; writes:  the pixels of the lines, nothing else
-; formats: u, v 8.24, both wrap at 256; 8-bit texels and pixels. A piece's steps are C
-;          times what r grows in it; the last piece ends with the line's r
-; error:   of u half a unit of 2^-16 a pixel and one where v wraps, of v none; what C
-;          and r bring: see reciprocal_lines
+; formats: as span_reciprocal_16
+; error:   as span_reciprocal_16
 ; cost:    bench row persp_every8
 ;==============================================================================
         routine span_reciprocal_8,a0

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "chain.i"
         include "span.i"
 
 ;==============================================================================
@@ -32,8 +33,7 @@ pixel   macro
         addx.l  d3,d1
         and.l   d6,d1
         and.l   d5,d0
-        movea.l d4,a2
-        move.b  (a2),(a1)+
+        draw
         endm
 
 ; Packs u (\1 = uu:UU) and v (\2 = VVvv) into B (\1) and A (\2), by their masks d5

@@ -1,0 +1,131 @@
+; The parts of reciprocal_lines: they use its registers, its labels and its stack.
+
+; d3 and d2 = q of the line's first pixel, d7 from the planes' own, and of its last, d6
+; further. Uses d0-d1/d4-d5/d7.
+ends_q  macro
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
+        mulu.l  d7,d0:d1
+        muls.l  d4,d7
+        add.l   d7,d0
+        add.l   row_q+number64_lo(sp),d1
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
+        endm
+
+; \1 times 3/2, V where it does not fit. \2: lsr or asr. Uses \3.
+three_halves macro
+        move.l  \1,\3
+        \2.l   #1,\3
+        add.l   \3,\1
+        endm
+
+; The end \1, its q, as the table's index under its fraction; \2 = r there. \3: where the
+; line keeps the index, if it does.
+look_up macro
+        sub.l   #ORIGIN,\1
+        swap    \1
+        ifnb    \3
+        move.l  \1,reciprocal_line_\3(a1)
+        endc
+        moveq   #0,\2
+        move.w  (a3,\1.w*2),\2
+        endm
+
+; What holds for all lines of the scale d7. Uses d0-d1/d4-d5.
+scale_made macro
+        move.w  d7,scale(sp)
+        moveq   #15,d1
+        and.w   d7,d1                   ; the shift
+        move.w  reciprocal_plan_piece+2(a6),d5
+        move.w  d1,d0
+        addq.w  #5,d0
+        sub.w   d5,d0
+        move.w  d7,d4
+        and.w   #$8000,d4
+        or.w    d4,d0
+        move.w  d0,scale_c(sp)
+        add.w   d5,d1
+        movem.l perspective_plan_q+screen_plane_dx(a5),d0/d4
+        asl.l   d1,d0
+        bvs.s   .coarse
+        neg.w   d1
+        add.w   #32,d1
+        lsr.l   d1,d4
+        or.l    d4,d0
+        tst.w   d7
+        bpl.s   .step
+        three_halves d0,asr,d1
+        bvs.s   .coarse
+.step   move.l  d0,d1
+        swap    d1
+        move.l  d1,scale_dq(sp)
+        move.w  #$7fff,d1
+        tst.l   d0
+        bpl.s   .length
+        neg.l   d0
+.length cmp.l   #8<<16,d0
+        bhs.s   .enough
+.coarse moveq   #1,d1
+        lsl.w   d5,d1
+.enough move.w  d1,scale_far(sp)
+        endm
+
+; The line's C and first pixel of \1, u or v. In: d3 = r of it, d4 = a quarter of the sum
+; of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of C's unit. Leaves C in d6.
+; Uses d1-d2.
+constant macro
+        move.l  row_c\1(sp),d1
+        asl.l   d7,d1
+        bvs     .too_far
+        tst.w   d7
+        bmi     .more_\1
+.scaled_\1
+        move.l  d1,d6
+        add.l   a5,d6
+        bvs     .too_far
+        swap    d6
+        move.w  d6,reciprocal_line_c\1(a1)
+        ext.l   d6
+        muls.w  d4,d1                   ; what rounding took, in the line's middle
+        add.l   d1,d1
+        swap    d1
+        ext.l   d1
+        move.l  d3,d2
+        muls.l  d6,d2
+        add.l   d2,d1
+        move.w  reciprocal_plan_piece+2(a6),d2
+        lsl.l   d2,d1
+        add.l   \2,d1
+        move.l  d1,reciprocal_line_\1(a1)
+        endm
+
+; C times 3/2, behind the loop.
+constant_more macro
+.more_\1
+        three_halves d1,asr,d6
+        bvc     .scaled_\1
+        bra     .too_far
+        endm
+
+; d1 = what u's steps take besides: half a unit, less the one that v borrows where it
+; falls. In: d6 = C of v, a2 = what r grows. Leaves |C| in d6. Uses d2-d3.
+carry_of_u macro
+        moveq   #127,d1
+        addq.w  #1,d1
+        move.l  d6,d2
+        beq.s   .cv
+        bpl.s   .up
+        neg.l   d6
+.up     move.l  a2,d3
+        beq.s   .cv
+        eor.l   d3,d2
+        bpl.s   .cv
+        neg.w   d1
+.cv
+        endm

@@ -1,0 +1,56 @@
+"""The limits in the C headers, each against its derivation in tools.bounds_perspective."""
+
+from math import ceil, log2
+
+import numpy as np
+import pytest
+
+from tools import bounds_perspective as bounds
+from tools import layout, model_logarithm, model_perspective, model_reciprocal
+from tools.fixed import M32
+from tools.ideal import UNIT
+from tools.model_perspective import CURVES, PIECES
+
+
+@pytest.mark.parametrize("setting", CURVES)
+def test_curves_bend_is_rounded_up(setting: str) -> None:
+    """So that no piece is longer than its tolerance allows."""
+    way = model_perspective.way(setting)
+    assert way.bend == ceil(bounds.bend(setting, way.piece))
+
+
+def test_straight_pieces_have_their_names_pixels() -> None:
+    """And no bend, which is how the C tells them from curves."""
+    for setting, pixels in PIECES.items():
+        way = model_perspective.way(setting)
+        assert (way.piece, way.bend) == (log2(pixels), 0)
+
+
+@pytest.mark.parametrize("setting", [*PIECES, *CURVES])
+def test_level_lines_keep_the_tolerance(setting: str) -> None:
+    """What they may be off is what their bound has, and at the widest there is room for it."""
+    way = model_perspective.way(setting)
+    assert way.off * UNIT == bounds.LEVEL.get(setting, 0)
+    assert way.width <= layout.load().constants["SCENE_SIDE_MAX"]
+    if setting in CURVES:
+        assert bounds.level_bound(0, setting, way.width - 1) < bounds.TOLERANCE[setting]
+
+
+@pytest.mark.parametrize("piece", [3, 4])
+def test_lines_by_reciprocals_keep_to_a_texel_in_32(piece: int) -> None:
+    """Whatever the width, and hardly a line is left to others for nothing."""
+    for width in (1, 2, 6, 7, 13, 64, 320, 1023, 1024):
+        assert model_reciprocal.reach(piece, width) <= bounds.reach(piece, width)
+    assert model_reciprocal.reach(piece, 1) > 0.99 * bounds.reach(piece, 1)
+
+
+def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
+    """At the worst index of each limit, and hardly a line is left to others for nothing."""
+    for bucket, power in enumerate(model_logarithm.LIMITS):
+        high = 1024 * (bucket - 23) - 1
+        smallest = int(np.searchsorted(-model_logarithm.logs(), -high)) + model_logarithm.LOWEST
+        q = model_reciprocal.swap((smallest - model_logarithm.ORIGIN << 16) & M32)
+        line = model_logarithm.Logarithmic(0, 0, q, 0, (0, 0), (power - high,) * 2, 0)
+        bound = model_logarithm.bound(line)
+        assert bound <= bounds.TOLERANCE["pixel"] / UNIT, bucket
+        assert bound > 0.98 * bounds.TOLERANCE["pixel"] / UNIT or power == model_logarithm.POWERS - 1
