@@ -63,7 +63,9 @@ def set_polygons(name: str, mapper: str) -> list:
 
 def scene_of(name: str, settings: list[Settings]) -> Scene:
     """An empty frame, then one with the whole set for each combination."""
-    layouts = [layout for layout in dict.fromkeys(MAPPER_LAYOUT.values()) if layout]
+    used = {MAPPER_LAYOUT[s.mapper] for s in settings}  # chip RAM alone has no room for all
+    layouts = [layout for layout in dict.fromkeys(MAPPER_LAYOUT.values()) if layout in used and layout]
+    lights = [Texture(picture()[:64], "light")] if any(s.mapper in LIT for s in settings) else []
     materials, objects, vertices = [], [], []
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
@@ -75,8 +77,7 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
             vertices += polygon
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, palette,
-                 [*(Texture(picture(), layout) for layout in layouts),
-                  Texture(picture()[:64], "light")], materials, objects,
+                 [*(Texture(picture(), layout) for layout in layouts), *lights], materials, objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 
