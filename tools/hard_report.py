@@ -84,7 +84,7 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
         scene.frames += 1
         digests, = fuzz.draw([(scene, form)], machine)
         wrong = [number for number, digest in enumerate(digests[:-1])
-                 if fuzz.sums(model.render(scene, number)) != (digest["sum"], digest["sums"])]
+                 if not fuzz.is_models(model.render(scene, number), digest)]
         if wrong:
             alone = hard_cases.scene([part[wrong[0]]])
             raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
