@@ -111,7 +111,7 @@ def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> li
         for settings, found in zip(ways, hard_mesh_report.judge(case, ways)):
             row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
                       complaint=found.complaint)
-            if settings.edges == "exact":
+            if settings.clip == "scissor":
                 row.coverage_errors = found.wrong_pixels
             if found.texel_bound:
                 row.texel_error, row.texel_bound = found.texel_error, found.texel_bound

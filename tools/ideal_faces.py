@@ -8,7 +8,8 @@ from its own vertices in tools/bounds.py and tools/bounds_perspective.py: this i
 within off_screen of it; an edge of it, between two of them, is off by no more than its ends are, each
 the more the nearer it is. A pixel that is drawn, or left out, against the exact face lies between an
 edge drawn and the exact one: not farther from the former than that, times sqrt(2) for x and y
-together. (Of the borders only the near plane is ever inside the frame.)
+together. (Of the borders only the near plane is ever inside the frame.) Edges that are stepped are off
+by another half a unit a line.
 
 **u and v.** At a pixel, with the exact u = N / Q, N and Q being u / w and 1 / w, the function A = N - u Q
 is affine over the screen and 0 at the pixel. Corner i, drawn at (x', y') with u' and w', stands for a
@@ -35,6 +36,7 @@ from . import bounds_perspective, ideal, ideal_mesh, ideal_perspective, model, m
 from .ideal import UNIT
 from .model_texturing import Settings
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
+from .scene_space import RADIUS
 
 FLOAT = 1 + 2.0**-24  # this file's own roundings, in proportion
 EXTRA = 24  # bits of exact texels beyond 1/65536
@@ -306,6 +308,20 @@ def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[
                              "all edges")
 
 
+def judge_looks(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
+    """Adds what normals made of the corners of a face that is not cut."""
+    light = face.camera.looks[2]
+    columns = [(2, 3, RADIUS, longer / 256), (3, 4, RADIUS, longer / 256)]
+    columns = columns * bool(instance.flags & ENVIRONMENT)
+    if instance.flags & LIT:
+        columns.append((4, 5, math.sqrt(float(dot(light, light))), 1))
+    for ours, exact, radius, scale in columns:
+        error = np.array([v[ours] * UNIT * scale - float(c[exact])
+                          for v, c in zip(vertices, face.corners, strict=True)])
+        bound = np.full(len(error), ideal_mesh.look_error(radius) * scale)
+        out.errors(error, 0 * error, bound, f"{('s', 't', 'the shade')[ours - 2]} of corner {{}}")
+
+
 def judge_face(scene, instance: Instance, row: list[int], number: int, face: Face) -> Verdict:
     """Holds one face of a frame to its bounds; ``row``: of the table of faces."""
     out, material, camera = Verdict(), scene.materials[instance.material], face.camera
@@ -327,20 +343,16 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
                         material.perspective, material.mapper)
     e = ideal_mesh.corner_error(reach, cut)
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
-    if settings.edges == "exact":
-        judge_pixels(face, vertices, polygon, off, out)
+    if settings.edges != "integer" and settings.clip == "scissor":
+        stepped = (camera.height + 1) * UNIT / 2 if settings.edges == "subpixel" else 0.0
+        judge_pixels(face, vertices, polygon, [o + stepped for o in off], out)
     if not polygon:
         return out
-    if settings.mapper == "gouraud" and not cut:
-        radius = math.sqrt(float(dot(camera.looks[2], camera.looks[2])))
-        error = np.array([v[4] * UNIT - float(c[5]) for v, c in zip(vertices, face.corners)])
-        bound = np.full(len(error), ideal_mesh.look_error(radius))
-        out.errors(error, 0 * error, bound, "the shade of corner {}")
-    elif settings.perspective != "none":
-        texels = scene.textures[material.texture].texels
-        f = ideal_mesh.look_error(math.sqrt(float(dot(camera.looks[0], camera.looks[0])))) \
-            if instance.flags & ENVIRONMENT else 0.0
-        longer = max(texels.shape)
+    longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+    if not cut:
+        judge_looks(instance, vertices, face, longer, out)
+    if settings.perspective != "none":
+        f = ideal_mesh.look_error(RADIUS) if instance.flags & ENVIRONMENT else 0.0
         f = (f + ideal_mesh.CUT * cut) * longer / 256 + UNIT * (longer != 256)
         judge_texels(face, model.adapt(vertices, settings, longer), polygon, (e, f, off), out)
     return out
