@@ -5,8 +5,8 @@ import re
 
 import pytest
 
-from tools import bench, contracts
-from tools.paths import BASELINE, ROOT
+from tools import bench, bench_scenes, contracts
+from tools.paths import BASELINE, ROOT, SCENES
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
           "reason in the commit")
@@ -57,6 +57,16 @@ def test_speeds_that_are_promised(found) -> None:
     for machine in bench.CONDITIONS:
         assert figures["rotator", machine, 320] < figures["rotator_swap", machine, 320]
         assert figures["affine_addx", machine, 256] < figures["affine_swap", machine, 256]
+
+
+def test_every_scene_has_rows(found) -> None:
+    """Those of depth and effects, on both machines; quicker with fast RAM."""
+    names = {path.stem for path in SCENES.glob("*.toml")} - {"default", "mappers"}
+    figures = {(r["name"], r["machine"]): r["cycles_per_frame"] for r in found["frames"]}
+    assert figures.keys() == {(f"scene_{name}", machine) for name in names
+                              for machine in bench_scenes.MACHINES}
+    for name in names:
+        assert 50_000 < figures[f"scene_{name}", "a1200-fast"] < figures[f"scene_{name}", "a1200"]
 
 
 def test_a_moved_figure_is_noticed(baseline) -> None:

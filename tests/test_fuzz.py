@@ -34,9 +34,26 @@ def test_digests_are_those_of_the_dumps() -> None:
     digests, = fuzz.draw([(fuzz_polygons.scene(SEED, 0, polygons), "addx")], fuzz.MACHINE)
     for each, digest in zip(polygons[:2], digests):
         frame = fuzz.frame_of(fuzz_polygons.scene(SEED, 0, [each]), "addx", fuzz.MACHINE)
-        assert fuzz.sums(frame) == (digest["sum"], digest["sums"]) and digest["ticks"] > 0
-    moved = [np.eye(1, 64, k, dtype=np.uint8) for k in range(0, 64, 4)]
-    assert len({fuzz.sums(frame) for frame in moved}) == len(moved)
+        assert fuzz.is_models(frame, digest) and digest["ticks"] > 0
+
+
+def test_digests_tell_frames_apart() -> None:
+    """By a bit and its place; by a pixel that is on another line, in whatever byte of a longword and
+    however many lines away; by lines that are shifted against each other."""
+    moved = [np.eye(1, 64, k, dtype=np.uint8) for k in range(64)]
+    moved += [np.left_shift(np.eye(1, 64, 9, dtype=np.uint8), bit) for bit in range(1, 8)]
+    for width in (64, 128, 320):
+        ground = np.full((48, width), 7, np.uint8)
+        for column in range(4, 8):
+            for line in range(48):
+                moved.append(ground.copy())
+                moved[-1][line, column] = 200
+        for line in range(1, 48):  # two lines shifted, to the right and to the left
+            moved.append(ground.copy())
+            moved[-1][0, 8:40] = moved[-1][line, 7:39] = 200
+            moved.append(ground.copy())
+            moved[-1][0, 7:39] = moved[-1][line, 8:40] = 200
+    assert len({fuzz.digest_of(frame) for frame in moved}) == len(moved)
 
 
 def wrong_ceil(edge, line: int) -> int:
@@ -70,10 +87,10 @@ def test_faults_of_each_kind_are_told_apart(monkeypatch) -> None:
     """Pixels, results and bounds."""
     each = fuzz_polygons.polygon(SEED, 3)
     checked = fuzz.check(each, SEED, 0)
-    good = {"result": checked.result, **dict(zip(("sum", "sums"), fuzz.sums(checked.frame)))}
+    good = {"result": checked.result, **dict(zip(("sum", "hash"), fuzz.digest_of(checked.frame)))}
     assert fuzz.compare(checked, good) is None
     assert fuzz.compare(checked, good | {"result": 3}).kind == "refused"
-    assert fuzz.compare(checked, good | {"sums": 1}).kind == "differs"
+    assert fuzz.compare(checked, good | {"hash": 1}).kind == "differs"
     checked.verdict.complaint = "too far"
     assert fuzz.compare(checked, good) == fuzz.Fault("bound", "too far")
 
@@ -82,7 +99,7 @@ def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
     """The polygon that ends a boot is found; the others are still judged."""
     polygons = [fuzz_polygons.polygon(SEED, k) for k in range(9)]
     checks = {id(p): fuzz.check(p, SEED, 0) for p in polygons}
-    right = [(c.result, *fuzz.sums(c.frame)) for c in checks.values()]
+    right = [(c.result, *fuzz.digest_of(c.frame)) for c in checks.values()]
 
     def draw(scenes, machine, on_output=None):
         (this, _), = scenes
@@ -90,7 +107,7 @@ def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
         if polygons[5].vertices[0] in corners:
             raise UserError("render crashed: exception 5")
         return [np.array([right[polygons.index(p)] for p in polygons
-                          if p.vertices[0] in corners], [("result", int), ("sum", int), ("sums", int)])]
+                          if p.vertices[0] in corners], [("result", int), ("sum", int), ("hash", int)])]
 
     monkeypatch.setattr(fuzz, "draw", draw)
     assert fuzz.faults(polygons, SEED, 0, "addx", "a1200-fast") == {

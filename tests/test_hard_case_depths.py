@@ -6,7 +6,8 @@ from fractions import Fraction
 import numpy as np
 from surfaces import off_surface
 
-from tools import hard_case_depths, hard_cases, hard_report, ideal, ideal_perspective, model, scene_file
+from tools import (bounds, hard_case_depths, hard_cases, hard_report, ideal, ideal_perspective,
+                   model, scene_file)
 from tools.hard_case_depths import DEEPEST, NEAREST
 from tools.scene_file import ONE
 
@@ -96,3 +97,15 @@ def test_pictures_have_the_perspective() -> None:
     for y, x in shown:
         u, v = (int(plane.at(int(x) << 16, int(y) << 16) // ONE) for plane in planes)
         assert found[y, x] == texels[v % 256, u % 256]
+
+
+def test_what_is_drawn_affine_for_want_of_precision() -> None:
+    """One triangle of a unit, whose only pixel is right all the same: it is judged against the curve."""
+    settings, unsure = model.Settings("exact", perspective="fine"), {}
+    for case in CASES:
+        if ideal_perspective.in_front(adapted(case)):
+            verdict = bounds.judge(case.vertices, settings, hard_cases.WIDTH, hard_cases.HEIGHT)
+            assert not verdict.complaint, case.name
+            if verdict.unsure:
+                unsure[case.name] = verdict.texel_error
+    assert unsure == {"deep_triangle_1_unit_1_to_16384": 0.0}

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import (bounds_perspective, hard_cases, hard_report, ideal, ideal_perspective, layout, model,
-                   scene_file)
+from tools import (bounds_perspective, hard_case_meshes, hard_cases, hard_report, ideal,
+                   ideal_perspective, layout, model, scene_file)
 from tools.errors import UserError
 from tools.hard_case import FAR
 from tools.hard_cases import HEIGHT, WIDTH, Case
@@ -58,13 +58,15 @@ def test_the_other_form_draws_the_same() -> None:
 
 def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
     """A section, a picture and all its rows; an excess is marked."""
-    some = CASES[::60]
+    some, meshes = CASES[::60], hard_case_meshes.cases()[::25]
     monkeypatch.setattr(hard_cases, "cases", lambda: some)
+    monkeypatch.setattr(hard_case_meshes, "cases", lambda: meshes)
     rows = hard_report.write(tmp_path / "hard", "a1200-fast", "On a <test> machine.")
     text = (tmp_path / "hard" / "index.html").read_text()
     assert "On a &lt;test&gt; machine." in text and "none exceeds its bound" in text
-    assert text.count("<section") == len(some) and text.count("<tr>") == len(rows) + len(some)
-    for case in some:
+    cases = [*some, *meshes]
+    assert text.count("<section") == len(cases) and text.count("<tr>") == len(rows) + len(cases)
+    for case in cases:
         assert f'<h2>{case.name}</h2>' in text
         with Image.open(tmp_path / "hard" / f"{case.name}.png") as picture:
             assert picture.size == (hard_report.SCALE * (3 * WIDTH + 8), hard_report.SCALE * HEIGHT)

@@ -1,5 +1,7 @@
 """Materials and textures of scenes: what the compiler makes of them, and how it refuses."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -166,18 +168,24 @@ def test_arbitrary_maps_are_not_left(folder):
 
 
 def test_light_of_corners(folder):
-    """Shades are four to a level; in full light a lit map shows itself, in none black."""
+    """Shades are four to a level, and each pixel is its texel in the light table's row of that level; in
+    full light a lit map shows itself, in none black. (Rows are held to the nearest colours elsewhere.)"""
     light = 'texture = "square", mapper = "{0}"'
     corners = listed("[[0, 0, 0, 0, {0}], [64, 0, 256, 0, {0}], [64, 48, 256, 192, {0}], "
                      "[0, 48, 0, 192, {0}]]")
-    plain = make(folder, 'texture = "square"', corners.replace(", {0}]", "]"))
-    shown = plain.palette[model.render(plain, 0)]
     for mapper in "lit", "lit_gouraud":
-        for shade, part in ((255, 1), (0, 0), (127, 31 / 63)):
+        for shade, level in ((255, 63), (0, 0), (127, 31), (128, 32)):
             made = make(folder, light.format(mapper), corners.format(shade))
             assert set(made.vertices[:, 4].tolist()) == {shade * ONE + ONE // 2}
-            found = made.palette[model.render(made, 0)]
-            assert abs(found - shown * part).max() < (2 if part != 31 / 63 else 24)
+            found, rows = model.render(made, 0), made.textures[made.materials[0].light].texels
+            texels = model.render(replace(made, materials=[Material("affine", texture=0)]), 0)
+            drawn = np.s_[:48, :64]
+            assert (found[drawn] == rows[level, texels[drawn]]).all()
+            assert len(np.unique(texels[drawn])) > 4
+            if level == 63:
+                assert (found == texels).all()
+            elif not level:
+                assert (made.palette[found[drawn]] == 0).all()
     sides = make(folder, light.format("lit"), shaped("", 5)).vertices[:, 4].tolist()
     assert set(sides) == {255 * ONE + ONE // 2}  # where nothing is said: full light
 

@@ -1,15 +1,25 @@
-"""Meshes on the emulated A1200: the model's frames, bit for bit."""
+"""Meshes on the emulated A1200: the model's frames, bit for bit; and scenes against exact numbers.
+
+``make test`` takes some frames of each scene from all its length; SCENES=all takes every one.
+"""
+
+import os
+from fractions import Fraction
 
 import numpy as np
 import pytest
 
 import mesh_cases
-from tools import fuzz, model, model_mesh
+from tools import fuzz, ideal_faces, model, model_mesh, scene_space
+from tools.ideal_faces import Camera
 from tools.paths import SCENES
 from tools.scene import compile_scene
+from tools.scene_file import ONE
 
 MACHINE = "a1200-fast"
 FORMS = ("addx", "swap", "c")
+NAMES = ("cube", "face", "floor", "corridor", "environment", "shaded")
+EVERY = 1 if os.environ.get("SCENES") == "all" else 13
 
 
 def assert_models(scenes: dict, form: str = "addx", results: tuple = (0,)) -> None:
@@ -17,24 +27,59 @@ def assert_models(scenes: dict, form: str = "addx", results: tuple = (0,)) -> No
     drawn = fuzz.draw([(scene, form) for scene in scenes.values()], MACHINE)
     for (name, scene), digests in zip(scenes.items(), drawn):
         for number, digest in enumerate(digests):
-            assert (int(digest["sum"]), int(digest["sums"])) == \
-                fuzz.sums(model.render(scene, number)), f"{name}, frame {number}, form {form}"
+            assert fuzz.is_models(model.render(scene, number), digest), \
+                f"{name}, frame {number}, form {form}"
             assert int(digest["result"]) in results, f"{name}, frame {number}"
 
 
 def test_scenes_are_the_models():
-    """The scenes with meshes, a few frames each from all their length."""
+    """The scenes with meshes; every frame shows something else."""
     scenes = {}
-    for name in ("cube", "floor", "corridor", "environment", "shaded"):
+    for name in NAMES:
         scene = compile_scene(SCENES / f"{name}.toml")
-        kept = range(0, scene.frames, 13)
+        kept = range(0, scene.frames, EVERY)
         for instance in scene.instances:
             assert (instance.first_frame, instance.views) == (0, scene.frames)
             scene.views[[instance.view + k for k in range(len(kept))]] = \
                 scene.views[[instance.view + number for number in kept]]
         scene.frames = len(kept)
         scenes[name] = scene
+        frames = [model.render(scene, number) for number in range(scene.frames)]
+        assert len({frame.tobytes() for frame in frames}) == scene.frames
+        assert all(len(np.unique(frame)) > 4 for frame in frames)
     assert_models(scenes)
+
+
+def fractions(rows) -> list:
+    """Numbers as they are, rows of them as lists."""
+    return [Fraction(row) if np.ndim(row) == 0 else fractions(row) for row in rows]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_scenes_are_as_exact_as_is_derived(name: str, monkeypatch) -> None:
+    """Every pixel, texel and shade of their faces, against exact faces before the camera as it was before
+    its numbers were rounded."""
+    seen, rounding = [], scene_space.Space.view
+
+    def view(self, *arguments):
+        seen.append(self.seen(*arguments[:-1]))
+        return rounding(self, *arguments)
+
+    monkeypatch.setattr(scene_space.Space, "view", view)
+    scene = compile_scene(SCENES / f"{name}.toml")
+    total, near = ideal_faces.Verdict(), Fraction(scene.near_plane, ONE)
+    for number in range(0, scene.frames, 20 if EVERY > 1 else 1):
+        for instance in scene.instances:
+            numbers = map(fractions, seen[instance.view + number - instance.first_frame])
+            camera = Camera(*numbers, scene.guard, scene.width, scene.height, near)
+            material = scene.materials[instance.material]
+            longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+            faces = ideal_faces.exact_faces(scene, instance, camera, longer)
+            found = ideal_faces.judge(scene, number, instance, faces)
+            assert not found.complaint, f"frame {number}: {found.complaint}"
+            total.merge(found)
+    assert total.faces >= 4 and total.pixels > 10000 and not total.unsure
+    assert total.texel_ratio > 0.1  # the bounds are not idle
 
 
 @pytest.mark.parametrize("form", FORMS)

@@ -287,8 +287,8 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
     conditions = (f"Cycles on {machine}, set-up included, DMA and interrupts off; "
                   f"{about['emulator']}, {about['compiler']}, commit {about['commit']}.")
     rows = hard_report.write(folder, machine, conditions, on_part)
-    return [f"{row.case}, {row.mapper}, {row.edges}, {row.gradients}, {row.start}, {row.clip}: "
-            f"{row.complaint}" for row in rows if row.complaint]
+    return [f"{row.case}, {row.mapper}, {row.edges}, {row.gradients}, {row.start}, {row.clip}, "
+            f"{row.perspective}: {row.complaint}" for row in rows if row.complaint]
 
 
 def command(out: str, names: list[str] | None, machine: str | None, accept: bool) -> int:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import matplotlib
 
-from . import bench_cases, provenance
+from . import bench_cases, bench_scenes, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .kernels import Case, call
@@ -28,7 +28,8 @@ CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
 TICKS = 5000
 ROUGH_CYCLES_PER_UNIT = 20
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
-UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point"}
+UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
+         "frames": "cycles_per_frame"}
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 
 
@@ -38,15 +39,18 @@ def repeats(units: int) -> int:
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine: {"rows": in pixels, "lines": in lines, "points": in points}."""
+    """Rows of one machine: {"rows": in pixels, "lines": in lines, "points": in points, "frames": in
+    frames}."""
     boot, chip = CONDITIONS[machine]
     kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
              "points": bench_cases.point_rows(chip)}
     kinds = {kind: [r for r in rows if fnmatch.fnmatch(r.name, only)]
              for kind, rows in kinds.items()}
     rows = [row for kind in kinds.values() for row in kind]
+    frames = bench_scenes.measure(machine, [name for name in bench_scenes.NAMES
+                                            if fnmatch.fnmatch(f"scene_{name}", only)])
     if not rows:
-        return {kind: [] for kind in kinds}
+        return {kind: [] for kind in kinds} | {"frames": frames}
     for row in rows:
         row.case.repeats = repeats(row.units)
     nothing = Case("nothing", repeats=2000)
@@ -61,7 +65,7 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
         measured[id(row)] = round(cycles, 3), CYCLES_PER_TICK / row.case.repeats / row.units
     return {kind: [{"name": r.name, "machine": machine, "length": r.length,
                     UNITS[kind]: measured[id(r)][0], "one_tick": round(measured[id(r)][1], 5)}
-                   for r in group] for kind, group in kinds.items()}
+                   for r in group] for kind, group in kinds.items()} | {"frames": frames}
 
 
 def key(row: dict) -> tuple:
@@ -70,7 +74,7 @@ def key(row: dict) -> tuple:
 
 
 def cycles(row: dict) -> float:
-    """Cycles a pixel, a line or a point."""
+    """Cycles a pixel, a line, a point or a frame."""
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
@@ -80,8 +84,9 @@ def compare(found: dict, baseline: dict) -> list[str]:
     complaints = []
     for kind in UNITS:
         for row in found[kind]:
-            if row["name"].endswith("_c") and found["compiler"] != baseline["compiler"]:
-                continue  # another compiler's loop: nothing to compare
+            in_c = row["name"].endswith("_c") or kind == "frames"
+            if in_c and found["compiler"] != baseline["compiler"]:
+                continue  # another compiler's code: nothing to compare
             before, now = old.get(key(row)), cycles(row)
             where = "{} {} length {}".format(*key(row))
             if before is None:
@@ -145,6 +150,7 @@ def write(found: dict, out: Path) -> None:
     text += "\nCycles a line:\n\n" + table(found["lines"], machines)
     text += "\nCycles a point (mesh_looks: a normal, mesh_faces: a face):\n\n" \
         + table(found["points"], machines)
+    text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
     (out / "bench.md").write_text(text)

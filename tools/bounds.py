@@ -76,12 +76,14 @@ class Verdict:
     texel_error: float = 0.0  # the largest
     texel_bound: float = 0.0  # at the same pixel
     texel_ratio: float = 0.0  # the largest error / bound of a pixel
+    unsure: int = 0  # polygons drawn affine though w differs
     complaint: str = ""  # the first excess found, in words
 
     def merge(self, other: "Verdict") -> None:
         """Takes the worse of both."""
         self.pixels += other.pixels
         self.coverage_errors += other.coverage_errors
+        self.unsure += other.unsure
         if other.texel_error > self.texel_error:
             self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
         self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
@@ -327,6 +329,8 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
         bounds_perspective.judge_texels(adapted, polygon, out)
+    elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
+        bounds_perspective.judge_flattened(adapted, polygon, out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         judge_texels(adapted, polygon, settings,
                      held_beyond(adapted, polygon, settings, size), out)

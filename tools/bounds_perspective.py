@@ -37,6 +37,10 @@ Lines by tables are off from their planes' quotients by what ``model_reciprocal.
 ``model_logarithm.bound`` say, which is kept within 1/32 texel, by logarithms all of the setting's; that
 comes on top.
 
+Where the planes are not sure enough (c/polygon/perspective.h) the polygon is drawn affine: both the
+exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
+may be as far apart as that.
+
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
 """
@@ -214,3 +218,29 @@ def judge_texels(vertices, polygon, out) -> None:
         if off[k] > allowed and not out.complaint:
             out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
                              f"setting intends, {allowed:.9f} are allowed")
+
+
+def judge_flattened(vertices, polygon, out) -> None:
+    """The same of a polygon that is drawn affine though w differs; out.unsure counts it."""
+    out.unsure += 1
+    spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    for y, line in enumerate(polygon.lines, polygon.top):
+        extent = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        left, right = max(line.left, extent[0]), min(line.right, extent[1])
+        if left >= right:
+            continue
+        columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
+        for key, curve, found in zip((2, 3), curves(vertices), polygon.coordinates(line, y)):
+            values, spare = [v[key] for v in vertices], t.spare if key == 2 else 0
+            plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
+            bound = spread * (max(values) - min(values)) * UNIT + max(
+                plane.bound(i, y, t.i, t.j, spare) for i in (left, right - 1))
+            error = abs(curve.errors(found[seen], columns, y))
+            k = int(error.argmax())
+            if error[k] > out.texel_error or not out.texel_bound:
+                out.texel_error, out.texel_bound = float(error[k]), bound
+            out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)
+            if error[k] > bound and not out.complaint:
+                out.complaint = (f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
+                                 f"{error[k]:.9f} off, {bound:.9f} are allowed")

@@ -93,17 +93,25 @@ class Fault:
     text: str
 
 
-def sums(frame: np.ndarray) -> tuple[int, int]:
-    """The digest of a frame: the fields sum and sums of struct frame_digest."""
-    running = np.cumsum(np.frombuffer(frame.tobytes(), ">u4").astype(np.uint64)) % (1 << 32)
-    return int(running[-1]), int(running.sum() % (1 << 32))
+def digest_of(frame: np.ndarray) -> tuple[int, int]:
+    """The fields sum and hash of struct frame_digest."""
+    longs, factor = np.frombuffer(frame.tobytes(), ">u4").tolist(), layout.load().constants["FRAME_HASH"]
+    found = 0
+    for four in longs:
+        found = ((found << 16 | found >> 16) ^ four) * factor & 0xFFFFFFFF
+    return sum(longs) & 0xFFFFFFFF, found
+
+
+def is_models(frame: np.ndarray, digest) -> bool:
+    """Whether a digest is a frame's."""
+    return (int(digest["sum"]), int(digest["hash"])) == digest_of(frame)
 
 
 def compare(checked: Checked, digest) -> Fault | None:
     """What is wrong with one polygon."""
     if int(digest["result"]) != checked.result:
         return Fault("refused", f"the guest's result is {digest['result']}, not {checked.result}")
-    if (int(digest["sum"]), int(digest["sums"])) != sums(checked.frame):
+    if not is_models(checked.frame, digest):
         return Fault("differs", "the guest's frame is not the model's")
     if checked.verdict.complaint:
         return Fault("bound", checked.verdict.complaint)

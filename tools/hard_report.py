@@ -14,7 +14,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from . import bounds, fuzz, hard_cases, ideal, ideal_perspective, model
+from . import (bounds, fuzz, hard_case_meshes, hard_cases, hard_mesh_report, ideal,
+               ideal_perspective, model)
 from .diff import MARK
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
@@ -84,7 +85,7 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
         scene.frames += 1
         digests, = fuzz.draw([(scene, form)], machine)
         wrong = [number for number, digest in enumerate(digests[:-1])
-                 if fuzz.sums(model.render(scene, number)) != (digest["sum"], digest["sums"])]
+                 if not fuzz.is_models(model.render(scene, number), digest)]
         if wrong:
             alone = hard_cases.scene([part[wrong[0]]])
             raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
@@ -101,6 +102,22 @@ def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
     """A row for each drawing, held to its bounds."""
     return [judged(case, settings, each) for (case, settings), each
             in zip(drawings, cycles(drawings, machine, on_part=on_part))]
+
+
+def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:
+    """The same of meshes, drawings of a case together: rows of all faces of a mesh."""
+    rows, spent = [], iter(hard_mesh_report.cycles(drawings, machine))
+    for case, ways in hard_mesh_report.grouped(drawings).items():
+        for settings, found in zip(ways, hard_mesh_report.judge(case, ways)):
+            row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
+                      complaint=found.complaint)
+            if settings.clip == "scissor":
+                row.coverage_errors = found.wrong_pixels
+            if found.texel_bound:
+                row.texel_error, row.texel_bound = found.texel_error, found.texel_bound
+                row.worst_ratio = found.texel_ratio
+            rows.append(row)
+    return rows
 
 
 def readable_map(width: int, height: int) -> np.ndarray:
@@ -163,9 +180,12 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     return exact_picture(adapted, settings, texels), ours
 
 
-def picture(case: Case) -> np.ndarray:
+def picture(case: Case | hard_case_meshes.MeshCase) -> np.ndarray:
     """uint8 RGB: the exact ideal, ours and the difference."""
-    exact, ours = both(case)
+    if isinstance(case, Case):
+        exact, ours = both(case)
+    else:
+        exact, ours = hard_mesh_report.both(case, readable_map(256, 256))
     colours, ground = palette(), np.array([24, 28, 48], np.uint8)
     panels = [np.where((values < 0)[..., None], ground, colours[values.clip(0)])
               for values in (ours if exact is None else exact, ours)]
@@ -183,7 +203,7 @@ def cell(value) -> str:
         f"{value:,}" if isinstance(value, int) else str(value))
 
 
-def section(case: Case, rows: list[Row]) -> str:
+def section(case: Case | hard_case_meshes.MeshCase, rows: list[Row]) -> str:
     """One case of the page."""
     name = html.escape(case.name)
     body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
@@ -216,9 +236,15 @@ def page(rows: list[Row], conditions: str) -> str:
             f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
             f"<h1>Hard cases</h1><p>{summary}. {html.escape(conditions)} Errors in texels (shades) "
             "against the exact rational ideal; pictures: the ideal, ours (exact edges, plane, "
-            "sub-texel), and what differs.</p>\n"
-            + "".join(section(case, by_case[case.name]) for case in hard_cases.cases())
+            "sub-texel), and what differs. Of meshes the ideal is that of exact faces before an "
+            "exact camera: the first pixels that differ are those of points rounded on the way.</p>\n"
+            + "".join(section(case, by_case[case.name]) for case in every_case())
             + "</html>\n")
+
+
+def every_case() -> list[Case | hard_case_meshes.MeshCase]:
+    """Polygons, then meshes."""
+    return [*hard_cases.cases(), *hard_case_meshes.cases()]
 
 
 def write(folder: Path, machine: str, conditions: str,
@@ -226,8 +252,10 @@ def write(folder: Path, machine: str, conditions: str,
     """Measures and writes the page, its pictures and hard.json into ``folder``."""
     rows = measure([(case, s) for case in hard_cases.cases() for s in hard_cases.combinations(case)],
                    machine, on_part)
+    rows += measure_meshes([(case, s) for case in hard_case_meshes.cases()
+                            for s in hard_mesh_report.combinations(case)], machine)
     folder.mkdir(parents=True, exist_ok=True)
-    for case in hard_cases.cases():
+    for case in every_case():
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
     (folder / "index.html").write_text(page(rows, conditions))
     lines = ",\n".join(json.dumps(asdict(row)) for row in rows)

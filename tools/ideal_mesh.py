@@ -18,12 +18,31 @@ A normal's coordinates are off by 2^-15, the three factors (of a vector ``radius
 and the sum is cut to 2^-16. By Cauchy and Schwarz a sum of three such products is off by
 
     look_error = sqrt(3) (radius 2^-15 + 2^-8 (1 + sqrt(3) 2^-15)) + 2^-16.
+
+A face is seen from the front where n e > d: its normal n is off by 2^-31 each, the eye e by 2^-17
+each, d by 2^-17, and the sum of products is cut to 2^-16. A corner is at most the sum of the eye's
+coordinates and 3 reach from the eye, so the eye's height over the face is off by
+
+    seen_error = (|e_x| + |e_y| + |e_z| + 3 reach) 2^-31 + (sqrt(3) + 3) 2^-17,
+
+and nearer to its plane than that a face may be seen or not.
+
+A border cuts an edge where both ends' own numbers say: at a place on the edge between two points that
+are each near the exact ones. So the new corner is as near as they are to a place on the exact edge,
+but that its numbers are rounded, by half a unit. There are five borders: a corner, x, y and w, is
+within
+
+    corner_error = camera_error + 5/2^17
+
+of a place on the exact edge, its s and t within 5/2^17 of those there; camera_error and exact where
+nothing is cut.
 """
 
 import math
 from fractions import Fraction
 
 ONE = 65536
+CUT = 5 * 2.0 ** -17  # what cutting at all borders adds to a corner's numbers
 
 
 def camera_error(reach: float) -> float:
@@ -33,7 +52,11 @@ def camera_error(reach: float) -> float:
 
 def screen_error(guard: int, w: float, reach: float) -> float:
     """x and y on the screen of a point inside the borders, pixels; ``w``: the exact depth."""
-    error = camera_error(reach)
+    return off_screen(guard, w, camera_error(reach))
+
+
+def off_screen(guard: int, w: float, error: float) -> float:
+    """The same, of a point whose x, y and w are within ``error``."""
     return math.inf if w <= error else 2.0 ** (guard + 1) * error / (w - error) + 2.0 ** -17
 
 
@@ -41,6 +64,16 @@ def look_error(radius: float) -> float:
     """s and t of an environment, or a shade, before it is limited."""
     return math.sqrt(3) * (radius * 2.0 ** -15 + 2.0 ** -8 * (1 + math.sqrt(3) * 2.0 ** -15)) \
         + 2.0 ** -16
+
+
+def seen_error(eye, reach: float) -> float:
+    """How far the eye may be from a face's plane where it is not certain whether it is seen."""
+    return (sum(abs(float(c)) for c in eye) + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
+
+
+def corner_error(reach: float, is_cut: bool) -> float:
+    """x, y and w of a polygon's corner before the camera, units."""
+    return camera_error(reach) + CUT * is_cut
 
 
 def camera(factors, move, point) -> tuple[Fraction, Fraction, Fraction]:

@@ -8,7 +8,7 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import bench, bench_effects, emulator, palette, polys, run, scene, scene_file
+from . import bench, bench_effects, bench_scenes, emulator, palette, polys, run, scene, scene_file
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -136,6 +136,21 @@ def mesh_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
+def scenes_table(baseline: dict) -> str:
+    """Markdown: cycles of a frame of each scene, and frames a second."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["frames"]}
+    names = dict.fromkeys(row["name"] for row in baseline["frames"])
+    lines = ["| scene | fast RAM, kcycles a frame | frames a second | chip RAM only | frames a second |",
+             "|---|" + "--:|" * 4]
+    for name in names:
+        cells = []
+        for machine in ("a1200-fast", "a1200"):
+            spent = figures[name, machine, bench_scenes.FRAMES]
+            cells += [f"{spent / 1000:,.0f}", f"{run.CLOCK_HZ / spent:.1f}"]
+        lines.append(f"| {name.removeprefix('scene_')} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def with_table(text: str, title: str, content: str) -> str:
     """The README's text with a table between its marker lines."""
     begin = BEGIN.format(title)
@@ -151,6 +166,7 @@ def with_tables(text: str) -> str:
     text = with_table(text, "addx against swap", table(measured))
     text = with_table(text, "effects", effects_table(measured))
     text = with_table(text, "meshes", mesh_table(measured))
+    text = with_table(text, "scenes", scenes_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
     text = with_table(text, "perspective", perspective_table(measured, accuracy))

@@ -177,24 +177,28 @@ class Space:
         self.meshes.append(Mesh(*firsts))
         return len(self.meshes) - 1
 
-    def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
-        """An object's row of the views; ``shades``: how many lie between dark and bright."""
+    def seen(self, obj: dict, age: int, frame: int, shades: float) -> tuple[np.ndarray, ...]:
+        """An object's view before it is rounded: factors, a row each for x, y and w; the move; the eye in
+        the mesh; factors of normals, for s, t and shade. ``shades``: how many lie between dark and bright."""
         spec, guard = self.spec, 2.0 ** self.guard
         axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])
         lens = np.array([self.focal / guard, self.focal / guard, 1.0])
         seen = axes @ turn
-        move = rounded(lens * (axes @ (position - eye)), 16)
-        seen_from = rounded(turn.T @ (eye - position), 16)
+        light = -np.array(spec["light"]["direction"])
+        light = turn.T @ (light / np.linalg.norm(light)) * shades
+        return (lens[:, None] * seen, lens * (axes @ (position - eye)), turn.T @ (eye - position),
+                np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
+
+    def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
+        """An object's row of the views."""
+        factors, move, eye, looks = self.seen(obj, age, frame, shades)
+        move, seen_from = rounded(move, 16), rounded(eye, 16)
         away = self.limits["MESH_AWAY"]
         if max(map(abs, move)) >= away * ONE or max(map(abs, seen_from)) >= 1 << 31:
             fail(where, f"is {away} units or more from the camera in frame {frame}")
-        light = -np.array(spec["light"]["direction"])
-        light = turn.T @ (light / np.linalg.norm(light)) * shades
-        factors = [*rounded(RADIUS * seen[0], FACTOR_BITS), *rounded(RADIUS * seen[1], FACTOR_BITS),
-                   *rounded(light, FACTOR_BITS)]
-        matrix = np.clip(rounded(lens[:, None] * seen, 30), -UNIT_30, UNIT_30).tolist()
-        return [*matrix, *move, *seen_from, *factors, 0]
+        matrix = np.clip(rounded(factors, 30), -UNIT_30, UNIT_30).tolist()
+        return [*matrix, *move, *seen_from, *rounded(looks, FACTOR_BITS), 0]
 
     def check_together(self, mesh: Mesh, before: int, where: str) -> None:
         """Refuses a mesh too many among those that are drawn together."""

@@ -138,10 +138,15 @@ struct scene_view {
     int16 spare;
 };
 
-/* One frame in the file that `render ... DIGEST name` writes instead of dumps. The sums are
-   Fletcher's, modulo 2^32: of the frame's longwords, and of that sum after each of them. */
+/* One frame in the file that `render ... DIGEST name` writes instead of dumps: the sum of its
+   longwords, and their hash. Each of them is exclusive-ored to the hash, halves exchanged, and
+   that multiplied by FRAME_HASH. */
+enum {
+    FRAME_HASH = 0x2c9277b5     /* 8 n + 5: odd, its bits mixed */
+};
+
 struct frame_digest {
-    uint32 sum, sums;
+    uint32 sum, hash;
     uint32 ticks;               /* of the E-clock */
     uint32 result;              /* enum polygon_result: why a polygon was refused, or 0 */
 };
