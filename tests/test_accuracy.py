@@ -6,9 +6,10 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tools import accuracy, ideal, ideal_perspective, model, polygon_sets, scene_file
+from tools import (accuracy, accuracy_pictures, ideal, ideal_perspective, model, polygon_sets, scene,
+                   scene_file)
 from tools.errors import UserError
-from tools.paths import ACCURACY_BASELINE
+from tools.paths import ACCURACY_BASELINE, SCENES
 
 BEST = model.Settings("exact", "plane", "subtexel", mapper="affine")
 
@@ -167,6 +168,14 @@ def test_errors_of_hand_made_renderers(name: str) -> None:
                                       for curve in picture.planes if end - first > 1)])
     assert 0.9 * largest < pieces[320].worst <= largest + 1 / 65536
     assert accuracy.errors(name, BEST).worst > pieces[320].worst  # not even the lines' ends are right
+
+
+def test_every_mapper_is_shown() -> None:
+    """By a polygon in the picture of mappers; those with texture by a mark in the plot."""
+    shown = scene.compile_scene(SCENES / "mappers.toml")
+    assert {shown.materials[obj.material].mapper for obj in shown.objects} == set(scene_file.MAPPER_LAYOUT)
+    assert {mapper for mapper, kept in scene_file.MAPPER_LAYOUT.items() if kept} <= set(
+        accuracy_pictures.MARKS)
 
 
 def test_unknown_set_is_refused(tmp_path) -> None:

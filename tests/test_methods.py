@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 from PIL import Image
 
-from tools import methods, model
+from tools import bounds, methods, model
+from tools.model_mesh import polygons_at
 
 
 def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
-    """The frames are the model's; affine methods are off by tens of texels, pieces by their chords,
-    each pixel by 1/32 and 1/128 texel at most."""
+    """The frames are the model's; affine methods are off by tens of texels, pieces by their chords
+    and the derived bounds, each pixel by 1/32 and 1/128 texel at most."""
     whole = methods.scene_of
 
     def short(settings):
@@ -25,8 +26,17 @@ def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
         assert np.array_equal(found[name].frames, expected), name
     errors = {name: m.errors.worst for name, m in found.items()}
     assert min(errors[n] for n in errors if n.startswith(("2", "3", "affine"))) > 20
-    assert 20 > errors["every 16 pixels"] > 2 * errors["every 8 pixels"] > 1
+    assert errors["every 16 pixels"] > 2 * errors["every 8 pixels"] > 4 * errors["1: each pixel"]
     assert errors["1: each pixel"] < 1 / 32 and errors["each pixel, fine"] < 1 / 128
+    for name, settings in methods.METHODS.items():
+        scene, total = short(settings), bounds.Verdict()
+        for number in range(scene.frames if settings.perspective != "none" else 0):
+            for which, vertices in polygons_at(scene, number):
+                polygon = model.prepare_polygon(scene, which, vertices)
+                total.merge(bounds.judge_set_up(model.adapt(vertices, settings, 256), polygon, settings,
+                                                scene.width, scene.height, (256, 256)))
+        assert not total.complaint, name
+        assert settings.perspective == "none" or errors[name] <= total.texel_error + 2**-24, name
     ladder = [found[n].cycles for n in ("affine, from the plane", "every 16 pixels",
                                         "every 8 pixels", "1: each pixel", "each pixel, fine")]
     assert ladder == sorted(ladder)

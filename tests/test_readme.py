@@ -1,9 +1,13 @@
 """What the README shows is what the tree does."""
 
+import json
+
 import numpy as np
+import pytest
 from PIL import Image
 
-from tools import model, readme, scene
+from tools import fuzz, methods, model, readme, scene
+from tools.emulator import CYCLES_PER_TICK
 from tools.paths import SCENES
 
 
@@ -23,12 +27,32 @@ def test_picture_is_the_default_scenes() -> None:
 
 
 def test_animation_is_the_knots() -> None:
-    """Its first frame is the one that is drawn, in its fewer colours, and it turns."""
-    compiled = scene.compile_scene(SCENES / "environment.toml", 1)
+    """Every other frame of it, in its fewer colours."""
+    compiled = scene.compile_scene(SCENES / "environment.toml")
+    colours, entries = readme.fewer_colours(compiled.palette, model.render(compiled, 0))
     with Image.open(readme.ANIMATION) as shown:
-        assert shown.n_frames == 20
-        first = np.asarray(shown.convert("RGB"))
-    frame = model.render(compiled, 0)
-    colours, entries = readme.fewer_colours(compiled.palette, frame)
-    assert np.array_equal(first, colours[entries[frame]]), (
-        "the README's animation is not the knot's: scripts/tmap readme")
+        assert shown.n_frames == compiled.frames // 2
+        for k in range(shown.n_frames):
+            shown.seek(k)
+            assert np.array_equal(np.asarray(shown.convert("RGB")),
+                                  colours[entries[model.render(compiled, 2 * k)]]), (
+                f"frame {k} of the README's animation is not the knot's: scripts/tmap readme")
+
+
+def test_methods_are_as_the_picture_shows_them() -> None:
+    """Its frames, cycles and errors, which it has with it as text, are those of today."""
+    scenes = {name: methods.scene_of(settings) for name, settings in methods.METHODS.items()}
+    drawn = fuzz.draw([(each, "addx") for each in scenes.values()], "a1200-fast")
+    made = []
+    for (name, each), digests in zip(scenes.items(), drawn):
+        frames = [each.palette[model.render(each, k)] for k in range(methods.SHOWN + 1)]
+        cycles = int(digests["ticks"].astype(int).sum()) * CYCLES_PER_TICK / each.frames
+        errors = methods.errors_of(each, methods.METHODS[name])
+        made.append(methods.Method(name, np.stack(frames), cycles, errors))
+    with Image.open(readme.METHODS) as picture:
+        shown = json.loads(picture.text["Description"])
+    again = "the README's picture of methods is not today's: scripts/tmap readme"
+    for name, figures in methods.described(made).items():
+        assert shown[name].pop("cycles") == pytest.approx(figures.pop("cycles"), rel=0.001), again
+        assert shown.pop(name) == figures, again
+    assert not shown

@@ -7,6 +7,8 @@ show the diagonal along which the face is cut into triangles. All draw the same 
 over all frames.
 """
 
+import json
+import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -97,6 +99,12 @@ def table(methods: list[Method], machine: str) -> str:
     return "\n".join(lines)
 
 
+def described(methods: list[Method]) -> dict[str, dict]:
+    """What the picture says of each method, and the CRC of the frame that it shows."""
+    return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6), "rms": round(m.rms, 6),
+                     "frame": zlib.crc32(m.frames[SHOWN].tobytes())} for m in methods}
+
+
 def write_picture(methods: list[Method], path: Path) -> None:
     """One frame of each, its error and cycles under it."""
     columns = 4
@@ -108,7 +116,8 @@ def write_picture(methods: list[Method], path: Path) -> None:
         axes.imshow(m.frames[SHOWN], interpolation="nearest")
         axes.set_title(f"{m.name}\n{m.cycles / 1000:,.0f} thousand cycles\n"
                        f"error {m.errors.worst:.3g} texels, rms {m.rms:.2g}", fontsize=10, y=-0.24)
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=100, bbox_inches="tight", pad_inches=0.05,
+                   metadata={"Description": json.dumps(described(methods))})
     plt.close(figure)
 
 
