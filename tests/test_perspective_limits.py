@@ -53,4 +53,4 @@ def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
         line = model_logarithm.Logarithmic(0, 0, q, 0, (0, 0), (power - high,) * 2, 0)
         bound = model_logarithm.bound(line)
         assert bound <= bounds.TOLERANCE["pixel"] / UNIT, bucket
-        assert bound > 0.98 * bounds.TOLERANCE["pixel"] / UNIT or power == model_logarithm.POWERS - 1
+        assert bound > 0.98 * bounds.TOLERANCE["pixel"] / UNIT or power == model_logarithm.POWERS - 4

@@ -42,10 +42,11 @@ REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.14 + 0.04
 
 def limit(bucket: int) -> int:
     """The power up to which a line may go whose largest logarithm has this upper part: the distance
-    from K that keeps to 1/32 texel, and 512 texels."""
+    from K that keeps to 1/32 texel, and almost 512 texels: a rounded step may lead an index, 3
+    units, further."""
     smallest = 2 ** ((MIDDLE - (bucket - 23) * 1024) / OCTAVE) - 1.5
     far = (2048 - REST) / 65536 / (OFF_INDEX / smallest + OFF_LOG * log(2) / OCTAVE)
-    return min(floor(OCTAVE * log2(256 * far)), POWERS - 1)
+    return min(floor(OCTAVE * log2(256 * far)), POWERS - 4)
 
 
 #: Of each 1/16 of an octave of logs, from the lowest.

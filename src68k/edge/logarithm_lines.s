@@ -106,13 +106,14 @@ step_c  macro
         move.l  perspective_plan_count(a5),row_lines(sp)
         clr.l   row_others(sp)
         clr.w   scale(sp)
+        lea     .factors(pc),a2
         movea.l perspective_plan_lines(a5),a0
         movea.l perspective_plan_left(a5),a4
         lea     EDGE_BIAS(a4),a4
 
         ; Two loops, each of which fits the cache. First q:
         ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
-        ; d6 n  d7 shift
+        ; d6 n  d7 shift  a2 factors
 .line   moveq   #0,d7
         moveq   #0,d6
         move.w  scanline_left(a0),d7
@@ -135,7 +136,7 @@ step_c  macro
         bhi     .other
         lsl.l   d7,d4
         bfextu  d4{1:5},d4
-        move.b  .factors(pc,d4.w),d4
+        move.b  (a2,d4.w),d4
         move.l  d5,d2
         sub.l   d3,d2
         scaled  d3
@@ -354,13 +355,14 @@ step_c  macro
         dc.b    1024/(REPTN+33)
         endr
 
-; log2 of 256 E, E being the texels from K that keep to 1/32 texel and 512
-; at most, by sixteenths of an octave of the higher logarithm.
+; log2 of 256 E, E being the texels from K that keep to 1/32 texel, and almost 512 at most (a
+; rounded step may lead an index, 3 units, further), by sixteenths of an octave of the higher
+; logarithm.
         cnop    0,4
 .limits
-        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
-        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
-        dc.l    278527,278527,278527,278527,278527,278527,278527,278527
+        dc.l    278524,278524,278524,278524,278524,278524,278524,278524
+        dc.l    278524,278524,278524,278524,278524,278524,278524,278524
+        dc.l    278524,278524,278524,278524,278524,278524,278524,278524
         dc.l    278247,277774,277290,276795,276289,275772,275243,274704
         dc.l    274153,273592,273019,272436,271842,271237,270621,269995
         dc.l    269358,268711,268054,267386,266709,266021,265324,264617
