@@ -81,7 +81,7 @@ bend    macro
 ;          pixel alone. The last piece ends with the line and is drawn over its forerunner
 ; error:   of a point 3 units, of a second difference half a unit: a square of half the
 ;          piece's length in half units besides; the parabola's as perspective_lines says
-; cost:    bench rows persp_pixel, persp_pixel_fine
+; cost:    bench rows persp_pixel_exact, persp_pixel_fine
 ;==============================================================================
 
         routine span_perspective_curves,a0
