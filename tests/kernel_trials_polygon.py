@@ -269,7 +269,7 @@ def edges_make_trials(rng) -> list[Trial]:
     return [trial for trial in trials if trial]
 
 
-CHAINS = ("CHAIN_NONE", "CHAIN_ANYWHERE", "CHAIN_PLANE")
+CHAINS = ("CHAIN_NONE", "CHAIN_ANYWHERE", "CHAIN_PLANE", "CHAIN_WHOLE")
 SETTINGS = (model.Settings(mapper="tiled"), model.Settings(start="truncated"), model.Settings())
 
 
@@ -326,8 +326,9 @@ def texturing_plane_trials(rng) -> list[Trial]:
 
 def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial:
     """How a polygon lives with wraps of v."""
-    inside = chain == 2 and model_texturing.inside_period(dvdx, dvdy, v, box)
-    spare, guard, wraps = model_texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
+    inside = chain >= 2 and model_texturing.inside_period(dvdx, dvdy, v, box)
+    spare, guard, wraps = (0, 0, not inside) if chain == 3 else \
+        model_texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
     memory = Memory()
     box_at = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
     at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, spare=7, guard=7, dudy=0,
@@ -358,7 +359,7 @@ def texturing_wrap_trials(rng) -> list[Trial]:
     picked += [(any_size(rng, 18), any_size(rng, 18), any_size(rng, 24)) for _ in range(40)]
     # at the border between one wrap and more: ((speed >> 8) + 1) * width against 65,536
     picked += [((65536 // width - 1 + near << 8), 0, 0) for width in (1, 3, 320, 1024) for near in (0, 1)]
-    return [texturing_wrap_trial(*p, box, chain) for p in picked for box in boxes for chain in (1, 2)] \
+    return [texturing_wrap_trial(*p, box, chain) for p in picked for box in boxes for chain in (1, 2, 3)] \
         + [texturing_wrap_trial(*picked[0], boxes[0], 0)]
 
 

@@ -38,7 +38,7 @@ def run(args: argparse.Namespace) -> int:
     build_programs()
     from . import run as tool
     return tool.command(args.scene, args.out or BUILD / "run" / args.scene.stem, args.machine,
-                        args.frames, args.form)
+                        args.frames, args.form, args.off)
 
 
 def bench(args: argparse.Namespace) -> int:
@@ -116,6 +116,8 @@ def parser() -> Parser:
                          help="how many, from the first (as the scene says)")
     command.add_argument("--form", choices=FORMS, default=FORMS[0],
                          help="which span and edge loops (addx); the picture is the same")
+    command.add_argument("--off", metavar="RULES", help="rules of lowering that are not followed, "
+                         "by commas, or all: the picture is the same but for tolerances")
 
     command = add(bench, "Measure every kernel: bench.json, a table and a plot.")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/bench)")

@@ -6,9 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from . import images, maps, palette
-from .fields import REQUIRED, choice, colour, fail, integer, join, one_of, rows, table, text
+from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
 from .model_shading import LIT
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, SETTINGS, TEXEL, Material,
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, ONE, SETTINGS, TEXEL, Material,
                          Texture, size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
@@ -35,7 +35,7 @@ def texture_schema():
 def material_schema():
     """The check of a material."""
     settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
-                for name in SETTINGS if name != "mapper"}
+                for name in SETTINGS if name != "mapper"} | {"tolerance": (number(0, 1), 0)}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
     return choice({
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
@@ -65,6 +65,8 @@ def check(spec: dict, where: str) -> None:
                 mapper, material["gradients"], material["start"]) != ("affine", "plane", "subtexel"):
             fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
                                       'gradients "plane" and start "subtexel"')
+        if material["tolerance"] and material["perspective"] == "none":
+            fail(f"{at}.tolerance", "there is no perspective that could become less")
         if mapper == "lit_gouraud" and (material["gradients"], material["start"]) != (
                 "plane", "subtexel"):
             fail(f"{at}.mapper", '"lit_gouraud" needs gradients "plane" and start "subtexel"')
@@ -154,5 +156,5 @@ def build(spec: dict, made: Pixels, folder: Path,
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
-                 light if mapper_of(m) in LIT else -1)
+                 light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE))
         for m in spec["materials"].values()]

@@ -23,6 +23,7 @@ from .model_perspective import PIECES, Perspective, ends, is_level, level, persp
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates, pixels
+from .model_tolerance import coarser, is_flat
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
                               scanline_line)
 
@@ -170,13 +171,14 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     left = [e.column(y) for e in lefts for y in range(e.top, e.end)]
     right = [e.column(y) for e in rights for y in range(e.top, e.end)]
     lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
-    if settings.perspective != "none":
+    if settings.perspective != "none" and not is_flat(vertices, settings.tolerance):
         deep = perspective(vertices, corners, box)
         if deep:
-            return Polygon(box[1], lines, None, lefts, rights, textured, deep,
-                           settings.perspective,
-                           is_level=is_level(deep, box[2] - box[0], settings.perspective),
-                           constants=constants(deep, lines, box, settings))
+            across = box[2] - box[0]
+            setting, straight = coarser(deep, across, settings.perspective, settings.tolerance)
+            return Polygon(box[1], lines, None, lefts, rights, textured, deep, setting,
+                           is_level=straight or is_level(deep, across, setting),
+                           constants=constants(deep, lines, box, setting))
     t = None
     if textured and settings.gradients == "scanline":
         scanline_lines(lefts, rights, lines, settings)
@@ -206,12 +208,12 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     return polygon
 
 
-def constants(deep: Perspective, lines: list[Line], box, settings: Settings):
+def constants(deep: Perspective, lines: list[Line], box, setting: str):
     """The constants of lines by tables; None where there are none."""
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
-    if settings.perspective == "fine" or first is None:
+    if setting == "fine" or first is None:
         return None
-    piece = PIECES[settings.perspective].bit_length() - 1 if settings.perspective in PIECES else None
+    piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
     return model_reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 
@@ -252,7 +254,7 @@ def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
     is drawn."""
     material = scene.materials[number]
     settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.perspective, material.mapper)
+                        material.perspective, material.mapper, material.tolerance)
     texture = scene.textures[material.texture].texels if material.texture >= 0 else None
     return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
                   scene.width, scene.height, material.mapper != "flat", settings,

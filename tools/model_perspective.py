@@ -165,10 +165,14 @@ def perspective(vertices, corners, box) -> Perspective | None:
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:
     """Whether lines are drawn as if depth did not change along them."""
-    tolerance, widest = way(setting).off, way(setting).width
+    return width <= way(setting).width and keeps_level(p, width, way(setting).off)
+
+
+def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
+    """Whether lines so drawn are off by the tolerance at most, in 1/65536 texel."""
     grows = abs(p.q.dx)
     high, part = p.q.dx >> 32, grows & M32
-    if high not in (0, -1) or part >> 16 == 0xFFFF or width > widest:
+    if high not in (0, -1) or part >> 16 == 0xFFFF:
         return False
     if not part:
         return not high

@@ -21,6 +21,7 @@ class Settings:
     clip: str = "scissor"  # scissor, vertices
     perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
+    tolerance: int = 0  # 1/65536 texel that less perspective may cost
 
 
 @dataclass

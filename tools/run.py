@@ -12,11 +12,11 @@ from PIL import Image
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from . import emulator, maps, model, provenance
+from . import emulator, layout, maps, model, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .scene import compile_scene, parse
-from .scene_file import SETTINGS, TEXEL, Scene, write
+from .scene_file import ONE, SETTINGS, TEXEL, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
@@ -26,7 +26,9 @@ ROWS_MAX = 10  # frames that are listed one by one
 #: What a run writes and the next one replaces, run.json first: it describes the rest.
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky",
            "frame_[0-9][0-9][0-9].png")
-FRAME_LINE = re.compile(r"frame (\d+) ticks (\d+) polygons (\d+)((?: [a-z]\w* \d+)*)")
+COUNTS = r"((?: [a-z]\w* \d+)*)"
+FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
+MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
 #: Not "scene": the Amiga would take that argument for its template's keyword.
 SCENE_NAME = "input.scene"
 
@@ -40,23 +42,39 @@ def check_directory(out: Path) -> None:
             return
 
 
-def parse_output(output: str, frames: int) -> list[dict]:
-    """The figures of each frame in what ``render`` printed, one line a frame."""
-    lines = output.splitlines()
-    if len(lines) != frames:
-        raise UserError(f"render: {len(lines)} lines of output for {frames} frames; "
-                        + emulator.last_words(output))
-    figures = []
+def counts_of(text: str) -> dict[str, int]:
+    """Names and numbers by turns."""
+    words = text.split()
+    return {name: int(count) for name, count in zip(words[::2], words[1::2])}
+
+
+def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Match]:
+    """Lines of one pattern, numbered from 0."""
+    found = []
     for number, line in enumerate(lines):
-        match = FRAME_LINE.fullmatch(line)
+        match = pattern.fullmatch(line)
         if not match or int(match[1]) != number:
-            raise UserError(f"render: {line!r} is not the line of frame {number}")
-        words = match[4].split()
-        spans = {kind: int(count) for kind, count in zip(words[::2], words[1::2])}
-        figures.append({"number": number, "cycles": int(match[2]) * CYCLES_PER_TICK,
+            raise UserError(f"render: {line!r} is not the line of {noun} {number}")
+        found.append(match)
+    return found
+
+
+def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], list[dict]]:
+    """The figures of each frame and of each material in what ``render`` printed, a line each."""
+    lines = output.splitlines()
+    if len(lines) != frames + materials:
+        raise UserError(f"render: {len(lines)} lines of output for {frames} frames and "
+                        f"{materials} materials; " + emulator.last_words(output))
+    figures = []
+    for match in parse_lines(lines[:frames], FRAME_LINE, "frame"):
+        spans = counts_of(match[4])
+        figures.append({"number": int(match[1]), "cycles": int(match[2]) * CYCLES_PER_TICK,
                         "polygons": int(match[3]), "pixels": sum(spans.values()),
                         "spans": spans})
-    return figures
+    executed = [{"polygons": int(match[2]), "rules": counts_of(match[3]),
+                 "spans": counts_of(match[4])}
+                for match in parse_lines(lines[frames:], MATERIAL_LINE, "material")]
+    return figures, executed
 
 
 def check_frame(frame: np.ndarray, scene: Scene, number: int) -> None:
@@ -87,8 +105,10 @@ def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
     return frames
 
 
-def render(scene: Scene, machine: str, form: str) -> tuple[list[np.ndarray], list[dict]]:
-    """Frames and figures of a run, with a bar on stderr where that is a terminal."""
+def render(scene: Scene, machine: str, form: str,
+           off: str | None = None) -> tuple[list[np.ndarray], list[dict], list[dict]]:
+    """Frames, their figures and what was executed for each material, without the rules ``off``;
+    with a bar on stderr where that is a terminal."""
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                TimeElapsedColumn())
@@ -97,13 +117,13 @@ def render(scene: Scene, machine: str, form: str) -> tuple[list[np.ndarray], lis
                    disable=not sys.stderr.isatty()) as bar):
         task = bar.add_task(f"rendering on {machine}", total=scene.frames)
         done = emulator.run(
-            "render", f"{SCENE_NAME} FORM {form} COUNT", {SCENE_NAME: write(scene)}, machine,
+            "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""), {SCENE_NAME: write(scene)}, machine,
             directory, lambda output: bar.update(task, completed=output.count("\n")))
         if done.code:
             raise UserError(f"render: return code {done.code}; "
                             + emulator.last_words(done.output))
-        figures = parse_output(done.output, scene.frames)
-        return load_dumps(done.directory, scene), figures
+        return (load_dumps(done.directory, scene),
+                *parse_output(done.output, scene.frames, len(scene.materials)))
 
 
 def total(figures: list[dict]) -> dict:
@@ -161,8 +181,28 @@ def publish(out: Path, frames: list[np.ndarray], palette: np.ndarray, about: dic
         raise UserError(f"{error.filename or out}: {error.strerror or error}") from None
 
 
+def asked(material: dict) -> str:
+    """What a material asked for: its mapper, and its perspective where it has one."""
+    settings, depth = material["asked"], material["asked"]["perspective"]
+    return settings["mapper"] + (f", perspective {depth}" if depth != "none" else "")
+
+
+def print_lowering(materials: dict) -> None:
+    """For each material what it asked for, what was executed, and by which rules."""
+    width = max(map(len, materials), default=0)
+    for name, material in materials.items():
+        pixels = sum(material["spans"].values())
+        spans = ", ".join(f"{kind} {100 * count / pixels:.3g} %"
+                          for kind, count in material["spans"].items()) or "nothing"
+        print(f"{name:<{width}}  asked {asked(material)}; drew {spans}")
+        if material["rules"]:
+            print(f"{'':<{width}}  by " + ", ".join(f"{rule} {count:,}" for rule, count
+                                                    in material["rules"].items()))
+    print()
+
+
 def print_report(about: dict, out: Path) -> None:
-    """A short table: each of a few frames, then the whole run."""
+    """A short table: each of a few frames, what was executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
     count = len(frames)
     print(f"{about['title'] or about['scene']}: {about['width']}x{about['height']} on "
@@ -174,6 +214,8 @@ def print_report(about: dict, out: Path) -> None:
             print(f"{frame['number']:>5} {frame['polygons']:>9} {frame['pixels']:>10,} "
                   f"{frame['cycles']:>12,} {each:>15}")
         print()
+    print("Each material, pixels of its spans, and polygons to which each rule applied:\n")
+    print_lowering(about["lowering"])
     mean, worst = totals["cycles"] / count, max(frames, key=lambda frame: frame["cycles"])
     each = totals["cycles_per_pixel"]
     rows = {"frames": count, "polygons": f"{totals['polygons']:,}",
@@ -190,17 +232,29 @@ def print_report(about: dict, out: Path) -> None:
         print(f"{name:<16} {text}")
 
 
-def command(path: Path, out: Path, machine: str, frames: int | None, form: str) -> int:
+def rules(off: str | None) -> str | None:
+    """The names of a list by commas, checked."""
+    known = [name.removeprefix("RULE_").lower() for name in layout.load().constants
+             if name.startswith("RULE_")]
+    for name in off.split(",") if off else []:
+        if name not in ("all", *known):
+            raise UserError(f"--off: {name!r} is not one of all, {', '.join(known)}")
+    return off
+
+
+def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
+            off: str | None = None) -> int:
     """Renders a scene file into the directory ``out``; raises UserError."""
     check_directory(out)
     scene = compile_scene(path, frames)
-    dumps, figures = render(scene, machine, form)
+    dumps, figures, executed = render(scene, machine, form, rules(off))
     content = parse(path)
-    settings = {name: {kind: getattr(material, kind) for kind in SETTINGS}
-                for name, material in zip(content["materials"], scene.materials)}
-    about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form,
+    lowering = {name: {"asked": {kind: getattr(material, kind) for kind in SETTINGS}
+                       | {"tolerance": material.tolerance / ONE}} | done
+                for name, material, done in zip(content["materials"], scene.materials, executed)}
+    about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
              **provenance.record(), "width": scene.width, "height": scene.height,
-             "pixel_bytes": scene.pixel_bytes, "materials": settings,
+             "pixel_bytes": scene.pixel_bytes, "lowering": lowering,
              "palette": scene.palette.tolist() if scene.pixel_bytes == 1 else None,
              "cycles_unit": CYCLES_UNIT,
              "frames": figures, "totals": total(figures)}

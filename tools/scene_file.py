@@ -60,6 +60,7 @@ class Material:
     texture: int = -1  # index, or NO_TEXTURE
     colour: int = 0  # pixel
     light: int = -1  # index of a light table, or NO_TEXTURE
+    tolerance: int = 0  # 16.16 texels that less perspective may cost
 
 
 @dataclass
@@ -195,6 +196,8 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
         found = scene.textures[index].layout
         if found != layout_wanted:
             raise UserError(f"{name}: {where}.{kind}: its layout is {found}, not {layout_wanted}")
+    most = layout.load().constants["TOLERANCE_MAX"] if material.perspective != "none" else 0
+    require(name, f"{where}.tolerance", material.tolerance, 0, most)
     require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel_bytes - 1)
 
 
@@ -294,7 +297,8 @@ def write(scene: Scene) -> bytes:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
-        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light]
+        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light,
+         m.tolerance]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]

@@ -58,7 +58,7 @@ def errors_of(scene: Scene) -> Errors:
 def show(name: str, machine: str, folder: Path) -> Shown:
     """Draws a scene: its animation goes to ``folder``/NAME.gif."""
     scene = compile_scene(SCENES / f"{name}.toml")
-    frames, figures = run.render(scene, machine, "addx")
+    frames, figures, _ = run.render(scene, machine, "addx")
     if any(len(np.unique(frame)) == 1 for frame in frames):
         raise UserError(f"{name}: a frame of one colour")
     first, *others = [run.picture_of(frame, scene.palette) for frame in frames]

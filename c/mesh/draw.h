@@ -8,8 +8,7 @@
 struct mesh_target {
     const struct frame *frame;
     int32 number;               /* of the frame in the scene */
-    enum form form;
-    struct draw_counts *counts; /* or 0 */
+    const struct drawing *drawing;
 };
 
 /* Draws instances first to end (excluded) together, faces far away first; returns why a

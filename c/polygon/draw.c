@@ -8,20 +8,13 @@
    polygons that share an edge leave no gap. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
-#include "polygon/edges.h"
 #include "polygon/kind.h"
+#include "polygon/lower.h"
 #include "polygon/material.h"
 #include "polygon/perspective.h"
-#include "polygon/polygon.h"
 #include "polygon/ramps.h"
+#include "polygon/setup.h"
 #include "polygon/shading.h"
-#include "polygon/sides.h"
-#include "polygon/texturing.h"
-#include "span/scanline.h"
-
-/* Pixels that an edge's x may lie beyond its vertices, in 16.16: it starts and
-   steps within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
-#define EDGE_ERROR 1024
 
 static struct scanline lines[SCENE_SIDE_MAX];
 
@@ -45,22 +38,6 @@ static int32 maximum(int32 a, int32 b)
 {
     return a > b ? a : b;
 }
-
-/* A polygon on its way through the set-up. */
-struct setup {
-    const struct frame *frame;
-    const struct material *material;
-    const struct vertex *vertices;      /* the whole polygon: what gradients come from */
-    int32 count;
-    struct sides sides;
-    const struct vertex *outline;       /* what edges come from: that, or its clipped part */
-    int32 outline_count;
-    const struct sides *outline_sides;
-    struct rectangle box;       /* what it may cover of the frame */
-    struct edge_plan edges;
-    struct span_plan span;
-    enum span_kind kind;
-};
 
 static int32 set_box(struct rectangle *box, const struct sides *sides,
                      const struct frame *frame)
@@ -137,37 +114,67 @@ static enum polygon_result set_map(struct setup *s)
     s->span.columns = &columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
     if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
-        && !shading_light(&s->span, s->material, s->vertices))
+        && !shading_light(&s->span, s->material,
+                          s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
     if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
     return POLYGON_DRAWN;
 }
 
+/* Of a flat polygon. */
+static uint32 colour(const struct setup *s)
+{
+    enum mapper mapper = s->material->mapper;
+
+    return mapper == MAPPER_FLAT ? s->material->colour
+         : mapper == MAPPER_GOURAUD ? (uint32)s->given->shade >> 16
+         : *s->span.light;
+}
+
+static int32 is_flat(const struct setup *s)
+{
+    return s->kind == SPAN_FILL || s->kind == SPAN_FILL_16;
+}
+
 static enum polygon_result set_span(struct setup *s)
 {
     const struct frame *frame = s->frame;
+    enum polygon_result result;
 
     s->span.lines = lines;
     s->span.count = s->box.bottom - s->box.top;
     s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
     s->span.pitch = frame->pitch;
-    s->span.colour = s->material->colour;
-    return set_map(s);
+    result = set_map(s);
+    if (result == POLYGON_DRAWN && is_flat(s))
+        s->span.colour = colour(s);
+    return result;
+}
+
+/* How u and v of the polygon's spans share an addx chain. */
+static enum chain chain_of(const struct setup *s)
+{
+    const struct material *m = s->material;
+
+    if (m->mapper == MAPPER_LIT_GOURAUD)
+        return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
+    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT)
+        return CHAIN_NONE;
+    return m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL ? CHAIN_PLANE
+                                                                       : CHAIN_ANYWHERE;
 }
 
 /* Steps of the whole polygon, and starts on its left edges. */
-static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
+static enum polygon_result set_texturing(struct setup *s)
 {
     const struct material *m = s->material;
-    enum chain chain = m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT ? CHAIN_NONE
-                     : m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL
-                     ? CHAIN_PLANE : CHAIN_ANYWHERE;
+    struct texturing *t = &s->texturing;
 
     if (m->gradients == GRADIENTS_PLANE)
-        texturing_plane(t, &s->sides, &s->box, chain);
+        texturing_plane(t, &s->sides, &s->box, chain_of(s));
     else if (s->count == 3)
-        texturing_longest(t, &s->sides, &s->box, chain);
+        texturing_longest(t, &s->sides, &s->box, chain_of(s));
     else
         return POLYGON_NO_TRIANGLE;
     texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start);
@@ -176,13 +183,6 @@ static enum polygon_result set_texturing(struct setup *s, struct texturing *t)
     s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
     s->edges.dvdx = m->start == START_SUBTEXEL ? t->dvdx : 0;
     return POLYGON_DRAWN;
-}
-
-/* Whether an edge can lie outside the frame's columns. */
-static int32 leaves_columns(const struct setup *s)
-{
-    return s->outline_sides->x_low < 0
-        || s->outline_sides->x_high + EDGE_ERROR > s->frame->width << 16;
 }
 
 static void cut_lines(const struct setup *s, void (*routine)(const struct scissor_plan *plan))
@@ -197,14 +197,16 @@ static void cut_lines(const struct setup *s, void (*routine)(const struct scisso
     routine(&scissor);
 }
 
-/* The table of lines, cut to the frame's columns. */
-static void make_lines(const struct setup *s, const struct kind_routines *routines)
+/* The table of lines as a kind of span needs it, cut to the frame's columns. */
+static void make_lines(struct setup *s, enum span_kind kind)
 {
+    const struct kind_routines *routines = &kind_routines[kind];
+
     if (s->material->edges == EDGES_EXACT)
         routines->exact_edges(&s->edges);
     else
         routines->edges(&s->edges);
-    if (leaves_columns(s))
+    if (!lower_leaves_out(s, RULE_INSIDE_FRAME))
         cut_lines(s, routines->scissor);
 }
 
@@ -215,7 +217,7 @@ static void set_ramps(struct setup *s)
     static struct scanline_step steps[SCENE_SIDE_MAX];
     struct ramp_plan plan;
 
-    make_lines(s, &kind_routines[SPAN_FILL]);
+    make_lines(s, SPAN_FILL);
     ramps_make(left, s->edges.left, s->edges.lefts);
     ramps_make(right, s->edges.right, s->edges.rights);
     plan.lines = lines;
@@ -230,23 +232,25 @@ static void set_ramps(struct setup *s)
 }
 
 /* Keeps u and v of every pixel where the mapper needs them. */
-static void hold_lines(const struct setup *s, const struct texturing *t, struct span_plan *span)
+static void hold_lines(struct setup *s)
 {
     struct hold_plan hold;
 
-    if (!material_range(&hold, s->material, s->vertices, s->count, t, span))
+    if ((s->kind != SPAN_GOURAUD && s->kind != SPAN_ARBITRARY)
+        || lower_leaves_out(s, RULE_INSIDE_RANGE))
         return;
-    hold.lines = (struct scanline *)span->lines;
-    hold.count = span->count;
-    hold.dudx = span->dudx;
-    hold.dvdx = span->dvdx;
+    material_range(&hold, s);
+    hold.lines = (struct scanline *)s->span.lines;
+    hold.count = s->span.count;
+    hold.dudx = s->span.dudx;
+    hold.dvdx = s->span.dvdx;
     edge_hold(&hold);
-    span->dudx = hold.dudx;
-    span->dvdx = hold.dvdx;
+    s->span.dudx = hold.dudx;
+    s->span.dvdx = hold.dvdx;
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
-static void draw_each_line(struct setup *s, const struct texturing *t)
+static void draw_each_line(struct setup *s)
 {
     struct span_plan *line = &s->span;
     int32 count = line->count;
@@ -257,82 +261,93 @@ static void draw_each_line(struct setup *s, const struct texturing *t)
         line->dudx = line->steps[i].dudx;
         line->dvdx = line->steps[i].dvdx;
         if (lines[i].last >= lines[i].left) {
-            hold_lines(s, t, line);
+            hold_lines(s);
             kind_routines[s->kind].span(line);
         }
         line->row += line->pitch;
     }
 }
 
-static int32 has_depth(const struct vertex *v, int32 count)
-{
-    fix16 w = v->w;
-
-    while (--count > 0)
-        if ((++v)->w != w)
-            return 1;
-    return 0;
-}
-
-/* Perspective: 0 where the affine spans do. */
-static int32 draw_perspective(const struct setup *s, struct draw_counts *counts)
+/* Perspective: 0 where the affine spans do, because its planes are not sure enough. */
+static int32 draw_perspective(struct setup *s)
 {
     struct perspective_plan plan;
 
-    if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box))
+    s->perspective = &plan;
+    if (lower_w_is_constant(s)) {       /* its rule is off */
+        set_texturing(s);
+        if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
+            return 0;
+    } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
         return 0;
-    make_lines(s, &kind_routines[SPAN_FILL]);
+    }
+    make_lines(s, SPAN_FILL);
     plan.lines = lines;
     plan.count = s->span.count;
-    perspective_draw(&plan, s->material, &s->span, s->box.right - s->box.left, counts);
+    lower_by_planes(s);
+    perspective_draw(s);
     return 1;
+}
+
+static void draw_affine(struct setup *s)
+{
+    int32 scanline = !is_flat(s) && s->material->gradients == GRADIENTS_SCANLINE;
+
+    if (scanline) {
+        set_ramps(s);
+    } else {
+        lower_by_steps(s);
+        make_lines(s, s->kind);
+        hold_lines(s);
+    }
+    if (s->kind == SPAN_LIT_GOURAUD)
+        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);
+    if (s->counts) {
+        s->counts->polygons++;
+        s->counts->pixels[s->kind] += lines_pixels(lines, s->span.count);
+    }
+    if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
+        draw_each_line(s);
+    else
+        kind_routines[s->kind].span(&s->span);
 }
 
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
-                                 enum form form, struct draw_counts *counts)
+                                 const struct drawing *drawing)
 {
     struct setup s;
     enum polygon_result result;
-    struct texturing texturing;
-    int32 scanline = material->mapper != MAPPER_FLAT
-                  && material->gradients == GRADIENTS_SCANLINE;
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
     s.frame = frame;
     s.material = material;
-    s.vertices = material_vertices(vertices, count, material);
+    s.form = drawing->form;
+    s.off = drawing->off;
+    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
+    s.given = vertices;
     s.count = count;
+    if (lower_leaves_out(&s, RULE_OUTSIDE))
+        return POLYGON_EMPTY;
+    s.vertices = material_vertices(vertices, count, material);
+    lower_by_vertices(&s);
     result = set_sides(&s);
     if (result != POLYGON_DRAWN)
         return result;
     result = set_span(&s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (material->perspective && has_depth(vertices, count) && draw_perspective(&s, counts))
-        return POLYGON_DRAWN;
-    if (material->mapper != MAPPER_FLAT && !scanline) {
-        result = set_texturing(&s, &texturing);
+    if (s.kind == SPAN_PERSPECTIVE) {
+        if (draw_perspective(&s))
+            return POLYGON_DRAWN;
+        s.kind = lower_affine(material, s.form);
+    }
+    if (!is_flat(&s) && material->gradients != GRADIENTS_SCANLINE) {
+        result = set_texturing(&s);
         if (result != POLYGON_DRAWN)
             return result;
     }
-    s.kind = kind_of(material, frame, form, &texturing);
-    if (scanline) {
-        set_ramps(&s);
-    } else {
-        make_lines(&s, &kind_routines[s.kind]);
-        hold_lines(&s, &texturing, &s.span);
-    }
-    if (s.kind == SPAN_LIT_GOURAUD)
-        shading_lines(&s.span, &s.sides, s.vertices, count, &s.box);
-    if (counts) {
-        counts->polygons++;
-        counts->pixels[s.kind] += lines_pixels(lines, s.span.count);
-    }
-    if (scanline && s.kind != SPAN_AFFINE_SCANLINE)
-        draw_each_line(&s, &texturing);
-    else
-        kind_routines[s.kind].span(&s.span);
+    draw_affine(&s);
     return POLYGON_DRAWN;
 }

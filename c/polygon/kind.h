@@ -1,9 +1,8 @@
-/* What draws each kind of span, and which kind a polygon needs. */
+/* What draws each kind of span. */
 #ifndef KIND_H
 #define KIND_H
 
 #include "polygon/polygon.h"
-#include "polygon/texturing.h"
 #include "span/scanline.h"
 
 typedef void edge_routine(const struct edge_plan *plan);
@@ -16,10 +15,5 @@ struct kind_routines {
 
 /* In the order of enum span_kind; none for a perspective. */
 extern const struct kind_routines kind_routines[SPAN_KINDS];
-
-/* The cheapest kind that draws a polygon of this material without a perspective. texturing
-   counts but for flat ones and GRADIENTS_SCANLINE. */
-enum span_kind kind_of(const struct material *material, const struct frame *frame,
-                       enum form form, const struct texturing *texturing);
 
 #endif

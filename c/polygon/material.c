@@ -84,32 +84,40 @@ static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing 
     }
 }
 
-int32 material_range(struct hold_plan *hold, const struct material *material,
-                     const struct vertex *vertices, int32 count,
-                     const struct texturing *t, const struct span_plan *span)
+void material_range(struct hold_plan *hold, const struct setup *s)
 {
-    fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
-    int32 gouraud = material->mapper == MAPPER_GOURAUD;
+    hold->u_low = hold->v_low = hold->v_high = 0;
+    if (s->material->mapper == MAPPER_GOURAUD) {
+        range(&s->vertices->s, s->count, &hold->u_low, &hold->u_high);
+        hold->u_low &= ~0xffff;
+        hold->u_high |= 0xffff;
+    } else {
+        hold->u_high = (s->material->map->width << 16) - 1;
+        hold->v_high = (s->material->map->height << 16) - 1;
+    }
+}
 
-    if (!gouraud && material->mapper != MAPPER_ARBITRARY)
-        return 0;
-    range(&vertices->s, count, &s_low, &s_high);
-    hold->u_low = gouraud ? s_low & ~0xffff : 0;
-    hold->u_high = gouraud ? s_high | 0xffff : (material->map->width << 16) - 1;
-    hold->v_low = 0;
-    hold->v_high = gouraud ? 0 : (material->map->height << 16) - 1;
-    if (is_steep(material, span))
+int32 material_leaves_range(const struct setup *s)
+{
+    const struct texturing *t = &s->texturing;
+    int32 gouraud = s->material->mapper == MAPPER_GOURAUD;
+    fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
+    struct hold_plan hold;
+
+    if (is_steep(s->material, &s->span))
         return 1;
-    if (count == 3) {
-        if (gouraud)
-            return 0;           /* material_vertices saw to it */
-        range(&vertices->t, count, &t_low, &t_high);
+    if (gouraud && s->count == 3)
+        return 0;               /* material_vertices saw to it */
+    if (s->count == 3) {
+        range(&s->vertices->s, 3, &s_low, &s_high);
+        range(&s->vertices->t, 3, &t_low, &t_high);
     } else {                    /* the plane need not run through all of them */
         inset = ON_PLANE;
-        plane_range(t->u, t->dudx, t->dudy, t, vertices, count, &s_low, &s_high);
+        plane_range(t->u, t->dudx, t->dudy, t, s->vertices, s->count, &s_low, &s_high);
         if (!gouraud)
-            plane_range(t->v, t->dvdx, t->dvdy, t, vertices, count, &t_low, &t_high);
+            plane_range(t->v, t->dvdx, t->dvdy, t, s->vertices, s->count, &t_low, &t_high);
     }
-    return s_low < hold->u_low + inset || s_high > hold->u_high - inset
-        || (!gouraud && (t_low < inset || t_high > hold->v_high - inset));
+    material_range(&hold, s);
+    return s_low < hold.u_low + inset || s_high > hold.u_high - inset
+        || (!gouraud && (t_low < inset || t_high > hold.v_high - inset));
 }

@@ -6,6 +6,8 @@
 #define SURE 4
 #define Q_ONE (1 << 30)
 #define STEEP (1 << 14)                /* of 2^16 units a pixel */
+#define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
+                                          moves less than 8,192, and stays inside 16.16 */
 #define TOO_STEEP (1 << 28)            /* SURE times this is above all q but the nearest's */
 
 static int32 magnitude(int32 value)
@@ -13,8 +15,7 @@ static int32 magnitude(int32 value)
     return value < 0 ? -value : value;
 }
 
-/* The upper half of a gradient's magnitude. */
-static int32 steepness(const struct number64 *gradient)
+int32 perspective_steepness(const struct number64 *gradient)
 {
     int32 steep = (int32)gradient->hi;
 
@@ -23,11 +24,16 @@ static int32 steepness(const struct number64 *gradient)
     return steep;
 }
 
+static int32 is_gentle(const struct number64 *gradient)
+{
+    return perspective_steepness(gradient) < STEEP;
+}
+
 /* Units that a plane may be off after so many pixels: its gradient, in 48.16, is off by
    2^-31 of itself and 3 / 2^16. */
 static int32 error_part(const struct number64 *gradient, int32 pixels)
 {
-    int32 steep = steepness(gradient);
+    int32 steep = perspective_steepness(gradient);
 
     if (steep < 1 << 16)
         return (steep * pixels >> 15) + (pixels >> 14) + 2;
@@ -151,9 +157,73 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     scale_plane(&plan->q, &planes.q, 32);
     scale_plane(&plan->s, &planes.s, scale);
     scale_plane(&plan->t, &planes.t, scale);
-    plan->gentle = steepness(&planes.q.dx) < STEEP && steepness(&planes.q.dy) < STEEP
-                && steepness(&planes.s.dx) < STEEP && steepness(&planes.t.dx) < STEEP;
+    plan->gentle = is_gentle(&plan->q.dx) && is_gentle(&plan->q.dy) && is_gentle(&plan->s.dx)
+                && is_gentle(&plan->t.dx);
     plan->left = box->left;
     plan->q_low = least;
     return 1;
+}
+
+/* u * q of a plane of u, q being 1. */
+static void with_q_one(struct number64 *to, fix16 u)
+{
+    to->hi = (uint32)(u >> 2);
+    to->lo = (uint32)u << 30;
+}
+
+/* The plane of u or v at the box's corner. */
+static void plane_of(struct screen_plane *to, uint32 at, fix16 ddx, fix16 ddy,
+                     const struct texturing *t, const struct rectangle *box)
+{
+    with_q_one(&to->at, (fix16)at + ddx * (box->left - t->i) + ddy * (box->top - t->j));
+    with_q_one(&to->dx, ddx);
+    with_q_one(&to->dy, ddy);
+}
+
+static int32 is_flat(fix16 step)
+{
+    return magnitude(step) < FLAT;
+}
+
+int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,
+                               const struct rectangle *box)
+{
+    if (!is_flat(t->dudx) || !is_flat(t->dudy) || !is_flat(t->dvdx) || !is_flat(t->dvdy)
+        || box->right - box->left > PERSPECTIVE_LEVEL_WIDTH)
+        return 0;
+    plan->q.at.hi = plan->q_low = Q_ONE;
+    plan->q.at.lo = plan->q.dx.hi = plan->q.dx.lo = plan->q.dy.hi = plan->q.dy.lo = 0;
+    plane_of(&plan->s, t->u, t->dudx, t->dudy, t, box);
+    plane_of(&plan->t, t->v, t->dvdx, t->dvdy, t, box);
+    plan->u = plan->v = 0;
+    plan->u_low = plan->v_low = -0x7fffffff;
+    plan->u_high = plan->v_high = 0x7fffffff;
+    plan->left = box->left;
+    plan->gentle = 0;
+    return 1;
+}
+
+fix16 perspective_reach(const struct perspective_plan *plan)
+{
+    fix16 farthest = plan->u_high > plan->v_high ? plan->u_high : plan->v_high;
+
+    if (-plan->u_low > farthest)
+        farthest = -plan->u_low;
+    return -plan->v_low > farthest ? -plan->v_low : farthest;
+}
+
+int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance)
+{
+    const struct number64 *grows = &plan->q.dx;
+    uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
+    int32 off;
+
+    if ((grows->hi && grows->hi != 0xffffffff) || part >> 16 == 0xffff)
+        return 0;
+    if (!part)
+        return !grows->hi;
+    /* in units of q: what it grows by along the width, times texels */
+    off = mul_shift(((perspective_reach(plan) >> 16) + 1) * width, (int32)(part >> 16) + 1, 16)
+        + 1;
+    return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
 }

@@ -2,9 +2,7 @@
 #ifndef PERSPECTIVE_H
 #define PERSPECTIVE_H
 
-#include "polygon/edges.h"
-#include "polygon/polygon.h"
-#include "polygon/sides.h"
+#include "polygon/setup.h"
 #include "span/reciprocal.h"
 
 /* A corner's values; of the two that planes_find takes as vectors: differences. */
@@ -34,9 +32,20 @@ void planes_find(struct found_planes *planes, const struct plane_corners *corner
 int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
                          int32 count, const struct sides *sides, const struct rectangle *box);
 
-/* Draws the plan's lines, at most so many pixels wide, where the span says; counts may be 0.
-   The setting and its table are the material's. */
-void perspective_draw(struct perspective_plan *plan, const struct material *material,
-                      const struct span_plan *span, int32 width, struct draw_counts *counts);
+/* The same from the planes of u and v themselves, w being constant: q is 1 everywhere, and
+   what is drawn the affine picture. 0: the planes are too steep or wide for that. */
+int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,
+                               const struct rectangle *box);
+
+/* The upper half of a gradient's magnitude; the farthest of u and v from their bases. */
+int32 perspective_steepness(const struct number64 *gradient);
+fix16 perspective_reach(const struct perspective_plan *plan);
+
+/* Whether depth changes so little along lines, at most so many pixels wide, that drawn as if
+   it did not they are off by so much, in 1/65536 texel (0 to TOLERANCE_MAX). */
+int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance);
+
+/* Draws the lines of the plan, as s->setting and s->straight say. */
+void perspective_draw(struct setup *s);
 
 #endif

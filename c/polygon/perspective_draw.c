@@ -41,8 +41,8 @@ static int32 find_constants(struct reciprocal_plan *plan)
 }
 
 /* Draws the lines it can and empties them; returns how many are left. So below. */
-static int32 draw_reciprocals(struct perspective_plan *planes, const struct material *material,
-                              const struct span_plan *span, int32 width)
+static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective setting,
+                              const uint16 *table, const struct span_plan *span, int32 width)
 {
     static struct reciprocal_line drawn[SCENE_SIDE_MAX];
     struct reciprocal_plan plan;
@@ -50,8 +50,8 @@ static int32 draw_reciprocals(struct perspective_plan *planes, const struct mate
     int32 reach, left;
 
     plan.planes = planes;
-    plan.piece = ways[material->perspective].piece;
-    plan.table = material->reciprocals;
+    plan.piece = ways[setting].piece;
+    plan.table = table;
     plan.to = drawn;
     if (!find_constants(&plan))
         return planes->count;
@@ -95,13 +95,13 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     return left;
 }
 
-static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
+static void draw_exactly(struct perspective_plan *plan, enum perspective setting,
                          const struct span_plan *span)
 {
     static struct perspective_line drawn[SCENE_SIDE_MAX];
     struct perspective_span lines;
 
-    plan->bend = ways[kind].bend;
+    plan->bend = ways[setting].bend;
     plan->to = drawn;
     perspective_lines(plan);
     lines.lines = drawn;
@@ -109,34 +109,11 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective kind,
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = ways[kind].piece;
+    lines.longest = ways[setting].piece;
     if (plan->bend)
         span_perspective_curves(&lines);
     else
         span_perspective_pieces(&lines);
-}
-
-/* Whether depth changes so little along lines that they may be drawn as if it did not. */
-static int32 is_level(const struct perspective_plan *plan, int32 width, enum perspective kind)
-{
-    int32 tolerance = ways[kind].off;
-    const struct number64 *grows = &plan->q.dx;
-    uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
-    fix16 farthest = plan->u_high > plan->v_high ? plan->u_high : plan->v_high;
-    int32 off;
-
-    if ((grows->hi && grows->hi != 0xffffffff) || part >> 16 == 0xffff
-        || width > ways[kind].width)
-        return 0;
-    if (!part)
-        return !grows->hi;
-    if (-plan->u_low > farthest)
-        farthest = -plan->u_low;
-    if (-plan->v_low > farthest)
-        farthest = -plan->v_low;
-    /* in units of q: what it grows by along the width, times texels */
-    off = mul_shift(((farthest >> 16) + 1) * width, (int32)(part >> 16) + 1, 16) + 1;
-    return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
 }
 
 static void draw_level(const struct perspective_plan *plan, const struct span_plan *span)
@@ -154,33 +131,32 @@ static void draw_level(const struct perspective_plan *plan, const struct span_pl
     span_affine_scanline(&lines);
 }
 
-void perspective_draw(struct perspective_plan *plan, const struct material *material,
-                      const struct span_plan *span, int32 width, struct draw_counts *counts)
+void perspective_draw(struct setup *s)
 {
-    enum perspective kind = material->perspective;
-    uint32 pixels = counts ? lines_pixels(plan->lines, plan->count) : 0, others;
+    struct perspective_plan *plan = s->perspective;
+    enum perspective setting = s->setting;
+    int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
+    uint32 pixels = s->counts ? lines_pixels(plan->lines, plan->count) : 0, others;
     int32 left = plan->count;
 
-    if (is_level(plan, width, kind)) {
-        draw_level(plan, span);
-        if (counts) {
-            counts->polygons++;
-            counts->pixels[SPAN_AFFINE_SCANLINE] += pixels;
-        }
+    if (s->counts)
+        s->counts->polygons++;
+    if (s->straight || (width <= ways[setting].width
+                        && perspective_is_level(plan, width, ways[setting].off))) {
+        draw_level(plan, &s->span);
+        if (s->counts)
+            s->counts->pixels[SPAN_AFFINE_SCANLINE] += pixels;
         return;
     }
-    if (material->reciprocals)
-        left = draw_reciprocals(plan, material, span, width);
-    else if (material->logarithms)
-        left = draw_logarithms(plan, material->logarithms, span);
-    if (counts) {
+    if (pieces && s->material->reciprocals)
+        left = draw_reciprocals(plan, setting, s->material->reciprocals, &s->span, width);
+    else if (setting == PERSPECTIVE_PIXEL && s->material->logarithms)
+        left = draw_logarithms(plan, s->material->logarithms, &s->span);
+    if (s->counts) {
         others = left ? lines_pixels(plan->lines, plan->count) : 0;
-        counts->polygons++;
-        counts->pixels[material->reciprocals ? SPAN_RECIPROCAL : SPAN_LOGARITHM]
-            += pixels - others;
-        counts->pixels[kind == PERSPECTIVE_PIXEL || kind == PERSPECTIVE_FINE
-                       ? SPAN_PERSPECTIVE_CURVES : SPAN_PERSPECTIVE_PIECES] += others;
+        s->counts->pixels[pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM] += pixels - others;
+        s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
     }
     if (left)
-        draw_exactly(plan, kind, span);
+        draw_exactly(plan, setting, &s->span);
 }

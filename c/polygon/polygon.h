@@ -81,26 +81,52 @@ enum mapper {
     MAPPER_KINDS
 };
 
-/* Which routines drew, counted where it is asked for. */
+/* Which routines drew, counted where it is asked for. A polygon with a perspective is drawn by
+   one or two of the last four. */
 enum span_kind {
     SPAN_FILL, SPAN_FILL_16, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
     SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
     SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
     SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
     SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
-    SPAN_KINDS
+    SPAN_KINDS,
+    SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
+};
+
+/* Why less is drawn than a material asks for: c/polygon/lower.c has the table. Those that
+   lead from one kind of span stand together. */
+enum rule {
+    RULE_OUTSIDE,               /* the polygon lies beside the frame: nothing */
+    RULE_EQUAL_LEVELS,          /* the same level of light at all vertices: no interpolation */
+    RULE_FULL_LIGHT,            /* ... it shows the texels as they are: no light */
+    RULE_NO_LIGHT,              /* ... it makes all texels the same: no map */
+    RULE_EQUAL_SHADES,          /* the same pixel at all vertices: flat */
+    RULE_CONSTANT_W,            /* the same depth at all vertices: affine */
+    RULE_TOLERANCE,             /* affine is within the material's tolerance */
+    RULE_COARSER,               /* pieces, or straight lines, are */
+    RULE_INSIDE_FRAME,          /* no line is cut to the frame's columns */
+    RULE_INSIDE_RANGE,          /* u and v cannot leave the map, or shades the vertices' range:
+                                   no line is moved */
+    RULE_STILL_V,               /* v does not change along lines */
+    RULE_STILL_U,               /* u does not */
+    RULE_NO_WRAP,               /* v wraps once in a line at most */
+    RULE_NO_WRAP_LIT,           /* the same in the light */
+    RULES
 };
 
 struct draw_counts {
     uint32 polygons;            /* that reached a span routine */
     uint32 pixels[SPAN_KINDS];
+    uint32 rules[RULES];        /* polygons to which each applied */
 };
 
 /* What a polygon is drawn with. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
-    uint8 spare[2];
+    uint16 number;              /* which of the drawing's counts are its */
+    fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
+                                   the setting's own bound: 0 to TOLERANCE_MAX */
     uint32 colour;              /* of a flat one: the pixel */
     const struct map *map;      /* in the layout of the mapper */
     const struct map *light;    /* of lit ones: MAP_LIGHT */
@@ -108,9 +134,17 @@ struct material {
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
 };
 
-/* Draws a convex polygon, either winding. counts may be 0; counting takes time. */
+/* How polygons are drawn, whatever they are. */
+struct drawing {
+    enum form form;
+    uint32 off;                 /* bit n: rule n is not followed; exact ones leave the picture
+                                   as it is */
+    struct draw_counts *counts; /* one a material, or 0; counting takes time */
+};
+
+/* Draws a convex polygon, either winding. */
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
-                                 enum form form, struct draw_counts *counts);
+                                 const struct drawing *drawing);
 
 #endif

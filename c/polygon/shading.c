@@ -5,7 +5,7 @@
 
 /* A level is a quarter of a shade. Spans keep the two lowest bits of its fraction for
    wraps of v: all levels are multiples of 4 units. */
-#define LEVEL_OF(shade) ((shade) >> 2)
+#define LEVEL_OF(shade) ((shade) >> (LEVEL_BITS - 16))
 #define FREE_BITS 3
 
 /* What a pixel may have beyond the vertices, as the plane is stepped: the pixel is within
@@ -13,14 +13,12 @@
 #define INSET (65536 / 16)
 #define STEEP 65536
 
-int32 shading_light(struct span_plan *span, const struct material *material,
-                    const struct vertex *vertices)
+int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade)
 {
     if (!material->light || material->light->layout != MAP_LIGHT)
         return 0;
     span->light = material->light->texels;
-    if (material->mapper == MAPPER_LIT)
-        span->light += 256 * (LEVEL_OF(vertices->shade) >> 16);
+    span->light += 256 * (shade >> LEVEL_BITS);
     return 1;
 }
 

@@ -6,10 +6,10 @@
 #include "polygon/polygon.h"
 #include "span/scanline.h"
 
-/* Sets the light of a span plan, for MAPPER_LIT the first vertex's level; 0: the material
-   has no light table. */
-int32 shading_light(struct span_plan *span, const struct material *material,
-                    const struct vertex *vertices);
+enum { LEVEL_BITS = 18 };       /* of a shade, below the number of its level */
+
+/* Sets the light of a span plan to the row of a shade; 0: the material has no light table. */
+int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade);
 
 /* MAPPER_LIT_GOURAUD: the levels of a table's lines, on the plane of the polygon, cut to
    the frame already. No pixel has one beyond those of the vertices. */

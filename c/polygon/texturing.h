@@ -23,7 +23,8 @@ struct texturing {
 enum chain {
     CHAIN_NONE,                 /* not at all */
     CHAIN_ANYWHERE,             /* v may be anywhere */
-    CHAIN_PLANE                 /* v is on the plane, within the box */
+    CHAIN_PLANE,                /* v is on the plane, within the box */
+    CHAIN_WHOLE                 /* the same, and u keeps all bits: any wrap is one too many */
 };
 
 /* src68k/polygon: contracts there. */

@@ -1,8 +1,10 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
    writes frame_000.chunky and so on into the current directory and prints one line
-   a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT).
+   a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT; then
+   a line a material too: its polygons, those each rule applied to, pixels of each span).
+   OFF names rules of lowering that are not followed, by commas: or all of them.
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead. */
 #include "scene/scene.h"
@@ -23,6 +25,12 @@ static const char *const span_names[SPAN_KINDS] = {
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
     "perspective_pieces", "perspective_curves", "reciprocal", "logarithm"
+};
+
+static const char *const rule_names[RULES] = {
+    "outside", "equal_levels", "full_light", "no_light", "equal_shades", "constant_w",
+    "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "still_u", "no_wrap",
+    "no_wrap_lit"
 };
 
 static const char *const why_refused[] = {
@@ -76,41 +84,92 @@ static void frame_name(char *name, int32 number)
         *--name = (char)('0' + number % 10);
 }
 
-static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
+/* How a run goes. */
+struct run {
+    int32 frames;
+    struct drawing drawing;
+    struct draw_counts *counted, *totals;       /* one a material each, or 0 */
+    const char *digest;         /* name of the file, or 0: dumps */
+};
+
+/* Those counts of a list that are not 0, by name. */
+static void add_counts(const uint32 *counts, const char *const *names, int32 items)
 {
+    for (; items > 0; items--, counts++, names++)
+        if (*counts) {
+            text_add(" ");
+            text_add(*names);
+            text_add(" ");
+            text_number((int32)*counts);
+        }
+}
+
+static void sum_up(struct draw_counts *to, const struct draw_counts *from)
+{
+    uint32 *sum = (uint32 *)to;
+    const uint32 *more = (const uint32 *)from;
+
+    for (uint32 i = sizeof *to / sizeof *sum; i > 0; i--)
+        *sum++ += *more++;
+}
+
+static void clear_counts(struct draw_counts *counts, uint32 materials)
+{
+    uint32 *to = (uint32 *)counts;
+
+    for (uint32 i = materials * (sizeof *counts / sizeof *to); i > 0; i--)
+        *to++ = 0;
+}
+
+/* One frame of all materials. */
+static void report(int32 number, uint32 ticks, const struct run *run, uint32 materials)
+{
+    struct draw_counts all;
+
+    clear_counts(&all, 1);
+    for (uint32 i = 0; i < materials; i++) {
+        sum_up(&all, &run->counted[i]);
+        sum_up(&run->totals[i], &run->counted[i]);
+    }
     text_add("frame ");
     text_number(number);
     text_add(" ticks ");
     text_number((int32)ticks);
     text_add(" polygons ");
-    text_number((int32)counts->polygons);
-    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
-        if (counts->pixels[kind]) {
-            text_add(" ");
-            text_add(span_names[kind]);
-            text_add(" ");
-            text_number((int32)counts->pixels[kind]);
-        }
+    text_number((int32)all.polygons);
+    add_counts(all.pixels, span_names, SPAN_KINDS);
     text_print();
 }
 
-/* How a run goes. */
-struct run {
-    int32 frames;
-    enum form form;
-    int32 count;                /* pixels are counted */
-    const char *digest;         /* name of the file, or 0: dumps */
-};
+/* All frames of one material. */
+static void report_materials(const struct draw_counts *counts, uint32 materials)
+{
+    for (uint32 i = 0; i < materials; i++, counts++) {
+        text_add("material ");
+        text_number((int32)i);
+        text_add(" polygons ");
+        text_number((int32)counts->polygons);
+        text_add(" rules");
+        add_counts(counts->rules, rule_names, RULES);
+        text_add(" spans");
+        add_counts(counts->pixels, span_names, SPAN_KINDS);
+        text_print();
+    }
+}
 
 /* Draws a frame, between quiet_enter and quiet_leave, and looks at the guard bands. */
 static int32 draw(const struct scene *scene, const struct frame *frame, int32 number,
-                  enum form form, struct frame_digest *drawn)
+                  const struct run *run, struct frame_digest *drawn)
 {
     enum polygon_result result;
+    struct drawing drawing;
 
+    drawing.form = run->drawing.form;
+    drawing.off = run->drawing.off;
+    drawing.counts = 0;
     quiet_enter();
     clock_start(FRAME_LIMIT);
-    result = scene_draw(scene, frame, number, form, 0);
+    result = scene_draw(scene, frame, number, &drawing);
     drawn->ticks = clock_stop();
     quiet_leave();
     drawn->result = result;
@@ -124,34 +183,30 @@ static int32 draw(const struct scene *scene, const struct frame *frame, int32 nu
     return 1;
 }
 
-static void clear_counts(struct draw_counts *counts)
-{
-    counts->polygons = 0;
-    for (int32 kind = 0; kind < SPAN_KINDS; kind++)
-        counts->pixels[kind] = 0;
-}
-
 /* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
 static int32 dump_frames(const struct scene *scene, const struct frame *frame,
                          const struct run *run, uint32 *refused)
 {
+    uint32 materials = run->counted ? scene->header->materials : 0;
+
     for (int32 number = 0; number < run->frames; number++) {
-        struct draw_counts counts;
         struct frame_digest drawn;
         char name[20];
 
-        clear_counts(&counts);
-        if (!draw(scene, frame, number, run->form, &drawn))
+        if (!draw(scene, frame, number, run, &drawn))
             return 0;
         if (drawn.result != POLYGON_DRAWN)
             *refused = drawn.result;
-        if (run->count)                 /* again, since counting takes time */
-            scene_draw(scene, frame, number, run->form, &counts);
+        if (run->counted) {             /* again, since counting takes time */
+            clear_counts(run->counted, materials);
+            scene_draw(scene, frame, number, &run->drawing);
+        }
         frame_name(name, number);
         if (!file_save(name, frame->pixels, (uint32)(frame->pitch * frame->height)))
             return 0;
-        report(number, drawn.ticks, &counts);
+        report(number, drawn.ticks, run, materials);
     }
+    report_materials(run->totals, materials);
     return 1;
 }
 
@@ -183,7 +238,7 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
             text_number(number);
             text_print();
         }
-        if (!draw(scene, frame, number, run->form, &digests[number]))
+        if (!draw(scene, frame, number, run, &digests[number]))
             return 0;
         add_up(frame, &digests[number]);
     }
@@ -205,32 +260,92 @@ static int32 render(const struct scene *scene, const struct frame *frame, const 
     return RETURN_OK;
 }
 
+/* The form of this name; -1: there is none. */
+static int32 form_of(const char *name)
+{
+    return text_same(name, "addx") ? FORM_ADDX
+         : text_same(name, "swap") ? FORM_SWAP
+         : text_same(name, "c") ? FORM_C : -1;
+}
+
+/* The rule whose name stands before the next comma, or RULES. */
+static uint32 rule_of(const char *name, int32 length)
+{
+    uint32 rule = 0;
+
+    for (; rule < RULES; rule++) {
+        const char *other = rule_names[rule];
+        int32 i = 0;
+
+        while (i < length && other[i] == name[i])
+            i++;
+        if (i == length && !other[i])
+            break;
+    }
+    return rule;
+}
+
+/* A bit for each rule in a list by commas; 0: there is no such rule. */
+static uint32 rules_of(const char *names)
+{
+    uint32 off = 0;
+
+    if (text_same(names, "all"))
+        return ((uint32)1 << RULES) - 1;
+    for (;;) {
+        int32 length = 0;
+        uint32 rule;
+
+        while (names[length] && names[length] != ',')
+            length++;
+        rule = rule_of(names, length);
+        if (rule == RULES)
+            return 0;
+        off |= (uint32)1 << rule;
+        if (!names[length])
+            return off;
+        names += length + 1;
+    }
+}
+
+static int32 make_counts(struct run *run, uint32 materials)
+{
+    int32 bytes = (int32)(materials * sizeof *run->totals);
+
+    if (!mem_alloc(&run->counted, bytes, MEMORY_ANY)
+        || !mem_alloc(&run->totals, bytes, MEMORY_ANY))
+        return 0;
+    clear_counts(run->totals, materials);
+    run->drawing.counts = run->counted;
+    return 1;
+}
+
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ITEMS };
     static int32 args[ITEMS];
     struct scene scene;
     struct frame frame;
-    struct run run = {0, FORM_ADDX, 0, 0};
-    int32 kind, result;
+    struct run run = {0, {FORM_ADDX, 0, 0}, 0, 0, 0};
+    int32 kind, result, form;
 
-    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K", args))
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K", args))
         return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                    "[DIGEST name]");
+                    "[DIGEST name] [OFF rules]");
     if (args[FORM]) {
-        const char *name = (const char *)args[FORM];
-
-        if (text_same(name, "swap"))
-            run.form = FORM_SWAP;
-        else if (text_same(name, "c"))
-            run.form = FORM_C;
-        else if (!text_same(name, "addx"))
+        form = form_of((const char *)args[FORM]);
+        if (form < 0)
             return fail("FORM: not one of addx, swap, c");
+        run.drawing.form = (enum form)form;
+    }
+    if (args[OFF]) {
+        run.drawing.off = rules_of((const char *)args[OFF]);
+        if (!run.drawing.off)
+            return fail("OFF: not a rule of lowering, or all");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
     if (!scene_load(&scene, (const char *)args[SCENE], kind))
         return RETURN_FAIL;
-    run.count = args[COUNT];
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
     if (args[FRAMES]) {
@@ -240,6 +355,8 @@ int main(void)
             return fail("FRAMES: not between 1 and the scene's frames");
         run.frames = asked;
     }
+    if (args[COUNT] && !make_counts(&run, scene.header->materials))
+        return fail("not enough memory for the counts");
     if (!make_frame(&frame, &scene, kind))
         return fail("not enough memory for the frame");
     if (!clock_open())

@@ -47,8 +47,8 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
 int32 scene_load(struct scene *scene, const char *name, int32 kind);
 
 /* Draws one frame over the background; returns why a polygon was refused, or
-   POLYGON_DRAWN. counts may be 0. */
+   POLYGON_DRAWN. */
 enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
-                               int32 number, enum form form, struct draw_counts *counts);
+                               int32 number, const struct drawing *drawing);
 
 #endif

@@ -51,8 +51,8 @@ static const struct vertex *place(struct vertex *room, const struct vertex *from
 
 /* Objects first to end (excluded). */
 static enum polygon_result draw_objects(const struct scene *scene, const struct frame *frame,
-                                        int32 number, enum form form,
-                                        struct draw_counts *counts, uint32 first, uint32 end)
+                                        int32 number, const struct drawing *drawing,
+                                        uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN;
     const struct scene_object *object = &scene->objects[first];
@@ -68,7 +68,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
         vertices = place(room, &scene->vertices[object->vertex], object->vertices,
                          &scene->poses[object->pose + age]);
         result = polygon_draw(frame, vertices, (int32)object->vertices,
-                              &scene->drawn[object->material], form, counts);
+                              &scene->drawn[object->material], drawing);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
@@ -76,7 +76,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
 }
 
 enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
-                               int32 number, enum form form, struct draw_counts *counts)
+                               int32 number, const struct drawing *drawing)
 {
     const struct scene_header *header = scene->header;
     enum polygon_result refused = POLYGON_DRAWN, result;
@@ -85,13 +85,12 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
 
     target.frame = frame;
     target.number = number;
-    target.form = form;
-    target.counts = counts;
+    target.drawing = drawing;
     clear(frame, header->background);
     while (instance < header->instances) {      /* those before one object are together */
         uint32 before = scene->instances[instance].before, first = instance;
 
-        result = draw_objects(scene, frame, number, form, counts, object, before);
+        result = draw_objects(scene, frame, number, drawing, object, before);
         refused = result == POLYGON_DRAWN ? refused : result;
         while (instance < header->instances && scene->instances[instance].before == before)
             instance++;
@@ -99,6 +98,6 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
         refused = result == POLYGON_DRAWN ? refused : result;
         object = before;
     }
-    result = draw_objects(scene, frame, number, form, counts, object, header->objects);
+    result = draw_objects(scene, frame, number, drawing, object, header->objects);
     return result == POLYGON_DRAWN ? refused : result;
 }

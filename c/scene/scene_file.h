@@ -10,7 +10,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 4,
+    SCENE_VERSION = 5,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -59,6 +59,7 @@ struct scene_material {
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
     uint32 colour;              /* pixel of a flat material */
     int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
+    fix16 tolerance;            /* texels, 0 to TOLERANCE_MAX; 0 without a perspective */
 };
 
 /* One convex polygon that moves: in frame f it is drawn with pose

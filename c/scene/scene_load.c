@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include "polygon/math.h"
+#include "polygon/tolerance.h"
 #include "span/logarithm.h"
 #include "system/file.h"
 #include "system/system.h"
@@ -158,6 +159,8 @@ static const char *wrong_material(const struct scene *scene)
             || (m->perspective && (m->mapper != MAPPER_AFFINE || m->start != START_SUBTEXEL
                                    || m->gradients != GRADIENTS_PLANE)))
             return "material.perspective";
+        if (m->tolerance < 0 || m->tolerance > TOLERANCE_MAX || (m->tolerance && !m->perspective))
+            return "material.tolerance";
         if (layouts[m->mapper] == MAP_LAYOUTS ? m->texture != NO_TEXTURE
             : (uint32)m->texture >= h->textures
               || scene->textures[m->texture].layout != layouts[m->mapper])
@@ -248,7 +251,7 @@ static const char *wrong_entry(const struct scene *scene)
 static int32 needs_reciprocals(const struct scene_material *material)
 {
     return material->perspective == PERSPECTIVE_EVERY16
-        || material->perspective == PERSPECTIVE_EVERY8;
+        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
 }
 
 static int32 needs_logarithms(const struct scene_material *material)
@@ -305,13 +308,16 @@ static int32 make_materials(struct scene *scene)
 
     if (!mem_alloc(&scene->drawn, (int32)(count * sizeof *to), MEMORY_ANY))
         return 0;
-    for (to = scene->drawn; count; count--, from++, to++) {
+    to = scene->drawn;
+    for (uint32 i = 0; i < count; i++, from++, to++) {
         to->mapper = (uint8)from->mapper;
         to->edges = (uint8)from->edges;
         to->gradients = (uint8)from->gradients;
         to->start = (uint8)from->start;
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
+        to->number = (uint16)i;
+        to->tolerance = from->tolerance;
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;

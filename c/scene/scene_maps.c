@@ -40,6 +40,18 @@ static uint32 map_bytes(const struct scene_texture *t)
     return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
 }
 
+/* What lowering asks of a light table. */
+static void judge_light(struct map *map)
+{
+    const uint8 *dark = map->texels, *full = dark + 256 * (LIGHT_LEVELS - 1);
+
+    map->full = map->dark = 1;
+    for (int32 i = 0; i < 256; i++) {
+        map->full &= full[i] == i;
+        map->dark &= dark[i] == dark[0];
+    }
+}
+
 /* Copies a texture to its place, given where the map's memory begins. */
 static void make_map(struct map *map, const struct scene_texture *t, const uint8 *from,
                      uint8 *texels)
@@ -60,6 +72,9 @@ static void make_map(struct map *map, const struct scene_texture *t, const uint8
     map->scale = map_scale(t->width, t->height);
     map->layout = (uint8)t->layout;
     map->texel_bytes = (uint8)t->texel_bytes;
+    map->full = map->dark = 0;
+    if (t->layout == MAP_LIGHT)
+        judge_light(map);
 }
 
 /* All maps lie in one block, layout by layout: those of a page, from a multiple of

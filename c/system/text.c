@@ -2,7 +2,7 @@
 
 #include "system/system.h"
 
-#define LINE 256
+#define LINE 512
 
 static char line[LINE + 2];
 static int32 length;

@@ -33,7 +33,8 @@ struct map {
     fix16 scale;                /* texels for 1 of s or t: the longer side / 256 */
     uint8 layout;
     uint8 texel_bytes;          /* 1: palette index; 2: RGB565, big-endian */
-    uint8 spare[2];
+    uint8 full, dark;           /* MAP_LIGHT: the last level shows texels as they are, the
+                                   first one makes all the same */
 };
 
 /* The scale of a map of this size. */

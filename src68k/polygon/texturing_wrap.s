@@ -24,7 +24,7 @@ travel  macro
 ;==============================================================================
 ; texturing_wrap - how a polygon's spans live with wraps of v in the addx chain
 ;
-; in:      a0  texturing*  v and its steps, for CHAIN_PLANE: at the box's middle
+; in:      a0  texturing*  v and its steps, but for CHAIN_ANYWHERE: at the box's middle
 ;          a1  rectangle*  the pixels that the polygon may cover
 ;          d0  int32       enum chain
 ; out:     -
@@ -34,19 +34,20 @@ travel  macro
 ; formats: a wrap of v in a span carries into the lowest bit of u. Where v stays
 ;          between two multiples of 256 all over the box, or shares no chain with u,
 ;          there is none. One wrap is caught by keeping that bit spare (1), with guard
-;          in it: 1 where v falls. Where there may be more, wraps is 1.
+;          in it: 1 where v falls. Where there may be more, or u keeps all bits
+;          (CHAIN_WHOLE), wraps is 1
 ; error:   none: where there is a doubt, it assumes a wrap
 ; cost:    about 190 cycles, 170 to 380; less without a chain
 ;==============================================================================
         routine texturing_wrap,a0,a1,d0
-        movem.l d2-d4,-(sp)
+        movem.l d2-d5,-(sp)
         moveq   #0,d2                   ; spare
         moveq   #0,d3                   ; wraps
         moveq   #0,d4                   ; guard
-        tst.l   d0
+        move.l  d0,d5
         beq     .done
-        subq.l  #CHAIN_PLANE,d0
-        bne     .may_wrap
+        subq.l  #CHAIN_ANYWHERE,d0
+        beq     .may_wrap
 
         ; from the box's middle to its farthest corner
         travel  dvdx,left,right,d0
@@ -64,6 +65,8 @@ travel  macro
         beq     .done
 
 .may_wrap
+        subq.l  #CHAIN_WHOLE,d5
+        beq.s   .wraps
         move.l  texturing_dvdx(a0),d0
         lsl.l   #8,d0                   ; as the chain steps it: modulo 256 texels
         bpl.s   .speed
@@ -84,5 +87,5 @@ travel  macro
 .done   move.l  d2,texturing_spare(a0)
         move.l  d3,texturing_wraps(a0)
         move.l  d4,texturing_guard(a0)
-        movem.l (sp)+,d2-d4
+        movem.l (sp)+,d2-d5
         rts

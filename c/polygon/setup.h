@@ -1,0 +1,42 @@
+/* A polygon on its way through the set-up: what the rules of lowering look at. */
+#ifndef SETUP_H
+#define SETUP_H
+
+#include "polygon/edges.h"
+#include "polygon/polygon.h"
+#include "polygon/sides.h"
+#include "polygon/texturing.h"
+#include "span/perspective.h"
+#include "span/scanline.h"
+
+/* Pixels that an edge's x may lie beyond its vertices, in 16.16: it starts and
+   steps within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
+#define EDGE_ERROR 1024
+
+struct setup {
+    const struct frame *frame;
+    const struct material *material;
+    enum form form;
+    uint32 off;                         /* see struct drawing */
+    struct draw_counts *counts;         /* of the material, or 0 */
+
+    const struct vertex *given;         /* as the caller gave them */
+    const struct vertex *vertices;      /* as material_vertices makes them: the whole polygon,
+                                           what gradients come from */
+    int32 count;
+    enum span_kind kind;                /* what draws it, from what is asked for down */
+    enum perspective setting;           /* SPAN_PERSPECTIVE: how, down from the material's */
+    int32 straight;                     /* ... each line is, from its first pixel on */
+
+    struct sides sides;
+    struct rectangle box;               /* what it may cover of the frame */
+    const struct vertex *outline;       /* what edges come from: vertices, or their clipped part */
+    int32 outline_count;
+    const struct sides *outline_sides;
+    struct edge_plan edges;
+    struct span_plan span;
+    struct texturing texturing;         /* where gradients are of the polygon */
+    struct perspective_plan *perspective;
+};
+
+#endif
