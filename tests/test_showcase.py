@@ -18,11 +18,11 @@ FRAMES = {"cube": 2, "floor": 2, "corridor": 2, "environment": 1, "rotator": 2, 
 def test_frames_are_the_models(name: str) -> None:
     """The first frames of each scene, bit for bit."""
     scene = compile_scene(SCENES / f"{name}.toml", FRAMES[name])
-    frames, figures = run.render(scene, "a1200-fast", "addx")
-    for number, frame in enumerate(frames):
+    drawn = run.render(scene, "a1200-fast", "addx")
+    for number, frame in enumerate(drawn.frames):
         assert np.array_equal(frame, model.render(scene, number)), number
         assert len(np.unique(frame)) > 4
-    assert all(figure["polygons"] for figure in figures)
+    assert all(figure["polygons"] for figure in drawn.figures)
 
 
 def test_report_shows_each_scene(tmp_path, monkeypatch) -> None:

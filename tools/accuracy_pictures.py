@@ -82,7 +82,7 @@ def swimming_scene() -> Scene:
 def write_swimming(out: Path) -> None:
     """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
     scene = swimming_scene()
-    frames, _ = render(scene, MACHINES[-1], "addx")
+    frames = render(scene, MACHINES[-1], "addx").frames
     pictures = []
     for frame in frames:
         big = np.kron(frame, np.ones((5, 5), np.uint8))
@@ -97,7 +97,7 @@ def write_swimming(out: Path) -> None:
 def write_mappers(out: Path) -> None:
     """mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
-    (frame,), _ = render(scene, MACHINES[-1], "addx")
+    (frame,) = render(scene, MACHINES[-1], "addx").frames
     picture = Image.fromarray(frame, "P")
     picture.putpalette(scene.palette.tobytes())
     picture.save(out / "mappers.png")

@@ -81,9 +81,9 @@ def measure(machine: str, on_step=None) -> list[Method]:
     made = []
     for name, settings in METHODS.items():
         scene = scene_of(settings)
-        frames, figures = render(scene, machine, "addx")
-        spent = sum(figure["cycles"] for figure in figures) / scene.frames
-        made.append(Method(name, scene.palette[np.stack(frames)], spent, errors_of(scene, settings)))
+        drawn = render(scene, machine, "addx")
+        spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
+        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent, errors_of(scene, settings)))
         if on_step:
             on_step()
     return made

@@ -199,7 +199,7 @@ def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.n
 def animation() -> list[Image.Image]:
     """Every other frame of the environment-mapped knot, in few colours: half the bytes."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
-    frames, *_ = run.render(compiled, "a1200-fast", "addx")
+    frames = run.render(compiled, "a1200-fast", "addx").frames
     colours, entries = fewer_colours(compiled.palette, frames[0])
     images = [Image.fromarray(entries[frame]) for frame in frames[::2]]
     for image in images:

@@ -5,6 +5,7 @@ import os
 import re
 import sys
 import tempfile
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -105,10 +106,17 @@ def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
     return frames
 
 
-def render(scene: Scene, machine: str, form: str,
-           off: str | None = None) -> tuple[list[np.ndarray], list[dict], list[dict]]:
-    """Frames, their figures and what was executed for each material, without the rules ``off``;
-    with a bar on stderr where that is a terminal."""
+@dataclass
+class Rendered:
+    """What a run gives."""
+
+    frames: list[np.ndarray]  # as ``load_dumps`` has them
+    figures: list[dict]  # of each frame
+    executed: list[dict]  # for each material: polygons, polygons by rule, pixels by span
+
+
+def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
+    """Renders all frames, without the rules ``off``; a bar on stderr where that is a terminal."""
     console = Console(stderr=True)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                TimeElapsedColumn())
@@ -122,8 +130,8 @@ def render(scene: Scene, machine: str, form: str,
         if done.code:
             raise UserError(f"render: return code {done.code}; "
                             + emulator.last_words(done.output))
-        return (load_dumps(done.directory, scene),
-                *parse_output(done.output, scene.frames, len(scene.materials)))
+        figures, executed = parse_output(done.output, scene.frames, len(scene.materials))
+        return Rendered(load_dumps(done.directory, scene), figures, executed)
 
 
 def total(figures: list[dict]) -> dict:
@@ -247,17 +255,18 @@ def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
     """Renders a scene file into the directory ``out``; raises UserError."""
     check_directory(out)
     scene = compile_scene(path, frames)
-    dumps, figures, executed = render(scene, machine, form, rules(off))
+    done = render(scene, machine, form, rules(off))
     content = parse(path)
     lowering = {name: {"asked": {kind: getattr(material, kind) for kind in SETTINGS}
-                       | {"tolerance": material.tolerance / ONE}} | done
-                for name, material, done in zip(content["materials"], scene.materials, executed)}
+                       | {"tolerance": material.tolerance / ONE}} | executed
+                for name, material, executed in zip(content["materials"], scene.materials,
+                                                    done.executed)}
     about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
              **provenance.record(), "width": scene.width, "height": scene.height,
              "pixel_bytes": scene.pixel_bytes, "lowering": lowering,
              "palette": scene.palette.tolist() if scene.pixel_bytes == 1 else None,
              "cycles_unit": CYCLES_UNIT,
-             "frames": figures, "totals": total(figures)}
-    publish(out, dumps, scene.palette, about)
+             "frames": done.figures, "totals": total(done.figures)}
+    publish(out, done.frames, scene.palette, about)
     print_report(about, out)
     return 0

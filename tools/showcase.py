@@ -58,13 +58,13 @@ def errors_of(scene: Scene) -> Errors:
 def show(name: str, machine: str, folder: Path) -> Shown:
     """Draws a scene: its animation goes to ``folder``/NAME.gif."""
     scene = compile_scene(SCENES / f"{name}.toml")
-    frames, figures, _ = run.render(scene, machine, "addx")
-    if any(len(np.unique(frame)) == 1 for frame in frames):
+    drawn = run.render(scene, machine, "addx")
+    if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
         raise UserError(f"{name}: a frame of one colour")
-    first, *others = [run.picture_of(frame, scene.palette) for frame in frames]
+    first, *others = [run.picture_of(frame, scene.palette) for frame in drawn.frames]
     first.save(folder / f"{name}.gif", save_all=True, append_images=others,
                duration=run.GIF_FRAME_MS, loop=0)
-    return Shown(name, run.total(figures), scene.frames, errors_of(scene))
+    return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
 
 
 def table(shown: list[Shown], machine: str) -> str:

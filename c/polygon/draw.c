@@ -206,7 +206,7 @@ static void make_lines(struct setup *s, enum span_kind kind)
         routines->exact_edges(&s->edges);
     else
         routines->edges(&s->edges);
-    if (!lower_leaves_out(s, RULE_INSIDE_FRAME))
+    if (!lower_to_no_scissor(s))
         cut_lines(s, routines->scissor);
 }
 
@@ -237,7 +237,7 @@ static void hold_lines(struct setup *s)
     struct hold_plan hold;
 
     if ((s->kind != SPAN_GOURAUD && s->kind != SPAN_ARBITRARY)
-        || lower_leaves_out(s, RULE_INSIDE_RANGE))
+        || lower_to_no_hold(s))
         return;
     material_range(&hold, s);
     hold.lines = (struct scanline *)s->span.lines;
@@ -312,6 +312,13 @@ static void draw_affine(struct setup *s)
         kind_routines[s->kind].span(&s->span);
 }
 
+/* A quick question: where it does, the polygon may lie outside the frame as a whole. */
+static int32 begins_outside(const struct setup *s)
+{
+    return (uint32)s->given->x >= (uint32)s->frame->width << 16
+        || (uint32)s->given->y >= (uint32)s->frame->height << 16;
+}
+
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
                                  const struct drawing *drawing)
@@ -328,7 +335,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
     s.given = vertices;
     s.count = count;
-    if (lower_leaves_out(&s, RULE_OUTSIDE))
+    if (begins_outside(&s) && lower_to_nothing(&s))
         return POLYGON_EMPTY;
     s.vertices = material_vertices(vertices, count, material);
     lower_by_vertices(&s);

@@ -157,8 +157,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     scale_plane(&plan->q, &planes.q, 32);
     scale_plane(&plan->s, &planes.s, scale);
     scale_plane(&plan->t, &planes.t, scale);
-    plan->gentle = is_gentle(&plan->q.dx) && is_gentle(&plan->q.dy) && is_gentle(&plan->s.dx)
-                && is_gentle(&plan->t.dx);
+    plan->gentle = is_gentle(&planes.q.dx) && is_gentle(&planes.q.dy) && is_gentle(&planes.s.dx)
+                && is_gentle(&planes.t.dx);
     plan->left = box->left;
     plan->q_low = least;
     return 1;

@@ -93,14 +93,13 @@ enum span_kind {
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
 
-/* Why less is drawn than a material asks for: c/polygon/lower.c has the table. Those that
-   lead from one kind of span stand together. */
+/* Why less is done than a material asks for: c/polygon/lower.c has them line by line. */
 enum rule {
     RULE_OUTSIDE,               /* the polygon lies beside the frame: nothing */
-    RULE_EQUAL_LEVELS,          /* the same level of light at all vertices: no interpolation */
-    RULE_FULL_LIGHT,            /* ... it shows the texels as they are: no light */
-    RULE_NO_LIGHT,              /* ... it makes all texels the same: no map */
     RULE_EQUAL_SHADES,          /* the same pixel at all vertices: flat */
+    RULE_EQUAL_LEVELS,          /* the same level of light at all vertices: no interpolation */
+    RULE_NO_LIGHT,              /* it makes all texels the same: flat */
+    RULE_FULL_LIGHT,            /* it shows the texels as they are: no light */
     RULE_CONSTANT_W,            /* the same depth at all vertices: affine */
     RULE_TOLERANCE,             /* affine is within the material's tolerance */
     RULE_COARSER,               /* pieces, or straight lines, are */

@@ -28,7 +28,7 @@ static const char *const span_names[SPAN_KINDS] = {
 };
 
 static const char *const rule_names[RULES] = {
-    "outside", "equal_levels", "full_light", "no_light", "equal_shades", "constant_w",
+    "outside", "equal_shades", "equal_levels", "no_light", "full_light", "constant_w",
     "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "still_u", "no_wrap",
     "no_wrap_lit"
 };
