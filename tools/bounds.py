@@ -55,7 +55,7 @@ Every line is held: 6B + 8U.
 
 from dataclasses import dataclass
 
-from . import bounds_perspective, ideal, model
+from . import bounds_perspective, ideal, model, model_tolerance
 from .fixed import ceil16, signed
 from .ideal import UNIT
 from .model_edges import Edge
@@ -328,9 +328,12 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
-        bounds_perspective.judge_texels(adapted, polygon, out)
+        bounds_perspective.judge_texels(adapted, polygon, settings.perspective,
+                                        settings.tolerance * UNIT, out)
     elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
-        bounds_perspective.judge_flattened(adapted, polygon, out)
+        flat = model_tolerance.is_flat(adapted, settings.tolerance)
+        bounds_perspective.judge_flattened(adapted, polygon,
+                                           settings.tolerance * UNIT if flat else None, out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         judge_texels(adapted, polygon, settings,
                      held_beyond(adapted, polygon, settings, size), out)

@@ -41,6 +41,9 @@ Where the planes are not sure enough (c/polygon/perspective.h) the polygon is dr
 exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
 may be as far apart as that.
 
+**A tolerance** (c/polygon/tolerance.c derives the errors): pieces longer than the setting's are off by
+it at most between their ends, straight lines and triangles drawn affine by it besides their own bounds.
+
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
 setting's 1/32 or 1/128 texel, its rounding included (see ``model_perspective.enough``).
 """
@@ -166,7 +169,7 @@ def line_bound(b: float, setting: str) -> float:
     return 1.25 * b + TOLERANCE[setting] + FLOAT
 
 
-def line_errors(vertices, polygon):
+def line_errors(vertices, polygon, tolerance: float = 0.0):
     """(u or v, line, pixels, error, what is intended, bound) of each line inside the exact polygon,
     in texels, arrays over the pixels but for the bound; vertices as ``model.adapt`` gives them,
     in front of the viewer."""
@@ -191,7 +194,8 @@ def line_errors(vertices, polygon):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
                 b = bound.line(made, y, inside)
-                yield key, y, columns, error, 0 * error, level_bound(b, polygon.setting, made.n)
+                yield (key, y, columns, error, 0 * error,
+                       level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
@@ -203,9 +207,14 @@ def line_errors(vertices, polygon):
             yield key, y, columns, error, wanted, allowed
 
 
-def judge_texels(vertices, polygon, out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict."""
-    for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon):
+def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; ``asked``: the
+    material's setting, ``tolerance`` its texels."""
+    for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
+        bent = float(abs(wanted).max())
+        if polygon.setting != asked and bent > tolerance + FLOAT and not out.complaint:
+            out.complaint = (f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
+                             f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
         k = int(abs(error).argmax())
         if abs(error[k]) > out.texel_error or not out.texel_bound:
             out.texel_error = float(abs(error[k]))
@@ -220,9 +229,10 @@ def judge_texels(vertices, polygon, out) -> None:
                              f"setting intends, {allowed:.9f} are allowed")
 
 
-def judge_flattened(vertices, polygon, out) -> None:
-    """The same of a polygon that is drawn affine though w differs; out.unsure counts it."""
-    out.unsure += 1
+def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
+    """The same of a polygon that is drawn affine though w differs: by its tolerance, or (None)
+    because its planes are not sure; out.unsure counts those."""
+    out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
     three = [vertices[k] for k in ideal.corners(vertices)]
     for y, line in enumerate(polygon.lines, polygon.top):
@@ -234,8 +244,8 @@ def judge_flattened(vertices, polygon, out) -> None:
         for key, curve, found in zip((2, 3), curves(vertices), polygon.coordinates(line, y)):
             values, spare = [v[key] for v in vertices], t.spare if key == 2 else 0
             plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
-            bound = spread * (max(values) - min(values)) * UNIT + max(
-                plane.bound(i, y, t.i, t.j, spare) for i in (left, right - 1))
+            bound = max(plane.bound(i, y, t.i, t.j, spare) for i in (left, right - 1)) + (
+                spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = abs(curve.errors(found[seen], columns, y))
             k = int(error.argmax())
             if error[k] > out.texel_error or not out.texel_bound:

@@ -24,6 +24,8 @@ BLOCK = 1000
 #: Width and height of a block's frame: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
+#: Of materials with a perspective, 1/65536 texel.
+TOLERANCES = (0, 0, 0, 655, 6554, ONE // 2, ONE)
 #: Of every map that takes any size.
 ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
 
@@ -149,7 +151,8 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) ->
         return each
     settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
     if settings.perspective != "none":
-        settings = replace(settings, gradients="plane", start="subtexel")
+        settings = replace(settings, gradients="plane", start="subtexel",
+                           tolerance=rng.choice(TOLERANCES))
     vertices = each.vertices
     if settings.perspective != "none" or len(vertices) == 3:  # none draws s and t flat on the screen
         vertices = fuzz_depths.in_depth(rng, rng.choice(fuzz_depths.KINDS), vertices, size)
@@ -198,7 +201,7 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
         s = each.settings
         material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
                             each.texture, 200 if s.mapper == "flat" else 0,
-                            len(maps) - 1 if s.mapper in LIT else -1)
+                            len(maps) - 1 if s.mapper in LIT else -1, s.tolerance)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(each.vertices), 0, 1, number))
         vertices += each.vertices

@@ -49,6 +49,7 @@ class Polygon:
     textured: bool
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
+    straight: bool = False  # the tolerance lets its lines be
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
     is_level: bool = False  # the perspective's depth does not change along lines
@@ -177,7 +178,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
             across = box[2] - box[0]
             setting, straight = coarser(deep, across, settings.perspective, settings.tolerance)
             return Polygon(box[1], lines, None, lefts, rights, textured, deep, setting,
-                           is_level=straight or is_level(deep, across, setting),
+                           straight, is_level=straight or is_level(deep, across, setting),
                            constants=constants(deep, lines, box, setting))
     t = None
     if textured and settings.gradients == "scanline":

@@ -21,10 +21,18 @@ static int32 counted(struct setup *s, enum rule rule)
     if (s->kind == SPAN_##from && APPLIES(rule, condition)) \
         s->kind = SPAN_##to;
 
-/* By a whole pixel where edges are rounded, so that no rounding leads inside. */
+static int32 is_beyond(fix16 value, uint32 far)
+{
+    return (uint32)value + far >= 2 * far;
+}
+
+/* By a whole pixel where edges are rounded, so that no rounding leads inside. What may be
+   refused is left to the set-up: a map is up to 128 texels for 1 of s. */
 static int32 is_outside(const struct setup *s)
 {
     enum { LEFT = 1, RIGHT = 2, ABOVE = 4, BELOW = 8 };
+    const uint32 far = (uint32)POLYGON_FAR << 16;
+    uint32 far_texel = s->material->map && s->material->map->scale > 65536 ? far >> 7 : far;
     fix16 right = (s->frame->width + 1) << 16, below = s->frame->height << 16;
     const struct vertex *v = s->given;
     uint32 sides = LEFT | RIGHT | ABOVE | BELOW;
@@ -38,7 +46,8 @@ static int32 is_outside(const struct setup *s)
             sides &= ~(uint32)ABOVE;
         if (v->y < below)
             sides &= ~(uint32)BELOW;
-        if (!sides)
+        if (!sides || is_beyond(v->x, far) || is_beyond(v->y, far)
+            || is_beyond(v->s, far_texel) || is_beyond(v->t, far_texel))
             return 0;
     }
     return 1;
