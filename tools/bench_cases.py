@@ -42,10 +42,10 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
-def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV):
+def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
     """A table of spans of one length; starts such that v wraps once in a long one."""
     rng = np.random.default_rng(length)
-    lines = min(128, max(16, 2048 // length))
+    lines = lines or min(128, max(16, 2048 // length))
     pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
     constants = layout.load().constants
     arena, far, picture = Arena(), Arena(), texture()

@@ -152,6 +152,8 @@ void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
 void span_affine_row(const struct span_plan *plan);
 void span_affine_column(const struct span_plan *plan);
+void span_affine_copy(const struct span_plan *plan);
+void span_affine_short(const struct span_plan *plan);
 void span_affine_scanline(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
 void span_gouraud(const struct span_plan *plan);
