@@ -15,6 +15,12 @@ enum scanline_constants {
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
+    /* Pixels of a line, at most, for the spans of short ones. */
+    SHORT_AFFINE = 16,
+    SHORT_ROW = 24,
+    SHORT_GOURAUD = 48,
+    SHORT_LIT = 12,
+
     /* In a lit line's shade: what the wraps of a falling v are taken from. */
     SHADE_FALLS = 0x3ff0000
 };
@@ -154,6 +160,11 @@ void span_affine_row(const struct span_plan *plan);
 void span_affine_column(const struct span_plan *plan);
 void span_affine_copy(const struct span_plan *plan);
 void span_affine_short(const struct span_plan *plan);
+void span_affine_short_wrap(const struct span_plan *plan);
+void span_row_short(const struct span_plan *plan);
+void span_gouraud_short(const struct span_plan *plan);
+void span_lit_short(const struct span_plan *plan);
+void span_lit_short_wrap(const struct span_plan *plan);
 void span_affine_scanline(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
 void span_gouraud(const struct span_plan *plan);
