@@ -15,11 +15,14 @@ enum scanline_constants {
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
-    /* Pixels of a line, at most, for the spans of short ones. */
-    SHORT_AFFINE = 16,
-    SHORT_ROW = 24,
-    SHORT_GOURAUD = 48,
-    SHORT_LIT = 12,
+    /* Pixels of a line, at most, for the spans of short ones: what of them the
+       instruction cache holds. */
+    SHORT_AFFINE = 18,
+    SHORT_AFFINE_WRAP = 16,
+    SHORT_AFFINE_ROW = 27,
+    SHORT_GOURAUD = 54,
+    SHORT_LIT = 13,
+    SHORT_LIT_WRAP = 12,
 
     /* In a lit line's shade: what the wraps of a falling v are taken from. */
     SHADE_FALLS = 0x3ff0000
@@ -161,7 +164,7 @@ void span_affine_column(const struct span_plan *plan);
 void span_affine_copy(const struct span_plan *plan);
 void span_affine_short(const struct span_plan *plan);
 void span_affine_short_wrap(const struct span_plan *plan);
-void span_row_short(const struct span_plan *plan);
+void span_affine_row_short(const struct span_plan *plan);
 void span_gouraud_short(const struct span_plan *plan);
 void span_lit_short(const struct span_plan *plan);
 void span_lit_short_wrap(const struct span_plan *plan);

@@ -25,20 +25,29 @@ short_line macro
         bmi.s   .done
         move.l  (a0)+,d0                ; start0:left
         lea     (a6,d0.w),a1
+        ifc     \1,d0
         move.w  (a0)+,d6
         sub.w   d0,d6
         bmi.s   .empty
         neg.w   d6
         move.w  (a0)+,\1
+        else
+        move.l  (a0)+,d6
+        move.w  d6,\1
+        swap    d6
+        sub.w   d0,d6
+        bmi.s   .empty
+        neg.w   d6
+        endc
         endm
 
 ; Behind the jump to a line's pixels. \1: bytes on the stack, if there are any.
 short_close macro
-.empty  addq.l  #6,a0
+.empty  addq.l  #\1,a0
         bra     .next
 .done
-        ifnb    \1
-        addq.l  #\1,sp
+        ifnb    \2
+        addq.l  #\2,sp
         endc
         movem.l (sp)+,SHORT_KEPT
         rts

@@ -15,17 +15,19 @@
 ; cost:    bench row affine_copy
 ;==============================================================================
 
+ALIGNED equ 48
+
         routine span_affine_copy,a0
-        movem.l d2-d7/a2-a4/a6,-(sp)
+        movem.l d2-d7/a2-a6,-(sp)
         move.l  span_plan_map(a0),d1    ; mm00
         move.l  span_plan_pitch(a0),d6
         movea.l span_plan_row(a0),a6
         move.l  span_plan_count(a0),d7
         movea.l span_plan_lines(a0),a0
-        moveq   #-1,d3
+        lea     .next(pc),a5
         moveq   #0,d4
         not.b   d4                      ; 255
-        moveq   #3,d5
+        moveq   #ALIGNED-9,d5
         lea     .body_end-2(pc),a3
         bra     .line
 
@@ -33,17 +35,17 @@
         move.l  (a2)+,(a1)+
         endr
 .body_end
-.ran    tst.w   d3
-        bpl.s   .more
+.ran    jmp     (a5)
 .next   adda.l  d6,a6
 .line   subq.w  #1,d7
         bmi.s   .done
         move.l  (a0)+,d0                ; --:left
         lea     (a6,d0.w),a1
-        move.w  (a0)+,d2
+        move.l  (a0)+,d2                ; last:Vv
+        move.w  d2,d1                   ; mmVv
+        swap    d2
         sub.w   d0,d2                   ; pixels - 1
         bmi.s   .empty
-        move.w  (a0)+,d1                ; mmVv
         move.l  (a0)+,d0
         move.b  d0,d1                   ; mmVU
         moveq   #0,d0
@@ -56,40 +58,47 @@
         bmi.s   .bytes
         move.l  (a2)+,(a1)+
         move.l  -4(a2,d2.w),-4(a1,d2.w)
-        subq.w  #5,d2
+        subq.w  #5,d2                   ; pixels - 9
         bmi.s   .ran
-        move.w  a1,d0
-        and.w   d5,d0
+        cmp.w   d5,d2
+        bcs.s   .longwords
+        move.w  a2,d0
+        and.w   #3,d0
         add.w   d0,d2
         suba.w  d0,a1
         suba.w  d0,a2
+
+.longwords
         lsr.w   #2,d2
         neg.w   d2
         jmp     (a3,d2.w*2)
 
 .bytes  addq.w  #2,d2                   ; pixels - 2
         bmi.s   .one
-        move.w  (a2),(a1)
-        move.w  (a2,d2.w),(a1,d2.w)
-        bra.s   .ran
+        beq.s   .two
+        move.w  (a2)+,(a1)+
 .one    move.b  (a2),(a1)
-        bra.s   .ran
+        jmp     (a5)
+
+.two    move.w  (a2),(a1)
+        jmp     (a5)
+
+.empty  addq.l  #4,a0
+        bra.s   .next
+.done   movem.l (sp)+,d2-d7/a2-a6
+        rts
 
 .wraps  sub.w   #256,d0
         move.w  d0,d3                   ; pixels behind the row's end - 1
         sub.w   d0,d2
         subq.w  #1,d2
         lea     1(a1,d2.w),a4
+        lea     .more(pc),a5
         bra.s   .run
 
 .more   movea.l a4,a1
         clr.b   d1
         move.w  d3,d2
         move.w  d3,d0
-        moveq   #-1,d3
+        lea     .next(pc),a5
         bra.s   .part
-
-.empty  addq.l  #6,a0
-        bra.s   .next
-.done   movem.l (sp)+,d2-d7/a2-a4/a6
-        rts

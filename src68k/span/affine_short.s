@@ -31,4 +31,4 @@
         lea     .pixels_end-12(pc,d6.w*4),a2
         add.l   a4,d1
         jmp     (a2,d6.w*8)
-        short_close
+        short_close 6

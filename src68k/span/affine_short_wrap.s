@@ -11,7 +11,7 @@
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
-; formats: as span_affine_addx_wrap; no line is longer than SHORT_AFFINE
+; formats: as span_affine_addx_wrap; no line is longer than SHORT_AFFINE_WRAP
 ; error:   none, as span_affine_addx_wrap
 ; cost:    bench row affine_short_wrap
 ;==============================================================================
@@ -23,7 +23,7 @@
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line
-        rept    SHORT_AFFINE
+        rept    SHORT_AFFINE_WRAP
         pixel_apart
         endr
         short_line d0
@@ -32,4 +32,4 @@
         lea     .pixels_end-14(pc,d6.w*2),a2
         lea     (a2,d6.w*4),a2
         jmp     (a2,d6.w*8)
-        short_close
+        short_close 6

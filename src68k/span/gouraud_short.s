@@ -36,4 +36,4 @@ pixel   macro
         move.w  d5,d0                   ; ss-S
         add.l   a4,d0
         jmp     .pixels_end-4(pc,d6.w*4)
-        short_close
+        short_close 4

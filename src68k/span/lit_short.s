@@ -38,4 +38,4 @@ pixel   macro
         lea     .pixels_end-16(pc,d6.w*8),a2
         add.l   a4,d1
         jmp     (a2,d6.w*8)
-        short_close
+        short_close 6

@@ -12,7 +12,7 @@
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
 ;          256 bytes at light, a multiple of 256
 ; writes:  the pixels of the lines, nothing else
-; formats: as span_lit_wrap; no line is longer than SHORT_LIT
+; formats: as span_lit_wrap; no line is longer than SHORT_LIT_WRAP
 ; error:   none, as span_lit_wrap
 ; cost:    bench row lit_short_wrap
 ;==============================================================================
@@ -30,7 +30,7 @@ pixel   macro
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line
-        rept    SHORT_LIT
+        rept    SHORT_LIT_WRAP
         pixel
         endr
         short_line d0
@@ -41,4 +41,4 @@ pixel   macro
         lea     (a2,d6.w*8),a2
         move.l  (sp),d6                 ; lll0
         jmp     (a2)
-        short_close 4
+        short_close 6,4
