@@ -22,7 +22,9 @@ static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
-    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm"
+    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm",
+    "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
+    "lit_short", "lit_short_wrap"
 };
 
 static const char *const why_refused[] = {

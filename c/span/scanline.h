@@ -15,8 +15,8 @@ enum scanline_constants {
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
-    /* Pixels of a line, at most, for the spans of short ones: what of them the
-       instruction cache holds. */
+    /* The most pixels a line may have for the spans of short lines: what the
+       instruction cache has room for. */
     SHORT_AFFINE = 18,
     SHORT_AFFINE_WRAP = 16,
     SHORT_AFFINE_ROW = 27,

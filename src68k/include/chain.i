@@ -133,6 +133,19 @@ pixel_apart macro
         draw
         endm
 
+; One coordinate alone, carried into itself: u in d0, its step in d2. 8 bytes.
+pixel_row macro
+        move.b  d0,d4                   ; mmVU
+        addx.l  d2,d0
+        draw
+        endm
+
+; The same for a shade, which is the pixel itself. 4 bytes.
+pixel_shade macro
+        move.b  d0,(a1)+
+        addx.l  d2,d0
+        endm
+
 ; A chain of three registers d0-d2, their steps in d3-d5: \1 ..Vv, d1 --U, \2 ..Cc, the
 ; level of light. The map's page in d6, the light table's in d7. 20 bytes.
 pixel_lit macro

@@ -9,16 +9,21 @@
 ; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
-; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1, dvdx 0,
-;          both modulo 256, and not read
+; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1 texel and
+;          dvdx 0, both modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u) + n, floor(v))
 ; cost:    bench row affine_copy
 ;==============================================================================
+; A line is consecutive texels of the map's row, in parts up to the row's end: by a
+; longword at both ends of a part and longwords between, which overlap. From ALIGNED
+; pixels on their reads are aligned: chip RAM then gives back what that costs. It costs
+; more in shorter parts, and aligned writes gain less. MOVEM is quicker still, but only
+; with more registers than are free: keeping them takes what 64 pixels gain.
 
-ALIGNED equ 48
+ALIGNED equ     48              ; pixels
 
         routine span_affine_copy,a0
-        movem.l d2-d7/a2-a6,-(sp)
+        save_all
         move.l  span_plan_map(a0),d1    ; mm00
         move.l  span_plan_pitch(a0),d6
         movea.l span_plan_row(a0),a6
@@ -31,7 +36,7 @@ ALIGNED equ 48
         lea     .body_end-2(pc),a3
         bra     .line
 
-.body   rept    63
+.body   rept    62
         move.l  (a2)+,(a1)+
         endr
 .body_end
@@ -59,18 +64,18 @@ ALIGNED equ 48
         move.l  (a2)+,(a1)+
         move.l  -4(a2,d2.w),-4(a1,d2.w)
         subq.w  #5,d2                   ; pixels - 9
-        bmi.s   .ran
+        bmi.s   .ran                    ; drawn already
         cmp.w   d5,d2
         bcs.s   .longwords
         move.w  a2,d0
-        and.w   #3,d0
+        and.w   #3,d0                   ; bytes back to a boundary
         add.w   d0,d2
         suba.w  d0,a1
         suba.w  d0,a2
 
 .longwords
-        lsr.w   #2,d2
-        neg.w   d2
+        lsr.w   #2,d2                   ; longwords - 1
+        neg.w   d2                      ; 2 bytes of code each
         jmp     (a3,d2.w*2)
 
 .bytes  addq.w  #2,d2                   ; pixels - 2
@@ -85,17 +90,17 @@ ALIGNED equ 48
 
 .empty  addq.l  #4,a0
         bra.s   .next
-.done   movem.l (sp)+,d2-d7/a2-a6
-        rts
+.done   return_all
 
 .wraps  sub.w   #256,d0
         move.w  d0,d3                   ; pixels behind the row's end - 1
         sub.w   d0,d2
         subq.w  #1,d2
-        lea     1(a1,d2.w),a4
+        lea     1(a1,d2.w),a4           ; where they go
         lea     .more(pc),a5
         bra.s   .run
 
+        ; the next part, from the row's beginning
 .more   movea.l a4,a1
         clr.b   d1
         move.w  d3,d2

@@ -4,7 +4,7 @@
         include "short.i"
 
 ;==============================================================================
-; span_lit_short - span_lit for lines of 12 pixels at most
+; span_lit_short - span_lit for short lines
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
 ; out:     -
@@ -12,18 +12,14 @@
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
 ;          256 bytes at light, a multiple of 256
 ; writes:  the pixels of the lines, nothing else
-; formats: as span_lit; no line is longer than SHORT_LIT
+; formats: as span_lit; a line has SHORT_LIT pixels at most
 ; error:   none, as span_lit
-; cost:    bench row lit_short
+; cost:    bench row affine_lit_short
 ;==============================================================================
-
-pixel   macro
-        texel_next
-        draw_lit d5
-        endm
 
         routine span_lit_short,a0
         short_open
+        move.l  span_plan_map(a0),d4    ; mm00
         move.l  span_plan_dudx(a0),d2
         move.l  span_plan_dvdx(a0),d5
         chain_steps
@@ -31,11 +27,12 @@ pixel   macro
         movea.l span_plan_lines(a0),a0
         bra     .line
         rept    SHORT_LIT
-        pixel
+        texel_next
+        draw_lit d5
         endr
-        short_line d0
+        short_line
         move.l  (a0)+,d1
         lea     .pixels_end-16(pc,d6.w*8),a2
         add.l   a4,d1
         jmp     (a2,d6.w*8)
-        short_close 6
+        short_close
