@@ -46,10 +46,10 @@ def made(kernel: str, arena: Arena, far: Arena, pointers: dict[str, int], frame_
     return Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
 
 
-def lit_case(kernel: str, length: int, lines: int = 0):
+def lit_case(kernel: str, length: int):
     """A table of lit spans of one length, as tools.bench_cases.span_case."""
     rng = np.random.default_rng(length)
-    lines = lines or min(128, max(16, 2048 // length))
+    lines = min(128, max(16, 2048 // length))
     arena, far, texels = Arena(), Arena(), picture()
     light = rng.integers(0, 256, (LEVELS, 256), dtype=np.uint8)
     map_at, light_at = far.add(texels.tobytes(), 65536), far.add(light.tobytes(), 65536)
