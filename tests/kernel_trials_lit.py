@@ -8,7 +8,7 @@ from kernel_checker import Memory, Trial, values
 from kernel_trials_edge import BIAS, ONE
 from kernel_trials_scanline import held, table_of, table_write
 from kernel_trials_span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
-                                steps_text, table_trial, texels, texture)
+                                sizes, steps_text, table_trial, texels, texture)
 from tools import layout
 from tools.fixed import signed
 from tools.kernels import M32, Case
@@ -36,7 +36,7 @@ def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> 
     (counts, pitch), level, starts = size, int(rng.integers(LEVELS)), []
     for count in (count for count in counts for _ in range(4)):
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel == "span_lit":
+        if kernel in ("span_lit", "span_lit_short"):
             u, v, count = once_wrapping(u, v, count, *steps, rng)
         starts.append((count, u, v))
 
@@ -83,7 +83,7 @@ def pairs_of(rng) -> list[tuple[int, int]]:
 def lit_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds, on short and on long lines."""
     return [lit_trial(kernel, pair, size, rng, k % 8 == 7)
-            for size in (SHORT, LONG) for k, pair in enumerate(pairs_of(rng))]
+            for size in sizes(kernel) for k, pair in enumerate(pairs_of(rng))]
 
 
 def gouraud_trials(rng) -> list[Trial]:
@@ -140,8 +140,9 @@ def shade_trial(rng, most: int, inside: bool) -> Trial:
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    rng = [np.random.default_rng([11, seed]) for seed in range(4)]
+    rng = [np.random.default_rng([11, seed]) for seed in range(6)]
     return [*lit_trials("span_lit", rng[0]), *lit_trials("span_lit_wrap", rng[1]),
-            *gouraud_trials(rng[2]),
+            *gouraud_trials(rng[2]), *lit_trials("span_lit_short", rng[4]),
+            *lit_trials("span_lit_short_wrap", rng[5]),
             *(shade_trial(rng[3], most, inside) for most in (1, 2, 3, 40, 320)
               for inside in (False, True) for _ in range(20))]

@@ -1,13 +1,13 @@
 """Trials of the Gouraud span, the map of any size and the generated code."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
 from kernel_checker import Memory, Trial
 from kernel_trials_edge import ONE
 from kernel_trials_span import (
-    FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory, steps_text, table_trial, texture)
+    FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory, sizes, steps_text, table_trial, texture)
 from tools import model_spans
 
 #: Maps of any size: columns, rows.
@@ -85,7 +85,7 @@ def arbitrary_trials(rng) -> list[Trial]:
     return trials
 
 
-def gouraud_trial(step: int, size, rng, upwards: bool) -> Trial:
+def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
     """One table of shades."""
     counts, pitch = size
     reduced = abs((step + (128 << 16)) % (256 << 16) - (128 << 16)) / ONE
@@ -96,16 +96,16 @@ def gouraud_trial(step: int, size, rng, upwards: bool) -> Trial:
     def drawn(count: int, u: int, v: int) -> bytes:
         return ((u + np.arange(count, dtype=np.int64) * step) >> 16 & 255).astype(np.uint8).tobytes()
 
-    return table_trial("span_gouraud", "plain", starts, pitch, rng, upwards, picture_memory(),
-                       drawn, steps_text(step, 0), dudx=step, dvdx=int(rng.integers(1 << 31)))
+    return table_trial(kernel, "plain", starts, pitch, rng, upwards, picture_memory(), drawn,
+                       steps_text(step, 0), dudx=step, dvdx=int(rng.integers(1 << 31)))
 
 
-def gouraud_trials(rng) -> list[Trial]:
+def gouraud_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds, on short and on long lines."""
     steps = [*STEPS, *(a for a, _ in PAIRS), *(int(n) for n in rng.integers(-ONE, ONE, 8)),
              *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
-    return [gouraud_trial(step, size, rng, k % 8 == 7)
-            for size in (SHORT, LONG) for k, step in enumerate(steps)]
+    return [gouraud_trial(kernel, step, size, rng, k % 8 == 7)
+            for size in sizes(kernel) for k, step in enumerate(steps)]
 
 
 def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
@@ -139,5 +139,7 @@ def generated_trials(rng) -> list[Trial]:
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    return [trial for seed, make in enumerate((gouraud_trials, arbitrary_trials, generated_trials))
+    makers = (partial(gouraud_trials, "span_gouraud"), arbitrary_trials, generated_trials,
+              partial(gouraud_trials, "span_gouraud_short"))
+    return [trial for seed, make in enumerate(makers)
             for trial in make(np.random.default_rng([7, seed]))]

@@ -25,6 +25,11 @@ STEPS = (0, 1, -1, ONE, -ONE, 0x18000, -0x18000, 128 * ONE - 1, -128 * ONE + 1)
 PAIRS = ((0, -0x80), (0, -0x100), (0, -0x180), (3 * ONE, -0x12345), (-2 * ONE, -0x100),
          (-ONE, -0x30000), (5 * ONE, -0x8001), (0x100, -0x100), (0xFFFF, -0xFFFF), (0x8000, -7 * ONE),
          (0xFF, 0xFF), (-0xFF, 0x1FF), (2, 0x40), (2, -0x40), (0, -128 * ONE), (-128 * ONE, ONE))
+#: The most pixels of a line, and as SHORT and LONG, of the spans for short lines.
+MOST = {f"span_{name}": layout.load().constants[f"SHORT_{constant}"] for name, constant in (
+    ("affine_short", "AFFINE"), ("affine_short_wrap", "AFFINE_WRAP"),
+    ("affine_row_short", "AFFINE_ROW"), ("gouraud_short", "GOURAUD"), ("lit_short", "LIT"),
+    ("lit_short_wrap", "LIT_WRAP"))}
 COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
 TURN = 1 << 24  # u and v repeat after 256 texels
 
@@ -42,6 +47,13 @@ def picture_memory() -> tuple[Memory, int, int]:
     memory = Memory(3)
     frame = memory.add(memory.noise.bytes(FRAME), name="frame")
     return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
+
+
+def sizes(kernel: str) -> tuple:
+    """The lines of its tables: SHORT and LONG, or all that a span for short lines can draw."""
+    if kernel not in MOST:
+        return SHORT, LONG
+    return ((0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, MOST[kernel] + 1)), 128),
 
 
 @dataclass(frozen=True)
@@ -65,7 +77,7 @@ def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
 
 
 def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tuple[int, int, int]:
-    """u, v and count changed to what span_affine_addx can draw: v wraps at most once in
+    """u, v and count changed to what the addx chain can draw: v wraps at most once in
     the line, and where it does, the lowest bit of u is free for it."""
     speed = (dvdx + TURN // 2) % TURN - TURN // 2
     if speed:
@@ -149,7 +161,8 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
 
 def form_of(kernel: str) -> str:
     """How the lines of a span routine are packed."""
-    chained = ("_addx", "_row", "_column", "_scanline", "_wrap")
+    chained = ("_addx", "_row", "_column", "_scanline", "_wrap", "_copy",
+               "_short")
     return "addx" if "affine" in kernel and any(part in kernel for part in chained) else "plain"
 
 
@@ -162,7 +175,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     starts = []
     for count in (count for count in counts for _ in range(4)):
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel == "span_affine_addx":
+        if kernel in ("span_affine_addx", "span_affine_short"):
             u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
         starts.append((count, u, v))
 
@@ -191,15 +204,40 @@ def alone_trials(kernel: str, rng) -> list[Trial]:
               *(int(n) for n in rng.integers(-ONE, ONE, 8)),
               *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
     trials = []
-    for sizes in (SHORT, LONG):
+    for counts, pitch in sizes(kernel):
         for k, step in enumerate(moving):
             still = (0, TURN, -3 * TURN)[k % 3]
             reduced = abs((step + TURN // 2) % TURN - TURN // 2) / ONE
             longest = int(ALONE_MOST / reduced) if reduced else ALONE_MOST
-            size = [min(count, longest) for count in sizes[0]], sizes[1]
-            pair = (step, still) if kernel.endswith("_row") else (still, step)
+            size = [min(count, longest) for count in counts], pitch
+            pair = (step, still) if "_row" in kernel else (still, step)
             trials.append(span_trial(kernel, *pair, 0, size, rng, k % 8 == 7))
     return trials
+
+
+def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwards: bool) -> Trial:
+    """One table of copied texels: every count at all four alignments of the pixels, from
+    texels at ``source`` modulo 4. ``near``: some of each line lies behind its row's end."""
+    steps = ONE + TURN * int(rng.integers(-3, 4)), TURN * int(rng.integers(-3, 4))
+    starts = []
+    for count in (count for count in counts for _ in range(4)):
+        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
+        starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return texels(u, v, ONE, 0, count).tobytes()
+
+    return table_trial("span_affine_copy", "addx", starts, pitch, rng, upwards, picture_memory(),
+                       drawn, steps_text(*steps), dudx=steps[0], dvdx=steps[1])
+
+
+def copy_trials(rng) -> list[Trial]:
+    """Lines of all lengths up to 72 pixels, and longer ones, at all alignments."""
+    tables = ((*SHORT[0], *range(41, 73)), SHORT[1]), LONG, \
+        ((253, 254, 255, 256, 257, 258, 511, 512, 513, 768, 1000, 1021, 1022, 1023), LONG[1])
+    return [copy_trial(counts, pitch, source, near, rng, upwards=source == 3)
+            for counts, pitch in tables for near in (False, True) for source in range(4)]
 
 
 def steps_text(dudx: int, dvdx: int) -> str:
@@ -221,15 +259,18 @@ def span_trials(kernel: str, rng) -> list[Trial]:
         steps = steps[::4]
     long_steps = [*PAIRS[:8], *(steps[k] for k in rng.choice(len(steps), 24, replace=False))]
     return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7)
-            for size, chosen in ((SHORT, steps), (LONG, long_steps))
+            for size, chosen in zip(sizes(kernel), (steps, long_steps))
             for k, pair in enumerate(chosen)]
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
-             "span_affine_c", "span_affine_scanline", "span_fill_16")
+             "span_affine_c", "span_affine_scanline", "span_fill_16", "span_affine_short",
+             "span_affine_short_wrap")
     made = [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]
-    return made + [trial for seed, name in enumerate(("span_affine_row", "span_affine_column"))
-                   for trial in alone_trials(name, np.random.default_rng([4, seed]))]
+    alone = "span_affine_row", "span_affine_column", "span_affine_row_short"
+    made += [trial for seed, name in enumerate(alone)
+             for trial in alone_trials(name, np.random.default_rng([4, seed]))]
+    return made + copy_trials(np.random.default_rng([4, 100]))

@@ -20,6 +20,9 @@ from .scanline import MASKS, add_span_plan, pack, rounded_edge
 DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 DC = 0x00A00  # shade a pixel, 16.16
 SPAN_LENGTHS = (256, 64, 16, 4)
+#: Of the spans for short lines and of the copying one: kernel, steps, lengths.
+SPECIAL = (("affine_copy", 1 << 16, 0, (256, 64, 16, 4, 1)), ("affine_short", DU, DV, (16, 4, 1)),
+           ("affine_short_wrap", DU, DV, (16, 4, 1)), ("affine_row_short", DU, 0, (24, 16, 4, 1)))
 EDGE_LINES = 64
 
 
@@ -42,10 +45,10 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
-def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV):
+def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
     """A table of spans of one length; starts such that v wraps once in a long one."""
     rng = np.random.default_rng(length)
-    lines = min(128, max(16, 2048 // length))
+    lines = lines or min(128, max(16, 2048 // length))
     pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
     constants = layout.load().constants
     arena, far, picture = Arena(), Arena(), texture()
@@ -284,6 +287,17 @@ def floor_case(name: str, length: int = 1024):
                         far=far, far_pointers={"a0": source_at, "a1": out_at}), check
 
 
+def special_rows() -> list[Row]:
+    """The spans of special cases; what ends in _once draws a table of one pixel."""
+    rows = [Row(name, length, *span_case(f"span_{name}", "addx", length, du, dv))
+            for name, du, dv, lengths in SPECIAL for length in lengths]
+    rows += [Row(f"{name}_once", 1, *span_case(f"span_{name}", "addx", 1, lines=1))
+             for name in ("affine_addx", "affine_short")]
+    rows += [Row("gouraud_short", n, *mapper_case("gouraud_short", n)) for n in (48, 16, 4, 1)]
+    return rows + [Row(f"affine_{name}", n, *lit_case(f"span_{name}", n))
+                   for name in ("lit_short", "lit_short_wrap") for n in (12, 4, 1)]
+
+
 def pixel_rows(chip: bool) -> list[Row]:
     """All rows counted in pixels (or steps of one pixel)."""
     rows = []
@@ -305,6 +319,7 @@ def pixel_rows(chip: bool) -> list[Row]:
         rows.append(Row("persp_pixel", length, *bench_logarithm.span_case(length)))
         rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
         rows += [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
+    rows += special_rows()
     rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
     # One line: written, flushed and drawn once.
     rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))

@@ -236,8 +236,8 @@ static void hold_lines(struct setup *s)
 {
     struct hold_plan hold;
 
-    if ((s->kind != SPAN_GOURAUD && s->kind != SPAN_ARBITRARY)
-        || lower_to_no_hold(s))
+    if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
+        || is_flat(s) || lower_to_no_hold(s))
         return;
     material_range(&hold, s);
     hold.lines = (struct scanline *)s->span.lines;

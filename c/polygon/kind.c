@@ -20,5 +20,14 @@ const struct kind_routines kind_routines[SPAN_KINDS] = {
     [SPAN_GENERATED] = {edge_plain, edge_plain_exact, scissor_plain, span_generated},
     [SPAN_LIT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit},
     [SPAN_LIT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_wrap},
-    [SPAN_LIT_GOURAUD] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_gouraud}
+    [SPAN_LIT_GOURAUD] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_gouraud},
+    [SPAN_AFFINE_COPY] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_copy},
+    [SPAN_AFFINE_SHORT] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_short},
+    [SPAN_AFFINE_SHORT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
+                                span_affine_short_wrap},
+    [SPAN_AFFINE_ROW_SHORT] = {edge_addx, edge_addx_exact, scissor_addx,
+                               span_affine_row_short},
+    [SPAN_GOURAUD_SHORT] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud_short},
+    [SPAN_LIT_SHORT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_short},
+    [SPAN_LIT_SHORT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_short_wrap}
 };

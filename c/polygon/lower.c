@@ -164,11 +164,19 @@ void lower_by_planes(struct setup *s)
 void lower_by_steps(struct setup *s)
 {
     fix16 dudx = s->span.dudx, dvdx = s->span.dvdx;
+    int32 width = s->box.right - s->box.left;
 
     LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, is_still(dvdx) && is_slow(dudx))
+    LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY, is_still(dudx - 65536) && width >= COPY_LEAST)
     LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, is_still(dudx) && is_slow(dvdx))
     LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
     LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
+    LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
+    LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
+    LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
+    LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
+    LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
+    LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
 }
 
 int32 lower_to_no_scissor(struct setup *s)

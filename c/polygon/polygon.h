@@ -82,13 +82,15 @@ enum mapper {
 };
 
 /* Which routines drew, counted where it is asked for. A polygon with a perspective is drawn by
-   one or two of the last four. */
+   one or two of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
 enum span_kind {
     SPAN_FILL, SPAN_FILL_16, SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
     SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
     SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
     SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
     SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
+    SPAN_AFFINE_COPY, SPAN_AFFINE_SHORT, SPAN_AFFINE_SHORT_WRAP, SPAN_AFFINE_ROW_SHORT,
+    SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -107,9 +109,12 @@ enum rule {
     RULE_INSIDE_RANGE,          /* u and v cannot leave the map, or shades the vertices' range:
                                    no line is moved */
     RULE_STILL_V,               /* v does not change along lines */
-    RULE_STILL_U,               /* u does not */
+    RULE_UNIT_STEP,             /* ... and u moves a texel a pixel: lines are copied */
+    RULE_STILL_U,               /* u does not change along lines */
     RULE_NO_WRAP,               /* v wraps once in a line at most */
     RULE_NO_WRAP_LIT,           /* the same in the light */
+    RULE_SHORT,                 /* no line is longer than the cache has room for: no loop; ... */
+    RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
     RULES
 };
 

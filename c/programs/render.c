@@ -24,13 +24,16 @@ static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
-    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm"
+    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm",
+    "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
+    "lit_short", "lit_short_wrap"
 };
 
 static const char *const rule_names[RULES] = {
     "outside", "equal_shades", "equal_levels", "no_light", "full_light", "constant_w",
-    "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "still_u", "no_wrap",
-    "no_wrap_lit"
+    "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "unit_step",
+    "still_u", "no_wrap", "no_wrap_lit", "short", "short_wrap", "short_row", "short_gouraud",
+    "short_lit", "short_lit_wrap"
 };
 
 static const char *const why_refused[] = {

@@ -15,6 +15,18 @@ enum scanline_constants {
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
+    /* The most pixels a line may have for the spans of short lines: what the
+       instruction cache has room for. */
+    SHORT_AFFINE = 18,
+    SHORT_AFFINE_WRAP = 16,
+    SHORT_AFFINE_ROW = 27,
+    SHORT_GOURAUD = 54,
+    SHORT_LIT = 13,
+    SHORT_LIT_WRAP = 12,
+
+    /* The fewest with which span_affine_copy is quicker than span_affine_row_short. */
+    COPY_LEAST = 5,
+
     /* In a lit line's shade: what the wraps of a falling v are taken from. */
     SHADE_FALLS = 0x3ff0000
 };
@@ -152,6 +164,13 @@ void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
 void span_affine_row(const struct span_plan *plan);
 void span_affine_column(const struct span_plan *plan);
+void span_affine_copy(const struct span_plan *plan);
+void span_affine_short(const struct span_plan *plan);
+void span_affine_short_wrap(const struct span_plan *plan);
+void span_affine_row_short(const struct span_plan *plan);
+void span_gouraud_short(const struct span_plan *plan);
+void span_lit_short(const struct span_plan *plan);
+void span_lit_short_wrap(const struct span_plan *plan);
 void span_affine_scanline(const struct span_plan *plan);
 void span_affine_swap(const struct span_plan *plan);
 void span_gouraud(const struct span_plan *plan);

@@ -42,12 +42,18 @@ add_below macro
         endm
 
 ; The steps d2 (u) and d5 (v), 16.16, as those of the chain of two registers (see
-; span_affine_addx): d2 uuVv, d3 v--U, a4 v---. Uses d0/d5.
+; span_affine_addx): d2 uuVv, d3 v--U, a4 v---. Uses d5.
 chain_steps macro
-        pack_uv d2,d5,d3                ; d2 uu--, d5 .Vv, d3 v--U
+        moveq   #0,d3
+        move.b  d5,d3
+        ror.l   #8,d3                   ; v---
+        movea.l d3,a4
+        lsr.l   #8,d5                   ; .Vv
+        swap    d2                      ; uuUU
+        move.b  d2,d3                   ; v--U
+        clr.w   d2                      ; uu--
         ext.l   d5
         add_below d2,d5,d3,b            ; uuVv
-        ahead   d3,d0,a4,w              ; v---
         endm
 
 ; Packs a step (\1, 16.16) that is carried into itself into ss-S, S with a byte of room
@@ -125,6 +131,19 @@ pixel_chain macro
 pixel_apart macro
         texel_next_apart
         draw
+        endm
+
+; One coordinate alone, carried into itself: u in d0, its step in d2. 8 bytes.
+pixel_row macro
+        move.b  d0,d4                   ; mmVU
+        addx.l  d2,d0
+        draw
+        endm
+
+; The same for a shade, which is the pixel itself. 4 bytes.
+pixel_shade macro
+        move.b  d0,(a1)+
+        addx.l  d2,d0
         endm
 
 ; A chain of three registers d0-d2, their steps in d3-d5: \1 ..Vv, d1 --U, \2 ..Cc, the

@@ -19,12 +19,6 @@
 ;==============================================================================
 ; A line's texels lie in one row of the map: u alone, carried into itself.
 
-pixel   macro
-        move.b  d0,d4                   ; mmVU
-        addx.l  d2,d0
-        draw
-        endm
-
         routine span_affine_row,a0
         alone_open dudx
         pack_alone d2,d5,a4
@@ -38,6 +32,6 @@ pixel   macro
         add.l   a4,d0
         jmp     (a3,d6.w*8)
 .pixels rept    16
-        pixel
+        pixel_row
         endr
         span_close d3

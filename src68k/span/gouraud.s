@@ -19,11 +19,6 @@
 ; One register that carries into itself, as pack_alone has it; MOVE, JMP and DBRA keep X
 ; between pixels.
 
-pixel   macro
-        move.b  d0,(a1)+
-        addx.l  d2,d0
-        endm
-
         routine span_gouraud,a0
         span_open
         move.l  span_plan_dudx(a0),d2
@@ -38,6 +33,6 @@ pixel   macro
         add.l   a4,d0
         jmp     (a3,d6.w*4)
 .pixels rept    32
-        pixel
+        pixel_shade
         endr
         span_close d4

@@ -1,0 +1,60 @@
+; The frame of the spans for short lines: as many unrolled pixels as a line may have,
+; entered in their middle, and no loop around them. What reads a line stands behind the
+; pixels, so that each line runs into the next; both have to fit the instruction cache.
+
+SHORT_KEPT reg  d2-d7/a2-a4/a6
+
+; Takes the plan in a0; after it a3 is the pitch, a6 the row and d7 the number of
+; lines. What follows makes a0 the lines and goes to .line.
+short_open macro
+        movem.l SHORT_KEPT,-(sp)
+        movea.l span_plan_pitch(a0),a3
+        movea.l span_plan_row(a0),a6
+        move.l  span_plan_count(a0),d7
+        endm
+
+; The end of the pixels and the reading of a line: a1 first pixel, d0 start0:start1,
+; d6 = -(pixels - 1), a0 at start2. Only its lower word counts of d7.
+short_line macro
+        short_next
+        move.w  (a0)+,d6
+        sub.w   d0,d6
+        bmi.s   .empty
+        neg.w   d6
+        move.w  (a0)+,d0
+        endm
+
+; The same where start0 is not used: start1 goes to \1's lower word, which with one
+; access of memory less is quicker in chip RAM.
+short_line_alone macro
+        short_next
+        move.l  (a0)+,d6                ; last:start1
+        move.w  d6,\1
+        swap    d6
+        sub.w   d0,d6
+        bmi.s   .empty_alone
+        neg.w   d6
+        endm
+
+short_next macro
+.pixels_end
+.next   adda.l  a3,a6
+.line   subq.w  #1,d7
+        bmi.s   .done
+        move.l  (a0)+,d0                ; start0:left
+        lea     (a6,d0.w),a1
+        endm
+
+; Behind the jump to the pixels. \1: bytes on the stack, if there are any.
+short_close macro
+.empty  addq.l  #2,a0
+.empty_alone
+        addq.l  #4,a0
+        bra     .next
+.done
+        ifnb    \1
+        addq.l  #\1,sp
+        endc
+        movem.l (sp)+,SHORT_KEPT
+        rts
+        endm

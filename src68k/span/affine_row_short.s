@@ -1,0 +1,35 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "short.i"
+
+;==============================================================================
+; span_affine_row_short - span_affine_row for short lines
+;
+; in:      a0  span_plan*  the table, the frame, the map, the step dudx
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
+; error:   none, as span_affine_row
+; cost:    bench row affine_row_short
+;==============================================================================
+
+        routine span_affine_row_short,a0
+        short_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dudx(a0),d2
+        movea.l span_plan_lines(a0),a0
+        pack_alone d2,d5,a4
+        bra     .line
+        rept    SHORT_AFFINE_ROW
+        pixel_row
+        endr
+        short_line_alone d4             ; mmVv
+        move.l  (a0)+,d1
+        move.b  d1,d5
+        move.w  d5,d0                   ; uu-U
+        add.l   a4,d0
+        jmp     .pixels_end-8(pc,d6.w*8)
+        short_close

@@ -1,0 +1,35 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "short.i"
+
+;==============================================================================
+; span_affine_short - span_affine_addx for short lines
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
+; error:   none, as span_affine_addx
+; cost:    bench row affine_short
+;==============================================================================
+
+        routine span_affine_short,a0
+        short_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dudx(a0),d2
+        move.l  span_plan_dvdx(a0),d5
+        movea.l span_plan_lines(a0),a0
+        chain_steps
+        bra     .line
+        rept    SHORT_AFFINE
+        pixel_chain
+        endr
+        short_line
+        move.l  (a0)+,d1
+        lea     .pixels_end-12(pc,d6.w*4),a2
+        add.l   a4,d1
+        jmp     (a2,d6.w*8)
+        short_close

@@ -1,0 +1,36 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "short.i"
+
+;==============================================================================
+; span_affine_short_wrap - span_affine_addx_wrap for short lines
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: as span_affine_addx_wrap; a line has SHORT_AFFINE_WRAP pixels at most
+; error:   none, as span_affine_addx_wrap
+; cost:    bench row affine_short_wrap
+;==============================================================================
+
+        routine span_affine_short_wrap,a0
+        short_open
+        move.l  span_plan_map(a0),d4    ; mm00
+        move.l  span_plan_dudx(a0),d5
+        move.l  span_plan_dvdx(a0),d2
+        movea.l span_plan_lines(a0),a0
+        apart_steps
+        bra     .line
+        rept    SHORT_AFFINE_WRAP
+        pixel_apart
+        endr
+        short_line
+        move.l  (a0)+,d1
+        apart_start
+        lea     .pixels_end-14(pc,d6.w*2),a2
+        lea     (a2,d6.w*4),a2
+        jmp     (a2,d6.w*8)
+        short_close

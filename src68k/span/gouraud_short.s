@@ -1,0 +1,34 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "short.i"
+
+;==============================================================================
+; span_gouraud_short - span_gouraud for short lines
+;
+; in:      a0  span_plan*  the table, the frame, the step dudx
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = ss, start1 = SS)
+; writes:  the pixels of the lines, nothing else
+; formats: as span_gouraud; a line has SHORT_GOURAUD pixels at most
+; error:   none, as span_gouraud
+; cost:    bench row gouraud_short
+;==============================================================================
+
+        routine span_gouraud_short,a0
+        short_open
+        move.l  span_plan_dudx(a0),d2
+        movea.l span_plan_lines(a0),a0
+        pack_alone d2,d5,a4
+        bra     .line
+        rept    SHORT_GOURAUD
+        pixel_shade
+        endr
+        short_line_alone d1
+        addq.l  #4,a0
+        move.b  d1,d5
+        move.w  d5,d0                   ; ss-S
+        add.l   a4,d0
+        jmp     .pixels_end-4(pc,d6.w*4)
+        short_close
