@@ -12,7 +12,7 @@ from pathlib import Path
 
 import matplotlib
 
-from . import bench_cases, bench_scenes, provenance
+from . import bench_cases, bench_rules, bench_scenes, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .kernels import Case, call
@@ -29,7 +29,9 @@ TICKS = 5000
 ROUGH_CYCLES_PER_UNIT = 20
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
-         "frames": "cycles_per_frame"}
+         "frames": "cycles_per_frame", "rules": "cycles_per_polygon"}
+#: Kinds that depend on the C compiler.
+IN_C = ("frames", "rules")
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 
 
@@ -39,8 +41,8 @@ def repeats(units: int) -> int:
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine: {"rows": in pixels, "lines": in lines, "points": in points, "frames": in
-    frames}."""
+    """Rows of one machine by kind: in pixels, lines, points, frames, and polygons with and without a
+    rule of lowering."""
     boot, chip = CONDITIONS[machine]
     kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
              "points": bench_cases.point_rows(chip)}
@@ -49,8 +51,11 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
     rows = [row for kind in kinds.values() for row in kind]
     frames = bench_scenes.measure(machine, [name for name in bench_scenes.NAMES
                                             if fnmatch.fnmatch(f"scene_{name}", only)])
+    whole = {"frames": frames, "rules": bench_rules.measure(
+        machine, [f"rule_{case.rule}" for case in bench_rules.CASES
+                  if fnmatch.fnmatch(f"rule_{case.rule}", only)])}
     if not rows:
-        return {kind: [] for kind in kinds} | {"frames": frames}
+        return {kind: [] for kind in kinds} | whole
     for row in rows:
         row.case.repeats = repeats(row.units)
     nothing = Case("nothing", repeats=2000)
@@ -65,7 +70,7 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
         measured[id(row)] = round(cycles, 3), CYCLES_PER_TICK / row.case.repeats / row.units
     return {kind: [{"name": r.name, "machine": machine, "length": r.length,
                     UNITS[kind]: measured[id(r)][0], "one_tick": round(measured[id(r)][1], 5)}
-                   for r in group] for kind, group in kinds.items()} | {"frames": frames}
+                   for r in group] for kind, group in kinds.items()} | whole
 
 
 def key(row: dict) -> tuple:
@@ -74,7 +79,7 @@ def key(row: dict) -> tuple:
 
 
 def cycles(row: dict) -> float:
-    """Cycles a pixel, a line, a point or a frame."""
+    """Cycles a pixel, a line, a point, a frame or a polygon."""
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
@@ -84,7 +89,7 @@ def compare(found: dict, baseline: dict) -> list[str]:
     complaints = []
     for kind in UNITS:
         for row in found[kind]:
-            in_c = row["name"].endswith("_c") or kind == "frames"
+            in_c = row["name"].endswith("_c") or kind in IN_C
             if in_c and found["compiler"] != baseline["compiler"]:
                 continue  # another compiler's code: nothing to compare
             before, now = old.get(key(row)), cycles(row)
@@ -151,6 +156,8 @@ def write(found: dict, out: Path) -> None:
     text += "\nCycles a point (mesh_looks: a normal, mesh_faces: a face):\n\n" \
         + table(found["points"], machines)
     text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
+    text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
+        + table(found["rules"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
     (out / "bench.md").write_text(text)

@@ -62,7 +62,8 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
 
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None) -> list[np.ndarray]:
-    """The digests of each scene's frames, drawn in the form given, all in one boot."""
+    """The digests of each scene's frames, all in one boot; beside each scene its form, and what
+    may follow that among the arguments of ``render``."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"

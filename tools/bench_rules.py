@@ -1,0 +1,147 @@
+"""What each rule of lowering saves: a polygon it applies to, drawn with it and without it.
+
+The rules are lines of c/polygon/lower.c; those of tolerances change the picture and have no row.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from . import fuzz, layout, model
+from .emulator import CYCLES_PER_TICK
+from .errors import UserError
+from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
+
+WIDTH, HEIGHT = 160, 128
+#: Name to (emulated machine, options of ``render``).
+MACHINES = {"a1200": ("a1200", ""), "a1200-fast": ("a1200-fast", ""),
+            "a1200-mixed": ("a1200-fast", " CHIP")}
+WITHOUT = "_off"  # ends the name of a row without its rule
+#: Rules that change the picture, as far as the material's tolerance goes.
+INEXACT = ("tolerance", "coarser")
+
+AFFINE = Material("affine", texture=0)
+LIT = Material("lit", texture=0, light=1)
+LIT_GOURAUD = Material("lit_gouraud", texture=0, light=1)
+GOURAUD = Material("gouraud")
+FLAT = Material("flat", colour=77)
+DEEP = Material("affine", perspective="pixel", texture=0)
+ARBITRARY = Material("arbitrary", texture=2)
+
+#: Triangles inside the frame: of many pixels, and high ones of at most 8 and 16 pixels a line.
+WIDE = [(20.3, 10.6), (140.7, 50.2), (60.1, 120.4)]
+NARROW = [(20.3, 10.6), (32.2, 60.2), (22.1, 120.4)]
+TURNED = ([10, 120, 60], [15, 70, 130])  # s and t that need both steps; v does not wrap
+WRAPPED = ([10, 320, 60], [15, 3970, 130])  # v wraps more than once in a line
+
+
+@dataclass(frozen=True)
+class Case:
+    """A polygon to which a rule applies."""
+
+    rule: str
+    material: Material
+    points: list[tuple[float, float]]
+    texels: tuple[list[float], list[float]]  # s and t
+    lowered: str | None  # the span that draws it; None: nothing is drawn
+    asked: str | None  # without the rule
+    shades: tuple[float, ...] = (100, 100, 100)
+    depths: tuple[float, ...] = (1, 1, 1)
+
+    @property
+    def vertices(self) -> list[tuple[int, ...]]:
+        """x, y, s, t, shade, w; 16.16."""
+        rows = zip(self.points, *self.texels, self.shades, self.depths)
+        return [tuple(round(c * ONE) for c in (*point, *rest)) for point, *rest in rows]
+
+
+def heights(points) -> list[float]:
+    """A coordinate of the map that stands still along lines."""
+    return [y for _, y in points]
+
+
+CASES = (
+    Case("outside", FLAT, [(200, 10), (260, 40), (180, 90)], TURNED, None, None),
+    Case("equal_shades", GOURAUD, WIDE, TURNED, "fill", "gouraud", (200.1, 200.9, 200.4)),
+    Case("equal_levels", LIT_GOURAUD, WIDE, TURNED, "lit", "lit_gouraud", (120.1, 121.9, 123.5)),
+    Case("no_light", LIT, WIDE, TURNED, "fill", "lit", (3.9, 100, 200)),
+    Case("full_light", LIT, WIDE, TURNED, "affine_addx", "lit", (252, 0, 0)),
+    Case("constant_w", DEEP, WIDE, TURNED, "affine_addx", "affine_scanline", depths=(3.7,) * 3),
+    Case("inside_frame", AFFINE, WIDE, TURNED, "affine_addx", "affine_addx"),
+    Case("inside_range", ARBITRARY, WIDE, ([10, 150, 70], [15, 60, 100]), "arbitrary",
+         "arbitrary"),
+    Case("still_v", AFFINE, WIDE, (TURNED[0], heights(WIDE)), "affine_row", "affine_addx"),
+    Case("unit_step", AFFINE, WIDE, ([x + 7 for x, _ in WIDE], heights(WIDE)), "affine_copy",
+         "affine_row"),
+    Case("still_u", AFFINE, WIDE, (heights(WIDE), TURNED[1]), "affine_column", "affine_addx"),
+    Case("no_wrap", AFFINE, WIDE, TURNED, "affine_addx", "affine_addx_wrap"),
+    Case("no_wrap_lit", LIT, WIDE, TURNED, "lit", "lit_wrap"),
+    Case("short", AFFINE, NARROW, TURNED, "affine_short", "affine_addx"),
+    Case("short_wrap", AFFINE, NARROW, WRAPPED, "affine_short_wrap", "affine_addx_wrap"),
+    Case("short_row", AFFINE, NARROW, (TURNED[0], heights(NARROW)), "affine_row_short",
+         "affine_row"),
+    Case("short_gouraud", GOURAUD, NARROW, TURNED, "gouraud_short", "gouraud", (10, 100, 200)),
+    Case("short_lit", LIT, NARROW, TURNED, "lit_short", "lit"),
+    Case("short_lit_wrap", LIT, NARROW, WRAPPED, "lit_short_wrap", "lit_wrap"),
+)
+
+
+def rules() -> list[str]:
+    """The names of all rules."""
+    return [name.removeprefix("RULE_").lower() for name in layout.load().constants
+            if name.startswith("RULE_")]
+
+
+@cache
+def textures() -> list[Texture]:
+    """A page; 64 levels of light, of which the first makes all texels one and the last shows
+    them as they are; a map of any size."""
+    rng = np.random.default_rng(3)
+    page, light = (rng.integers(1, 256, (h, 256), dtype=np.uint8) for h in (256, 64))
+    light[0], light[63] = 9, np.arange(256)
+    return [Texture(page), Texture(light, "light"), Texture(page[:70, :90].copy(), "linear")]
+
+
+def scene_of(cases) -> Scene:
+    """An empty frame, then one for each case."""
+    materials = list(dict.fromkeys(case.material for case in cases))
+    vertices = [vertex for case in cases for vertex in case.vertices]
+    objects = [Object(materials.index(case.material), 3 * k, 3, 0, 1, k + 1)
+               for k, case in enumerate(cases)]
+    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
+    return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, palette, textures(), materials, objects,
+                 np.array(vertices), np.array([IDENTITY]))
+
+
+@cache
+def shown() -> tuple[Scene, list[np.ndarray]]:
+    """The cases' scene and the model's pictures of it."""
+    scene = scene_of(CASES)
+    return scene, [model.render(scene, number) for number in range(scene.frames)]
+
+
+def measure(machine: str, names: list[str]) -> list[dict]:
+    """Two rows for each rule, with it and without it, all in one boot."""
+    cases = [case for case in CASES if f"rule_{case.rule}" in names]
+    if not cases:
+        return []
+    boot, chip = MACHINES[machine]
+    scene, pictures = shown()
+    ways = [""] + [f" OFF {case.rule}" for case in cases]
+    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way in ways], boot)
+    for way, digests in zip(ways, drawn):
+        for number, (picture, digest) in enumerate(zip(pictures, digests, strict=True)):
+            if not fuzz.is_models(picture, digest):
+                raise UserError(f"bench: rules{way}, {machine}: frame {number} "
+                                f"({CASES[number - 1].rule}) is not the model's")
+    rows = []
+    for case, digests in zip(cases, drawn[1:]):
+        number = CASES.index(case) + 1
+        for name, found in ((f"rule_{case.rule}", drawn[0]),
+                            (f"rule_{case.rule}{WITHOUT}", digests)):
+            ticks = int(found["ticks"][number]) - int(found["ticks"][0])
+            rows.append({"name": name, "machine": machine, "length": 1,
+                         "cycles_per_polygon": ticks * CYCLES_PER_TICK,
+                         "one_tick": CYCLES_PER_TICK})
+    return rows
