@@ -50,6 +50,7 @@ def test_speeds_that_are_promised(found) -> None:
     assert figures["affine_addx", "a1200-fast", 16] <= 21.5
     assert figures["affine_row", "a1200-fast", 256] <= 13.0
     assert figures["affine_column", "a1200-fast", 256] <= 15.0
+    assert figures["affine_copy", "a1200-fast", 256] <= 4.2
     assert figures["affine_lit", "a1200-fast", 256] <= 24.5
     assert figures["affine_gouraud", "a1200-fast", 256] <= 29.0
     assert figures["rotator", "a1200-fast", 320] <= 17.0
@@ -57,6 +58,12 @@ def test_speeds_that_are_promised(found) -> None:
     for machine in bench.CONDITIONS:
         assert figures["rotator", machine, 320] < figures["rotator_swap", machine, 320]
         assert figures["affine_addx", machine, 256] < figures["affine_swap", machine, 256]
+        for special, base, length in (
+                ("affine_copy", "affine_row", 4), ("affine_short", "affine_addx", 16),
+                ("affine_short_wrap", "affine_addx_wrap", 16), ("affine_row_short", "affine_row", 16),
+                ("gouraud_short", "gouraud", 16), ("affine_lit_short", "affine_lit", 4),
+                ("affine_lit_short_wrap", "affine_lit_wrap", 4)):
+            assert figures[special, machine, length] < 0.97 * figures[base, machine, length], special
 
 
 def test_every_scene_has_rows(found) -> None:
