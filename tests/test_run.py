@@ -205,10 +205,12 @@ def test_every_setting_is_the_models(folder):
     scene = compile_scene(folder / "settings.toml")
     expected = [model.render(scene, number).tobytes() for number in range(scene.frames)]
     assert scene.frames == 36 and dumps(out) == expected
-    materials = json.loads((out / "run.json").read_text())["materials"]
-    assert len(materials) == 72 and materials["m0"] == {
+    lowering = json.loads((out / "run.json").read_text())["lowering"]
+    assert len(lowering) == 72 and lowering["m0"]["asked"] == {
         "mapper": "affine", "edges": "integer", "gradients": "scanline", "start": "truncated",
-        "clip": "scissor", "perspective": "none"}
+        "clip": "scissor", "perspective": "none", "tolerance": 0}
+    pixels = sum(sum(each["spans"].values()) for each in lowering.values())
+    assert pixels == json.loads((out / "run.json").read_text())["totals"]["pixels"]
 
 
 def test_frames_of_16_bits(folder):

@@ -8,7 +8,7 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import bench, bench_effects, bench_scenes, emulator, palette, polys, run, scene, scene_file
+from . import bench, bench_effects, bench_rules, bench_scenes, emulator, palette, polys, run, scene, scene_file
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -151,6 +151,23 @@ def scenes_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
+def rules_table(baseline: dict) -> str:
+    """Markdown: what a polygon costs without each rule of lowering, and with it."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rules"]}
+    machines = {"a1200-fast": "fast RAM", "a1200": "chip RAM only"}
+    lines = ["| rule | spans without it | with it | " + " | ".join(machines.values()) + " |",
+             "|---|---|---|" + "--:|" * len(machines)]
+    for case in bench_rules.CASES:
+        cells = []
+        for machine in machines:
+            on, off = (figures[f"rule_{case.rule}{end}", machine, 1] / 1000
+                       for end in ("", bench_rules.WITHOUT))
+            cells.append(f"{off:.1f} / {on:.1f}")
+        lines.append(f"| {case.rule} | {case.asked or 'none'} | {case.lowered or 'none'} | "
+                     + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def with_table(text: str, title: str, content: str) -> str:
     """The README's text with a table between its marker lines."""
     begin = BEGIN.format(title)
@@ -167,6 +184,7 @@ def with_tables(text: str) -> str:
     text = with_table(text, "effects", effects_table(measured))
     text = with_table(text, "meshes", mesh_table(measured))
     text = with_table(text, "scenes", scenes_table(measured))
+    text = with_table(text, "rules", rules_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
     text = with_table(text, "perspective", perspective_table(measured, accuracy))
