@@ -42,7 +42,7 @@ def lines(three) -> list[tuple[int, np.ndarray]]:
 
 def test_value_is_what_interpolated_shares_give() -> None:
     """u w' / 1 w', each interpolated over the triangle by its corners' shares, exactly."""
-    rng = random.Random(1)
+    rng, seen = random.Random(1), 0
     for _ in range(COUNT):
         three = triangle(rng)
         part = [rng.randint(0, 9) for _ in three]
@@ -53,6 +53,8 @@ def test_value_is_what_interpolated_shares_give() -> None:
         for key, curve in zip((2, 3), ideal_perspective.curves(three)):
             exact = sum(s * v[key] for s, v in zip(shares, three)) / sum(shares)
             assert curve.at(x, y) == exact
+            seen += 1
+    assert seen > COUNT
 
 
 def test_equal_depth_is_the_plane() -> None:
@@ -107,7 +109,7 @@ def test_lines_are_exact_to_the_stated_error() -> None:
 
 def test_chord_error_is_the_largest() -> None:
     """The closed form bounds the distance at every pixel, and is met between them."""
-    rng = random.Random(5)
+    rng, seen = random.Random(5), 0
     for _ in range(COUNT):
         u = ideal_perspective.curves(triangle(rng, 12))[0]
         i, n, j = rng.randrange(100), rng.choice((4, 8, 16, 32)), rng.randrange(80)
@@ -122,11 +124,13 @@ def test_chord_error_is_the_largest() -> None:
         fine = max(abs(u.at((i << 16) + (k * n << 8), j << 16) - ends[0]
                        - (ends[1] - ends[0]) * Fraction(k, 256)) for k in range(257))
         assert fine / ONE >= Fraction(most) * Fraction(98, 100)  # flat at its top
+        seen += most > 0
+    assert seen > COUNT / 2
 
 
 def test_vanishing_value_is_the_limit() -> None:
     """u = K + C / Q: along a line, u less K times Q is the same everywhere."""
-    rng = random.Random(6)
+    rng, seen = random.Random(6), 0
     for _ in range(COUNT):
         for curve in ideal_perspective.curves(triangle(rng)):
             limit = curve.vanishing()
@@ -135,6 +139,8 @@ def test_vanishing_value_is_the_limit() -> None:
             for j in (3, 40):
                 terms = [curve.terms(i << 16, j << 16) for i in (0, 17, 90)]
                 assert len({n - limit * q for n, q in terms}) == 1
+                seen += len({q for _, q in terms}) == 3
+    assert seen > COUNT
 
 
 def test_depth_ratios() -> None:

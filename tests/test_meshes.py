@@ -22,14 +22,17 @@ NAMES = ("cube", "face", "floor", "corridor", "environment", "shaded")
 EVERY = 1 if os.environ.get("SCENES") == "all" else 13
 
 
-def assert_models(scenes: dict, form: str = "addx", results: tuple = (0,)) -> None:
-    """Each frame of each scene is the model's."""
+def assert_models(scenes: dict, form: str = "addx", results: tuple = (0,), part: float = 0.75) -> None:
+    """Each frame of each scene is the model's; at least a part of them shows more than one colour."""
+    shown = []
     drawn = fuzz.draw([(scene, form) for scene in scenes.values()], MACHINE)
     for (name, scene), digests in zip(scenes.items(), drawn):
         for number, digest in enumerate(digests):
-            assert fuzz.is_models(model.render(scene, number), digest), \
-                f"{name}, frame {number}, form {form}"
+            right = model.render(scene, number)
+            assert fuzz.is_models(right, digest), f"{name}, frame {number}, form {form}"
             assert int(digest["result"]) in results, f"{name}, frame {number}"
+            shown.append((right != right[0, 0]).any())
+    assert sum(shown) >= part * len(shown)
 
 
 def test_scenes_are_the_models():
@@ -94,9 +97,9 @@ def test_random_meshes_are_the_models(form):
 
 
 def test_hostile_meshes_are_the_models():
-    """Faces of random points, dented and bent, with numbers of any size."""
-    assert_models({f"seed {seed}": mesh_cases.hostile(seed) for seed in range(16)},
-                  results=(0, 2, 3))
+    """Faces of random points, dented and bent, with numbers of any size; many lie behind the camera."""
+    assert_models({f"seed {seed}": mesh_cases.hostile(seed) for seed in range(24)},
+                  results=(0, 2, 3), part=0.25)
 
 
 def test_many_faces_at_one_depth_keep_their_order():

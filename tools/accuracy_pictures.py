@@ -30,26 +30,35 @@ def plot(rows: list[dict], path: Path) -> None:
     """Error against cycles of the texture mappers, a panel a set, the frontier drawn."""
     machine = rows[-1]["machine"]
     names = list(dict.fromkeys(r["name"] for r in rows))
-    figure, panels = plt.subplots(1, len(names), figsize=(4 * len(names), 4.2), sharey=True,
-                                  layout="constrained", squeeze=False)
-    for axes, name in zip(panels[0], names):
+    columns = min(len(names), 4)
+    lines = -(-len(names) // columns)
+    figure, panels = plt.subplots(lines, columns, figsize=(4 * columns + 0.5, 3.8 * lines + 0.7),
+                                  sharey=True, layout="constrained", squeeze=False)
+    colours, marks = plt.get_cmap("tab20").colors, {}
+    colours = colours[::2] + colours[1::2]
+    for axes, name in zip(panels.flat, names):
         chosen = [r for r in rows if r["name"] == name and r["machine"] == machine
                   and drawn_by(r) in MARKS]
-        for way in (w for w in MARKS if w in map(drawn_by, chosen)):
+        for k, way in enumerate(MARKS):
             some = [r for r in chosen if drawn_by(r) == way]
-            axes.scatter([r["cycles_per_polygon"] / 1000 for r in some],
-                         [max(r["texel_error_rms"], LEAST) for r in some], marker=MARKS[way], s=28,
-                         alpha=0.75, label=way)
+            if some:
+                marks[way] = axes.scatter([r["cycles_per_polygon"] / 1000 for r in some],
+                                          [max(r["texel_error_rms"], LEAST) for r in some],
+                                          marker=MARKS[way], s=28, alpha=0.75, color=colours[k])
         best = sorted((r for r in chosen if r["frontier"]), key=lambda r: r["cycles_per_polygon"])
-        axes.plot([r["cycles_per_polygon"] / 1000 for r in best],
-                  [max(r["texel_error_rms"], LEAST) for r in best], "k--", lw=1, label="frontier")
+        marks["frontier"], = axes.plot([r["cycles_per_polygon"] / 1000 for r in best],
+                                       [max(r["texel_error_rms"], LEAST) for r in best], "k--", lw=1)
         axes.set_yscale("log")
         axes.set_title(f"{name}")
         axes.set_xlabel("thousand cycles a polygon")
         axes.grid(alpha=0.3)
-    panels[0][0].set_ylabel(f"rms error, texels ({machine})")
-    for axes in panels[0][[0, -1]]:  # mappers, and the perspectives of sets with depth
-        axes.legend(fontsize=8)
+    for axes in panels.flat[len(names):]:
+        axes.axis("off")
+    for axes in panels[:, 0]:
+        axes.set_ylabel(f"rms error, texels ({machine})")
+    order = [way for way in (*MARKS, "frontier") if way in marks]
+    figure.legend([marks[way] for way in order], order, loc="outside lower center", ncols=2 * columns,
+                  fontsize=9)
     figure.savefig(path, dpi=110)
     plt.close(figure)
 
