@@ -190,8 +190,8 @@ def print_report(about: dict, out: Path) -> None:
         print(f"{name:<16} {text}")
 
 
-def command(path: Path, out: Path, machine: str, frames: int | None, form: str) -> int:
-    """Renders a scene file into the directory ``out``; raises UserError."""
+def make(path: Path, out: Path, machine: str, frames: int | None, form: str) -> dict:
+    """Renders a scene file into the directory ``out``; returns what run.json says."""
     check_directory(out)
     scene = compile_scene(path, frames)
     dumps, figures = render(scene, machine, form)
@@ -205,5 +205,10 @@ def command(path: Path, out: Path, machine: str, frames: int | None, form: str) 
              "cycles_unit": CYCLES_UNIT,
              "frames": figures, "totals": total(figures)}
     publish(out, dumps, scene.palette, about)
-    print_report(about, out)
+    return about
+
+
+def command(path: Path, out: Path, machine: str, frames: int | None, form: str) -> int:
+    """``tmap run``: renders, prints a table; raises UserError."""
+    print_report(make(path, out, machine, frames, form), out)
     return 0
