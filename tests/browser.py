@@ -23,18 +23,19 @@ OPTIONS = ("--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-backgro
            "--host-resolver-rules=MAP * ~NOTFOUND", "--remote-debugging-pipe")
 #: Shows all pictures, those further down too, and waits for them; what the page is like then.
 LOOK = """(async () => {
-  for (const each of document.querySelectorAll('details')) each.open = %s;
+  for (const each of document.querySelectorAll('details')) each.open = OPENED;
   const pictures = [...document.images];
   for (const each of pictures) each.loading = 'eager';
   await Promise.all(pictures.filter(each => each.checkVisibility()).map(
     each => each.decode().catch(() => {})));
-  const root = document.documentElement, most = window.innerWidth;
+  const root = document.documentElement, most = WIDTH;
   const outside = each => {
+    if (each.getBoundingClientRect().right <= most + 0.5) return false;
     for (let up = each.parentElement; up; up = up.parentElement)
       if (getComputedStyle(up).overflowX != 'visible' && up != root && up != document.body) return false;
-    return each.getBoundingClientRect().right > most + 0.5;
+    return true;
   };
-  return {width: root.scrollWidth, height: root.scrollHeight, window: most,
+  return {width: root.scrollWidth, height: root.scrollHeight,
     broken: pictures.filter(each => each.checkVisibility() && !each.naturalWidth).map(each => each.src),
     pictures: pictures.length,
     wide: [...document.body.querySelectorAll('*')].filter(outside).map(
@@ -111,7 +112,8 @@ class Browser:
             self.call("Page.navigate", url=path.resolve().as_uri())
             self.wait("Page.loadEventFired")
             found = self.call("Runtime.evaluate", awaitPromise=True, returnByValue=True,
-                              expression=LOOK % str(opened).lower())
+                              expression=LOOK.replace("OPENED", str(opened).lower())
+                              .replace("WIDTH", str(width)))
             if "exceptionDetails" in found:
                 raise RuntimeError(found["exceptionDetails"]["exception"]["description"])
             view = View(found["result"]["value"])
@@ -138,15 +140,19 @@ def browser() -> Iterator[Browser]:
     ends = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (in_read, out_write)]
     os.close(in_read)
     os.close(out_write)
-    with tempfile.TemporaryDirectory(prefix="tmap-") as profile:
+    # What is left of the browser may still write into its profile while that is removed.
+    with tempfile.TemporaryDirectory(prefix="tmap-", ignore_cleanup_errors=True) as profile:
         shell = f'exec "$@" 3<&{ends[0]} 4>&{ends[1]}'
         process = subprocess.Popen(
             ["bash", "-c", shell, "bash", PROGRAM, *OPTIONS, f"--user-data-dir={profile}"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=ends)
         for end in ends:
             os.close(end)
+        made = Browser(in_write, out_read)
         try:
-            yield Browser(in_write, out_read)
+            yield made
+            made.call("Browser.close")
+            process.wait(SECONDS)
         finally:
             process.kill()
             process.wait()
