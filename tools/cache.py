@@ -5,6 +5,7 @@ the digest of every file beside it; an entry that is not as it says is measured 
 """
 
 import ast
+import functools
 import hashlib
 import json
 import shutil
@@ -34,6 +35,16 @@ def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
+@functools.cache
+def imports(text: str) -> list[str]:
+    """The modules of the tools that a source text imports, inside functions too."""
+    names = []
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ImportFrom) and node.level == 1:
+            names += [node.module] if node.module else [alias.name for alias in node.names]
+    return names
+
+
 def sources(module: str) -> list[Path]:
     """The files of the tools that a module needs: its own, and all that it imports, however deep."""
     found, names = {}, [module]
@@ -43,9 +54,7 @@ def sources(module: str) -> list[Path]:
         if name in found or not path.exists():
             continue
         found[name] = path
-        for node in ast.walk(ast.parse(path.read_text())):
-            if isinstance(node, ast.ImportFrom) and node.level == 1:
-                names += [node.module] if node.module else [alias.name for alias in node.names]
+        names += imports(path.read_text())
     return [found[name] for name in sorted(found)]
 
 
