@@ -66,7 +66,7 @@ def test_figures_are_the_runs_and_the_baselines(made) -> None:
     about = next(made[1].glob("scene_mappers-*/run.json"))
     found = json.loads(about.read_text())
     mean = found["totals"]["cycles"] / len(found["frames"])
-    assert f"{mean:,.0f} cycles, about {run.CLOCK_HZ / mean:.1f} a second" in text
+    assert f"{mean:,.0f} cycles, about {run.CLOCK_HZ / mean:.1f} frames a second" in text
     for kind, pixels in found["totals"]["spans"].items():
         assert f"<code>{kind}</code> {pixels:,}" in text
     baseline = json.loads(BASELINE.read_text())
@@ -107,11 +107,13 @@ def complete(tmp_path_factory) -> Path:
     for name in names:
         Image.fromarray(np.zeros((64, 1600, 3), np.uint8)).save(folder / name)
     (folder / "index.html").write_text("<p>cases")
-    row = {"case": "sliver", "sentence": "A needle of 300 pixels.", "mapper": "affine", "edges": "exact",
+    row = {"case": "sliver", "mapper": "affine", "edges": "exact",
            "gradients": "plane", "start": "subtexel", "perspective": "none", "cycles": 1234,
            "texel_error": 0.01, "worst_ratio": 0.97}
-    hard = about | {"cases": 300, "drawings": 5000, "judged": 4000, "nearest": [row],
-                    "complaints": ["sliver: 2 texels off"]}
+    rows = [row, row | {"worst_ratio": 0.5}, row | {"start": "truncated", "worst_ratio": 1.0},
+            row | {"worst_ratio": None}]
+    (folder / "hard.json").write_text(json.dumps({"rows": rows}))
+    hard = about | {"complaints": ["sliver: 2 texels off"]}
     found.scenes = [Entry(scene, folder)]
     found.sets, found.hard = Entry({}, folder), Entry(hard, folder)
     found.methods = Entry(about | {"table": "| a | b |\n|---|--:|\n| 1 | 2 |"}, folder)
@@ -124,7 +126,7 @@ def test_rules_and_spans_of_each_material(complete) -> None:
     text = (complete / report.PAGE).read_text()
     for words in ("a_material_with_a_rather_long_name_of_its_own", "5 polygons", "1 polygon<",
                   "<code>constant_w_needs_no_perspective</code> 4", "<code>affine_row</code> 12,345,678",
-                  "affine · exact · plane · every16", "&lt;script&gt;", "97.0 % of its bound",
+                  "affine · exact · plane · every16", "&lt;script&gt;", "97.0 % of its bound", "1 cases in 4 drawings", "3 have an exact ideal",
                   "<strong>1 exceeds a bound", "sliver: 2 texels off"):
         assert words in text, words
     assert "all together" not in text and NAME not in text

@@ -63,4 +63,6 @@ def command(out: Path, scenes: list[str] | None, machine: str, only_committed: b
     except OSError as error:
         raise UserError(f"{error.filename or out}: {error.strerror or error}") from None
     print(f"written: {out / PAGE}")
+    for line in found.hard.result["complaints"] if found.hard else ():
+        print(f"exceeds its bound: {line}")
     return 0

@@ -1,7 +1,7 @@
 """What the report shows, measured or taken from the cache: one function a part."""
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -14,8 +14,8 @@ from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
 MACHINE = "a1200-fast"
 #: Of a scene's run, what the page shows.
 SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
-#: How many of the hard cases nearest to their bounds are told one by one.
-NEAREST = 10
+#: To be raised when what a part keeps in the cache takes another form.
+FORM = "1"
 Step = Callable[[], None]
 Part = Callable[[int, int], None]  # how many of how many are done
 
@@ -42,6 +42,11 @@ def scene_names(chosen: list[str] | None) -> list[str]:
     return list(dict.fromkeys(chosen)) if chosen else known
 
 
+def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
+    """What identifies a part that a module of the tools measures."""
+    return cache.key(module, files, [FORM, *words])
+
+
 def of_scene(name: str, machine: str) -> Entry:
     """A scene drawn: run.json's content without dumps and palette, and what its texels are off."""
     path = SCENES / f"{name}.toml"
@@ -56,7 +61,7 @@ def of_scene(name: str, machine: str) -> Entry:
         return {key: value for key, value in about.items() if key != "palette"} | {
             "errors": asdict(showcase.errors_of(compile_scene(path)))}
 
-    identity = cache.key("showcase", cache.scene_files(path), [machine])
+    identity = key("showcase", cache.scene_files(path), machine)
     return cache.kept(f"scene_{name}", identity, make)
 
 
@@ -76,7 +81,7 @@ def of_bench(on_case: Callable[[int], None]) -> Entry:
         bench.write(found, folder)
         return found
 
-    return cache.kept("bench", cache.key("bench", bench_scene_files()), make)
+    return cache.kept("bench", key("bench", bench_scene_files()), make)
 
 
 def of_accuracy(on_step: Part) -> Entry:
@@ -91,7 +96,7 @@ def of_accuracy(on_step: Part) -> Entry:
         return json.loads((folder / "accuracy.json").read_text())
 
     files = cache.scene_files(SCENES / "mappers.toml")
-    return cache.kept("accuracy", cache.key("accuracy", files), make)
+    return cache.kept("accuracy", key("accuracy", files), make)
 
 
 def of_methods(on_step: Step) -> Entry:
@@ -103,7 +108,7 @@ def of_methods(on_step: Step) -> Entry:
                                       "table": methods.write(folder, MACHINE, on_step)}
 
     files = cache.scene_files(SCENES / "face.toml")
-    return cache.kept("methods", cache.key("methods", files, [MACHINE]), make)
+    return cache.kept("methods", key("methods", files, MACHINE), make)
 
 
 def of_polys() -> Entry:
@@ -113,29 +118,18 @@ def of_polys() -> Entry:
 
         return polys.measure_all()
 
-    return cache.kept("polys", cache.key("polys"), make)
+    return cache.kept("polys", key("polys"), make)
 
 
 def of_hard_cases(on_part: Part) -> Entry:
-    """The page of hard cases, and a summary."""
+    """The page of hard cases, and which exceed a bound."""
     def make(folder: Path) -> dict:
-        from . import accuracy, hard_report
+        from . import accuracy
 
         complaints = accuracy.write_hard_cases(folder, MACHINE, on_part)
-        rows = json.loads((folder / "hard.json").read_text())["rows"]
-        judged = sorted((r for r in rows if r["worst_ratio"] is not None),
-                        key=lambda r: -r["worst_ratio"])
-        nearest = {}
-        for row in judged:
-            nearest.setdefault(row["case"], row)
-        sentences = {case.name: case.sentence for case in hard_report.every_case()}
-        shown = list(nearest.values())[:NEAREST]
-        return provenance.record() | {
-            "machine": MACHINE, "cases": len(sentences), "drawings": len(rows), "judged": len(judged),
-            "complaints": complaints,
-            "nearest": [row | {"sentence": sentences[row["case"]]} for row in shown]}
+        return provenance.record() | {"machine": MACHINE, "complaints": complaints}
 
-    return cache.kept("hard", cache.key("accuracy", words=[MACHINE, "hard"]), make)
+    return cache.kept("hard", key("accuracy", [], MACHINE), make)
 
 
 def committed(path: Path) -> dict:

@@ -1,5 +1,6 @@
 """The report's page: what stands in which section. The template is tools/report.html."""
 
+import json
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,7 +9,9 @@ from markdown_it import MarkdownIt
 from markupsafe import Markup
 
 from . import accuracy, bench, peers, polys, provenance, readme, report_pictures, run, showcase
+from .cache import Entry
 from .emulator import MACHINES as EMULATED
+from .hard_report import every_case
 from .report_data import MACHINE, Found
 
 TEMPLATES = Path(__file__).parent
@@ -28,6 +31,9 @@ FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx",
            "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_every16", "persp_every8",
            "persp_pixel", "persp_pixel_fine")
 STORES = ("gouraud",)  # they fetch no texel
+#: Of the hard cases, how many nearest to their bounds are told one by one: of these edges, gradients
+#: and start.
+NEAREST, EXACT = 9, ("exact", "plane", "subtexel")
 
 
 def tables(markdown: str, numbers: bool = False) -> Markup:
@@ -101,6 +107,23 @@ def scene_errors(scenes: list[dict]) -> list[showcase.Shown]:
             for s in scenes]
 
 
+def hard_cases(entry: Entry) -> dict:
+    """How many there are, what exceeds a bound, and what comes nearest of spans that are as exact as
+    they can be."""
+    rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
+    judged = [r for r in rows if r["worst_ratio"] is not None]
+    exact = {(name, value) for name, value in zip(("edges", "gradients", "start"), EXACT)}
+    nearest: dict[str, dict] = {}
+    for row in sorted(judged, key=lambda r: -r["worst_ratio"]):
+        if exact <= row.items() and row["texel_error"]:
+            nearest.setdefault(row["case"], row)
+    sentences = {case.name: case.sentence for case in every_case()}
+    return entry.result | {
+        "cases": len({r["case"] for r in rows}), "drawings": len(rows), "judged": len(judged),
+        "nearest": [row | {"sentence": sentences.get(row["case"], "")}
+                    for row in list(nearest.values())[:NEAREST]]}
+
+
 def all_settings(found: dict) -> list[tuple[str, Markup]]:
     """Title and table of each set on each machine."""
     rows = found["rows"]
@@ -135,6 +158,7 @@ def page(found: Found, pictures: Path) -> str:
         sets=report_pictures.SETS, settings=all_settings(found.accuracy),
         accuracy_source=Source(MACHINE, found.accuracy),
         perspective=readme.perspective_table(measured, found.accuracy),
+        hard=hard_cases(found.hard) if found.hard else None,
         polys=polys.table(found.polys["rows"]), polys_030=polys.table(found.polys["rows_68030"]),
         polys_source=Source("a1200, a1200-fast, a1200-030", found.polys),
         errors=showcase.table(scene_errors(scenes), scenes[0]["machine"]), Source=Source)
