@@ -32,11 +32,13 @@ LOOK = """(async () => {
   const outside = each => {
     if (each.getBoundingClientRect().right <= most + 0.5) return false;
     for (let up = each.parentElement; up; up = up.parentElement)
-      if (getComputedStyle(up).overflowX != 'visible' && up != root && up != document.body) return false;
+      if (getComputedStyle(up).overflowX != 'visible' && up != root && up != document.body)
+        return false;
     return true;
   };
   return {width: root.scrollWidth, height: root.scrollHeight,
-    broken: pictures.filter(each => each.checkVisibility() && !each.naturalWidth).map(each => each.src),
+    broken: pictures.filter(each => each.checkVisibility() && !each.naturalWidth).map(
+      each => each.src),
     pictures: pictures.length,
     wide: [...document.body.querySelectorAll('*')].filter(outside).map(
       each => each.outerHTML.slice(0, 80)),
@@ -98,9 +100,10 @@ class Browser:
             self.events.append(self.message(until))
 
     def look(self, path: Path, width: int, height: int, opened: bool = False) -> View:
-        """Opens a file at a size in pixels and looks at all of it; ``opened``: with details unfolded."""
+        """Opens a file at a size in pixels, looks at all of it; ``opened``: details unfolded."""
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
-        self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
+        attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
+        self.session = attached["sessionId"]
         try:
             for domain in ("Page", "Network", "Runtime"):
                 self.call(f"{domain}.enable")
@@ -117,9 +120,9 @@ class Browser:
             if "exceptionDetails" in found:
                 raise RuntimeError(found["exceptionDetails"]["exception"]["description"])
             view = View(found["result"]["value"])
+            whole = {"x": 0, "y": 0, "width": width, "height": view.page["height"], "scale": 1}
             view.png = base64.b64decode(self.call(
-                "Page.captureScreenshot", captureBeyondViewport=True,
-                clip={"x": 0, "y": 0, "width": width, "height": view.page["height"], "scale": 1})["data"])
+                "Page.captureScreenshot", captureBeyondViewport=True, clip=whole)["data"])
             for event in self.events:
                 if event.get("method") == "Network.requestWillBeSent":
                     view.requests.append(event["params"]["request"]["url"])
@@ -145,7 +148,8 @@ def browser() -> Iterator[Browser]:
         shell = f'exec "$@" 3<&{ends[0]} 4>&{ends[1]}'
         process = subprocess.Popen(
             ["bash", "-c", shell, "bash", PROGRAM, *OPTIONS, f"--user-data-dir={profile}"],
-            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=ends)
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+            pass_fds=ends)
         for end in ends:
             os.close(end)
         made = Browser(in_write, out_read)

@@ -1,4 +1,4 @@
-"""Results kept by content: measured once, and again when an input or the entry itself has changed."""
+"""Results kept by content: measured once, and again when an input or the entry has changed."""
 
 import json
 
@@ -47,9 +47,12 @@ def other_figure(folder) -> None:
 
 
 @pytest.mark.parametrize("damage", [
-    lambda folder: truncated(folder, cache.ENTRY), lambda folder: truncated(folder, "part/picture.png"),
-    lambda folder: (folder / cache.ENTRY).unlink(), lambda folder: (folder / "part/picture.png").unlink(),
-    lambda folder: (folder / cache.ENTRY).write_text(""), lambda folder: (folder / cache.ENTRY).write_text("[]"),
+    lambda folder: truncated(folder, cache.ENTRY),
+    lambda folder: truncated(folder, "part/picture.png"),
+    lambda folder: (folder / cache.ENTRY).unlink(),
+    lambda folder: (folder / "part/picture.png").unlink(),
+    lambda folder: (folder / cache.ENTRY).write_text(""),
+    lambda folder: (folder / cache.ENTRY).write_text("[]"),
     lambda folder: (folder / cache.ENTRY).write_bytes(b"\xff\xfe"), other_figure,
     lambda folder: (folder / cache.ENTRY).write_text(json.dumps(
         {"digest": cache.of_result(1), "files": [], "result": 1}))],
@@ -76,7 +79,7 @@ def test_failed_measurement_leaves_nothing(tmp_path) -> None:
 
 
 def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
-    """Program bytes, tool sources, scene files, words, the emulator's version: each changes the key."""
+    """Program bytes, tool sources, scene files, words, the emulator's version: each changes it."""
     programs, tools = tmp_path / "programs", tmp_path / "tools"
     programs.mkdir()
     tools.mkdir()

@@ -17,7 +17,8 @@ from tools.errors import UserError
 from tools.paths import ACCURACY_BASELINE, BASELINE, ROOT
 
 SIZES = ((360, 740), (1280, 900))  # a phone, a desk; CSS pixels
-SECTIONS = ["ran", "scenes", "addx", "bench", "accuracy", "perspective", "hard", "polygons", "whole"]
+SECTIONS = ["ran", "scenes", "addx", "bench", "accuracy", "perspective", "hard", "polygons",
+            "whole"]
 SCENE = "mappers"
 NAME = '<script>alert("rows & columns")</script>'
 
@@ -41,7 +42,7 @@ def test_sections_stand_in_order_and_open_with_a_sentence(made) -> None:
 
 
 def test_every_table_says_where_its_figures_are_from(made) -> None:
-    """Machine, conditions, emulator, compiler and commit follow each table and each list of materials."""
+    """Machine, conditions, emulator, compiler, commit follow each table and list of materials."""
     text = (made[0] / report.PAGE).read_text()
     parts = re.split(r'<table|<div class="ran"', text)[1:]
     assert len(parts) > 20
@@ -87,12 +88,14 @@ def test_nothing_is_measured_twice(made, tmp_path, monkeypatch) -> None:
 
 @pytest.fixture(scope="module")
 def complete(tmp_path_factory) -> Path:
-    """A written report with all parts, whose files are made up, and a run that tells of its lowering."""
+    """A written report with all parts, whose files are made up; its run tells of its lowering."""
     folder, out = tmp_path_factory.mktemp("parts"), tmp_path_factory.mktemp("complete")
     found = report_data.Found(*map(report_data.committed, (
         report_data.BASELINE, report_data.ACCURACY_BASELINE, report_data.POLYS_BASELINE)), [])
-    about = {"emulator": "FS-UAE 3.1.66", "compiler": "gcc", "commit": "abc", "machine": "a1200-fast"}
-    frame = {"number": 0, "cycles": 2000, "polygons": 5, "pixels": 100, "spans": {"affine_addx": 100}}
+    about = {"emulator": "FS-UAE 3.1.66", "compiler": "gcc", "commit": "abc",
+             "machine": "a1200-fast"}
+    frame = {"number": 0, "cycles": 2000, "polygons": 5, "pixels": 100,
+             "spans": {"affine_addx": 100}}
     asked = {"mapper": "affine", "edges": "exact", "gradients": "plane", "perspective": "every16"}
     scene = about | {
         "scene": "long", "title": NAME, "width": 320, "height": 256, "frames": [frame],
@@ -122,11 +125,13 @@ def complete(tmp_path_factory) -> Path:
 
 
 def test_rules_and_spans_of_each_material(complete) -> None:
-    """A run that tells them: settings asked for, polygons, rules, spans; names are text, never markup."""
+    """A run that tells them: settings, polygons, rules, spans; names are text, never markup."""
     text = (complete / report.PAGE).read_text()
     for words in ("a_material_with_a_rather_long_name_of_its_own", "5 polygons", "1 polygon<",
-                  "<code>constant_w_needs_no_perspective</code> 4", "<code>affine_row</code> 12,345,678",
-                  "affine · exact · plane · every16", "&lt;script&gt;", "97.0 % of its bound", "1 cases in 4 drawings", "3 have an exact ideal",
+                  "<code>constant_w_needs_no_perspective</code> 4",
+                  "<code>affine_row</code> 12,345,678",
+                  "affine · exact · plane · every16", "&lt;script&gt;", "97.0 % of its bound",
+                  "1 cases in 4 drawings", "3 have an exact ideal",
                   "<strong>1 exceeds a bound", "sliver: 2 texels off"):
         assert words in text, words
     assert "all together" not in text and NAME not in text
@@ -134,17 +139,19 @@ def test_rules_and_spans_of_each_material(complete) -> None:
 
 
 def test_pages_read_well_in_a_browser(made, complete) -> None:
-    """Both reports on a phone and on a desk, folded parts shut and open: nothing runs off to the side, all
-    pictures come, nothing but files is asked for, every link inside the page leads somewhere."""
+    """Both reports on a phone and on a desk, folded parts shut and open: nothing runs off to the
+    side, all pictures come, only files are asked for, every link inside leads somewhere."""
     with browser() as chromium:
         for page, opened in ((made[0] / report.PAGE, False), (complete / report.PAGE, True)):
             for width, height in SIZES:
                 view = chromium.look(page, width, height, opened)
                 where = f"{page.parent.name}, {width} pixels wide"
-                assert view.page["width"] <= width and not view.page["wide"], (where, view.page["wide"])
+                assert view.page["width"] <= width, where
+                assert not view.page["wide"], (where, view.page["wide"])
                 assert not view.page["broken"] and view.page["pictures"] >= 4, (where, view.page)
                 assert not view.failures and not view.page["missing"], (where, view)
-                assert view.requests and all(url.startswith("file:") for url in view.requests), where
+                assert view.requests, where
+                assert all(url.startswith("file:") for url in view.requests), (where, view)
                 picture = Image.open(io.BytesIO(view.png)).convert("RGB")
                 assert picture.width == width and picture.height > 4 * height
                 assert len(picture.getcolors(1 << 24)) > 50, where
@@ -153,7 +160,8 @@ def test_pages_read_well_in_a_browser(made, complete) -> None:
 def test_browser_notices_faults(tmp_path) -> None:
     """The checks above see what they are for."""
     page = tmp_path / "page.html"
-    page.write_text('<meta name="viewport" content="width=device-width"><div style="width:900px">wide</div>'
+    page.write_text('<meta name="viewport" content="width=device-width"><div style='
+                    '"width:900px">wide</div>'
                     '<img src="gone.png"><a href="#nowhere">x</a>'
                     '<link rel="stylesheet" href="http://192.0.2.1/style.css">')
     with browser() as chromium:

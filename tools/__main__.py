@@ -182,13 +182,13 @@ def parser() -> Parser:
     command.add_argument("--rms", action="store_true",
                          help="hold the root of the mean square to it instead of the largest error")
     command.add_argument("--wrong", type=positive, metavar="PIXELS",
-                         help="how many pixels in a million may be on the wrong side of an edge (any)")
+                         help="how many pixels in a million may be on an edge's wrong side (any)")
     command.add_argument("--depth", action="store_true",
                          help="polygons with depth, whose texture is seen in perspective")
     command.add_argument("--mapper", choices=tuple(MAPPER_LAYOUT),
                          help="this mapper alone (affine, generated, tiled or columns)")
-    command.add_argument("--data", type=Path, metavar="FILE", help="an accuracy.json, as make accuracy "
-                         "writes it (the committed baseline)")
+    command.add_argument("--data", type=Path, metavar="FILE",
+                         help="an accuracy.json, as make accuracy writes it (the committed baseline)")
 
     command = add(report, "Gather every figure and picture in one page: index.html.")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/report)")
@@ -197,8 +197,8 @@ def parser() -> Parser:
     command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
                          help="what scenes are drawn on (a1200-fast)")
     command.add_argument("--committed", action="store_true",
-                         help="take the committed figures of bench, accuracy and polygons instead of "
-                              "measuring, and leave out what is not committed")
+                         help="take the committed figures of bench, accuracy and polygons instead "
+                              "of measuring, and leave out what is not committed")
 
     add(readme, "Bring the tables of the README up to date.")
 

@@ -46,7 +46,7 @@ def imports(text: str) -> list[str]:
 
 
 def sources(module: str) -> list[Path]:
-    """The files of the tools that a module needs: its own, and all that it imports, however deep."""
+    """The files of the tools that a module needs: its own, and what it imports, however deep."""
     found, names = {}, [module]
     while names:
         name = names.pop()
@@ -103,7 +103,8 @@ def of_result(result) -> str:
     return hashlib.sha256(json.dumps(result).encode()).hexdigest()
 
 
-def kept(name: str, identity: str, make: Callable[[Path], dict], cache: Path | None = None) -> Entry:
+def kept(name: str, identity: str, make: Callable[[Path], dict],
+         cache: Path | None = None) -> Entry:
     """The entry of a name and key; ``make`` measures what is not there: it writes files into the
     directory it is given and returns the result."""
     folder = (cache or CACHE) / f"{name}-{identity}"

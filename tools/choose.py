@@ -107,11 +107,13 @@ def pasted(row: dict) -> str:
 
 def table(steps: tuple[dict | None, dict, dict | None]) -> str:
     """The choice between its neighbours, in columns."""
-    titles = ("", *SETTINGS, "cycles/pixel", "largest error", "rms error", "wrong in 10^6", "wrong texels")
+    titles = ("", *SETTINGS, "cycles/pixel", "largest error", "rms error",
+              "wrong in 10^6", "wrong texels")
     lines = [titles]
     for title, row in zip(("cheaper", "choice", "more exact"), steps):
         lines.append((title, *(row[s] for s in SETTINGS), f"{row[COST]:.2f}", f"{row[LARGEST]:.4f}",
-                      f"{row[RMS]:.4f}", f"{row[WRONG]:,.0f}", f"{row['wrong_texels_percent']:.2f} %")
+                      f"{row[RMS]:.4f}", f"{row[WRONG]:,.0f}",
+                      f"{row['wrong_texels_percent']:.2f} %")
                      if row else (title, "-", *[""] * (len(titles) - 2)))
     widths = [max(map(len, column)) for column in zip(*lines)]
     first_number = 1 + len(SETTINGS)
@@ -123,7 +125,8 @@ def table(steps: tuple[dict | None, dict, dict | None]) -> str:
 def asked(wish: Wish) -> str:
     """A wish in words."""
     unit = "shades" if wish.mapper == "gouraud" else "texels"
-    words = f"{'an rms' if wish.measure == RMS else 'a largest'} error of at most {wish.error:g} {unit}"
+    kind = "an rms" if wish.measure == RMS else "a largest"
+    words = f"{kind} error of at most {wish.error:g} {unit}"
     if wish.wrong is not None:
         words += f" and {wish.wrong:g} wrong pixels in a million"
     return words
@@ -134,8 +137,9 @@ def change_in_words(best: dict, row: dict | None, change: str, saying: str, wish
     if not row:
         return f"No setting is {change}."
     cycles = abs(row[COST] - best[COST])
-    words = (f"The next {change} one {saying} {cycles:.2f} cycles a pixel ({100 * cycles / best[COST]:.1f} "
-             f"%); its {'rms' if wish.measure == RMS else 'largest'} error is {row[wish.measure]:g}")
+    words = (f"The next {change} one {saying} {cycles:.2f} cycles a pixel "
+             f"({100 * cycles / best[COST]:.1f} %); its "
+             f"{'rms' if wish.measure == RMS else 'largest'} error is {row[wish.measure]:g}")
     if row[WRONG] != best[WRONG]:
         words += f", its wrong pixels are {row[WRONG]:,.0f} in a million"
     return words + "."
@@ -155,13 +159,15 @@ def command(wish: Wish, data: Path | None) -> int:
         nearest = min(rows, key=lambda r: (r[WRONG] > (wish.wrong or 0), r[wish.measure], r[COST]))
         print(f"tmap: choose: no setting has {asked(wish)} on {wish.machine}; the most exact has "
               f"{nearest[wish.measure]:g} ({', '.join(nearest[s] for s in SETTINGS)}), "
-              f"{nearest[WRONG]:g} wrong pixels in a million, at {nearest[COST]:.2f} cycles a pixel",
+              f"{nearest[WRONG]:g} wrong pixels in a million, at {nearest[COST]:.2f} cycles "
+              "a pixel",
               file=sys.stderr)
         return 1
     print(f"The cheapest with {asked(wish)}, on {wish.machine}"
           + (", textures in perspective:" if wish.depth else ":") + f"\n\n{table(steps)}\n")
     for row, change, saying in ((down, "cheaper", "saves"), (up, "more exact", "costs")):
         print(change_in_words(best, row, change, saying, wish))
-    print(f"\n{pasted(best)}\n\nSet {wish.set_name} of {source.name}: {found.get('conditions', '')} "
-          f"{found.get('emulator', '')}, {found.get('compiler', '')}, commit {found.get('commit', '')}.")
+    about = [str(found.get(name, "")) for name in ("conditions", "emulator", "compiler")]
+    print(f"\n{pasted(best)}\n\nSet {wish.set_name} of {source.name}: {' '.join(about)}, "
+          f"commit {found.get('commit', '')}.")
     return 0

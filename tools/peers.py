@@ -33,8 +33,8 @@ PUBLISHED = {
              (29.3, 33.4, 33.6), None, True),
         Loop("Quake, 1x1 pixels", "a Quake port for the 68060: the best exact one published",
              (25.8, 33.9, 34.1), 37.2, True),
-        Loop("demo loop, 8.8 steps", "the best one published in a demo; one texel in four is wrong on "
-             "odd slopes", (22.4, 34.6, 45.0), 28.5, False)),
+        Loop("demo loop, 8.8 steps", "the best one published in a demo; one texel in four is wrong "
+             "on odd slopes", (22.4, 34.6, 45.0), 28.5, False)),
     "lit": (
         Loop("R_DrawSpan", "DoomAttack, 68020 and 68030: 64x64 texels through a light table",
              (31.9, 39.6, 40.8), 54.3, True),),
@@ -44,9 +44,10 @@ OURS = {
     "textured": (("affine_addx", "affine, addx", "one circular chain of addx", True),
                  ("affine_swap", "affine, swap", "the same work by swap", True),
                  ("affine_c", "affine, C", "the same work in C", True),
-                 ("generated", "generated", "code written for each polygon; a line's start loses its "
-                  "fraction", False)),
-    "lit": (("affine_lit", "lit", "256x256 texels through a light table, one level a polygon", True),
+                 ("generated", "generated", "code written for each polygon; a line's start loses "
+                  "its fraction", False)),
+    "lit": (("affine_lit", "lit", "256x256 texels through a light table, one level a polygon",
+             True),
             ("affine_gouraud", "lit_gouraud", "the same, a level each pixel", True)),
 }
 

@@ -1,4 +1,4 @@
-"""``tmap report``: everything that is measured in one page, index.html, which needs nothing else."""
+"""``tmap report``: all that is measured in one page, index.html, which needs nothing else."""
 
 import shutil
 import sys
@@ -54,7 +54,8 @@ def command(out: Path, scenes: list[str] | None, machine: str, only_committed: b
     """``tmap report``: measures what is not in the cache, writes the page, says where it is."""
     check_directory(out)
     names = report_data.scene_names(scenes)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+               TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True,
                   disable=not sys.stderr.isatty()) as progress:
         found = report_data.gather(names, machine, only_committed, progress)

@@ -69,7 +69,8 @@ def bench_scene_files() -> list[Path]:
     """The scenes that the bench draws."""
     from . import bench_scenes
 
-    return [file for name in bench_scenes.NAMES for file in cache.scene_files(SCENES / f"{name}.toml")]
+    return [file for name in bench_scenes.NAMES
+            for file in cache.scene_files(SCENES / f"{name}.toml")]
 
 
 def of_bench(on_case: Callable[[int], None]) -> Entry:

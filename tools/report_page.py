@@ -21,9 +21,10 @@ MACHINES = {
     "a1200": "68EC020, 2 MB of chip RAM and nothing else",
     "a1200-fast": "the same with 8 MB of fast RAM, which has code, tables, textures and frame",
     "a1200-mixed": "a1200-fast with textures and frame in chip RAM",
-    "a1200-030": "a1200-fast with a 68EC030 at the same clock; its data cache on where that is said"}
+    "a1200-030": "a1200-fast with a 68EC030 at the same clock; its data cache on where said"}
 #: Kinds of bench rows: title.
-BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line: edges and line tables",
+BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)",
+               "lines": "Cycles a line: edges and line tables",
                "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
                "frames": "Cycles a frame of whole scenes"}
 #: Rows of the bench beside memory alone, and the row of memory that is their floor.
@@ -31,8 +32,8 @@ FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx",
            "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_every16", "persp_every8",
            "persp_pixel", "persp_pixel_fine")
 STORES = ("gouraud",)  # they fetch no texel
-#: Of the hard cases, how many nearest to their bounds are told one by one: of these edges, gradients
-#: and start.
+#: Of the hard cases, how many nearest to their bounds are told one by one: of these edges,
+#: gradients and start.
 NEAREST, EXACT = 9, ("exact", "plane", "subtexel")
 
 
@@ -108,8 +109,8 @@ def scene_errors(scenes: list[dict]) -> list[showcase.Shown]:
 
 
 def hard_cases(entry: Entry) -> dict:
-    """How many there are, what exceeds a bound, and what comes nearest of spans that are as exact as
-    they can be."""
+    """How many there are, what exceeds a bound, and what comes nearest of spans that are as
+    exact as they can be."""
     rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
     judged = [r for r in rows if r["worst_ratio"] is not None]
     exact = {(name, value) for name, value in zip(("edges", "gradients", "start"), EXACT)}
@@ -149,7 +150,8 @@ def page(found: Found, pictures: Path) -> str:
         versus=readme.table(measured), effects=readme.effects_table(measured),
         meshes=readme.mesh_table(measured), whole=readme.scenes_table(measured),
         bench_source=Source(all_machines, measured),
-        frames_source=Source("a1200, a1200-fast", measured, "DMA and interrupts off; the screen cleared"),
+        frames_source=Source("a1200, a1200-fast", measured,
+                             "DMA and interrupts off; the screen cleared"),
         ranks={kind: peers.ranked(kind, measured) for kind in peers.PUBLISHED},
         places=peers.places, floors=peers.floors(measured), floored=floored(measured),
         bench_tables={title: bench.table(measured[kind], list(bench.CONDITIONS))

@@ -21,12 +21,13 @@ SIZES = {"frontier.png": ((9.6, 5.6), 120, 9), "frontier_narrow.png": ((4.4, 6.0
 
 def plotted(rows: list[dict], machine: str) -> list[dict]:
     """The rows of the plot: everything with a texture."""
-    return [r for r in rows if r["name"] in SETS and r["machine"] == machine and drawn_by(r) in MARKS]
+    return [r for r in rows if r["name"] in SETS and r["machine"] == machine
+            and drawn_by(r) in MARKS]
 
 
 def frontier(rows: list[dict]) -> list[dict]:
-    """The rows than which none is as cheap and as exact, and better in one; cheapest first. Error is
-    that of texels alone."""
+    """The rows than which none is as cheap and as exact, and better in one; cheapest first.
+    Error is that of texels alone."""
     best = []
     for row in sorted(rows, key=lambda r: (r["cycles_per_pixel"], r["texel_error_rms"])):
         if not best or row["texel_error_rms"] < best[-1]["texel_error_rms"]:
@@ -70,7 +71,8 @@ def plot(rows: list[dict], machine: str, path: Path) -> None:
         axes.minorticks_off()
         axes.grid(alpha=0.25)
         axes.spines[["top", "right"]].set_visible(False)
-        figure.legend(loc="outside lower center", ncols=4 if size[0] > size[1] else 2, frameon=False)
+        figure.legend(loc="outside lower center", ncols=4 if size[0] > size[1] else 2,
+                      frameon=False)
         figure.savefig(path, dpi=dots)
         plt.close(figure)
 
@@ -79,4 +81,5 @@ def label(axes, row: dict, best: list[dict], colour: str) -> None:
     """A point of the frontier by its name, on the side where there is room."""
     offset, end = PLACES["first" if row is best[0] else "last" if row is best[-1] else row["name"]]
     axes.annotate(drawn_by(row), (row["cycles_per_pixel"], max(row["texel_error_rms"], LEAST)),
-                  color=colour, xytext=offset, textcoords="offset points", ha=end, fontweight="bold")
+                  color=colour, xytext=offset, textcoords="offset points", ha=end,
+                  fontweight="bold")
