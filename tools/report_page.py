@@ -33,8 +33,8 @@ FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx",
            "persp_pixel", "persp_pixel_fine")
 STORES = ("gouraud",)  # they fetch no texel
 #: Of the hard cases, how many nearest to their bounds are told one by one: of these edges,
-#: gradients and start.
-NEAREST, EXACT = 9, ("exact", "plane", "subtexel")
+#: gradients and start, by this mapper, and large enough for the eye (pixels).
+NEAREST, EXACT, LARGE = 9, ("exact", "plane", "subtexel", "affine"), 400
 
 
 def tables(markdown: str, numbers: bool = False) -> Markup:
@@ -113,10 +113,10 @@ def hard_cases(entry: Entry) -> dict:
     exact as they can be."""
     rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
     judged = [r for r in rows if r["worst_ratio"] is not None]
-    exact = {(name, value) for name, value in zip(("edges", "gradients", "start"), EXACT)}
+    exact = {(name, value) for name, value in zip(("edges", "gradients", "start", "mapper"), EXACT)}
     nearest: dict[str, dict] = {}
     for row in sorted(judged, key=lambda r: -r["worst_ratio"]):
-        if exact <= row.items() and row["texel_error"]:
+        if exact <= row.items() and row["pixels"] >= LARGE:
             nearest.setdefault(row["case"], row)
     sentences = {case.name: case.sentence for case in every_case()}
     return entry.result | {
