@@ -111,7 +111,8 @@ def complete(tmp_path_factory) -> Path:
         Image.fromarray(np.zeros((64, 1600, 3), np.uint8)).save(folder / name)
     (folder / "index.html").write_text("<p>cases")
     row = {"case": "sliver", "mapper": "affine", "edges": "exact",
-           "gradients": "plane", "start": "subtexel", "perspective": "none", "cycles": 1234, "pixels": 999,
+           "gradients": "plane", "start": "subtexel", "perspective": "none",
+           "cycles": 1234, "pixels": 999,
            "texel_error": 0.01, "worst_ratio": 0.97}
     rows = [row, row | {"worst_ratio": 0.5}, row | {"start": "truncated", "worst_ratio": 1.0},
             row | {"worst_ratio": None}]
