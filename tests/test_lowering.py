@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tools import bench_rules, bounds, emulator, fuzz, fuzz_polygons, model, run
+from tools import bench_rules, bounds, emulator, fuzz, fuzz_polygons, layout, model, run
 from tools.bench_rules import AFFINE, CASES, DEEP, TURNED, WIDE, Case
 from tools.scene_file import ONE, write
 
@@ -16,7 +16,7 @@ SEED, BLOCKS, COUNT = 6, 3, 400
 
 def test_every_exact_rule_has_its_case():
     """Those of tolerances change the picture: they are below."""
-    assert set(bench_rules.rules()) - set(bench_rules.INEXACT) == {case.rule for case in CASES}
+    assert set(layout.load().names("RULE_")) - set(bench_rules.INEXACT) == {case.rule for case in CASES}
 
 
 def test_counts_show_that_nothing_else_ran():

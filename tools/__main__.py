@@ -12,6 +12,7 @@ from pathlib import Path
 
 from .errors import UserError
 from .paths import BUILD, ROOT
+from .scene_file import MAPPER_LAYOUT
 
 FORMS = ("addx", "swap", "c")
 
@@ -68,6 +69,20 @@ def fuzz(args: argparse.Namespace) -> int:
     build_programs()
     from . import fuzz as tool
     return tool.command(args.seed, args.first, args.count, args.machine, args.keep)
+
+
+def choose(args: argparse.Namespace) -> int:
+    """Looks a setting up."""
+    from . import choose as tool
+    return tool.command(tool.Wish(args.error, args.machine, args.depth, args.wrong, args.mapper,
+                                  tool.RMS if args.rms else tool.LARGEST), args.data)
+
+
+def report(args: argparse.Namespace) -> int:
+    """Makes the page of everything."""
+    build_programs()
+    from . import report as tool
+    return tool.command(args.out or BUILD / "report", args.scene, args.machine, args.committed)
 
 
 def readme(args: argparse.Namespace) -> int:
@@ -162,6 +177,31 @@ def parser() -> Parser:
     command.add_argument("source", type=Path, metavar="FILE")
     command.add_argument("-o", dest="out", type=Path, metavar="PICTURE.png", required=True)
 
+    command = add(choose, "Name the cheapest setting of a material that keeps an error.")
+    command.add_argument("--error", type=positive, required=True, metavar="TEXELS",
+                         help="how far u and v may be off, anywhere")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), required=True)
+    command.add_argument("--rms", action="store_true",
+                         help="hold the root of the mean square to it instead of the largest error")
+    command.add_argument("--wrong", type=positive, metavar="PIXELS",
+                         help="how many pixels in a million may be on an edge's wrong side (any)")
+    command.add_argument("--depth", action="store_true",
+                         help="polygons with depth, whose texture is seen in perspective")
+    command.add_argument("--mapper", choices=tuple(MAPPER_LAYOUT),
+                         help="this mapper alone (affine, generated, tiled or columns)")
+    command.add_argument("--data", type=Path, metavar="FILE",
+                         help="an accuracy.json, as make accuracy writes it (the committed baseline)")
+
+    command = add(report, "Gather every figure and picture in one page: index.html.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/report)")
+    command.add_argument("--scene", action="append", metavar="NAME",
+                         help="a scene of tests/scenes instead of all; may be given several times")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
+                         help="what scenes are drawn on (a1200-fast)")
+    command.add_argument("--committed", action="store_true",
+                         help="take the committed figures of bench, accuracy and polygons instead "
+                              "of measuring, and leave out what is not committed")
+
     add(readme, "Bring the tables of the README up to date.")
 
     command = add(diff, "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
@@ -170,6 +210,17 @@ def parser() -> Parser:
     command.add_argument("-o", dest="out", type=Path, metavar="DIR",
                          help="where pictures of the differences go")
     return top
+
+
+def positive(text: str) -> float:
+    """A number from 0 on."""
+    number = float(text)
+    if not 0 <= number < float("inf"):
+        raise ValueError
+    return number
+
+
+positive.__name__ = "number"  # what messages call it
 
 
 def stop(*_) -> None:

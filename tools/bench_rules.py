@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from . import fuzz, layout, model
+from . import fuzz, model
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
@@ -85,12 +85,6 @@ CASES = (
     Case("short_lit", LIT, NARROW, TURNED, "lit_short", "lit"),
     Case("short_lit_wrap", LIT, NARROW, WRAPPED, "lit_short_wrap", "lit_wrap"),
 )
-
-
-def rules() -> list[str]:
-    """The names of all rules."""
-    return [name.removeprefix("RULE_").lower() for name in layout.load().constants
-            if name.startswith("RULE_")]
 
 
 @cache

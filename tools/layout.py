@@ -210,6 +210,11 @@ class Layout:
     structs: dict[str, dict]
     constants: dict[str, int]
 
+    def names(self, prefix: str) -> list[str]:
+        """The enumerators with a prefix, without it and in small letters."""
+        return [name.removeprefix(prefix).lower() for name in self.constants
+                if name.startswith(prefix)]
+
     def struct(self, name: str) -> Struct:
         return Struct(name, **self.structs[name])
 

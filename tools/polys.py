@@ -87,6 +87,16 @@ def table(rows: list[dict]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def measure_all(machine: str | None = None) -> dict:
+    """The content of polys.json; one machine alone has no rows of a 68030 beside it."""
+    rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
+    cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
+    return provenance.record() | {
+        "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
+                      "plane gradients, sub-texel starts; DMA and interrupts off",
+        "rows_68030": cached, "rows": rows}
+
+
 def command(out: str, machine: str | None, accept: bool) -> int:
     """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
     folder = Path(out)
@@ -94,12 +104,8 @@ def command(out: str, machine: str | None, accept: bool) -> int:
         raise UserError(f"{out}: is not a directory")
     if accept and machine:
         raise UserError("polys: --accept needs all machines")
-    rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
-    cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
-    found = provenance.record() | {
-        "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
-                      "plane gradients, sub-texel starts; DMA and interrupts off",
-        "rows_68030": cached, "rows": rows}
+    found = measure_all(machine)
+    rows, cached = found["rows"], found["rows_68030"]
     folder.mkdir(parents=True, exist_ok=True)
     text = table(rows) + ("\nA 68EC030 at the same clock, without and with its data cache:\n\n"
                           + table(cached) if cached else "")

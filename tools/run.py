@@ -242,17 +242,16 @@ def print_report(about: dict, out: Path) -> None:
 
 def rules(off: str | None) -> str | None:
     """The names of a list by commas, checked."""
-    known = [name.removeprefix("RULE_").lower() for name in layout.load().constants
-             if name.startswith("RULE_")]
+    known = layout.load().names("RULE_")
     for name in off.split(",") if off else []:
         if name not in ("all", *known):
             raise UserError(f"--off: {name!r} is not one of all, {', '.join(known)}")
     return off
 
 
-def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
-            off: str | None = None) -> int:
-    """Renders a scene file into the directory ``out``; raises UserError."""
+def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
+         off: str | None = None) -> dict:
+    """Renders a scene file into the directory ``out``; returns what run.json says."""
     check_directory(out)
     scene = compile_scene(path, frames)
     done = render(scene, machine, form, rules(off))
@@ -268,5 +267,11 @@ def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "cycles_unit": CYCLES_UNIT,
              "frames": done.figures, "totals": total(done.figures)}
     publish(out, done.frames, scene.palette, about)
-    print_report(about, out)
+    return about
+
+
+def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
+            off: str | None = None) -> int:
+    """``tmap run``: renders, prints a table; raises UserError."""
+    print_report(make(path, out, machine, frames, form, off), out)
     return 0

@@ -1,0 +1,170 @@
+"""What the report shows, measured or taken from the cache: one function a part."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from . import cache, provenance
+from .cache import Entry
+from .errors import UserError
+from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
+
+#: What methods and hard cases are drawn on.
+MACHINE = "a1200-fast"
+#: Of a scene's run, what the page shows.
+SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
+#: To be raised when what a part keeps in the cache takes another form.
+FORM = "1"
+Step = Callable[[], None]
+Part = Callable[[int, int], None]  # how many of how many are done
+
+
+@dataclass
+class Found:
+    """Everything; what was not measured is None."""
+
+    bench: dict  # as bench.json, accuracy.json and polys.json have it
+    accuracy: dict
+    polys: dict
+    scenes: list[Entry]
+    sets: Entry | None = None  # the files beside accuracy.json
+    methods: Entry | None = None
+    hard: Entry | None = None
+
+
+def scene_names(chosen: list[str] | None) -> list[str]:
+    """All scenes, or those that were asked for."""
+    known = sorted(path.stem for path in SCENES.glob("*.toml"))
+    unknown = [name for name in chosen or () if name not in known]
+    if unknown:
+        raise UserError(f"report: no scene is called {unknown[0]}; there are {', '.join(known)}")
+    return list(dict.fromkeys(chosen)) if chosen else known
+
+
+def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
+    """What identifies a part that a module of the tools measures."""
+    return cache.key(module, files, [FORM, *words])
+
+
+def of_scene(name: str, machine: str) -> Entry:
+    """A scene drawn: run.json's content without dumps and palette, and what its texels are off."""
+    path = SCENES / f"{name}.toml"
+
+    def make(folder: Path) -> dict:
+        from . import run, showcase
+        from .scene import compile_scene
+
+        about = run.make(path, folder, machine, None, "addx")
+        for file in set(folder.iterdir()) - {folder / kept for kept in SCENE_FILES}:
+            file.unlink()
+        return {key: value for key, value in about.items() if key != "palette"} | {
+            "errors": asdict(showcase.errors_of(compile_scene(path)))}
+
+    identity = key("showcase", cache.scene_files(path), machine)
+    return cache.kept(f"scene_{name}", identity, make)
+
+
+def bench_scene_files() -> list[Path]:
+    """The scenes that the bench draws."""
+    from . import bench_scenes
+
+    return [file for name in bench_scenes.NAMES
+            for file in cache.scene_files(SCENES / f"{name}.toml")]
+
+
+def of_bench(on_case: Callable[[int], None]) -> Entry:
+    """All rows of the bench on all machines."""
+    def make(folder: Path) -> dict:
+        from . import bench
+
+        found = bench.bench(list(bench.CONDITIONS), on_case=on_case)
+        bench.write(found, folder)
+        return found
+
+    return cache.kept("bench", key("bench", bench_scene_files()), make)
+
+
+def of_accuracy(on_step: Part) -> Entry:
+    """All sets under all settings, on all machines."""
+    def make(folder: Path) -> dict:
+        from . import accuracy, polygon_sets
+
+        names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], iter(range(1, 1000))
+        total = len(names) * len(accuracy.MACHINES)
+        accuracy.write_sets(folder, names, list(accuracy.MACHINES), False,
+                            lambda: on_step(next(done), total))
+        return json.loads((folder / "accuracy.json").read_text())
+
+    files = cache.scene_files(SCENES / "mappers.toml")
+    return cache.kept("accuracy", key("accuracy", files), make)
+
+
+def of_methods(on_step: Step) -> Entry:
+    """A turning face by each method."""
+    def make(folder: Path) -> dict:
+        from . import methods
+
+        return provenance.record() | {"machine": MACHINE,
+                                      "table": methods.write(folder, MACHINE, on_step)}
+
+    files = cache.scene_files(SCENES / "face.toml")
+    return cache.kept("methods", key("methods", files, MACHINE), make)
+
+
+def of_polys() -> Entry:
+    """Polygons a second."""
+    def make(folder: Path) -> dict:
+        from . import polys
+
+        return polys.measure_all()
+
+    return cache.kept("polys", key("polys"), make)
+
+
+def of_hard_cases(on_part: Part) -> Entry:
+    """The page of hard cases, and which exceed a bound."""
+    def make(folder: Path) -> dict:
+        from . import accuracy
+
+        complaints = accuracy.write_hard_cases(folder, MACHINE, on_part)
+        return provenance.record() | {"machine": MACHINE, "complaints": complaints}
+
+    return cache.kept("hard", key("accuracy", [], MACHINE), make)
+
+
+def committed(path: Path) -> dict:
+    """A baseline."""
+    return json.loads(path.read_text())
+
+
+def gather(scenes: list[str], machine: str, only_committed: bool, progress) -> Found:
+    """Everything the page shows. ``progress``: a rich Progress, told what is being measured."""
+    def task(name: str, total: int | None = None) -> Callable[..., None]:
+        number = progress.add_task(name, total=total)
+        return lambda **how: progress.update(number, **how)
+
+    update, drawn = task("scenes", len(scenes)), []
+    for name in scenes:
+        update(description=f"scene {name}")
+        drawn.append(of_scene(name, machine))
+        update(advance=1)
+    update(description="scenes")
+    if only_committed:
+        return Found(*map(committed, (BASELINE, ACCURACY_BASELINE, POLYS_BASELINE)), drawn)
+
+    def part(name: str, find: Callable[..., Entry], total: int | None, adapt) -> Entry:
+        update = task(name, total)
+        entry = find(*adapt(update))
+        update(total=1, completed=1)
+        return entry
+
+    def counted(update) -> tuple:
+        return (lambda done, total: update(completed=done, total=total),)
+
+    methods = part("methods", of_methods, None, lambda update: (lambda: update(advance=1),))
+    polys = part("polygons a second", of_polys, None, lambda update: ())
+    bench = part("bench", of_bench, None, lambda update: (lambda done: update(completed=done),))
+    sets = part("accuracy", of_accuracy, None, counted)
+    hard = part("hard cases", of_hard_cases, None, counted)
+    return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard)
