@@ -109,3 +109,10 @@ def test_what_is_drawn_affine_for_want_of_precision() -> None:
             if verdict.unsure:
                 unsure[case.name] = verdict.texel_error
     assert unsure == {"deep_triangle_1_unit_1_to_16384": 0.0}
+
+
+def test_a_line_may_end_at_the_tables_last_entry() -> None:
+    """Its larger weight is 2^32 by the rounding of its steps: the bound counts the smaller one."""
+    case, settings = BY_NAME["one_farther_at_the_top"], model.Settings(perspective="pixel")
+    verdict = bounds.judge(case.vertices, settings, hard_cases.WIDTH, hard_cases.HEIGHT)
+    assert verdict.texel_bound > 0 and not verdict.complaint, verdict.complaint
