@@ -93,6 +93,9 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
         c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
     if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR:
         return None
+    far = FAR if piece is None else reach(piece, width) << 16
+    if any(max(low - n, n - high) > far for n, high, low in zip(k, p.high, p.low)):
+        return None
     return Constants(tuple(b + n & M32 for b, n in zip(p.base, k)), tuple(c), tuple(dc),
                      piece and reach(piece, width) << 24 - piece, piece)
 

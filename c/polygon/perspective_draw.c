@@ -17,12 +17,15 @@ static const struct {
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
 #define FAR (512 << 16)
 
-static int32 is_near(fix16 value, fix16 low, fix16 high)
+/* And K is so near to the range that some line may be within reach of it. */
+static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
 {
-    return value > -FAR && value < FAR && low > -FAR && high < FAR;
+    return value > -FAR && value < FAR && low > -FAR && high < FAR
+        && low - value <= reach && value - high <= reach;
 }
 
-static int32 find_constants(struct reciprocal_plan *plan)
+/* 0: no line is to be tried. reach: texels from K, 16.16, beyond which lines are not drawn. */
+static int32 find_constants(struct reciprocal_plan *plan, fix16 reach)
 {
     const struct perspective_plan *planes = plan->planes;
     int32 y = 0;
@@ -32,8 +35,8 @@ static int32 find_constants(struct reciprocal_plan *plan)
             return 0;
     if (!planes->gentle
         || !reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
-        || !is_near(plan->ku, planes->u_low, planes->u_high)
-        || !is_near(plan->kv, planes->v_low, planes->v_high))
+        || !is_near(plan->ku, planes->u_low, planes->u_high, reach)
+        || !is_near(plan->kv, planes->v_low, planes->v_high, reach))
         return 0;
     plan->ku += planes->u;
     plan->kv += planes->v;
@@ -53,10 +56,11 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
     plan.piece = ways[setting].piece;
     plan.table = table;
     plan.to = drawn;
-    if (!find_constants(&plan))
+    reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
+          - width / RECIPROCAL_REACH_WIDTH;
+    if (!find_constants(&plan, reach << 16))
         return planes->count;
-    reach = plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8;
-    plan.limit = (uint32)(reach - width / RECIPROCAL_REACH_WIDTH) << (24 - plan.piece);
+    plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
     lines.lines = drawn;
     lines.count = planes->count;
@@ -81,7 +85,7 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     int32 left;
 
     plan.planes = planes;
-    if (!find_constants(&plan))
+    if (!find_constants(&plan, FAR))
         return planes->count;
     left = logarithm_lines(&plan, tables, drawn);
     lines.lines = drawn;
