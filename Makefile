@@ -32,14 +32,16 @@ LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/
 
 HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
-NAMES := $(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c)))
+# c/programs/scene.c is not among them: tools/scene_program.py links it with a scene.
+NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
 ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span,src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)
 ASM_OUT := build/obj/asm
 C_OBJECTS := $(C_FILES:c/%.c=$(C_OUT)/%.o)
-MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o)
+SCENE_OBJECT := $(C_OUT)/programs/scene.o
+MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(C_OBJECTS)
@@ -84,7 +86,7 @@ diff:
 clean:
 	@rm -rf build
 
-programs: $(NAMES:%=build/programs/%) build/programs/uaequit | setup
+programs: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
 
 # Everything that is built waits for this, and nothing is rebuilt for it.
 setup:
@@ -137,6 +139,9 @@ define COMPILE_vbcc
 @$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
 endef
 
+# What no frame's time depends on is made small.
+$(C_OUT)/system/%.o $(C_OUT)/programs/scene.o: GCC_FLAGS += -Os
+
 $(C_OUT)/%.o: c/%.c build/obj/flags | setup
 	$(COMPILE_$(CC68K))
 
@@ -157,7 +162,7 @@ build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contract
 define PROGRAM
 build/obj/$1.elf: $2 src68k/amiga/program.ld build/obj/objects build/obj/flags | setup
 	@echo "link $$@"
-	@$(LD) $(LD_FLAGS) -o $$@ $2
+	@$(LD) $(LD_FLAGS) -Map=build/obj/$1.link -o $$@ $2
 
 build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
 	@mkdir -p build/programs

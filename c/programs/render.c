@@ -15,9 +15,6 @@
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
 
-/* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
-#define FRAME_LIMIT 650
-
 static const char *const span_names[SPAN_KINDS] = {
     "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
@@ -66,16 +63,6 @@ static uint32 guards_broken(const struct frame *frame)
     return broken;
 }
 
-static void frame_name(char *name, int32 number)
-{
-    const char *pattern = "frame_000.chunky";
-
-    while ((*name++ = *pattern++) != 0)
-        ;
-    for (name -= 8; number; number /= 10)
-        *--name = (char)('0' + number % 10);
-}
-
 static void report(int32 number, uint32 ticks, const struct draw_counts *counts)
 {
     text_add("frame ");
@@ -102,18 +89,11 @@ struct run {
     const char *digest;         /* name of the file, or 0: dumps */
 };
 
-/* Draws a frame, between quiet_enter and quiet_leave, and looks at the guard bands. */
+/* Draws a frame and looks at the guard bands. */
 static int32 draw(const struct scene *scene, const struct frame *frame, int32 number,
                   enum form form, struct frame_digest *drawn)
 {
-    enum polygon_result result;
-
-    quiet_enter();
-    clock_start(FRAME_LIMIT);
-    result = scene_draw(scene, frame, number, form, 0);
-    drawn->ticks = clock_stop();
-    quiet_leave();
-    drawn->result = result;
+    drawn->result = scene_time(scene, frame, number, form, &drawn->ticks);
     if (guards_broken(frame)) {
         text_add("frame ");
         text_number(number);
@@ -138,7 +118,6 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
     for (int32 number = 0; number < run->frames; number++) {
         struct draw_counts counts;
         struct frame_digest drawn;
-        char name[20];
 
         clear_counts(&counts);
         if (!draw(scene, frame, number, run->form, &drawn))
@@ -147,8 +126,7 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
             *refused = drawn.result;
         if (run->count)                 /* again, since counting takes time */
             scene_draw(scene, frame, number, run->form, &counts);
-        frame_name(name, number);
-        if (!file_save(name, frame->pixels, (uint32)(frame->pitch * frame->height)))
+        if (!scene_save(frame, number))
             return 0;
         report(number, drawn.ticks, &counts);
     }

@@ -8,6 +8,7 @@
         include "routine.i"
 
         xdef    quiet_leave
+        xdef    quiet
         xref    sys_base
         xref    fault_number
         xref    fault_enter

@@ -1,0 +1,19 @@
+#include "scene/scene.h"
+
+#include "system/system.h"
+
+/* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
+#define FRAME_LIMIT 650
+
+enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,
+                               int32 number, enum form form, uint32 *ticks)
+{
+    enum polygon_result result;
+
+    quiet_enter();
+    clock_start(FRAME_LIMIT);
+    result = scene_draw(scene, frame, number, form, 0);
+    *ticks = clock_stop();
+    quiet_leave();
+    return result;
+}
