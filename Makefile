@@ -22,6 +22,8 @@ ASM_FLAGS := $(VASM_FLAGS) -Isrc68k/include -Ibuild/gen
 GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
   -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
+# For what no frame's time depends on.
+SMALL_FLAGS := -Os
 # 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
 # that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
 # declaration, 162 no prototype, 169 extern in a function, 174 no return.
@@ -95,7 +97,7 @@ setup:
 # Files that change only when what they say does: what they say is in $(TEXT).
 KEEP = @mkdir -p $(@D); printf '%s\n' $(TEXT) | cmp -s - $@ || printf '%s\n' $(TEXT) >$@
 
-build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
+build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(SMALL_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
 build/obj/flags: FORCE
 	$(KEEP)
 
@@ -139,8 +141,7 @@ define COMPILE_vbcc
 @$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
 endef
 
-# What no frame's time depends on is made small.
-$(C_OUT)/system/%.o $(C_OUT)/programs/scene.o: GCC_FLAGS += -Os
+$(C_OUT)/system/%.o $(SCENE_OBJECT): GCC_FLAGS += $(SMALL_FLAGS)
 
 $(C_OUT)/%.o: c/%.c build/obj/flags | setup
 	$(COMPILE_$(CC68K))

@@ -54,7 +54,7 @@ SR_TRACE                equ     $8000
         rte
 .off    movec   vbr,a0
         move.l  old_trace,VECTOR_TRACE(a0)
-        and.w   #~SR_TRACE,(sp)
+        and.w   #SR_TRACE-1,(sp)        ; whose highest bit it is
         rte
 .name   dc.b    'trace.flags',0
         even
