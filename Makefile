@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run bench accuracy polys fuzz test diff clean programs setup FORCE
+.PHONY: help run scene-program bench accuracy polys fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -52,6 +52,7 @@ LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
 help:
 	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
+	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
@@ -64,6 +65,9 @@ help:
 run: programs
 	@scripts/tmap run "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"} \
 	  -o "build/run/$$(basename "$$SCENE" .toml)"
+
+scene-program: programs
+	@scripts/tmap scene-program "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
 
 bench: programs
 	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench
