@@ -17,7 +17,7 @@ from .parts import Part, Program
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
 CACHE = 256  # bytes
 LAST = ".rodata.scene_data"  # maps too: addresses have to be relocated before it only
-AHEAD = 8  # bytes that are fetched behind an instruction, at most
+AHEAD = 4  # bytes that are fetched behind an instruction, at most
 
 
 def fetched(live: np.ndarray, address: int) -> np.ndarray:
@@ -33,21 +33,23 @@ class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
     def __init__(self, program: Program, fixed: dict[Section, int]):
-        """``fixed``: places of sections in the full renderer."""
+        """``fixed``: the sections whose places matter, and where the full renderer has them."""
         self.program = program
         self.at: dict[Section, int] = {}
         parts = list(program.parts.values())
         room = 2 * sum(p.section.size + CACHE for p in parts if not p.section.bss) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
-        entry = program.symbols["start"][0]
-        timed = [p for p in parts if p.timed and p.section in fixed]
-        rest = [p for p in parts if p not in timed and not p.section.bss
-                and p.section is not entry]
-        self.put(program.parts[entry], 0, CACHE)
-        for part in sorted(timed, key=lambda p: -p.bytes):
-            self.put(part, fixed[part.section] % CACHE, CACHE)
+        self.full = 0  # up to here there is no hole
+        entry = program.parts[program.symbols["start"][0]]
+        rest = [p for p in parts if not p.section.bss and p is not entry]
+        held = [p for p in rest if p.section in fixed]
+        self.put(entry, 0, CACHE)
+        for part in sorted(held, key=lambda p: -p.bytes):
+            self.put(part, fixed[part.section] % CACHE, CACHE, fetched(
+                part.live, fixed[part.section] % CACHE))
+        rest = [p for p in rest if p not in held]
         for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes)):
-            self.put(part, 0, 2 if part.section.code else part.section.align)
+            self.put(part, 0, 2 if part.section.code and not part.timed else part.section.align)
         self.bss = 0
         for part in parts:
             if part.section.bss:
@@ -57,20 +59,25 @@ class Layout:
         self.size = int(np.flatnonzero(self.used)[-1]) + 1
         self.size += -self.size % 4
 
-    def put(self, part: Part, first: int, step: int) -> None:
-        """Places a part at the lowest address first + n step where there is room for it."""
-        live, timed = part.live, part.timed
-        near = fetched(live, first) if timed and step == CACHE else None
-        for at in range(first, len(self.used), step):
-            if (self.used[at:at + len(live)] & live).any():
+    def put(self, part: Part, first: int, step: int, near: np.ndarray | None = None) -> None:
+        """Places a part at the lowest address first + n step where there is room for it.
+
+        ``near``: what is fetched from the longword of its place on, apart from others'.
+        """
+        live = part.live
+        lead = int(np.argmax(live))  # bytes before the first that is held
+        skip = max(0, self.full - lead - first + step - 1) // step * step
+        for at in range(first + skip, len(self.used), step):
+            if self.used[at + lead] or (self.used[at:at + len(live)] & live).any():
                 continue
+            begin = at & ~3
             if near is not None:
-                begin = at & ~3
                 if (self.near[begin:begin + len(near)] & near).any():
                     continue
                 self.near[begin:begin + len(near)] |= near
             self.used[at:at + len(live)] |= live
             self.at[part.section] = at
+            self.full += int(np.argmin(self.used[self.full:]))
             return
         raise AssertionError("no room in twice the size")
 

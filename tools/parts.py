@@ -27,7 +27,7 @@ class Part:
 
     section: Section
     executed: list[int]  # offsets of instructions
-    timed: bool  # some of them while frames are timed
+    timed: int  # 1: some of them while frames are timed; 2: some more than once
     whole: bool
     live: np.ndarray = field(init=False, repr=False)  # bool (size,)
     data: bytes = field(init=False, repr=False)
@@ -84,8 +84,8 @@ class Program:
     """The parts that a program needs, from its entry on."""
 
     def __init__(self, sections: list[Section], aliases: dict[str, str],
-                 trace: dict[Section, tuple[list[int], bool]] | None):
-        """``trace``: executed offsets of a section and whether timed; None: all is whole."""
+                 trace: dict[Section, tuple[list[int], int]] | None):
+        """``trace``: executed offsets of a section, and timed as in Part; None: all is whole."""
         self.aliases, self.trace = aliases, trace
         self.symbols: dict[str, tuple[Section, int]] = {}
         for section in sections:
@@ -103,7 +103,7 @@ class Program:
     def add(self, section: Section) -> Part:
         """The part of a section, which the program holds from now on."""
         if section not in self.parts:
-            executed, timed = (self.trace or {}).get(section, ([], False))
+            executed, timed = (self.trace or {}).get(section, ([], 0))
             whole = self.trace is None or is_whole(section) or section is self.stop
             self.parts[section] = Part(section, executed, timed, whole)
         return self.parts[section]
@@ -131,7 +131,7 @@ class Program:
         target, offset = self.resolve(section, relocation)
         if self.trace is None or is_whole(target) or target is self.stop:
             return target, offset
-        executed, _ = self.trace.get(target, ([], False))
+        executed, _ = self.trace.get(target, ([], 0))
         if offset in executed or (offset not in target.symbols.values() and executed):
             return target, offset
         return self.stop, 0
@@ -142,6 +142,9 @@ class Program:
         for part in list(self.parts.values()):
             for relocation in self.held(part):
                 target, offset = self.lead(part.section, relocation)
+                if target is self.stop and not part.section.code:
+                    part.live[relocation.offset:relocation.offset + relocation.size] = False
+                    continue
                 news |= target not in self.parts
                 found = self.add(target)
                 if not found.whole and offset not in found.executed:

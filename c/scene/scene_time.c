@@ -11,6 +11,7 @@ enum polygon_result scene_time(const struct scene *scene, const struct frame *fr
     enum polygon_result result;
 
     quiet_enter();
+    clock_wait();
     clock_start(FRAME_LIMIT);
     result = scene_draw(scene, frame, number, form, 0);
     *ticks = clock_stop();

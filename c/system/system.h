@@ -20,6 +20,7 @@ int32 mem_need(void *address, int32 bytes, int32 kind);
 
 int32 clock_open(void);
 void clock_close(void);
+void clock_wait(void);
 void clock_start(int32 limit);
 uint32 clock_stop(void);
 void quiet_enter(void);

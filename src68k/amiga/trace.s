@@ -11,8 +11,9 @@
         xref    quiet
 
 TRACE_WORDS             equ     65536   ; of code: 128 KB
-TRACED                  equ     1
-TRACED_QUIET            equ     2
+TRACED                  equ     0       ; bits
+TRACED_QUIET            equ     1
+TRACED_AGAIN            equ     2
 VECTOR_TRACE            equ     $24
 SR_TRACE                equ     $8000
 
@@ -25,7 +26,7 @@ SR_TRACE                equ     $8000
 ; reads:   -
 ; writes:  the trace vector, restored at the end
 ; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
-;          there and was executed, bit 1 in quiet mode
+;          there and was executed, bit 1 in quiet mode, bit 2 more than once so
 ; error:   code behind the first 128 KB is not noted
 ; cost:    some 20 times what the program takes
 ;==============================================================================
@@ -68,10 +69,12 @@ trace_step:                             ; the stacked PC: the next instruction
         bcc.s   .done
         lea     trace_flags,a0
         adda.l  d0,a0
-        or.b    #TRACED,(a0)
+        bset    #TRACED,(a0)
         tst.b   quiet
         beq.s   .done
-        or.b    #TRACED_QUIET,(a0)
+        bset    #TRACED_QUIET,(a0)
+        beq.s   .done
+        bset    #TRACED_AGAIN,(a0)
 .done   movem.l (sp)+,d0/a0
         rte
 
