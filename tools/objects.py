@@ -4,11 +4,17 @@ refer to."""
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import numpy as np
 from elftools.elf.constants import SH_FLAGS
 from elftools.elf.elffile import ELFFile
 
 #: R_68K_32, PC32, PC16, PC8: bytes and whether relative to their own place.
 RELOCATIONS = {1: (4, False), 4: (4, True), 5: (2, True), 6: (1, True)}
+
+COMMON = 0xFFF2  # no section of its own
+SYMBOL = np.dtype([("name", ">u4"), ("value", ">u4"), ("size", ">u4"), ("info", "u1"),
+                   ("other", "u1"), ("section", ">u2")])
+RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
 
 
 @dataclass(eq=False)
@@ -50,6 +56,7 @@ def load(path: Path) -> list[Section]:
     with path.open("rb") as stream:
         elf = ELFFile(stream)
         found: dict[int, Section] = {}
+        tables = {}
         for index, part in enumerate(elf.iter_sections()):
             if part["sh_flags"] & SH_FLAGS.SHF_ALLOC and part["sh_size"]:
                 bss = part["sh_type"] == "SHT_NOBITS"
@@ -57,24 +64,22 @@ def load(path: Path) -> list[Section]:
                     str(path), part.name, b"" if bss else part.data(), part["sh_size"],
                     max(part["sh_addralign"], 4), bool(part["sh_flags"] & SH_FLAGS.SHF_EXECINSTR),
                     bss)
-        table = elf.get_section_by_name(".symtab")
-        symbols = list(table.iter_symbols())
-        for symbol in symbols:
-            if symbol["st_shndx"] == "SHN_COMMON":
-                raise SystemExit(f"{path}: {symbol.name} is common: give it a section")
-            if symbol["st_info"]["bind"] != "STB_LOCAL" and symbol["st_shndx"] in found:
-                found[symbol["st_shndx"]].symbols[symbol.name] = symbol["st_value"]
-        for index, section in found.items():
-            relocations = elf.get_section_by_name(".rela" + section.name)
-            for part in elf.iter_sections():  # two sections may have the same name
-                if part["sh_type"] == "SHT_RELA" and part["sh_info"] == index:
-                    relocations = part
-            for entry in relocations.iter_relocations() if relocations else ():
-                symbol = symbols[entry["r_info_sym"]]
-                size, relative = RELOCATIONS[entry["r_info_type"]]
-                addend, target = entry["r_addend"], symbol.name
-                if symbol["st_shndx"] in found:
-                    target, addend = found[symbol["st_shndx"]], addend + symbol["st_value"]
-                section.relocations.append(
-                    Relocation(entry["r_offset"], size, relative, target, addend))
+            elif part["sh_type"] == "SHT_RELA":
+                tables[part["sh_info"]] = np.frombuffer(part.data(), RELA).tolist()
+        names = elf.get_section_by_name(".strtab").data()
+        symbols = np.frombuffer(elf.get_section_by_name(".symtab").data(), SYMBOL).tolist()
+    for name, value, _, info, _, index in symbols:
+        text = names[name:names.index(b"\0", name)].decode()
+        if index == COMMON:
+            raise SystemExit(f"{path}: {text} is common: give it a section")
+        if info >> 4 and index in found:
+            found[index].symbols[text] = value
+    for index, section in found.items():
+        for offset, info, addend in tables.get(index, ()):
+            name, value, _, _, _, home = symbols[info >> 8]
+            size, relative = RELOCATIONS[info & 255]
+            target = names[name:names.index(b"\0", name)].decode()
+            if home in found:
+                target, addend = found[home], addend + value
+            section.relocations.append(Relocation(offset, size, relative, target, addend))
     return list(found.values())

@@ -29,8 +29,8 @@ FLAGS = "trace.flags"
 TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed, more than once so
 RENDER_LINK = BUILD / "obj" / "render.link"
 LINKED = re.compile(r"^ (\S+)\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ (\S+\.o)$", re.M)
-import os
-FRAMES=int(os.environ.get("FR",0)) or None
+
+TRACE_PATIENCE = 10 * emulator.STALL_SECONDS  # instructions take some 30 times as long
 JITTER = 1  # ticks: so much do the full renderer's own times differ when it is repeated
 ROUTINES = 12  # that are listed
 
@@ -71,7 +71,8 @@ def measure(sections: list[objects.Section], folder: Path) -> dict:
     layout = Layout(program, {})
     folder.mkdir()
     layout.write(folder / "trace")
-    done = emulator.run("trace", "", {}, "a1200-fast", folder / "run", programs=folder)
+    done = emulator.run("trace", "", {}, "a1200-fast", folder / "run", programs=folder,
+                        patience=TRACE_PATIENCE)
     if done.code:
         raise UserError(f"the scene's program: return code {done.code}; "
                         + emulator.last_words(done.output))
@@ -174,7 +175,7 @@ def print_report(about: dict, out: Path) -> None:
 def command(path: Path, out: Path, machine: str) -> int:
     """Makes the program of a scene file in the directory ``out``; raises UserError."""
     check_directory(out)
-    scene = compile_scene(path, FRAMES)
+    scene = compile_scene(path, None)
     name = path.stem
     if not re.fullmatch(r"[A-Za-z0-9_-]{1,30}", name):
         raise UserError(f"{path}: its name is not from 1 to 30 letters, digits, _ and -, "

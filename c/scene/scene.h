@@ -42,9 +42,14 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
 /* The tables of a scene file in memory, at a multiple of 4. */
 void scene_place(struct scene *scene, const uint8 *data);
 
+/* What there is not enough memory for. */
+enum scene_memory {
+    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES
+};
+
 /* Maps, materials and what else a checked scene is drawn with; textures go to memory of
-   the kind given. Returns what there is not enough memory for, or 0. */
-const char *scene_make(struct scene *scene, int32 kind);
+   the kind given. */
+enum scene_memory scene_make(struct scene *scene, int32 kind);
 
 /* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
 enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,

@@ -246,6 +246,13 @@ static const char *wrong_entry(const struct scene *scene)
 
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
+    static const char *const memory_lacks[] = {
+        "", "not enough memory for the textures",
+        "not enough memory for the reciprocals of perspective",
+        "not enough memory for the logarithms of perspective",
+        "not enough memory for the materials", "not enough memory for the meshes"
+    };
+    enum scene_memory lacks;
     const char *wrong;
     uint8 *data;
     uint32 bytes;
@@ -259,6 +266,8 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     wrong = wrong_entry(scene);
     if (wrong)
         return refuse(name, wrong);
-    wrong = scene_make(scene, kind);
-    return wrong ? text_refuse(name, wrong) : 1;
+    lacks = scene_make(scene, kind);
+    if (lacks != SCENE_MADE)
+        return text_refuse(name, memory_lacks[lacks]);
+    return 1;
 }

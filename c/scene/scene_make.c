@@ -134,17 +134,17 @@ static int32 make_work(struct scene *scene)
         && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
 }
 
-const char *scene_make(struct scene *scene, int32 kind)
+enum scene_memory scene_make(struct scene *scene, int32 kind)
 {
     if (!scene_make_maps(scene, kind))
-        return "not enough memory for the textures";
+        return SCENE_TEXTURES;
     if (!make_reciprocals(scene))
-        return "not enough memory for the reciprocals of perspective";
+        return SCENE_RECIPROCALS;
     if (!make_logarithms(scene))
-        return "not enough memory for the logarithms of perspective";
+        return SCENE_LOGARITHMS;
     if (!make_materials(scene))
-        return "not enough memory for the materials";
+        return SCENE_MATERIALS;
     if (!make_work(scene))
-        return "not enough memory for the meshes";
-    return 0;
+        return SCENE_MESHES;
+    return SCENE_MADE;
 }
