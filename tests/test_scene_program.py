@@ -133,7 +133,7 @@ def test_wrong_frame_is_refused():
 
 @pytest.mark.parametrize("text, wanted", [
     (FLAT.replace("width = 64", "width = 63"), "width"),
-    (FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "color"),
+    (FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "materials.red"),
     (None, "none.toml"),
 ])
 def test_bad_input_is_one_line(folder, tmp_path, capsys, text, wanted):

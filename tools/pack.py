@@ -29,6 +29,21 @@ def fetched(live: np.ndarray, address: int) -> np.ndarray:
     return out
 
 
+def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]]:
+    """Groups of parts that lie so near in the full renderer that where one ends the next is
+    fetched; the largest first."""
+    groups: list[list[Part]] = []
+    end = 0
+    for part in sorted(parts, key=lambda p: places[p.section]):
+        held = np.flatnonzero(part.live) + places[part.section]
+        if groups and held[0] < (end & ~3) + 4 + AHEAD:
+            groups[-1].append(part)
+        else:
+            groups.append([part])
+        end = int(held[-1])
+    return sorted(groups, key=lambda group: -sum(p.bytes for p in group))
+
+
 class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
@@ -43,13 +58,14 @@ class Layout:
         entry = program.parts[program.symbols["start"][0]]
         rest = [p for p in parts if not p.section.bss and p is not entry]
         held = [p for p in rest if p.section in fixed]
-        self.put(entry, 0, CACHE)
-        for part in sorted(held, key=lambda p: -p.bytes):
-            self.put(part, fixed[part.section] % CACHE, CACHE, fetched(
-                part.live, fixed[part.section] % CACHE))
+        self.put([entry], [0], 0, CACHE)
+        for group in neighbours(held, fixed):
+            first = fixed[group[0].section]
+            self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
         rest = [p for p in rest if p not in held]
         for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes)):
-            self.put(part, 0, 2 if part.section.code and not part.timed else part.section.align)
+            step = 2 if part.section.code and not part.timed else part.section.align
+            self.put([part], [0], 0, step)
         self.bss = 0
         for part in parts:
             if part.section.bss:
@@ -59,12 +75,17 @@ class Layout:
         self.size = int(np.flatnonzero(self.used)[-1]) + 1
         self.size += -self.size % 4
 
-    def put(self, part: Part, first: int, step: int, near: np.ndarray | None = None) -> None:
-        """Places a part at the lowest address first + n step where there is room for it.
+    def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
+            apart: bool = False) -> None:
+        """Places parts at the lowest address first + n step where there is room for them.
 
-        ``near``: what is fetched from the longword of its place on, apart from others'.
+        ``offsets``: of each from that address; ``apart``: they share nothing that is fetched
+        with others that are so.
         """
-        live = part.live
+        live = np.zeros(offsets[-1] + parts[-1].section.size, bool)
+        for part, offset in zip(parts, offsets):
+            live[offset:offset + part.section.size] |= part.live
+        near = fetched(live, first) if apart else None
         lead = int(np.argmax(live))  # bytes before the first that is held
         skip = max(0, self.full - lead - first + step - 1) // step * step
         for at in range(first + skip, len(self.used), step):
@@ -76,7 +97,7 @@ class Layout:
                     continue
                 self.near[begin:begin + len(near)] |= near
             self.used[at:at + len(live)] |= live
-            self.at[part.section] = at
+            self.at |= {p.section: at + offset for p, offset in zip(parts, offsets)}
             self.full += int(np.argmin(self.used[self.full:]))
             return
         raise AssertionError("no room in twice the size")
