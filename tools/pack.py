@@ -116,7 +116,7 @@ class Layout:
         for part in self.program.parts.values():
             for relocation in self.program.held(part) if not part.section.bss else ():
                 place = self.at[part.section] + relocation.offset
-                target, offset = self.program.lead(part.section, relocation)
+                target, offset = self.program.lead(part, relocation)
                 value = self.at[target] + offset
                 if relocation.relative:
                     value -= place

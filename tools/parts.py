@@ -18,6 +18,7 @@ from .objects import Relocation, Section
 ILLEGAL = bytes.fromhex("4afc")
 #: Rooms of build/obj whose sections are whole.
 SYSTEM = ("amiga", "system", "programs")
+VBCC_CODE = "CODE"  # the name of its sections, one a file
 STOP = "left_out"  # what a pointer to a routine leads to that is never called
 
 
@@ -68,6 +69,13 @@ class Part:
                     self.live[end:end + 2] = True
                     data[end:end + 2] = ILLEGAL
         self.data = bytes(data)
+
+    def is_table(self, offset: int) -> bool:
+        """Whether a place is no instruction's."""
+        if self.whole:
+            return not self.section.code
+        return not any(start <= offset < start + instruction.length
+                       for start, instruction in self.known.items())
 
     @property
     def bytes(self) -> int:
@@ -126,13 +134,18 @@ class Program:
                 and part.data[r.offset:r.offset + r.size]
                 == part.section.data[r.offset:r.offset + r.size]]
 
-    def lead(self, section: Section, relocation: Relocation) -> tuple[Section, int]:
-        """As ``resolve``, but to the stop where the target is never executed."""
-        target, offset = self.resolve(section, relocation)
+    def lead(self, part: Part, relocation: Relocation) -> tuple[Section, int]:
+        """As ``resolve``, but to the stop where the target is a routine never executed.
+
+        vbcc has tables in the sections of code: what instructions refer to may be one.
+        """
+        target, offset = self.resolve(part.section, relocation)
         if self.trace is None or is_whole(target) or target is self.stop:
             return target, offset
         executed, _ = self.trace.get(target, ([], 0))
-        if offset in executed or (offset not in target.symbols.values() and executed):
+        if offset in executed or (executed and offset not in target.symbols.values()):
+            return target, offset
+        if target.name == VBCC_CODE and not part.is_table(relocation.offset):
             return target, offset
         return self.stop, 0
 
@@ -141,8 +154,8 @@ class Program:
         news = False
         for part in list(self.parts.values()):
             for relocation in self.held(part):
-                target, offset = self.lead(part.section, relocation)
-                if target is self.stop and not part.section.code:
+                target, offset = self.lead(part, relocation)
+                if target is self.stop and part.is_table(relocation.offset):
                     part.live[relocation.offset:relocation.offset + relocation.size] = False
                     continue
                 news |= target not in self.parts
