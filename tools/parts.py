@@ -33,16 +33,19 @@ class Part:
     live: np.ndarray = field(init=False, repr=False)  # bool (size,)
     data: bytes = field(init=False, repr=False)
     known: dict[int, instructions.Instruction] = field(init=False, repr=False)
+    tables: set[int] = field(init=False, repr=False)  # offsets of those that are held
+    instructions: np.ndarray = field(init=False, repr=False)  # bool (size,)
 
     def __post_init__(self) -> None:
         self.live = np.full(self.section.size, self.whole)
         self.data = self.section.data
-        self.known = {}
+        self.known, self.tables = {}, set()
         if self.whole:
             return
         self.known = instructions.at(self.section, self.executed)
         for offset, instruction in self.known.items():
             self.live[offset:offset + instruction.length] = True
+        self.instructions = self.live.copy()
         for instruction in list(self.known.values()):
             if instruction.data is not None:
                 self.keep_table(instruction.data)
@@ -50,6 +53,9 @@ class Part:
 
     def keep_table(self, offset: int) -> bool:
         """Holds what lies from an offset to the next instruction; says whether that is news."""
+        if offset in self.tables:
+            return False
+        self.tables.add(offset)
         end = min((o for o in self.executed if o >= offset), default=self.section.size)
         news = not self.live[offset:end].all()
         self.live[offset:end] = True
@@ -74,8 +80,7 @@ class Part:
         """Whether a place is no instruction's."""
         if self.whole:
             return not self.section.code
-        return not any(start <= offset < start + instruction.length
-                       for start, instruction in self.known.items())
+        return not self.instructions[offset]
 
     @property
     def bytes(self) -> int:
