@@ -130,7 +130,6 @@ def fit(program: Program, places: dict[objects.Section, int], full: Run, name: s
         own = run_program(name, "", {}, machine, folder / f"own{number}", folder / "made",
                           len(full.ticks))
         compare(full, own, name)
-        print(len(layout.hunks()), own.ticks[:5], full.ticks[:5])
         if all(abs(a - b) <= JITTER for a, b in zip(own.ticks, full.ticks)):
             break
     return layout, own
