@@ -34,7 +34,7 @@ LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/
 
 HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
-# c/programs/scene.c is not among them: tools/scene_program.py links it with a scene.
+# Not c/programs/scene.c: tools/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
 ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span,src68k/$(room)/*.s)))
 
