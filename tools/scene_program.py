@@ -84,7 +84,8 @@ def measure(sections: list[objects.Section], folder: Path) -> dict:
         if section.code:
             at = layout.at[section]
             found = flags[at // 2:(at + section.size + 1) // 2]
-            trace[section] = (2 * np.flatnonzero(found)).tolist(), bool((found & TIMED).any()) + bool((found & AGAIN).any())
+            timed = sum(bool((found & bit).any()) for bit in (TIMED, AGAIN))
+            trace[section] = (2 * np.flatnonzero(found)).tolist(), timed
     return trace
 
 
