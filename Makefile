@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run bench accuracy polys report fuzz test diff clean programs setup FORCE
+.PHONY: help run scene-program bench accuracy polys report fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -22,6 +22,8 @@ ASM_FLAGS := $(VASM_FLAGS) -Isrc68k/include -Ibuild/gen
 GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
   -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
+# For what no frame's time depends on.
+SMALL_FLAGS := -Os
 # 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
 # that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
 # declaration, 162 no prototype, 169 extern in a function, 174 no return.
@@ -32,14 +34,16 @@ LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/
 
 HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
-NAMES := $(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c)))
+# Not c/programs/scene.c: tools/scene_program.py links it with a scene.
+NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
 ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span,src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)
 ASM_OUT := build/obj/asm
 C_OBJECTS := $(C_FILES:c/%.c=$(C_OUT)/%.o)
-MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o)
+SCENE_OBJECT := $(C_OUT)/programs/scene.o
+MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(C_OBJECTS)
@@ -48,6 +52,7 @@ LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
 help:
 	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
+	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
@@ -61,6 +66,9 @@ help:
 run: programs
 	@scripts/tmap run "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"} \
 	  -o "build/run/$$(basename "$$SCENE" .toml)"
+
+scene-program: programs
+	@scripts/tmap scene-program "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
 
 bench: programs
 	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench
@@ -88,7 +96,7 @@ diff:
 clean:
 	@rm -rf build
 
-programs: $(NAMES:%=build/programs/%) build/programs/uaequit | setup
+programs: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
 
 # Everything that is built waits for this, and nothing is rebuilt for it.
 setup:
@@ -97,7 +105,7 @@ setup:
 # Files that change only when what they say does: what they say is in $(TEXT).
 KEEP = @mkdir -p $(@D); printf '%s\n' $(TEXT) | cmp -s - $@ || printf '%s\n' $(TEXT) >$@
 
-build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
+build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(SMALL_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
 build/obj/flags: FORCE
 	$(KEEP)
 
@@ -141,6 +149,9 @@ define COMPILE_vbcc
 @$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
 endef
 
+$(C_OUT)/system/%.o $(filter-out %_draw.o %_time.o,$(filter $(C_OUT)/scene/%,$(C_OBJECTS))) \
+  $(SCENE_OBJECT): GCC_FLAGS += $(SMALL_FLAGS)
+
 $(C_OUT)/%.o: c/%.c build/obj/flags | setup
 	$(COMPILE_$(CC68K))
 
@@ -161,7 +172,7 @@ build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contract
 define PROGRAM
 build/obj/$1.elf: $2 src68k/amiga/program.ld build/obj/objects build/obj/flags | setup
 	@echo "link $$@"
-	@$(LD) $(LD_FLAGS) -o $$@ $2
+	@$(LD) $(LD_FLAGS) -Map=build/obj/$1.link -o $$@ $2
 
 build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
 	@mkdir -p build/programs

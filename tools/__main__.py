@@ -42,6 +42,13 @@ def run(args: argparse.Namespace) -> int:
                         args.frames, args.form, args.off)
 
 
+def scene_program(args: argparse.Namespace) -> int:
+    """Makes the program of one scene."""
+    build_programs()
+    from . import scene_program as tool
+    return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine)
+
+
 def bench(args: argparse.Namespace) -> int:
     """Measures the kernels."""
     build_programs()
@@ -115,7 +122,7 @@ def parser() -> Parser:
     commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
     def add(function, text: str) -> argparse.ArgumentParser:
-        name = function.__name__.removeprefix("to_")
+        name = function.__name__.removeprefix("to_").replace("_", "-")
         command = commands.add_parser(name, help=text, description=text)
         command.set_defaults(function=function)
         return command
@@ -133,6 +140,13 @@ def parser() -> Parser:
                          help="which span and edge loops (addx); the picture is the same")
     command.add_argument("--off", metavar="RULES", help="rules of lowering that are not followed, "
                          "by commas, or all: the picture is the same but for tolerances")
+
+    command = add(scene_program, "Make a program that holds one scene and what draws it alone.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
+                         help="where to (build/scene/SCENE)")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200",
+                         help="where its frames and times are compared (a1200)")
 
     command = add(bench, "Measure every kernel: bench.json, a table and a plot.")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/bench)")

@@ -142,8 +142,8 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
     return config
 
 
-def wait(process: subprocess.Popen, volume: Path, on_output) -> None:
-    """Waits for the emulator's end, or returns when the guest has gone silent.
+def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> None:
+    """Waits for the emulator's end, or returns when the guest was silent for so many seconds.
 
     Only more files and output than ever before count as a sign of life, so that
     a guest which reboots again and again is silent too.
@@ -157,31 +157,35 @@ def wait(process: subprocess.Popen, volume: Path, on_output) -> None:
             most, since = size, time.monotonic()
             if on_output:
                 on_output("".join(map(read, logs)))
-        elif time.monotonic() - since > STALL_SECONDS:
+        elif time.monotonic() - since > patience:
             return
         time.sleep(0.02)
 
 
-def explain_end(program: Path, arguments: str, output: str, ended: bool, log: str) -> str:
+def explain_end(program: Path, arguments: str, output: str, ended: bool, log: str,
+                patience: float) -> str:
     """Why there is no sentinel, and how far the guest came; ``ended``: the emulator is gone."""
     how = ("the emulator ended before it" if ended else
-           f"it did not end, {STALL_SECONDS:g} s after its last sign of life")
+           f"it did not end, {patience:g} s after its last sign of life")
     fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
     said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
     return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
 
 
 def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
-             on_output=None, programs: Path = PROGRAMS) -> list[Result]:
+             on_output=None, programs: Path = PROGRAMS,
+             patience: float | None = None) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to
     a file that is copied); a command's first word is one of ``programs``.
-    ``on_output`` is called with the output so far when there is more of it.
+    ``on_output`` is called with the output so far when there is more of it;
+    ``patience``: seconds of silence that count as a hang (STALL_SECONDS).
     Raises UserError for a hang; return codes and crash reports are the caller's
     to judge.
     """
     config = prepare(directory, commands, files, machine, programs)
+    patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
     with log.open("wb") as stream:
         try:
@@ -191,7 +195,7 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
         except OSError:
             raise UserError("fs-uae is not installed: run scripts/setup") from None
         try:
-            wait(process, volume, on_output)
+            wait(process, volume, on_output, patience)
             ended = process.poll() is not None
         finally:
             process.kill()
@@ -201,14 +205,17 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
     if not (volume / "end").exists():
         last = codes.index("") if "" in codes else len(codes) - 1
         program, _, arguments = commands[last].partition(" ")
-        raise UserError(explain_end(programs / program, arguments, outputs[last], ended, read(log)))
+        raise UserError(explain_end(programs / program, arguments, outputs[last], ended, read(log),
+                                    patience))
     return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
 
 
 def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
-        directory: Path, on_output=None, programs: Path = PROGRAMS) -> Result:
+        directory: Path, on_output=None, programs: Path = PROGRAMS,
+        patience: float | None = None) -> Result:
     """One command, as ``run_many`` runs it; a crash too raises UserError."""
-    result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs)
+    result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs,
+                       patience)
     fault = explain_fault(programs / program, result.output)
     if fault:
         raise UserError(fault)

@@ -285,8 +285,8 @@ def records(table, struct: layout.Struct) -> bytes:
     return out.tobytes()
 
 
-def write(scene: Scene) -> bytes:
-    """The scene as a scene file."""
+def write(scene: Scene, with_palette: bool = True) -> bytes:
+    """The scene as a scene file; without a palette it is for programs that hold it."""
     check(scene, "scene")
     built = layout.load()
     header = built.struct("scene_header")
@@ -303,7 +303,7 @@ def write(scene: Scene) -> bytes:
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]
     count = {table: len(getattr(scene, table)) for table in TABLES}
-    at = header.size + PALETTE_BYTES + sum(
+    at = header.size + PALETTE_BYTES * with_palette + sum(
         count[t] * built.struct(s).size for t, s in TABLES.items())
     tables["textures"] = []
     for texture, data in zip(scene.textures, texels):
@@ -314,7 +314,7 @@ def write(scene: Scene) -> bytes:
     values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
                       "version": built.constants["SCENE_VERSION"]}
     values |= {f: getattr(scene, f) for f in HEADER}
-    parts = {"palette": palette.tobytes()}
+    parts = {"palette": palette.tobytes() if with_palette else b""}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
     at = header.size
     for part, data in parts.items():

@@ -35,12 +35,28 @@ int32 scene_make_maps(struct scene *scene, int32 kind);
    file, materials are checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
 
-/* Memory to draw a checked scene's meshes; 0 where it is short. */
-int32 scene_make_work(struct scene *scene);
-
 /* "s" or "t" where this one leaves a map that is not repeated; else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
                               fix16 s, fix16 t);
+
+/* The tables of a scene file in memory, at a multiple of 4. */
+void scene_place(struct scene *scene, const uint8 *data);
+
+/* What there is not enough memory for. */
+enum scene_memory {
+    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES
+};
+
+/* Maps, materials and what else a checked scene is drawn with; textures go to memory of
+   the kind given. */
+enum scene_memory scene_make(struct scene *scene, int32 kind);
+
+/* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
+enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,
+                               int32 number, const struct drawing *drawing, uint32 *ticks);
+
+/* Writes a frame as frame_000.chunky and so on; prints a line and returns 0 if it cannot. */
+int32 scene_save(const struct frame *frame, int32 number);
 
 /* Loads and checks a scene; textures go to memory of the kind given. Prints a line
    naming file and field and returns 0 where something is wrong. */

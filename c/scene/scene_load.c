@@ -2,7 +2,6 @@
 
 #include "polygon/math.h"
 #include "polygon/tolerance.h"
-#include "span/logarithm.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -248,122 +247,30 @@ static const char *wrong_entry(const struct scene *scene)
     return wrong ? wrong : scene_wrong_mesh(scene);
 }
 
-static int32 needs_reciprocals(const struct scene_material *material)
-{
-    return material->perspective == PERSPECTIVE_EVERY16
-        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
-}
-
-static int32 needs_logarithms(const struct scene_material *material)
-{
-    return material->perspective == PERSPECTIVE_PIXEL;
-}
-
-static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct scene_material *))
-{
-    for (uint32 i = 0; i < scene->header->materials; i++)
-        if (needs(&scene->materials[i]))
-            return 1;
-    return 0;
-}
-
-/* The table of reciprocals, where a material needs it. */
-static int32 make_reciprocals(struct scene *scene)
-{
-    uint16 *table;
-
-    scene->reciprocals = 0;
-    if (!is_needed(scene, needs_reciprocals))
-        return 1;
-    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
-        return 0;
-    scene->reciprocals = reciprocals_make(table);
-    return 1;
-}
-
-/* Logarithms and powers alike, 673 KB. */
-static int32 make_logarithms(struct scene *scene)
-{
-    struct logarithm_tables *tables;
-    int16 *logs;
-    uint16 *powers;
-
-    scene->logarithms = 0;
-    if (!is_needed(scene, needs_logarithms))
-        return 1;
-    if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
-        || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
-        || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
-        return 0;
-    logarithms_make(tables, logs, powers);
-    scene->logarithms = tables;
-    return 1;
-}
-
-static int32 make_materials(struct scene *scene)
-{
-    uint32 count = scene->header->materials;
-    const struct scene_material *from = scene->materials;
-    struct material *to;
-
-    if (!mem_alloc(&scene->drawn, (int32)(count * sizeof *to), MEMORY_ANY))
-        return 0;
-    to = scene->drawn;
-    for (uint32 i = 0; i < count; i++, from++, to++) {
-        to->mapper = (uint8)from->mapper;
-        to->edges = (uint8)from->edges;
-        to->gradients = (uint8)from->gradients;
-        to->start = (uint8)from->start;
-        to->clip = (uint8)from->clip;
-        to->perspective = (uint8)from->perspective;
-        to->number = (uint16)i;
-        to->tolerance = from->tolerance;
-        to->colour = from->colour;
-        to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
-        to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
-        to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
-        to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
-    }
-    return 1;
-}
-
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
-    const struct scene_header *header;
+    static const char *const memory_lacks[] = {
+        "", "not enough memory for the textures",
+        "not enough memory for the reciprocals of perspective",
+        "not enough memory for the logarithms of perspective",
+        "not enough memory for the materials", "not enough memory for the meshes"
+    };
+    enum scene_memory lacks;
     const char *wrong;
     uint8 *data;
     uint32 bytes;
 
     if (!file_load(name, &data, &bytes))
         return 0;
-    scene->header = header = (const struct scene_header *)data;
-    wrong = wrong_header(header, bytes);
+    wrong = wrong_header((const struct scene_header *)data, bytes);
     if (wrong)
         return refuse(name, wrong);
-    scene->textures = (const struct scene_texture *)(data + header->textures_at);
-    scene->materials = (const struct scene_material *)(data + header->materials_at);
-    scene->objects = (const struct scene_object *)(data + header->objects_at);
-    scene->vertices = (const struct vertex *)(data + header->vertices_at);
-    scene->poses = (const struct scene_pose *)(data + header->poses_at);
-    scene->points = (const struct scene_point *)(data + header->points_at);
-    scene->normals = (const struct scene_normal *)(data + header->normals_at);
-    scene->corners = (const struct scene_corner *)(data + header->corners_at);
-    scene->faces = (const struct scene_face *)(data + header->faces_at);
-    scene->meshes = (const struct scene_mesh *)(data + header->meshes_at);
-    scene->instances = (const struct scene_instance *)(data + header->instances_at);
-    scene->views = (const struct scene_view *)(data + header->views_at);
+    scene_place(scene, data);
     wrong = wrong_entry(scene);
     if (wrong)
         return refuse(name, wrong);
-    if (!scene_make_maps(scene, kind))
-        return text_refuse(name, "not enough memory for the textures");
-    if (!make_reciprocals(scene))
-        return text_refuse(name, "not enough memory for the reciprocals of perspective");
-    if (!make_logarithms(scene))
-        return text_refuse(name, "not enough memory for the logarithms of perspective");
-    if (!make_materials(scene))
-        return text_refuse(name, "not enough memory for the materials");
-    if (!scene_make_work(scene))
-        return text_refuse(name, "not enough memory for the meshes");
+    lacks = scene_make(scene, kind);
+    if (lacks != SCENE_MADE)
+        return text_refuse(name, memory_lacks[lacks]);
     return 1;
 }

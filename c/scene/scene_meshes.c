@@ -1,7 +1,6 @@
 /* Meshes, instances and views of a scene: checked, so that nothing they hold leads the
    drawing outside its arrays or its numbers outside 32 bits. */
 #include "scene/scene.h"
-#include "system/system.h"
 
 enum limits {
     UNIT_14 = 1 << 14,
@@ -161,39 +160,4 @@ const char *scene_wrong_mesh(const struct scene *scene)
     if (!wrong)
         wrong = wrong_mesh(scene);
     return wrong ? wrong : wrong_instance(scene);
-}
-
-static uint32 larger(uint32 a, uint32 b)
-{
-    return a > b ? a : b;
-}
-
-int32 scene_make_work(struct scene *scene)
-{
-    const struct scene_instance *o = scene->instances;
-    uint32 instances = 0, points = 0, normals = 0, faces = 0;
-    uint32 most_instances = 0, most_points = 0, most_normals = 0, most_faces = 0;
-    struct mesh_work *work = &scene->work;
-
-    for (uint32 i = 0; i < scene->header->instances; i++, o++) {
-        const struct scene_mesh *mesh = &scene->meshes[o->mesh];
-
-        if (i && o->before != o[-1].before)
-            instances = points = normals = faces = 0;
-        instances++;
-        points += mesh->points;
-        normals += mesh->normals;
-        faces += mesh->faces;
-        most_instances = larger(most_instances, instances);
-        most_points = larger(most_points, points);
-        most_normals = larger(most_normals, normals);
-        most_faces = larger(most_faces, faces);
-        if (larger(points, larger(normals, faces)) > SCENE_COUNT_MAX)
-            return 0;
-    }
-    return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
-        && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
-        && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
-        && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
-        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
 }

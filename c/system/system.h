@@ -16,9 +16,11 @@ void file_close(int32 file);
 void print(const char *text);
 int32 args_read(const char *template_text, int32 *items);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
+int32 mem_need(void *address, int32 bytes, int32 kind);
 
 int32 clock_open(void);
 void clock_close(void);
+void clock_wait(void);
 void clock_start(int32 limit);
 uint32 clock_stop(void);
 void quiet_enter(void);

@@ -8,10 +8,12 @@
         include "routine.i"
 
         xdef    quiet_leave
+        xdef    quiet
         xref    sys_base
         xref    fault_number
         xref    fault_enter
 
+BEAM_PLACE              equ     $40     ; colour clocks
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 ICRB_TA                 equ     0
 ICRB_TB                 equ     1
@@ -201,6 +203,38 @@ watchdog:
         movea.l sys_base,a6
         lvo     Enable
 .done   movem.l (sp)+,a5/a6
+        rts
+
+;==============================================================================
+; clock_wait - empties the instruction cache and waits for one place of the raster line,
+;              at the same time in the E-clock
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   CIA-B, the beam's position
+; writes:  -
+; formats: -
+; error:   -
+; cost:    1 to 3 ms
+;==============================================================================
+; Chip RAM is refreshed at fixed places of each raster line: what starts anywhere else in
+; it takes some ticks more or less. An E-clock is 5 of its 227 colour clocks, a prime, so
+; that each place meets each. Twice: the second time the loop is in the cache.
+
+        routine clock_wait
+        move.l  a6,-(sp)
+        movea.l sys_base,a6
+        lvo     CacheClearU
+        movea.l (sp)+,a6
+        lea     custom,a0
+        lea     ciab,a1
+        moveq   #2-1,d1
+.again  tst.b   ciatalo(a1)             ; ends with an E-clock
+        move.b  vhposr+1(a0),d0
+        cmp.b   #BEAM_PLACE,d0
+        bne.s   .again
+        dbra    d1,.again
         rts
 
 ;==============================================================================

@@ -4,10 +4,13 @@
         include "routine.i"
 
         xref    sys_base
+        xref    program_end
+        xref    _print
         xdef    mem_free_all
 
 BLOCK_SIZE              equ     4       ; head of an allocated block: next, size
 BLOCK_HEAD              equ     8
+RETURN_FAIL             equ     20
 
 ;==============================================================================
 ; mem_alloc - allocates cleared memory, freed at the program's end
@@ -45,6 +48,34 @@ BLOCK_HEAD              equ     8
         moveq   #1,d0
 .short  movem.l (sp)+,d2/d3/a6
         rts
+
+;==============================================================================
+; mem_need - allocates cleared memory, or ends the program with a line
+;
+; in:      d0  void**  where the address goes
+;          d1  int32   bytes
+;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; out:     d0  int32   1: it returns only then
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *d0
+; formats: -
+; error:   memory is short: prints so, return code 20
+; cost:    -
+;==============================================================================
+; Programs of one scene call it wherever others call mem_alloc.
+
+        routine mem_need,d0,d1,a0
+        jsr     mem_alloc
+        tst.l   d0
+        beq.s   .short
+        rts
+.short  pea     .text(pc)
+        jsr     _print
+        moveq   #RETURN_FAIL,d0
+        jmp     program_end
+.text   dc.b    'not enough memory',10,0
+        even
 
 ;==============================================================================
 ; mem_free_all - frees every block of mem_alloc

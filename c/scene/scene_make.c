@@ -1,0 +1,153 @@
+/* A scene in memory, made ready to be drawn; nothing here checks it. */
+#include "scene/scene.h"
+
+#include "span/logarithm.h"
+#include "system/system.h"
+
+void scene_place(struct scene *scene, const uint8 *data)
+{
+    const struct scene_header *header = (const struct scene_header *)data;
+
+    scene->header = header;
+    scene->textures = (const struct scene_texture *)(data + header->textures_at);
+    scene->materials = (const struct scene_material *)(data + header->materials_at);
+    scene->objects = (const struct scene_object *)(data + header->objects_at);
+    scene->vertices = (const struct vertex *)(data + header->vertices_at);
+    scene->poses = (const struct scene_pose *)(data + header->poses_at);
+    scene->points = (const struct scene_point *)(data + header->points_at);
+    scene->normals = (const struct scene_normal *)(data + header->normals_at);
+    scene->corners = (const struct scene_corner *)(data + header->corners_at);
+    scene->faces = (const struct scene_face *)(data + header->faces_at);
+    scene->meshes = (const struct scene_mesh *)(data + header->meshes_at);
+    scene->instances = (const struct scene_instance *)(data + header->instances_at);
+    scene->views = (const struct scene_view *)(data + header->views_at);
+}
+
+static int32 needs_reciprocals(const struct scene_material *material)
+{
+    return material->perspective == PERSPECTIVE_EVERY16
+        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
+}
+
+static int32 needs_logarithms(const struct scene_material *material)
+{
+    return material->perspective == PERSPECTIVE_PIXEL;
+}
+
+static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct scene_material *))
+{
+    for (uint32 i = 0; i < scene->header->materials; i++)
+        if (needs(&scene->materials[i]))
+            return 1;
+    return 0;
+}
+
+/* The table of reciprocals, where a material needs it. */
+static int32 make_reciprocals(struct scene *scene)
+{
+    uint16 *table;
+
+    scene->reciprocals = 0;
+    if (!is_needed(scene, needs_reciprocals))
+        return 1;
+    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
+        return 0;
+    scene->reciprocals = reciprocals_make(table);
+    return 1;
+}
+
+/* Logarithms and powers alike, 673 KB. */
+static int32 make_logarithms(struct scene *scene)
+{
+    struct logarithm_tables *tables;
+    int16 *logs;
+    uint16 *powers;
+
+    scene->logarithms = 0;
+    if (!is_needed(scene, needs_logarithms))
+        return 1;
+    if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
+        || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
+        || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
+        return 0;
+    logarithms_make(tables, logs, powers);
+    scene->logarithms = tables;
+    return 1;
+}
+
+static int32 make_materials(struct scene *scene)
+{
+    uint32 count = scene->header->materials;
+    const struct scene_material *from = scene->materials;
+    struct material *to;
+
+    if (!mem_alloc(&scene->drawn, (int32)(count * sizeof *to), MEMORY_ANY))
+        return 0;
+    to = scene->drawn;
+    for (uint32 i = 0; i < count; i++, from++, to++) {
+        to->mapper = (uint8)from->mapper;
+        to->edges = (uint8)from->edges;
+        to->gradients = (uint8)from->gradients;
+        to->start = (uint8)from->start;
+        to->clip = (uint8)from->clip;
+        to->perspective = (uint8)from->perspective;
+        to->number = (uint16)i;
+        to->tolerance = from->tolerance;
+        to->colour = from->colour;
+        to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
+        to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
+        to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
+        to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
+    }
+    return 1;
+}
+
+static uint32 larger(uint32 a, uint32 b)
+{
+    return a > b ? a : b;
+}
+
+static int32 make_work(struct scene *scene)
+{
+    const struct scene_instance *o = scene->instances;
+    uint32 instances = 0, points = 0, normals = 0, faces = 0;
+    uint32 most_instances = 0, most_points = 0, most_normals = 0, most_faces = 0;
+    struct mesh_work *work = &scene->work;
+
+    for (uint32 i = 0; i < scene->header->instances; i++, o++) {
+        const struct scene_mesh *mesh = &scene->meshes[o->mesh];
+
+        if (i && o->before != o[-1].before)
+            instances = points = normals = faces = 0;
+        instances++;
+        points += mesh->points;
+        normals += mesh->normals;
+        faces += mesh->faces;
+        most_instances = larger(most_instances, instances);
+        most_points = larger(most_points, points);
+        most_normals = larger(most_normals, normals);
+        most_faces = larger(most_faces, faces);
+        if (larger(points, larger(normals, faces)) > SCENE_COUNT_MAX)
+            return 0;
+    }
+    return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
+        && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
+        && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
+        && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
+        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
+}
+
+enum scene_memory scene_make(struct scene *scene, int32 kind)
+{
+    if (!scene_make_maps(scene, kind))
+        return SCENE_TEXTURES;
+    if (!make_reciprocals(scene))
+        return SCENE_RECIPROCALS;
+    if (!make_logarithms(scene))
+        return SCENE_LOGARITHMS;
+    if (!make_materials(scene))
+        return SCENE_MATERIALS;
+    if (!make_work(scene))
+        return SCENE_MESHES;
+    return SCENE_MADE;
+}

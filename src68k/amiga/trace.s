@@ -1,0 +1,83 @@
+; Notes every instruction that a program executes: how the tools find out which parts of
+; the renderer a scene needs. Linked in for that run alone.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    _main
+        xref    _file_save
+        xref    start
+        xref    sys_base
+        xref    quiet
+
+TRACE_WORDS             equ     65536   ; of code: 128 KB
+TRACED                  equ     0       ; bits
+TRACED_QUIET            equ     1
+TRACED_AGAIN            equ     2
+VECTOR_TRACE            equ     $24
+SR_TRACE                equ     $8000
+
+;==============================================================================
+; trace_main - runs main and writes the file trace.flags
+;
+; in:      -
+; out:     d0  int32  what main returns
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the trace vector, restored at the end
+; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
+;          there and was executed, bit 1 in quiet mode, bit 2 more than once so
+; error:   code behind the first 128 KB is not noted
+; cost:    some 20 times what the program takes
+;==============================================================================
+        routine trace_main
+        movem.l d2/a5/a6,-(sp)
+        movea.l sys_base,a6
+        lea     .on(pc),a5
+        lvo     Supervisor
+        jsr     _main
+        move.l  d0,d2
+        movea.l sys_base,a6
+        lea     .off(pc),a5
+        lvo     Supervisor
+        move.l  #TRACE_WORDS,-(sp)
+        pea     trace_flags
+        pea     .name(pc)
+        jsr     _file_save
+        lea     12(sp),sp
+        move.l  d2,d0
+        movem.l (sp)+,d2/a5/a6
+        rts
+.on     movec   vbr,a0
+        move.l  VECTOR_TRACE(a0),old_trace
+        move.l  #trace_step,VECTOR_TRACE(a0)
+        or.w    #SR_TRACE,(sp)
+        rte
+.off    movec   vbr,a0
+        move.l  old_trace,VECTOR_TRACE(a0)
+        and.w   #SR_TRACE-1,(sp)        ; whose highest bit it is
+        rte
+.name   dc.b    'trace.flags',0
+        even
+
+trace_step:                             ; the stacked PC: the next instruction
+        movem.l d0/a0,-(sp)
+        move.l  8+2(sp),d0
+        sub.l   #start,d0
+        lsr.l   #1,d0
+        cmp.l   #TRACE_WORDS,d0
+        bcc.s   .done
+        lea     trace_flags,a0
+        adda.l  d0,a0
+        bset    #TRACED,(a0)
+        tst.b   quiet
+        beq.s   .done
+        bset    #TRACED_QUIET,(a0)
+        beq.s   .done
+        bset    #TRACED_AGAIN,(a0)
+.done   movem.l (sp)+,d0/a0
+        rte
+
+        section .bss.trace,bss
+old_trace       ds.l    1
+trace_flags     ds.b    TRACE_WORDS

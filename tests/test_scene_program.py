@@ -1,0 +1,194 @@
+"""Programs built for one scene: they draw what the full renderer draws, in the same time, and
+hold nothing else."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import pack, parts, scene_program
+from tools.__main__ import main
+from tools.errors import UserError
+from tools.objects import Relocation, Section
+from tools.paths import PROGRAMS, SCENES
+
+MESH = """\
+title = "A pyramid"
+width = 96
+height = 64
+frames = 2
+background = "#101420"
+[textures]
+wall.image = "wall.png"
+[materials]
+wall = { texture = "wall", perspective = "every16" }
+[camera]
+eye = [0, 1, 3]
+target = [0, 0, 0]
+fov = 60
+[[objects]]
+points = [[-1, -1, -1], [1, -1, -1], [1, -1, 1], [-1, -1, 1], [0, 1, 0]]
+faces = [[0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]]
+uvs = [[[0, 256], [128, 0], [256, 256]]]
+material = "wall"
+turns = 0.1
+"""
+FLAT = """\
+width = 64
+height = 48
+frames = 3
+background = "#102030"
+[materials]
+red.colour = "#ff0000"
+[[objects]]
+material = "red"
+sides = 5
+radius = 20
+centre = [30, 24]
+turns = 0.4
+"""
+#: A program's file without maps, bytes, by gcc: the figure reached and 2 %.
+MOST = {"triangle": 9_930}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """The scenes' files."""
+    made = tmp_path_factory.mktemp("scenes")
+    texels = np.indices((64, 64)).sum(axis=0) // 8 % 2 * 200 + 30
+    Image.fromarray(np.repeat(texels[..., None], 3, axis=2).astype(np.uint8)).save(
+        made / "wall.png")
+    (made / "mesh.toml").write_text(MESH)
+    (made / "flat.toml").write_text(FLAT)
+    return made
+
+
+def make(path, out, capsys) -> dict:
+    """Makes a program by the command and returns its program.json."""
+    assert main(["scene-program", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
+    return json.loads((out / "program.json").read_text())
+
+
+def routines(out, name: str) -> set[str]:
+    """What stands in a program's map."""
+    return {line.split()[1] for line in (out / f"{name}.map").read_text().splitlines()}
+
+
+def check(about: dict, out, name: str) -> None:
+    """Holds a program to the full renderer's times, and its table to its file.
+
+    That its frames are the full renderer's, byte for byte, is what the command refuses else;
+    ``test_wrong_frame_is_refused`` has a look at that.
+    """
+    ticks = about["ticks"]
+    apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)]
+    assert max(map(abs, apart)) <= scene_program.JITTER, (
+        f"{name}: ticks beside the full renderer's by {apart}; "
+        f"scripts/tmap scene-program {name}.toml")
+    size = (out / name).stat().st_size
+    assert about["bytes"]["file"] == size
+    assert about["bytes"]["code"] + about["bytes"]["scene"] + about["bytes"]["maps"] == size
+    assert about["full_bytes"]["code"] == (PROGRAMS / "render").stat().st_size
+    if name in MOST and about["compiler"].startswith("gcc"):
+        assert about["bytes"]["without_maps"] <= MOST[name], (
+            f"{name}: {about['bytes']['without_maps']} bytes without its maps")
+
+
+def test_textured_triangle(tmp_path, capsys):
+    about = make(SCENES / "triangle.toml", tmp_path, capsys)
+    check(about, tmp_path, "triangle")
+    inside = routines(tmp_path, "triangle")
+    assert {"span_affine_addx", "span_fill", "edge_addx"} <= inside or "draw.c" in inside
+    assert not inside & {"span_affine_row", "span_lit", "span_tiled", "span_gouraud",
+                         "edge_addx_exact", "perspective_lines", "mesh_transform", "mesh_draw"}
+
+
+def test_mesh_in_perspective(folder, tmp_path, capsys):
+    about = make(folder / "mesh.toml", tmp_path, capsys)
+    check(about, tmp_path, "mesh")
+    inside = routines(tmp_path, "mesh")
+    assert {"mesh_transform", "mesh_faces"} <= inside
+    assert not inside & {"span_lit", "span_tiled", "span_generated", "logarithm_lines"}
+
+
+def test_flat_polygon(folder, tmp_path, capsys):
+    about = make(folder / "flat.toml", tmp_path, capsys)
+    check(about, tmp_path, "flat")
+    assert about["bytes"]["maps"] == 0
+    inside = routines(tmp_path, "flat")
+    assert {"span_fill", "edge_flat"} <= inside
+    assert not {name for name in inside if name.startswith("span_")} - {"span_fill"}
+    assert not inside & {"edge_addx", "texturing_plane", "mesh_transform"}
+
+
+def test_wrong_frame_is_refused():
+    full = scene_program.Run({"frame_000.chunky": b"ab"}, [10])
+    scene_program.compare(full, full, "toy")
+    with pytest.raises(UserError, match="toy: frame_000.chunky is not what the full renderer"):
+        scene_program.compare(full, scene_program.Run({"frame_000.chunky": b"ax"}, [10]), "toy")
+    with pytest.raises(UserError, match="toy: 0 frames where the full renderer draws 1"):
+        scene_program.compare(full, scene_program.Run({}, []), "toy")
+
+
+@pytest.mark.parametrize("text, wanted", [
+    (FLAT.replace("width = 64", "width = 63"), "width"),
+    (FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "materials.red"),
+    (None, "none.toml"),
+])
+def test_bad_input_is_one_line(folder, tmp_path, capsys, text, wanted):
+    path = tmp_path / ("bad.toml" if text else "none.toml")
+    if text:
+        path.write_text(text)
+    out = tmp_path / "out"
+    assert main(["scene-program", str(path), "-o", str(out)]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and wanted in message
+    assert not out.exists()
+
+
+def test_name_that_is_no_program(folder, tmp_path, capsys):
+    path = tmp_path / "two words.toml"
+    path.write_text(FLAT)
+    assert main(["scene-program", str(path), "-o", str(tmp_path / "out")]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and "two words" in message and "letters" in message
+
+
+def section(name: str, data: bytes, room: str = "amiga", **more) -> Section:
+    """A section of code."""
+    return Section(f"build/obj/asm/{room}/{name}.o", f".text.{name}", data, len(data), 4,
+                   code=True, **more)
+
+
+def test_calls_of_what_never_ran_stop():
+    """A pointer to a routine that was not executed leads to an ILLEGAL."""
+    entry = section("start", bytes(8), symbols={"start": 0},
+                    relocations=[Relocation(2, 4, False, "other", 0)])
+    other = section("other", bytes(64), "span", symbols={"other": 0})
+    program = parts.Program([entry, other], {}, {})
+    assert other not in program.parts
+    layout = pack.Layout(program, {})
+    image, code, bss = layout.link()
+    assert code == [2] and bss == []
+    stop = int.from_bytes(image[2:6], "big")
+    assert image[stop:stop + 2] == parts.ILLEGAL
+
+
+def test_what_nothing_defines_is_refused():
+    entry = section("start", bytes(8), symbols={"start": 0},
+                    relocations=[Relocation(2, 4, False, "gone", 0)])
+    with pytest.raises(UserError, match="start.o: gone: nothing defines it"):
+        parts.Program([entry], {}, {})
+
+
+def test_fixed_places_keep_their_cache_lines():
+    """Timed sections lie as in the full renderer, modulo the cache's size, apart."""
+    entry = section("start", bytes(8), symbols={"start": 0}, relocations=[
+        Relocation(0, 4, False, "a", 0), Relocation(4, 4, False, "b", 0)])
+    a = section("a", bytes(40), symbols={"a": 0})
+    b = section("b", bytes(40), symbols={"b": 0})
+    program = parts.Program([entry, a, b], {}, None)
+    layout = pack.Layout(program, {a: 0x1234, b: 0x5230})
+    assert layout.at[a] % pack.CACHE == 0x34 and layout.at[b] % pack.CACHE == 0x30
+    assert abs(layout.at[a] - layout.at[b]) >= 40 + pack.AHEAD
