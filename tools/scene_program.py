@@ -97,7 +97,7 @@ def run_program(name: str, arguments: str, files: dict, machine: str, folder: Pa
         raise UserError(f"{name}: return code {done.code}; {emulator.last_words(done.output)}")
     if arguments:
         ticks = [frame["cycles"] // CYCLES_PER_TICK
-                 for frame in parse_output(done.output, frames)]
+                 for frame in parse_output(done.output, frames, 0)[0]]
     else:
         ticks = [int(line) for line in done.output.split()]
     return Run({path.name: path.read_bytes() for path in done.directory.glob("*.chunky")}, ticks)
