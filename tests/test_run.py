@@ -297,7 +297,7 @@ def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, mo
                                                     status, message):
     emulators = []
 
-    def wait(process, volume, on_output):
+    def wait(process, volume, on_output, patience):
         emulators.append(process)
         raise thrown
 
@@ -316,14 +316,14 @@ def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
 
 
 @pytest.mark.parametrize("output, message", [
-    ("", "0 lines of output for 2 frames; it wrote nothing"),
-    ("frame 0 ticks 5 polygons 1\n", "1 lines of output for 2 frames; its last words: 'frame 0"),
+    ("", "0 lines of output for 2 frames and 0 materials; it wrote nothing"),
+    ("frame 0 ticks 5 polygons 1\n", "1 lines of output for 2 frames and 0 materials; its last words: 'frame 0"),
     ("frame 0 ticks 5 polygons 1\nframe 2 ticks 5 polygons 1\n", "'frame 2 ticks 5 polygons 1' is"),
     ("frame 0 ticks 5 polygons 1\nframe 1 ticks 5 polygons 1 fill\n", "not the line of frame 1"),
 ])
 def test_output_that_does_not_match_the_plan(output, message):
     with pytest.raises(UserError, match=message):
-        run.parse_output(output, 2)
+        run.parse_output(output, 2, 0)
 
 
 def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
