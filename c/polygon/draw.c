@@ -338,7 +338,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     if (begins_outside(&s) && lower_to_nothing(&s))
         return POLYGON_EMPTY;
     s.vertices = material_vertices(vertices, count, material);
-    lower_by_vertices(&s);
+    if (lower_asked(&s))
+        lower_by_vertices(&s);
     result = set_sides(&s);
     if (result != POLYGON_DRAWN)
         return result;

@@ -1,25 +1,19 @@
 #include "polygon/lower.h"
 
+#include "polygon/counts.h"
 #include "polygon/material.h"
 #include "polygon/shading.h"
 #include "polygon/tolerance.h"
 
 #define ONE_PIXEL 65536
 
-/* Always 1: it stands in conditions. */
-static int32 counted(struct setup *s, enum rule rule)
-{
-    s->counts->rules[rule]++;
-    return 1;
-}
-
 /* A rule is a line: its name, where it applies, and below also from which kind of span to
    which. What one leads to, the lines after it may lead on. */
 #define APPLIES(rule, condition) (!(s->off & (uint32)1 << RULE_##rule) && (condition) \
-                                  && (!s->counts || counted(s, RULE_##rule)))
+                                  && (!s->counts || count_rule(s->counts, RULE_##rule)))
 #define LOWER(rule, from, to, condition) \
-    if (s->kind == SPAN_##from && APPLIES(rule, condition)) \
-        s->kind = SPAN_##to;
+    if (kind == SPAN_##from && APPLIES(rule, condition)) \
+        kind = SPAN_##to;
 
 static int32 is_beyond(fix16 value, uint32 far)
 {
@@ -104,17 +98,17 @@ static int32 is_slow(fix16 step)
 
 /* What draws anything that a mapper may be asked for, with 1 and 2 bytes a pixel. */
 static const struct {
-    uint8 kind[2], has_shade;
+    uint8 kind[2], has_shade, spare;
 } asked[MAPPER_KINDS] = {
-    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16}, 0},
-    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0}, 1},
-    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, 0}, 0},
-    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0}, 0},
-    [MAPPER_TILED] = {{SPAN_TILED, 0}, 0},
-    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16}, 0},
-    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0}, 0},
-    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0}, 1},
-    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0}, 1}
+    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16}, 0, 0},
+    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0}, 1, 0},
+    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, 0}, 0, 0},
+    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0}, 0, 0},
+    [MAPPER_TILED] = {{SPAN_TILED, 0}, 0, 0},
+    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16}, 0, 0},
+    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0}, 0, 0},
+    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0}, 1, 0},
+    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0}, 1, 0}
 };
 
 enum span_kind lower_affine(const struct material *material, enum form form)
@@ -130,9 +124,21 @@ int32 lower_to_nothing(struct setup *s)
     return APPLIES(OUTSIDE, is_outside(s));
 }
 
-/* Shades, and depth where there is a perspective. */
-static void by_vertices(struct setup *s, const struct material *m)
+int32 lower_asked(struct setup *s)
 {
+    const struct material *m = s->material;
+
+    s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes - 1];
+    if (s->kind == SPAN_AFFINE_ADDX_WRAP)
+        s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
+    return m->perspective || asked[m->mapper].has_shade;
+}
+
+void lower_by_vertices(struct setup *s)
+{
+    const struct material *m = s->material;
+    enum span_kind kind = s->kind;
+
     LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))
     LOWER(EQUAL_LEVELS, LIT_GOURAUD, LIT_WRAP, has_one_level(s))
     LOWER(NO_LIGHT, LIT_WRAP, FILL, level(s) == 0 && m->light && m->light->dark)
@@ -140,18 +146,7 @@ static void by_vertices(struct setup *s, const struct material *m)
           level(s) == LIGHT_LEVELS - 1 && m->light && m->light->full)
     LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
     LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
-}
-
-void lower_by_vertices(struct setup *s)
-{
-    const struct material *m = s->material;
-
-    s->kind = m->perspective ? SPAN_PERSPECTIVE
-            : (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes - 1];
-    if (m->perspective || asked[m->mapper].has_shade)
-        by_vertices(s, m);
-    if (s->kind == SPAN_AFFINE_ADDX_WRAP)
-        s->kind = lower_affine(m, s->form);
+    s->kind = kind == SPAN_AFFINE_ADDX_WRAP ? lower_affine(m, s->form) : kind;
 }
 
 void lower_by_planes(struct setup *s)
@@ -163,20 +158,27 @@ void lower_by_planes(struct setup *s)
 
 void lower_by_steps(struct setup *s)
 {
-    fix16 dudx = s->span.dudx, dvdx = s->span.dvdx;
+    const struct span_plan *span = &s->span;
     int32 width = s->box.right - s->box.left;
+    enum span_kind kind = s->kind;
 
-    LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, is_still(dvdx) && is_slow(dudx))
-    LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY, is_still(dudx - 65536) && width >= COPY_LEAST)
-    LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, is_still(dudx) && is_slow(dvdx))
-    LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
-    LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
-    LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
-    LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
-    LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
-    LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
-    LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
-    LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    if (kind == SPAN_AFFINE_ADDX_WRAP) {
+        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, is_still(span->dudx) && is_slow(span->dvdx))
+        LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
+        LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
+        LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
+        LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY,
+              is_still(span->dudx - 65536) && width >= COPY_LEAST)
+        LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
+    } else if (kind == SPAN_LIT_WRAP) {
+        LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
+        LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
+        LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    } else {
+        LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
+    }
+    s->kind = kind;
 }
 
 int32 lower_to_no_scissor(struct setup *s)

@@ -8,7 +8,11 @@
 /* Whether nothing is drawn: asked before the set-up. */
 int32 lower_to_nothing(struct setup *s);
 
-/* Makes s->kind what the material asks for, lowered by what the vertices show. */
+/* Makes s->kind what the material asks for; says whether its vertices may show that less
+   will do. */
+int32 lower_asked(struct setup *s);
+
+/* Lowers s->kind by the vertices. */
 void lower_by_vertices(struct setup *s);
 
 /* SPAN_PERSPECTIVE: makes s->setting and s->straight what the material asks for, lowered by
