@@ -86,8 +86,9 @@ fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
 	  $${MACHINE:+--machine "$$MACHINE"}
 
+# A file's tests share what they made, so they stay together; tests/conftest.py has the order.
 test: programs
-	@$(PYTHON) -m pytest -q tests
+	@$(PYTHON) -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
 
 diff:
 	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }

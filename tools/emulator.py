@@ -41,6 +41,11 @@ OPTIONS = {
     "uae_sound_output": "none",
     "joystick_port_0": "none",
     "joystick_port_1": "none",
+    # Nobody sees the screen, and showing it is half of the host's work.
+    "window_width": "64",
+    "window_height": "64",
+    "low_resolution": "1",
+    "uae_gfx_framerate": "50",
 }
 #: Host seconds without a byte of output before a run counts as hung. A boot
 #: takes about 1 s and the guest's own watchdog bites within 3 s.

@@ -9,6 +9,7 @@ file that includes every HEADER (named as in its #include), and writes
 * ``layout_check.c``: C that compiles only where the layout is the same.
 """
 
+import functools
 import io
 import json
 import sys
@@ -177,7 +178,7 @@ class Struct:
     size: int
     fields: dict[str, dict]
 
-    @property
+    @functools.cached_property
     def dtype(self) -> np.dtype:
         """Big-endian numpy type of one struct, for whole tables at once."""
         entries = self.fields.values()
@@ -215,16 +216,27 @@ class Layout:
         return [name.removeprefix(prefix).lower() for name in self.constants
                 if name.startswith(prefix)]
 
+    @functools.cached_property
+    def made(self) -> dict[str, Struct]:
+        """The structs by name."""
+        return {name: Struct(name, **struct) for name, struct in self.structs.items()}
+
     def struct(self, name: str) -> Struct:
-        return Struct(name, **self.structs[name])
+        return self.made[name]
 
 
 def load() -> Layout:
     """The layout this tree was built with."""
+    return read(paths.LAYOUT)
+
+
+@functools.cache
+def read(path: Path) -> Layout:
+    """A layout's file, once: it is asked for many thousand times."""
     try:
-        return Layout(**json.loads(paths.LAYOUT.read_text()))
+        return Layout(**json.loads(path.read_text()))
     except FileNotFoundError:
-        raise UserError(f"{paths.LAYOUT} is missing: run make first") from None
+        raise UserError(f"{path} is missing: run make first") from None
 
 
 def main(arguments: list[str]) -> int:
