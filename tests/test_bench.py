@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from tools import bench, bench_scenes, contracts
+from tools import bench, bench_rules, bench_scenes, contracts
 from tools.paths import BASELINE, ROOT, SCENES
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
@@ -74,6 +74,15 @@ def test_every_scene_has_rows(found) -> None:
                               for machine in bench_scenes.MACHINES}
     for name in names:
         assert 50_000 < figures[f"scene_{name}", "a1200-fast"] < figures[f"scene_{name}", "a1200"]
+
+
+def test_every_rule_of_lowering_saves_cycles(found) -> None:
+    """Wherever map and frame lie, so that no rule need ask."""
+    figures = {(r["name"], r["machine"]): r["cycles_per_polygon"] for r in found["rules"]}
+    for case in bench_rules.CASES:
+        for machine in bench.CONDITIONS:
+            on, off = (figures[f"rule_{case.rule}{end}", machine] for end in ("", bench_rules.WITHOUT))
+            assert on < 0.995 * off, (case.rule, machine, on, off)
 
 
 def test_a_moved_figure_is_noticed(baseline) -> None:
