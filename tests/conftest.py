@@ -1,8 +1,9 @@
 """Which tests come first: ``make test`` gives whole files to two processes in this order."""
 
 #: The files that take longest, longest first, so that neither process ends long before the other.
-LONGEST = ("bench", "kernels", "guest_input", "hard_cases", "hard_meshes", "meshes", "fuzz", "lowering",
-           "polygons", "accuracy", "run", "properties", "showcase", "bounds", "mappers", "readme")
+LONGEST = ("bench", "kernels", "guest_input", "hard_cases", "hard_meshes", "meshes", "fuzz",
+           "lowering", "polygons", "accuracy", "run", "properties", "showcase", "bounds",
+           "mappers", "readme")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 
