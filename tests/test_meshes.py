@@ -106,6 +106,7 @@ def test_many_faces_at_one_depth_keep_their_order():
     """40 squares on one another, nearer ones later, several at the same depth."""
     random = np.random.default_rng(5)
     scene = mesh_cases.base(random)
+    scene.guard = 6  # 64 pixels for a unit at a depth of one: several are seen
     one = 65536
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     depths = random.integers(2, 6, 40).tolist()

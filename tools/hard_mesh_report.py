@@ -90,7 +90,7 @@ def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
 
 def called(case: MeshCase, settings: Settings) -> str:
     """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(vars(settings).values())
+    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:

@@ -46,6 +46,7 @@ class Row:
     start: str
     clip: str
     perspective: str
+    tolerance: int
     cycles: int
     pixels: int
     coverage_errors: int | None = None
@@ -72,7 +73,7 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
 
 def called(case: Case, settings: Settings) -> str:
     """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(vars(settings).values())
+    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:

@@ -186,7 +186,8 @@ def bound(each: Logarithmic) -> float:
     Where |C| is too small for the powers, they show 1/32 texel at the farthest pixel and 1/256 at
     least: 7/16 of 1/32, as K is moved to the middle; its move by chords 1/9 of 9/16 of that."""
     q = swap(each.q) + (ORIGIN << 16) & M32
-    smaller = min(q, q + each.n * signed(swap(each.dq)))  # the larger may be 2^32 by rounding
+    last = q + each.n * swap(each.dq) & M32
+    smaller = min(q, last) if last >> 16 >= LOWEST else q  # 2^32 by the rounding of steps
     high = int(logs()[(smaller >> 16) - LOWEST])
     far = int(powers()[min(max(each.power) + high, POWERS - 1)]) << 8
     i = (smaller >> 16) - 0.5
