@@ -13,6 +13,7 @@
         xref    fault_number
         xref    fault_enter
 
+BEAM_LINES              equ     $1ff00  ; of vposr and vhposr
 BEAM_PLACE              equ     $40     ; colour clocks
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 ICRB_TA                 equ     0
@@ -228,6 +229,9 @@ watchdog:
         lvo     CacheClearU
         movea.l (sp)+,a6
         lea     custom,a0
+.field  move.l  vposr(a0),d0
+        and.l   #BEAM_LINES,d0
+        bne.s   .field
         lea     ciab,a1
         moveq   #2-1,d1
 .again  tst.b   ciatalo(a1)             ; ends with an E-clock

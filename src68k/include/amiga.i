@@ -49,6 +49,7 @@ _LVOSetICR              equ     -24
 ; custom chips
 custom                  equ     $dff000
 dmaconr                 equ     $002
+vposr                   equ     $004
 vhposr                  equ     $006
 intenar                 equ     $01c
 dmacon                  equ     $096
