@@ -31,9 +31,7 @@ RENDER_LINK = BUILD / "obj" / "render.link"
 LINKED = re.compile(r"^ (\S+)\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ (\S+\.o)$", re.M)
 
 TRACE_PATIENCE = 10 * emulator.STALL_SECONDS  # instructions take some 30 times as long
-#: Ticks: so much do the full renderer's own times differ where it runs again in one boot, its
-#: memory then being elsewhere.
-JITTER = 2
+JITTER = 1  # ticks: so much do the full renderer's own times differ when it is repeated
 ROUTINES = 12  # that are listed
 
 

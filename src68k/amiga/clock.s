@@ -207,8 +207,8 @@ watchdog:
         rts
 
 ;==============================================================================
-; clock_wait - empties the instruction cache and waits for one place of the raster line,
-;              at the same time in the E-clock
+; clock_wait - empties the instruction cache and waits for one place of the raster line
+;              after the field's first, at the same time in the E-clock
 ;
 ; in:      -
 ; out:     -
@@ -217,11 +217,12 @@ watchdog:
 ; writes:  -
 ; formats: -
 ; error:   -
-; cost:    1 to 3 ms
+; cost:    1 to 23 ms
 ;==============================================================================
 ; Chip RAM is refreshed at fixed places of each raster line: what starts anywhere else in
 ; it takes some ticks more or less. An E-clock is 5 of its 227 colour clocks, a prime, so
-; that each place meets each. Twice: the second time the loop is in the cache.
+; that each place meets each. Twice: the second time the loop is in the cache. Counted from
+; the field's first line, so that equal times hold equally many vertical blanks.
 
         routine clock_wait
         move.l  a6,-(sp)
