@@ -11,12 +11,11 @@
 #include "polygon/kind.h"
 #include "polygon/lower.h"
 #include "polygon/material.h"
+#include "polygon/outline.h"
 #include "polygon/perspective.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
-
-static struct scanline lines[SCENE_SIDE_MAX];
 
 /* The layout that each mapper with a map reads. */
 static const uint8 layout_of[MAPPER_KINDS] = {
@@ -28,71 +27,6 @@ static const uint8 layout_of[MAPPER_KINDS] = {
     [MAPPER_LIT] = MAP_PAGE,
     [MAPPER_LIT_GOURAUD] = MAP_PAGE
 };
-
-static int32 minimum(int32 a, int32 b)
-{
-    return a < b ? a : b;
-}
-
-static int32 maximum(int32 a, int32 b)
-{
-    return a > b ? a : b;
-}
-
-static int32 set_box(struct rectangle *box, const struct sides *sides,
-                     const struct frame *frame)
-{
-    box->left = maximum(FIX_CEIL(sides->x_low - EDGE_ERROR), 0);
-    box->right = minimum(FIX_CEIL(sides->x_high + EDGE_ERROR), frame->width);
-    box->top = maximum(FIX_CEIL(sides->top->y), 0);
-    box->bottom = minimum(FIX_CEIL(sides->bottom->y), frame->height);
-    return box->left < box->right && box->top < box->bottom;
-}
-
-/* Cuts the polygon a pixel outside the frame: no pixel centre is lost by rounding. Exact
-   edges are not cut: a vertex on the border is rounded, and they would be exact no more. */
-static enum polygon_result clip_vertices(struct setup *s)
-{
-    static struct vertex room[2 * CLIP_VERTICES_MAX];
-    static struct sides sides;
-    struct clip_window window;
-
-    window.left = window.top = -65536;
-    window.right = s->frame->width << 16;
-    window.bottom = s->frame->height << 16;
-    s->outline = polygon_clip(room, s->vertices, &s->outline_count, &window);
-    if (s->outline == s->vertices)
-        return POLYGON_DRAWN;
-    s->outline_sides = &sides;
-    if (s->outline_count < 3
-        || sides_find(&sides, s->outline, s->outline_count) != POLYGON_DRAWN
-        || !set_box(&s->box, &sides, s->frame))
-        return POLYGON_EMPTY;
-    return POLYGON_DRAWN;
-}
-
-/* Finds what the polygon covers and its edges. */
-static enum polygon_result set_sides(struct setup *s)
-{
-    static struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-    enum polygon_result result = sides_find(&s->sides, s->vertices, s->count);
-
-    if (result != POLYGON_DRAWN)
-        return result;
-    if (!set_box(&s->box, &s->sides, s->frame))
-        return POLYGON_EMPTY;
-    s->outline = s->vertices;
-    s->outline_count = s->count;
-    s->outline_sides = &s->sides;
-    if (s->material->clip == CLIP_VERTICES && s->material->edges != EDGES_EXACT
-        && clip_vertices(s) != POLYGON_DRAWN)
-        return POLYGON_EMPTY;
-    s->edges.lines = lines;
-    s->edges.left = left;
-    s->edges.right = right;
-    edges_make(&s->edges, s->outline_sides, &s->box, s->material->edges == EDGES_EXACT);
-    return POLYGON_DRAWN;
-}
 
 /* What the mapper needs of map and frame. */
 static enum polygon_result set_map(struct setup *s)
@@ -142,7 +76,7 @@ static enum polygon_result set_span(struct setup *s)
     const struct frame *frame = s->frame;
     enum polygon_result result;
 
-    s->span.lines = lines;
+    s->span.lines = s->edges.lines;
     s->span.count = s->box.bottom - s->box.top;
     s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
     s->span.pitch = frame->pitch;
@@ -185,29 +119,13 @@ static enum polygon_result set_texturing(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-static void cut_lines(const struct setup *s, void (*routine)(const struct scissor_plan *plan))
-{
-    struct scissor_plan scissor;
-
-    scissor.lines = lines;
-    scissor.count = s->span.count;
-    scissor.width = s->frame->width;
-    scissor.dudx = s->span.dudx;
-    scissor.dvdx = s->span.dvdx;
-    routine(&scissor);
-}
-
-/* The table of lines as a kind of span needs it, cut to the frame's columns. */
+/* The table of lines as a kind of span needs it. */
 static void make_lines(struct setup *s, enum span_kind kind)
 {
     const struct kind_routines *routines = &kind_routines[kind];
 
-    if (s->material->edges == EDGES_EXACT)
-        routines->exact_edges(&s->edges);
-    else
-        routines->edges(&s->edges);
-    if (!lower_to_no_scissor(s))
-        cut_lines(s, routines->scissor);
+    outline_lines(s, s->material->edges == EDGES_EXACT ? routines->exact_edges : routines->edges,
+                  routines->scissor);
 }
 
 /* Two divides a scanline: the sides' u and v after their x. */
@@ -220,7 +138,7 @@ static void set_ramps(struct setup *s)
     make_lines(s, SPAN_FILL);
     ramps_make(left, s->edges.left, s->edges.lefts);
     ramps_make(right, s->edges.right, s->edges.rights);
-    plan.lines = lines;
+    plan.lines = s->edges.lines;
     plan.count = s->span.count;
     plan.left = left;
     plan.right = right;
@@ -257,10 +175,10 @@ static void draw_each_line(struct setup *s)
 
     line->count = 1;
     for (int32 i = 0; i < count; i++) {
-        line->lines = &lines[i];
+        line->lines = &s->edges.lines[i];
         line->dudx = line->steps[i].dudx;
         line->dvdx = line->steps[i].dvdx;
-        if (lines[i].last >= lines[i].left) {
+        if (line->lines->last >= line->lines->left) {
             hold_lines(s);
             kind_routines[s->kind].span(line);
         }
@@ -282,7 +200,7 @@ static int32 draw_perspective(struct setup *s)
         return 0;
     }
     make_lines(s, SPAN_FILL);
-    plan.lines = lines;
+    plan.lines = s->edges.lines;
     plan.count = s->span.count;
     lower_by_planes(s);
     perspective_draw(s);
@@ -304,7 +222,7 @@ static void draw_affine(struct setup *s)
         shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[s->kind] += lines_pixels(lines, s->span.count);
+        s->counts->pixels[s->kind] += lines_pixels(s->edges.lines, s->span.count);
     }
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(s);
@@ -340,7 +258,7 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     s.vertices = material_vertices(vertices, count, material);
     if (lower_asked(&s))
         lower_by_vertices(&s);
-    result = set_sides(&s);
+    result = outline_find(&s);
     if (result != POLYGON_DRAWN)
         return result;
     result = set_span(&s);
