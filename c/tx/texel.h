@@ -1,0 +1,62 @@
+/* From a tile's coordinates to a texel's colour: each step as the hardware has it. */
+#ifndef TX_TEXEL_H
+#define TX_TEXEL_H
+
+#include "tx/tx.h"
+
+/* Colours between the passes: 0 to 255; from YUV texels, colour conversion and combiner
+   signed 9 bits, -256 to 255. A YUV texel is U, V, Y, Y with U and V from -128 on. */
+struct tx_colour {
+    int16 r, g, b, a;
+};
+
+/* A column or row: the texel's index, and how far on the neighbour's is. */
+struct tx_place {
+    int32 index, step;
+};
+
+/* coordinates.c. c: s10.5. Relative coordinate: 11.5 bits unsigned; steps 1-4 (shift, clamp,
+   origin). Where the axis neither clamps nor masks nothing, it is modulo 2^16. */
+uint32 tx_relative(const struct tx_axis *axis, int32 c);
+
+/* coordinates.c. Step 5 (mirror, mask) for a relative coordinate's integer part. Columns and
+   rows differ in the last one's step. */
+void tx_place_column(const struct tx_axis *axis, uint32 column, struct tx_place *place);
+void tx_place_row(const struct tx_axis *axis, uint32 row, struct tx_place *place);
+
+/* texel.c. One texel of a tile. s: column, any; row: 0 to 256. tap: which of the four copies
+   of a TLUT entry (0-3: that and its neighbours in s, t, both). */
+void tx_fetch(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row, int32 tap,
+              struct tx_colour *texel);
+
+/* texel.c. Address of a texel of 4, 8 or 16 bits: a byte's number in TMEM. */
+uint32 tx_texel_address(const struct tx_tile *tile, uint32 size, int32 s, int32 row);
+
+/* texel.c. A TLUT's entry: 16 bits, as they are. */
+uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
+
+/* texel.c. What stands in 16 bits. */
+void tx_expand_rgba16(uint32 bits, struct tx_colour *texel);
+void tx_expand_ia16(uint32 bits, struct tx_colour *texel);
+
+/* filter.c. The four texels of a quad, chroma apart: its second column may be another. */
+struct tx_taps {
+    struct tx_colour c00, c10, c01, c11;
+};
+
+/* filter.c. One channel through the three-point filter; fs, ft: 0 to 31. */
+int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft);
+
+/* filter.c. Samples tile n at s, t (s10.5) as the modes of the cycle (0 or 1) say. previous:
+   cycle 0's sample, which cycle 1 may convert. */
+void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
+               const struct tx_colour *previous, struct tx_colour *out);
+
+/* convert.c. Signed U, V, Y to R, G, B, A = Y; each signed 9 bits. */
+void tx_convert(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out);
+
+/* copy.c. Four texels of copy mode from s, t (s10.5) on: two longs of 16-bit texels, of which
+   one-bit alpha is bit 0. */
+void tx_copy(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels);
+
+#endif
