@@ -32,6 +32,9 @@ void tx_fetch(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 ro
 /* texel.c. Address of a texel of 4, 8 or 16 bits: a byte's number in TMEM. */
 uint32 tx_texel_address(const struct tx_tile *tile, uint32 size, int32 s, int32 row);
 
+/* texel.c. The entry that a texel names while TLUT is on, from the low half of TMEM alone. */
+uint32 tx_tlut_index(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row);
+
 /* texel.c. A TLUT's entry: 16 bits, as they are. */
 uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
 

@@ -195,6 +195,9 @@ enum tx_result tx_load_block_words(struct tx *tx, uint32 hi, uint32 lo);
 enum tx_result tx_load_tile_words(struct tx *tx, uint32 hi, uint32 lo);
 enum tx_result tx_load_tlut_words(struct tx *tx, uint32 hi, uint32 lo);
 
+/* command.c: the edges of a tile as set tile size and the loads give them. */
+void tx_set_edges(struct tx *tx, uint32 hi, uint32 lo);
+
 /* check.c: whether a format exists in this size; for drawing, and (views of 16 bits) loads. */
 int32 tx_drawable_pair(uint32 format, uint32 size);
 int32 tx_loadable_pair(uint32 format, uint32 size);

@@ -1,0 +1,101 @@
+/* Questions to the texture engine, and its answers: what the program vectors reads and
+   writes. Big-endian longs, offsets from the file's start. This header is the only
+   definition: the host reads it from the compiler's debug information. */
+#ifndef VECTOR_FILE_H
+#define VECTOR_FILE_H
+
+#include "compiler.h"
+
+enum vector_constants {
+    VECTOR_MAGIC = 0x56454354,  /* "VECT" */
+    VECTOR_VERSION = 1,
+    VECTOR_DRAM_BYTES = 0x100000,
+    VECTOR_RANDOM_FROM = 0x1000,        /* what VECTOR_DRAM_RANDOM fills */
+    VECTOR_RANDOM_END = 0x9000,
+    VECTOR_CALL_PAIRS = 8       /* words of one call, at most */
+};
+
+struct vector_header {
+    uint32 magic, version;
+    uint32 size;                /* of the whole file, bytes */
+    uint32 checksum;            /* CRC-32 of the file from operations_at on */
+    uint32 operations_at, operations;
+};
+
+/* One operation: this, and then its longs. Those that are questions leave answers, a long
+   each number, one behind the other in the results. */
+struct vector_operation {
+    uint16 code, longs;
+};
+
+/* In brackets the longs; behind = the answers. Colours are 4 longs R G B A. */
+enum vector_code {
+    VECTOR_RESET,               /* a new texture engine, unchecked; DRAM is 0 */
+    VECTOR_TMEM_RANDOM,         /* seed */
+    VECTOR_TLUT_RANDOM,         /* seed */
+    VECTOR_DRAM_RANDOM,         /* seed */
+    VECTOR_TMEM,                /* address, bytes: a long each */
+    VECTOR_DRAM,                /* address, bytes: a long each */
+    VECTOR_MODE,                /* byte of struct tx_modes, value */
+    VECTOR_TILE,                /* n, fields in the order of a line `tile` */
+    VECTOR_CONVERT,             /* K0-K5 */
+    VECTOR_WORDS,               /* pairs: each is run, whatever comes of it */
+    VECTOR_CHECKED,             /* 0 or 1 */
+    VECTOR_STRICT,              /* 0 or 1 */
+    VECTOR_DRAWN,               /* tells the engine that a primitive was drawn */
+    VECTOR_HASH,                /* = FNV-1a of TMEM */
+    VECTOR_FETCH,               /* tile, s, t = texel */
+    VECTOR_SAMPLE,              /* tile, s, t, cycle = colour */
+    VECTOR_SAMPLE_BOTH,         /* tile of cycle 0, of cycle 1, s, t = two colours */
+    VECTOR_DIVIDE,              /* s, t, w = raw s, raw t, s, t */
+    VECTOR_PIXEL,               /* s, t, w, their 6 gradients, first tile, max_level, min_level
+                                   = s, t, tile 0, tile 1, fraction, two colours */
+    VECTOR_COPY,                /* tile, s, t = two longs */
+    VECTOR_LIST,                /* pairs = enum tx_result, command */
+    VECTOR_CHECK_TILE,          /* tile = enum tx_result */
+    VECTOR_CHECK_DRAWING,       /* = enum tx_result */
+    VECTOR_CHECK_COORDINATES,   /* s, t = enum tx_result */
+    VECTOR_GENERATIONS,         /* tile = those of TMEM, the tile, the modes */
+    VECTOR_DRAW,                /* s, t, w, their 6 gradients, shade = R G B A in one long */
+    VECTOR_CALL,                /* enum vector_call, its arguments
+                                   = enum tx_result, pairs, VECTOR_CALL_PAIRS pairs */
+    VECTOR_DECODE,              /* tile, with quads = enum tx_result, columns_bits, rows_bits,
+                                   whether it was made anew, texels' address */
+    VECTOR_DECODED,             /* tile, s, t (s10.5) = texel, quad's result or 0 */
+    VECTOR_CODES
+};
+
+/* The calls of tx/calls.h, whose arguments come in their order. */
+enum vector_call {
+    VECTOR_CALL_TEXTURE_BLOCK,
+    VECTOR_CALL_TEXTURE_BLOCK_4B,
+    VECTOR_CALL_TEXTURE_TILE,
+    VECTOR_CALL_TEXTURE_TILE_4B,
+    VECTOR_CALL_TLUT_16,
+    VECTOR_CALL_TLUT_256,
+    VECTOR_CALL_IMAGE,
+    VECTOR_CALL_TILE,
+    VECTOR_CALL_TILE_SIZE,
+    VECTOR_CALL_LOAD_BLOCK,
+    VECTOR_CALL_LOAD_TILE,
+    VECTOR_CALL_LOAD_TLUT,
+    VECTOR_CALL_TEXTURE,
+    VECTOR_CALL_CYCLE,
+    VECTOR_CALL_PERSPECTIVE,
+    VECTOR_CALL_DETAIL,
+    VECTOR_CALL_LOD,
+    VECTOR_CALL_LUT,
+    VECTOR_CALL_FILTER,
+    VECTOR_CALL_CONVERSION,
+    VECTOR_CALL_CONVERT,
+    VECTOR_CALL_COMBINE,
+    VECTOR_CALL_PRIMITIVE,
+    VECTOR_CALL_ENVIRONMENT,
+    VECTOR_CALL_LOAD_SYNC,
+    VECTOR_CALL_TILE_SYNC,
+    VECTOR_CALL_PIPE_SYNC,
+    VECTOR_CALL_FULL_SYNC,
+    VECTOR_CALLS
+};
+
+#endif

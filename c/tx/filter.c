@@ -1,0 +1,100 @@
+/* The filters: point, three points, average; YUV's chroma has its own fraction. */
+#include "tx/bits.h"
+#include "tx/texel.h"
+
+int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft)
+{
+    if (fs + ft < 32)
+        return c00 + ((fs * (c10 - c00) + ft * (c01 - c00) + 16) >> 5);
+    return c11 + (((32 - fs) * (c01 - c11) + (32 - ft) * (c10 - c11) + 16) >> 5);
+}
+
+/* Where a filter looks: fractions for luma or colour, and for chroma. */
+struct fractions {
+    int32 s, chroma_s, t;
+    int32 mid;
+};
+
+static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
+                    const struct fractions *at)
+{
+    if (at->mid)
+        return (int16)tx_signed_9((c00 + c10 + c01 + c11 + 2) >> 2);
+    return (int16)tx_signed_9(tx_three_points(c00, c10, c01, c11, fs, at->t));
+}
+
+static void filter_taps(const struct tx_taps *taps, const struct fractions *at,
+                        struct tx_colour *out)
+{
+    out->r = filter(taps->c00.r, taps->c10.r, taps->c01.r, taps->c11.r, at->chroma_s, at);
+    out->g = filter(taps->c00.g, taps->c10.g, taps->c01.g, taps->c11.g, at->chroma_s, at);
+    out->b = filter(taps->c00.b, taps->c10.b, taps->c01.b, taps->c11.b, at->s, at);
+    out->a = filter(taps->c00.a, taps->c10.a, taps->c01.a, taps->c11.a, at->s, at);
+}
+
+/* The corner that a filter would start from: what is left of one where it is off. */
+static void nearest_corner(const struct tx_taps *taps, const struct fractions *at,
+                           struct tx_colour *out)
+{
+    const struct tx_colour *chroma = at->chroma_s + at->t >= 32 ? &taps->c11 : &taps->c00;
+    const struct tx_colour *luma = at->s + at->t >= 32 ? &taps->c11 : &taps->c00;
+
+    out->r = chroma->r;
+    out->g = chroma->g;
+    out->b = luma->b;
+    out->a = luma->a;
+}
+
+static void fetch_taps(const struct tx *tx, const struct tx_tile *tile,
+                       const struct tx_place *column, const struct tx_place *row,
+                       struct tx_taps *taps)
+{
+    const int32 s0 = column->index, s1 = s0 + column->step;
+    const int32 t0 = row->index, t1 = t0 + row->step;
+
+    tx_fetch(tx, tile, s0, t0, 0, &taps->c00);
+    tx_fetch(tx, tile, s1, t0, 1, &taps->c10);
+    tx_fetch(tx, tile, s0, t1, 2, &taps->c01);
+    tx_fetch(tx, tile, s1, t1, 3, &taps->c11);
+    if (tile->format == TX_YUV) {       /* chroma's neighbour is the next pair's */
+        struct tx_colour next;
+
+        tx_fetch(tx, tile, s1 + column->step, t0, 1, &next);
+        taps->c10.r = next.r;
+        taps->c10.g = next.g;
+        tx_fetch(tx, tile, s1 + column->step, t1, 3, &next);
+        taps->c11.r = next.r;
+        taps->c11.g = next.g;
+    }
+}
+
+void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
+               const struct tx_colour *previous, struct tx_colour *out)
+{
+    const struct tx_tile *tile = &tx->tiles[n & 7];
+    const int32 filters = cycle ? tx->modes.filter1 : tx->modes.filter0;
+    const uint32 relative_s = tx_relative(&tile->s, s), relative_t = tx_relative(&tile->t, t);
+    struct tx_place column, row;
+
+    tx_place_column(&tile->s, relative_s >> 5, &column);
+    tx_place_row(&tile->t, relative_t >> 5, &row);
+    if (!tx->modes.quad) {
+        tx_fetch(tx, tile, column.index, row.index, 0, out);
+    } else {
+        struct fractions at;
+        struct tx_taps taps;
+
+        at.s = at.chroma_s = (int32)(relative_s & 31);
+        at.t = (int32)(relative_t & 31);
+        if (tile->format == TX_YUV)
+            at.chroma_s = at.s >> 1 | (column.index & 1) << 4;
+        at.mid = tx->modes.mid && at.s == 16 && at.t == 16;
+        fetch_taps(tx, tile, &column, &row, &taps);
+        if (filters)
+            filter_taps(&taps, &at, out);
+        else
+            nearest_corner(&taps, &at, out);
+    }
+    if (!filters)
+        tx_convert(tx, cycle && tx->modes.convert_one ? previous : out, out);
+}
