@@ -1,0 +1,167 @@
+/* From a polygon to its lines, and line by line to pixels.
+
+   All that decides a pixel is its iterators, planes over the polygon (planes.h), and the
+   engine's state. What draws it, the plain mappers, passes over a line's pixels or pixel.h
+   itself, is chosen by lower.h and makes no difference to the picture. */
+#include "polygon/counts.h"
+#include "polygon/lower.h"
+#include "polygon/outline.h"
+#include "tx/lower.h"
+#include "tx/pixels.h"
+#include "tx/planes.h"
+#include "tx/unit.h"
+
+static int16 channel(uint32 plane)
+{
+    int32 value = (int32)plane >> 16;
+
+    return (int16)(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+static void shade_at(const struct tx_planes *planes, int32 x, int32 y, struct tx_colour *shade)
+{
+    shade->r = channel(tx_plane_at(planes, TX_RED, x, y));
+    shade->g = channel(tx_plane_at(planes, TX_GREEN, x, y));
+    shade->b = channel(tx_plane_at(planes, TX_BLUE, x, y));
+    shade->a = channel(tx_plane_at(planes, TX_ALPHA, x, y));
+}
+
+/* A line pixel by pixel: whatever the modes are. */
+static void draw_line(const struct tx *tx, const struct tx_planes *planes,
+                      const struct frame *frame, int32 x, int32 end, int32 y)
+{
+    uint8 *row = frame->pixels + y * frame->pitch;
+
+    for (; x < end; x++) {
+        struct tx_point point;
+        struct tx_colour shade;
+
+        tx_planes_point(planes, x, y, &point);
+        if (planes->shaded)
+            shade_at(planes, x, y, &shade);
+        tx_pixel_write(row, x, frame->pixel_bytes,
+                       tx_pixel_of(tx_draw_pixel(tx, &point, planes->shaded ? &shade : 0),
+                                   frame->pixel_bytes));
+    }
+}
+
+static void draw_lines(const struct setup *s, const struct tx *tx,
+                       const struct tx_planes *planes)
+{
+    const struct scanline *line = s->edges.lines;
+
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++)
+        draw_line(tx, planes, s->frame, line->left - EDGE_BIAS, line->last + 1 - EDGE_BIAS, y);
+}
+
+static enum polygon_result draw_flat(const struct setup *s, uint32 colour,
+                                     const struct drawing *drawing)
+{
+    struct material flat = *s->material;
+
+    flat.mapper = MAPPER_FLAT;
+    flat.perspective = PERSPECTIVE_NONE;
+    flat.colour = tx_pixel_of(colour, s->frame->pixel_bytes);
+    return polygon_draw(s->frame, s->given, s->count, &flat, drawing);
+}
+
+static uint32 constant_colour(const struct tx *tx, const struct tx_colour *shade)
+{
+    static const struct tx_colour none;
+    struct tx_sources sources;
+
+    sources.texel0 = sources.texel1 = none;
+    sources.shade = *shade;
+    sources.fraction = 0;
+    return tx_combine_pixel(tx, &sources);
+}
+
+static enum polygon_result refused(struct tx_unit *unit, enum tx_result result)
+{
+    unit->result = result;
+    return POLYGON_REFUSED;
+}
+
+static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
+                                       const struct tx_needs *needs, const uint32 *colours)
+{
+    enum polygon_result result;
+    struct tx_planes planes;
+
+    s->vertices = tx_planes_vertices(s->given, s->count);
+    result = outline_find(s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
+                  scissor_flat);
+    if (!tx_planes_find(&planes, s, needs->divided,
+                        (needs->inputs & TX_INPUT_SHADE) != 0, colours))
+        return refused(unit, TX_COORDINATE_RANGE);
+    draw_lines(s, &unit->tx, &planes);
+    if (s->counts) {
+        s->counts->polygons++;
+        s->counts->pixels[SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,
+                                                          s->box.bottom - s->box.top);
+    }
+    return POLYGON_DRAWN;
+}
+
+enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
+                                             const struct vertex *vertices,
+                                             const uint32 *colours, int32 count,
+                                             const struct material *material,
+                                             const struct drawing *drawing)
+{
+    struct tx_unit *unit = material->unit;
+    enum tx_result check;
+    enum polygon_result result;
+    struct tx_needs needs;
+    struct setup s;
+    struct material plain;
+
+    if (count < 3 || count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    if (frame->pixel_bytes == 1)
+        return POLYGON_WRONG_MAP;
+    check = tx_check_drawing(&unit->tx);
+    for (int32 i = 0; i < count && check == TX_DONE; i++)
+        check = tx_check_coordinates(&unit->tx, vertices[i].s, vertices[i].t);
+    if (check != TX_DONE)
+        return refused(unit, check);
+    s.frame = frame;
+    s.material = material;
+    s.off = drawing->off;
+    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
+    s.given = vertices;
+    s.count = count;
+    tx_lower_inputs(&needs, &s, &unit->tx, colours);
+    if (tx_lower_to_flat(&needs, &s))
+        result = draw_flat(&s, constant_colour(&unit->tx, &needs.shade), drawing);
+    else if (tx_lower_to_plain(&needs, &s, unit, &plain, &vertices))
+        result = polygon_draw(frame, vertices, count, &plain, drawing);
+    else
+        result = draw_planes(&s, unit, &needs, colours);
+    if (result == POLYGON_DRAWN)
+        tx_drawn(&unit->tx);
+    return result;
+}
+
+enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
+                                    int32 count, const struct material *material,
+                                    const struct drawing *drawing)
+{
+    return tx_polygon_draw_coloured(frame, vertices, 0, count, material, drawing);
+}
+
+void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)
+{
+    tx_init(&unit->tx, dram, dram_bytes);
+    unit->result = TX_DONE;
+    unit->memory = memory;
+    unit->page.texels = 0;
+    unit->page.bytes = 0;
+    for (int32 i = 0; i < TX_PAGE_KEY; i++)
+        unit->page.key[i] = 0;
+    for (int32 i = 0; i < TX_TILES; i++)
+        tx_decoded_init(&unit->decoded[i]);
+}

@@ -1,0 +1,106 @@
+#include "tx/lower.h"
+
+#include "polygon/counts.h"
+#include "polygon/lower.h"
+#include "tx/page.h"
+
+static int32 shades_are_equal(const struct setup *s, const uint32 *colours)
+{
+    for (int32 i = 1; i < s->count; i++)
+        if (colours ? colours[i] != colours[0] : s->given[i].shade != s->given->shade)
+            return 0;
+    return 1;
+}
+
+static void first_shade(struct tx_colour *shade, const struct setup *s, const uint32 *colours)
+{
+    uint32 grey = (uint32)s->given->shade >> 16;
+    uint32 colour = colours ? *colours : grey << 24 | grey << 16 | grey << 8 | 255;
+
+    shade->r = (int16)(colour >> 24);
+    shade->g = (int16)(colour >> 16 & 255);
+    shade->b = (int16)(colour >> 8 & 255);
+    shade->a = (int16)(colour & 255);
+}
+
+void tx_lower_inputs(struct tx_needs *needs, struct setup *s, const struct tx *tx,
+                     const uint32 *colours)
+{
+    needs->inputs = tx->inputs;
+    needs->divided = tx->modes.perspective;
+    first_shade(&needs->shade, s, colours);
+    if (needs->inputs & TX_INPUT_SHADE
+        && APPLIES(EQUAL_SHADES, shades_are_equal(s, colours)))
+        needs->inputs &= ~(uint32)TX_INPUT_SHADE;
+    if (needs->divided && needs->inputs & ~(uint32)TX_INPUT_SHADE
+        && APPLIES(CONSTANT_W, lower_w_is_constant(s)))
+        needs->divided = 0;
+}
+
+int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s)
+{
+    return APPLIES(TX_FLAT, !needs->inputs);
+}
+
+/* Whether every pixel's coordinate lies within a window of a page: it leaves the vertices'
+   range by less than TX_PAGE_MARGIN. */
+static int32 is_within(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
+                       const struct tx_window *window)
+{
+    fix16 origin = axis->low << 14;
+
+    if (window->low == -0x7fffffff)
+        return 1;
+    for (int32 i = 0; i < s->count; i++) {
+        fix16 relative = *value - origin;
+
+        if (relative < window->low + TX_PAGE_MARGIN * 65536
+            || relative >= window->high - TX_PAGE_MARGIN * 65536)
+            return 0;
+        value += sizeof(struct vertex) / sizeof *value;
+    }
+    return 1;
+}
+
+/* Point sampling of one tile without levels, the rest constants. */
+static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx)
+{
+    const struct tx_tile *tile = &tx->tiles[tx->primitive_tile];
+    struct tx_window columns, rows;
+
+    return needs->inputs == TX_INPUT_TEXEL0 && !needs->divided && !tx->modes.lod
+        && !tx->modes.quad && tx->modes.cycle != TX_COPY
+        && tx_page_window(&tile->s, &columns) && tx_page_window(&tile->t, &rows)
+        && is_within(s, &s->given->s, &tile->s, &columns)
+        && is_within(s, &s->given->t, &tile->t, &rows);
+}
+
+static const struct vertex *relative_vertices(const struct setup *s, const struct tx_tile *tile)
+{
+    static struct vertex moved[POLYGON_VERTICES_MAX];
+
+    for (int32 i = 0; i < s->count; i++) {
+        moved[i] = s->given[i];
+        moved[i].s -= tile->s.low << 14;
+        moved[i].t -= tile->t.low << 14;
+    }
+    return moved;
+}
+
+int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx_unit *unit,
+                        struct material *plain, const struct vertex **vertices)
+{
+    int32 tile = unit->tx.primitive_tile;
+
+    if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx)
+                 && tx_page_make(unit, tile, s->frame->pixel_bytes, &needs->shade)))
+        return 0;
+    *plain = *s->material;
+    plain->mapper = MAPPER_AFFINE;
+    plain->gradients = GRADIENTS_PLANE;
+    plain->start = START_SUBTEXEL;
+    plain->perspective = PERSPECTIVE_NONE;
+    plain->map = &unit->page.map;
+    *vertices = relative_vertices(s, &unit->tx.tiles[tile]);
+    return 1;
+}

@@ -1,0 +1,25 @@
+/* A tile as the plain mappers read it: combined pixels of the frame on a page of 256x256. */
+#ifndef TX_PAGE_H
+#define TX_PAGE_H
+
+#include "tx/unit.h"
+
+enum tx_page_constants {
+    TX_PAGE_MARGIN = 1          /* texels: more than u and v of a pixel leave the vertices' range */
+};
+
+/* What an axis' page shows: column k stands for relative indices base + k modulo 256. An axis
+   that repeats within a page has all of them, one that clamps those from base to base + 255. */
+struct tx_window {
+    int32 low, high;            /* indices between which it is right, 16.16: low <= u < high */
+};
+
+/* Whether a page can stand for an axis at all, and where. Shifted axes have none. */
+int32 tx_page_window(const struct tx_axis *axis, struct tx_window *window);
+
+/* Makes the unit's page fit a tile, its colour being what the combiner makes of texel 0 and
+   constants; nothing is done where it still does. 0: there is no memory. */
+int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
+                   const struct tx_colour *shade);
+
+#endif

@@ -1,0 +1,22 @@
+#include "tx/pixels.h"
+
+uint32 tx_pixel_of(uint32 colour, int32 pixel_bytes)
+{
+    if (pixel_bytes == 4)
+        return colour;
+    return (colour >> 16 & 0xf800) | (colour >> 13 & 0x7c0) | (colour >> 10 & 0x3e)
+        | (colour >> 7 & 1);
+}
+
+uint32 tx_pixel_read(const uint8 *row, int32 x, int32 pixel_bytes)
+{
+    return pixel_bytes == 4 ? ((const uint32 *)row)[x] : ((const uint16 *)row)[x];
+}
+
+void tx_pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pixel)
+{
+    if (pixel_bytes == 4)
+        ((uint32 *)row)[x] = pixel;
+    else
+        ((uint16 *)row)[x] = (uint16)pixel;
+}

@@ -1,0 +1,46 @@
+/* A texture engine that draws polygons, with what was made ready of its state. */
+#ifndef TX_UNIT_H
+#define TX_UNIT_H
+
+#include "polygon/polygon.h"
+#include "tx/decode.h"
+#include "tx/pixel.h"
+
+enum { TX_PAGE_KEY = 10 };
+
+/* A tile as the plain mappers read it: see page.h. */
+struct tx_page {
+    struct map map;
+    uint8 *texels;              /* memory for it, */
+    int32 bytes;                /* and how much */
+    uint32 key[TX_PAGE_KEY];    /* what it was made from */
+};
+
+struct tx_unit {
+    struct tx tx;
+    enum tx_result result;      /* why the last polygon was refused */
+    int32 memory;               /* enum memory_kind, of what is made ready */
+    struct tx_page page;
+    struct tx_decoded decoded[TX_TILES];
+};
+
+/* A unit with its engine as tx_init leaves it. */
+void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory);
+
+/* Draws a convex polygon by the unit of a material, into a frame of 2 (5/5/5/1) or 4 bytes
+   (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
+   vertices s and t are texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart.
+   POLYGON_REFUSED: unit->result says why. */
+enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
+                                    int32 count, const struct material *material,
+                                    const struct drawing *drawing);
+
+/* The same with colours for the combiner's shade: R G B A of each vertex. Without them shade
+   is grey, by the vertices' shades, its alpha 255. */
+enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
+                                             const struct vertex *vertices,
+                                             const uint32 *colours, int32 count,
+                                             const struct material *material,
+                                             const struct drawing *drawing);
+
+#endif
