@@ -34,6 +34,11 @@ def from_columns(texels: np.ndarray, width: int, height: int) -> np.ndarray:
     return texels.reshape(width // COLUMN, height, COLUMN).transpose(1, 0, 2).reshape(height, width)
 
 
+def to_page(picture: np.ndarray) -> np.ndarray:
+    """MAP_PAGE of 256x256 texels as it lies in memory: of 2 and 4 bytes its lower half first."""
+    return (picture if picture.itemsize == 1 else np.roll(picture, 128, axis=0)).reshape(-1)
+
+
 def widened(bits: int) -> np.ndarray:
     """The 8-bit value of each ``bits``-bit one: its upper bits follow once more."""
     values = np.arange(1 << bits)

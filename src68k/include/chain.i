@@ -161,6 +161,133 @@ pixel_lit macro
         move.b  (a2),(a1)+
         endm
 
+; Texels of \1 = 2 or 4 bytes: a3 is texel (0, 0) of the map, whose rows 128 to 255 lie
+; before it, as d4 = VU is signed. 4 bytes.
+draw_wide macro
+        ifeq    \1-2
+        move.w  (a3,d4.w*2),(a1)+
+        else
+        move.l  (a3,d4.w*4),(a1)+
+        endc
+        endm
+
+; Whole spans of such texels, \1 bytes each: the chain of two registers, ...
+wide_chain macro
+        chain_open
+        movea.l d4,a3
+        move.l  (sp),d5
+        span_line d0,d1,*\1
+        span_rounds_out 4
+        add.l   a4,d1
+        span_enter_out_12
+.pixels rept    16
+        texel_next
+        draw_wide \1
+        endr
+        span_close d5
+        endm
+
+; ... S, Q and P apart, ...
+wide_apart macro
+        apart_open
+        movea.l d4,a3
+        span_line d0,d1,*\1
+        apart_start
+        span_rounds_out 4
+        span_enter_out_14
+.pixels rept    16
+        texel_next_apart
+        draw_wide \1
+        endr
+        span_close (sp)
+        endm
+
+; ... and u alone.
+wide_row macro
+        alone_open dudx
+        movea.l d4,a3
+        pack_alone d2,d5,a4
+        move.l  (sp),d3
+        span_line d0,d1,*\1
+        span_rounds_out 4
+        move.w  d0,d4                   ; Vv
+        move.b  d1,d5
+        move.w  d5,d0                   ; uu-U
+        add.l   a4,d0
+        span_enter_out_8
+.pixels rept    16
+        move.b  d0,d4                   ; VU
+        addx.l  d2,d0
+        draw_wide \1
+        endr
+        span_close d3
+        endm
+
+; The same where u moves a texel a pixel: consecutive texels of the map's row, in parts up to
+; the row's end.
+WIDE_COPIED equ 64                      ; longwords a round
+
+wide_copy macro
+        save_all
+        movea.l span_plan_map(a0),a4
+        movea.l span_plan_pitch(a0),a5
+        movea.l span_plan_row(a0),a6
+        move.l  span_plan_count(a0),d7
+        movea.l span_plan_lines(a0),a0
+        lea     .longwords_end(pc),a3
+        moveq   #0,d3
+        moveq   #WIDE_COPIED-1,d5
+        bra     .line
+
+.longwords
+        rept    WIDE_COPIED
+        move.l  (a2)+,(a1)+
+        endr
+.longwords_end
+        dbra    d6,.longwords
+        subq.w  #1,d2                   ; pixels behind this part - 1
+        bmi.s   .next
+        lea     -256*\1(a2),a2          ; the row's beginning
+        move.w  #255,d3
+        bra.s   .part
+
+.empty  addq.l  #4,a0
+.next   adda.l  a5,a6
+.line   subq.w  #1,d7
+        bmi.s   .done
+        move.l  (a0)+,d0                ; --:left
+        lea     (a6,d0.w*\1),a1
+        move.l  (a0)+,d2                ; last:Vv
+        move.w  d2,d1
+        swap    d2
+        sub.w   d0,d2                   ; pixels - 1
+        bmi.s   .empty
+        move.l  (a0)+,d0
+        move.b  d0,d1                   ; VU
+        lea     (a4,d1.w*\1),a2
+        not.b   d0
+        move.b  d0,d3                   ; texels behind U in the row
+.part   move.w  d2,d6
+        cmp.w   d3,d2
+        bls.s   .fits
+        move.w  d3,d6
+.fits   sub.w   d6,d2                   ; pixels behind this part
+        addq.w  #1,d6
+        ifeq    \1-2
+        lsr.w   #1,d6
+        bcc.s   .even
+        move.w  (a2)+,(a1)+
+.even
+        endc
+        move.w  d6,d0                   ; longwords
+        and.w   d5,d0
+        neg.w   d0                      ; 2 bytes of code each
+        lsr.w   #6,d6
+        jmp     (a3,d0.w*2)
+
+.done   return_all
+        endm
+
 ; The way into a span with the chain of two registers: see span_open. \1: a field of the
 ; plan that goes onto the stack besides.
 chain_open macro
