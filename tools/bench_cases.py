@@ -311,7 +311,8 @@ def special_rows() -> list[Row]:
 def wide_rows(length: int) -> list[Row]:
     """The spans with texels of 16 and 32 bits."""
     steps = {"": (DU, DV), "_wrap": (DU, DV), "_row": (DU, 0), "_copy": (1 << 16, 0)}
-    names = {f"affine_{bits}{kind}": pair for bits in (16, 32) for kind, pair in steps.items()}
+    names = {f"affine_{bits}{kind}": pair for bits in (16, 32) for kind, pair in steps.items()
+             if (bits, kind) != (32, "_copy")}
     return [Row("fill_32", length, *span_case("span_fill_32", "flat", length))] + [
         Row(name, length, *span_case(f"span_{name}", "addx", length, *pair))
         for name, pair in names.items()]

@@ -26,6 +26,7 @@ enum scanline_constants {
 
     /* The fewest with which span_affine_copy is quicker than span_affine_row_short. */
     COPY_LEAST = 5,
+    COPY_16_LEAST = 6,          /* the same of span_affine_16_copy and span_affine_16_row */
 
     /* In a lit line's shade: what the wraps of a falling v are taken from. */
     SHADE_FALLS = 0x3ff0000
@@ -176,7 +177,6 @@ void span_affine_16_copy(const struct span_plan *plan);
 void span_affine_32(const struct span_plan *plan);
 void span_affine_32_wrap(const struct span_plan *plan);
 void span_affine_32_row(const struct span_plan *plan);
-void span_affine_32_copy(const struct span_plan *plan);
 void span_gouraud_short(const struct span_plan *plan);
 void span_lit_short(const struct span_plan *plan);
 void span_lit_short_wrap(const struct span_plan *plan);
