@@ -62,14 +62,14 @@ enum polygon_result {
 struct frame {
     uint8 *pixels;              /* row 0 on top */
     int32 width, height, pitch; /* pixels, pixels, bytes */
-    int32 pixel_bytes;          /* 1: chunky; 2: RGB565, big-endian */
+    int32 pixel_bytes;          /* 1, 2 or 4, at a multiple of them */
 };
 
 /* How a polygon's pixels are made. */
 enum mapper {
     MAPPER_FLAT,
     MAPPER_GOURAUD,             /* shade is the pixel */
-    MAPPER_AFFINE,              /* MAP_PAGE */
+    MAPPER_AFFINE,              /* MAP_PAGE; 16- and 32-bit frames too */
     MAPPER_ARBITRARY,           /* MAP_LINEAR; s, t inside the map */
     MAPPER_TILED,               /* MAP_TILED */
     MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
@@ -91,6 +91,8 @@ enum span_kind {
     SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
     SPAN_AFFINE_COPY, SPAN_AFFINE_SHORT, SPAN_AFFINE_SHORT_WRAP, SPAN_AFFINE_ROW_SHORT,
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
+    SPAN_FILL_32, SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY,
+    SPAN_AFFINE_32, SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -127,7 +129,7 @@ struct draw_counts {
 /* What a polygon is drawn with. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
-    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
+    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
     uint16 number;              /* which of the drawing's counts are its */
     fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
                                    the setting's own bound: 0 to TOLERANCE_MAX */

@@ -9,7 +9,9 @@ static const char *const span_names[SPAN_KINDS] = {
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
     "perspective_pieces", "perspective_curves", "reciprocal", "logarithm",
     "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
-    "lit_short", "lit_short_wrap"
+    "lit_short", "lit_short_wrap",
+    "fill_32", "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy",
+    "affine_32", "affine_32_wrap", "affine_32_row"
 };
 
 static const char *const rule_names[RULES] = {

@@ -4,6 +4,15 @@
 #include "span/logarithm.h"
 #include "system/system.h"
 
+int32 scene_pixel_bytes(uint32 format)
+{
+    static const uint8 bytes[PIXEL_FORMATS] = {
+        [PIXEL_CHUNKY] = 1, [PIXEL_RGB565] = 2, [PIXEL_RGBA5551] = 2, [PIXEL_RGBA8888] = 4
+    };
+
+    return bytes[format];
+}
+
 void scene_place(struct scene *scene, const uint8 *data)
 {
     const struct scene_header *header = (const struct scene_header *)data;
