@@ -12,6 +12,7 @@ from pathlib import Path
 
 from .errors import UserError
 from .paths import BUILD, ROOT
+from .pixel_formats import FORMATS
 from .scene_file import MAPPER_LAYOUT
 
 FORMS = ("addx", "swap", "c")
@@ -107,7 +108,7 @@ def diff(args: argparse.Namespace) -> int:
 def to_map(args: argparse.Namespace) -> int:
     """Converts a picture to a map."""
     from . import convert as tool
-    return tool.map_command(args.source, args.out, args.layout, args.bits)
+    return tool.map_command(args.source, args.out, args.layout, args.format)
 
 
 def to_picture(args: argparse.Namespace) -> int:
@@ -185,8 +186,8 @@ def parser() -> Parser:
     command.add_argument("-o", dest="out", type=Path, metavar="FILE", required=True,
                          help="the texels; FILE.json beside it says what they are")
     command.add_argument("--layout", choices=("linear", "tiled", "columns"), default="linear")
-    command.add_argument("--bits", type=int, choices=(8, 16), default=8,
-                         help="palette indices, or RGB565")
+    command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
+                         help="palette indices (chunky), or what a texel's bytes are")
     command = add(to_picture, "Write a texture map as a PNG.")
     command.add_argument("source", type=Path, metavar="FILE")
     command.add_argument("-o", dest="out", type=Path, metavar="PICTURE.png", required=True)

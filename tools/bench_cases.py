@@ -45,19 +45,29 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
+def wide_texture(kernel: str) -> np.ndarray:
+    """The same with as many bytes a texel as the kernel's name says, big-endian."""
+    picture = texture()
+    for bits, shifts in (("16", (8,)), ("32", (8, 16, 24))):
+        if bits in kernel.split("_"):
+            wide = sum(picture.astype(int) << shift for shift in shifts) | picture.T
+            return wide.astype(f">u{int(bits) // 8}")
+    return picture
+
+
 def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
     """A table of spans of one length; starts such that v wraps once in a long one."""
     rng = np.random.default_rng(length)
     lines = lines or min(128, max(16, 2048 // length))
     pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
     constants = layout.load().constants
-    arena, far, picture = Arena(), Arena(), texture()
-    if kernel.endswith("_16"):
-        picture = (picture.astype(int) << 8 | picture.T).astype(maps.RGB565)
+    arena, far, picture = Arena(), Arena(), wide_texture(kernel)
     size = picture.itemsize
     stored = maps.to_tiled(picture) if "tiled" in kernel else \
-        maps.to_columns(picture) if "columns" in kernel else picture
+        maps.to_columns(picture) if "columns" in kernel else maps.to_page(picture)
     map_at = far.add(stored.tobytes(), constants["ARENA_ALIGN"])
+    if size > 1 and "affine" in kernel:
+        map_at += stored.nbytes // 2
     entries = np.zeros(lines, layout.load().struct("scanline").dtype)
     starts = []
     for k in range(lines):
@@ -298,6 +308,16 @@ def special_rows() -> list[Row]:
                    for name in ("lit_short", "lit_short_wrap") for n in (12, 4, 1)]
 
 
+def wide_rows(length: int) -> list[Row]:
+    """The spans with texels of 16 and 32 bits."""
+    steps = {"": (DU, DV), "_wrap": (DU, DV), "_row": (DU, 0), "_copy": (1 << 16, 0)}
+    names = {f"affine_{bits}{kind}": pair for bits in (16, 32) for kind, pair in steps.items()
+             if (bits, kind) != (32, "_copy")}
+    return [Row("fill_32", length, *span_case("span_fill_32", "flat", length))] + [
+        Row(name, length, *span_case(f"span_{name}", "addx", length, *pair))
+        for name, pair in names.items()]
+
+
 def pixel_rows(chip: bool) -> list[Row]:
     """All rows counted in pixels (or steps of one pixel)."""
     rows = []
@@ -307,6 +327,7 @@ def pixel_rows(chip: bool) -> list[Row]:
                            ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
                            ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
+        rows += wide_rows(length)
         rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))
         rows.append(Row("affine_column", length,
                         *span_case("span_affine_column", "addx", length, du=0)))

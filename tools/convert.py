@@ -1,8 +1,8 @@
 """``tmap map`` and ``tmap picture``: pictures as texture maps in memory layout, and back.
 
 A map file holds the texels alone, as c/texture/map.h lays them; FILE.json beside it says
-width, height, layout, bits and, of 8-bit maps, the palette. Both ways are exact: a PNG with
-a palette, or of at most 256 colours, comes back as it was; at 16 bits every RGB565 colour.
+width, height, layout, format and, of chunky maps, the palette. Both ways are exact: a PNG with
+a palette, or of at most 256 colours, comes back as it was; in other formats every colour they have.
 """
 
 import json
@@ -13,6 +13,7 @@ from PIL import Image
 
 from . import images, maps
 from .errors import UserError
+from .pixel_formats import FORMATS
 from .scene_file import size_fault
 
 LAYOUTS = ("linear", "tiled", "columns")
@@ -47,13 +48,14 @@ def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarr
     return {"tiled": maps.from_tiled, "columns": maps.from_columns}[layout](texels, width, height)
 
 
-def map_command(source: Path, out: Path, layout: str, bits: int) -> int:
+def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
     """Writes a picture as a map: ``out`` and ``out``.json."""
     try:
-        if bits == 16:
-            picture, palette = maps.to_rgb565(np.array(images.decode(source))), None
-        else:
+        if pixel == "chunky":
             picture, palette = indices(source)
+        else:
+            made = FORMATS[pixel]
+            picture, palette = made.numbers(np.array(images.decode(source, made.channels))), None
     except FileNotFoundError:
         raise UserError(f"{source}: no such file") from None
     except Exception as error:  # a damaged file fails in as many ways as there are decoders
@@ -62,11 +64,11 @@ def map_command(source: Path, out: Path, layout: str, bits: int) -> int:
     needs = size_fault(layout, width, height)
     if needs:
         raise UserError(f"{source}: {width}x{height} texels; layout {layout} needs {needs}")
-    about = {"width": width, "height": height, "layout": layout, "bits": bits,
+    about = {"width": width, "height": height, "layout": layout, "format": pixel,
              "palette": None if palette is None else palette.tolist()}
     out.write_bytes(laid_out(picture, layout).tobytes())
     out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
-    print(f"{out}: {width}x{height}, {layout}, {bits} bits")
+    print(f"{out}: {width}x{height}, {layout}, {pixel}")
     return 0
 
 
@@ -75,21 +77,24 @@ def picture_command(source: Path, out: Path) -> int:
     side = source.with_name(source.name + ".json")
     try:
         about = json.loads(side.read_text())
-        width, height, bits = (int(about[key]) for key in ("width", "height", "bits"))
-        layout = about["layout"]
+        width, height = (int(about[key]) for key in ("width", "height"))
+        layout, pixel = str(about["layout"]), str(about["format"])
         palette = np.array(about["palette"] or [], np.uint8).reshape(-1, 3)
     except (ValueError, KeyError, TypeError) as error:
         raise UserError(f"{side}: not what tmap map writes: {error}") from None
-    if layout not in LAYOUTS or bits not in (8, 16):
-        raise UserError(f"{side}: layout {layout!r} of {bits} bits is not known")
-    texels = np.frombuffer(source.read_bytes(), np.uint8 if bits == 8 else maps.RGB565)
-    if len(texels) != width * height or size_fault(layout, width, height):
+    if layout not in LAYOUTS or pixel not in FORMATS:
+        raise UserError(f"{side}: layout {layout!r} in format {pixel!r} is not known")
+    data, made = source.read_bytes(), FORMATS[pixel]
+    texels = np.frombuffer(data[:len(data) // made.bytes * made.bytes],
+                           made.dtype.newbyteorder(">"))
+    if len(data) != width * height * made.bytes or size_fault(layout, width, height):
         raise UserError(f"{source}: has {len(texels)} texels, {side.name} says {width}x{height}")
     picture = unlaid(texels, layout, width, height)
-    image = Image.fromarray(picture, "P") if bits == 8 else \
-        Image.fromarray(maps.from_rgb565(picture))
-    if bits == 8:
+    if pixel == "chunky":
+        image = Image.fromarray(picture, "P")
         image.putpalette(palette.tobytes())
+    else:
+        image = Image.fromarray(made.colours(picture))
     image.save(out)
     print(f"{out}: {width}x{height}")
     return 0

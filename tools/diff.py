@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from . import maps
 from .errors import UserError
-from .scene_file import TEXEL
+from .pixel_formats import FORMATS, PixelFormat
 
 DEFAULT_WIDTH = 320  # pixels of a dump without a run.json beside it
 FRAMES = "frame_*.chunky"
@@ -39,15 +38,16 @@ class Difference:
 class Frame:
     """A frame to compare and how to show it."""
 
-    values: np.ndarray  # uint8: (h, w) indices or (h, w, 3) colours; uint16 (h, w): RGB565
+    values: np.ndarray  # (h, w) pixels, or uint8 (h, w, 3) colours
     palette: np.ndarray | None = None  # uint8 (256, 3), of indices
+    pixel: PixelFormat = FORMATS["chunky"]
 
     def picture(self) -> np.ndarray:
         """uint8 (h, w, 3); indices without a palette are shown as greys."""
         if self.values.ndim == 3:
             return self.values
-        if self.values.dtype == TEXEL[2]:
-            return maps.from_rgb565(self.values)
+        if self.pixel.colours:
+            return self.pixel.picture(self.values)
         greys = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
         return (greys if self.palette is None else self.palette)[self.values]
 
@@ -85,24 +85,24 @@ def load_dump(path: Path) -> Frame:
     data = path.read_bytes()
     described = path.with_name("run.json")
     width, height, palette = DEFAULT_WIDTH, len(data) // DEFAULT_WIDTH, None
-    pixel = TEXEL[1]
+    pixel = FORMATS["chunky"]
     if described.exists():
         try:
             about = json.loads(described.read_text())
             width = int(about.get("width", DEFAULT_WIDTH))
-            pixel = TEXEL[about.get("pixel_bytes", 1)]
-            height = int(about.get("height", len(data) // (width * pixel.itemsize)))
+            pixel = FORMATS[about.get("format", "chunky")]
+            height = int(about.get("height", len(data) // (width * pixel.bytes)))
             palette = about.get("palette")
             if palette is not None:
                 palette = np.array(palette, np.uint8).reshape(256, 3)
         except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError, KeyError):
-            raise UserError(f"{described}: width, height, pixel_bytes or palette cannot be used"
+            raise UserError(f"{described}: width, height, format or palette cannot be used"
                             ) from None
-    if len(data) == 0 or width < 1 or len(data) != width * height * pixel.itemsize:
-        of = " of 2 bytes" if pixel.itemsize == 2 else ""
+    if len(data) == 0 or width < 1 or len(data) != width * height * pixel.bytes:
+        of = f" of {pixel.bytes} bytes" if pixel.bytes > 1 else ""
         raise UserError(f"{path}: {len(data)} bytes is not {width}x{height or '?'} pixels{of}")
-    values = np.frombuffer(data, pixel.newbyteorder(">")).astype(pixel)
-    return Frame(values.reshape(height, width), palette)
+    values = np.frombuffer(data, pixel.dtype.newbyteorder(">")).astype(pixel.dtype)
+    return Frame(values.reshape(height, width), palette, pixel)
 
 
 def load_frame(path: Path) -> Frame:
@@ -129,9 +129,9 @@ def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
     if shapes[0] != shapes[1]:
         sizes = " and ".join(f"{shape[1]}x{shape[0]}" for shape in shapes)
         raise UserError(f"{a} and {b}: {sizes} pixels")
-    sizes = [frame.values.itemsize for frame in frames]
-    if sizes[0] != sizes[1]:
-        raise UserError(f"{a} and {b}: {sizes[0]} and {sizes[1]} bytes a pixel")
+    formats = [frame.pixel.name for frame in frames]
+    if formats[0] != formats[1]:
+        raise UserError(f"{a} and {b}: {formats[0]} and {formats[1]}")
     return frames
 
 

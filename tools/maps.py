@@ -1,14 +1,15 @@
-"""Texture maps in the layouts of c/texture/map.h, and 16-bit colours.
+"""Texture maps in the layouts of c/texture/map.h, and colours of 16 and 32 bits.
 
 Every conversion has its inverse; pictures are numpy arrays [height][width], maps in
-memory have one dimension. A 16-bit map in memory is big-endian (``>u2``).
+memory have one dimension. Wide maps in memory are big-endian (``>u2``, ``>u4``).
 """
 
 import numpy as np
 
 TILE = 8  # texels a side
 COLUMN = 4  # texels a row
-RGB565 = np.dtype(">u2")
+RGB565 = RGBA5551 = np.dtype(">u2")
+RGBA8888 = np.dtype(">u4")
 
 
 def to_tiled(picture: np.ndarray) -> np.ndarray:
@@ -34,6 +35,11 @@ def from_columns(texels: np.ndarray, width: int, height: int) -> np.ndarray:
     return texels.reshape(width // COLUMN, height, COLUMN).transpose(1, 0, 2).reshape(height, width)
 
 
+def to_page(picture: np.ndarray) -> np.ndarray:
+    """MAP_PAGE of 256x256 texels as it lies in memory: of 2 and 4 bytes its lower half first."""
+    return (picture if picture.itemsize == 1 else np.roll(picture, 128, axis=0)).reshape(-1)
+
+
 def widened(bits: int) -> np.ndarray:
     """The 8-bit value of each ``bits``-bit one: its upper bits follow once more."""
     values = np.arange(1 << bits)
@@ -57,6 +63,29 @@ def from_rgb565(pixels: np.ndarray) -> np.ndarray:
     pixels = pixels.astype(int)
     return np.stack([widened(5)[pixels >> 11], widened(6)[pixels >> 5 & 63],
                      widened(5)[pixels & 31]], axis=-1)
+
+
+def to_rgba5551(colours: np.ndarray) -> np.ndarray:
+    """uint8 [...][4] as 5 bits of red, green and blue, each to the nearest, and one of alpha."""
+    red, green, blue = (narrowed(5)[colours[..., k]] for k in range(3))
+    return (red << 11 | green << 6 | blue << 1 | colours[..., 3] >> 7).astype(RGBA5551)
+
+
+def from_rgba5551(pixels: np.ndarray) -> np.ndarray:
+    """Such pixels as uint8 [...][4]."""
+    pixels = pixels.astype(int)
+    parts = [widened(5)[pixels >> shift & 31] for shift in (11, 6, 1)]
+    return np.stack([*parts, ((pixels & 1) * 255).astype(np.uint8)], axis=-1)
+
+
+def to_rgba8888(colours: np.ndarray) -> np.ndarray:
+    """uint8 [...][4] as red, green, blue and alpha, a byte each."""
+    return np.ascontiguousarray(colours).view(RGBA8888)[..., 0]
+
+
+def from_rgba8888(pixels: np.ndarray) -> np.ndarray:
+    """Such pixels as uint8 [...][4]."""
+    return np.ascontiguousarray(pixels.astype(RGBA8888))[..., None].view(np.uint8)
 
 
 def texel_tiled(u: np.ndarray, v: np.ndarray) -> np.ndarray:

@@ -5,24 +5,16 @@ from pathlib import Path
 
 import numpy as np
 
-from . import images, maps, palette
+from . import images, palette
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
 from .model_shading import LIT
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS_16, ONE, SETTINGS, TEXEL, Material,
-                         Texture, size_fault)
+from .pixel_formats import FORMATS
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ONE, SETTINGS, Material, Texture,
+                         size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
 SHADES = 256  # a vertex has one from 0 to 255
-BITS = (8, 16)
-
-
-def bits(value, where):
-    """Bits a pixel."""
-    integer(min(BITS), max(BITS))(value, where)
-    if value not in BITS:
-        fail(where, "must be 8 or 16")
-    return value
 
 
 def texture_schema():
@@ -55,12 +47,17 @@ def check(spec: dict, where: str) -> None:
         if texture["width"] * texture["height"] > TEXELS_MAX:
             fail(join(f"{where}textures", name) + ".width",
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
+    pixel = FORMATS[spec["format"]]
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)
         mapper = mapper_of(material)
-        if spec["bits"] == 16 and mapper not in MAPPERS_16:
+        drawn = MAPPERS[pixel.bytes]
+        if mapper not in drawn:
             fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
-                 'a scene of 16 bits has flat colours and the mapper "columns" only')
+                 f"a scene in {pixel.name} has flat colours and the mapper"
+                 + " or ".join(f' "{name}"' for name in drawn[1:]) + " only")
+        if pixel.bytes > 1 and material["perspective"] != "none":
+            fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
         if material["perspective"] != "none" and (
                 mapper, material["gradients"], material["start"]) != ("affine", "plane", "subtexel"):
             fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
@@ -91,12 +88,12 @@ class Pixels:
 
 
 def pixels(spec: dict) -> Pixels:
-    """Palette entries, or RGB565 numbers."""
+    """Palette entries, or colours as the scene's format has them."""
     materials = spec["materials"]
     flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
                                                      if "colour" in m)]))
-    if spec["bits"] == 16:
-        return Pixels(dict(zip(flat, maps.to_rgb565(np.array(flat)).tolist())), {})
+    if FORMATS[spec["format"]].numbers:
+        return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), {})
     made = Pixels({rgb: i for i, rgb in enumerate(flat)}, {}, list(flat))
     known = {}
     for name, material in materials.items():
@@ -121,24 +118,21 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
-def texels_16(picture: np.ndarray) -> np.ndarray:
-    """A picture in RGB565, uint16."""
-    return maps.to_rgb565(picture).astype(TEXEL[2])
-
-
 def build(spec: dict, made: Pixels, folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
     """Palette, uint8 (256, 3), textures and materials; a texture once a layout."""
     wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]])
               for m in spec["materials"].values() if "texture" in m}
-    pictures = {}
+    pictures, pixel = {}, FORMATS[spec["format"]]
     for name, texture in spec["textures"].items():
         at = join(f"{where}textures", name) + ".image"
-        picture = images.load(texture["image"], folder, at, texture["width"], texture["height"])
+        picture = images.load(texture["image"], folder, at, texture["width"], texture["height"],
+                              pixel.channels)
         if any(name == used for used, _ in wanted):
             pictures[name] = picture
-    if spec["bits"] == 16:
-        colours, texels = np.zeros((256, 3), np.uint8), map(texels_16, pictures.values())
+    if pixel.numbers:
+        colours = np.zeros((256, 3), np.uint8)
+        texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in pictures.values()]
     else:
         lit = {m["texture"] for m in spec["materials"].values() if mapper_of(m) in LIT}
         colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",

@@ -272,9 +272,7 @@ def prepare(scene, obj, number: int) -> Polygon | None:
 
 def render(scene, number: int) -> np.ndarray:
     """Frame ``number`` of a scene (tools.scene_file.Scene), height x width of its pixels."""
-    from .scene_file import TEXEL
-
-    frame = np.full((scene.height, scene.width), scene.background, TEXEL[scene.pixel_bytes])
+    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
     for which, vertices in polygons_at(scene, number):
         polygon, material = prepare_polygon(scene, which, vertices), scene.materials[which]
         if polygon:

@@ -41,7 +41,7 @@ def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, agai
     if found is not None:
         picture = BUILD / "failed" / (re.sub(r"\W+", "_", what)[:60].strip("_") + ".png")
         picture.parent.mkdir(parents=True, exist_ok=True)
-        both = Frame(right, scene.palette), Frame(found, scene.palette)
+        both = Frame(right, scene.palette, scene.pixel), Frame(found, scene.palette, scene.pixel)
         Image.fromarray(panels(*both)).save(picture)
         lines.append(f"  picture (expected, found, difference): {picture}")
     return "\n".join([*lines, f"  again: {again}"])

@@ -9,6 +9,7 @@ import random
 import numpy as np
 
 from . import model
+from .pixel_formats import FORMATS
 from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
 
 
@@ -75,10 +76,12 @@ def covering_polygon(rng: random.Random, width: int, height: int):
             return points, plane
 
 
-def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Scene:
-    """``count`` polygons, one a frame: number k depends on seed and first + k alone."""
-    noise = np.random.default_rng(seed)
-    texture = Texture(noise.integers(0, 256, (256, 256), dtype=np.uint8))
+def scene(seed: int, count: int, width: int, height: int, first: int = 0,
+          pixels: str = "chunky") -> Scene:
+    """``count`` polygons, one a frame: number k depends on seed and first + k alone. ``pixels``:
+    of FORMATS."""
+    noise, pixel = np.random.default_rng(seed), FORMATS[pixels]
+    texture = Texture(noise.integers(0, 256**pixel.bytes, (256, 256), dtype=pixel.dtype))
     palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)
     objects, vertices = [], []
     for k in range(count):
@@ -88,4 +91,4 @@ def scene(seed: int, count: int, width: int, height: int, first: int = 0) -> Sce
         vertices += [(*p, *q, 0, ONE) for p, q in zip(points, plane)]
     return Scene(width, height, count, 7, palette, [texture],
                  [Material("affine", texture=0), Material(colour=200)], objects,
-                 np.array(vertices), np.array([IDENTITY]))
+                 np.array(vertices), np.array([IDENTITY]), pixels)

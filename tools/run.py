@@ -13,11 +13,11 @@ from PIL import Image
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
-from . import emulator, layout, maps, model, provenance
+from . import emulator, layout, model, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .scene import compile_scene, parse
-from .scene_file import ONE, SETTINGS, TEXEL, Scene, write
+from .scene_file import ONE, SETTINGS, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
@@ -86,7 +86,7 @@ def check_frame(frame: np.ndarray, scene: Scene, number: int) -> None:
 
 
 def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
-    """All frames, (height, width) pixels (palette indices or RGB565), checked."""
+    """All frames, (height, width) pixels in the host's byte order, checked."""
     names = [f"frame_{number:03}.chunky" for number in range(scene.frames)]
     found = sorted(path.name for path in volume.glob("frame_*.chunky"))
     if found != names:
@@ -95,11 +95,12 @@ def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
     frames = []
     for number, name in enumerate(names):
         data = (volume / name).read_bytes()
-        if len(data) != scene.width * scene.height * scene.pixel_bytes:
+        size = scene.pixel.bytes
+        if len(data) != scene.width * scene.height * size:
             raise UserError(f"render: {name} has {len(data)} bytes, not "
                             f"{scene.width}x{scene.height}"
-                            + (f"x{scene.pixel_bytes}" if scene.pixel_bytes > 1 else ""))
-        pixel = TEXEL[scene.pixel_bytes]
+                            + (f"x{size}" if size > 1 else ""))
+        pixel = scene.pixel.dtype
         found = np.frombuffer(data, pixel.newbyteorder(">")).astype(pixel)
         frames.append(found.reshape(scene.height, scene.width))
         check_frame(frames[-1], scene, number)
@@ -150,20 +151,20 @@ def as_json(about: dict) -> str:
     return "{\n " + ",\n ".join(f'"{key}": {text}' for key, text in texts.items()) + "\n}\n"
 
 
-def picture_of(frame: np.ndarray, palette: np.ndarray) -> Image.Image:
-    """A frame as a picture; palette uint8 (256, 3) of one with a byte a pixel."""
-    if frame.dtype == TEXEL[2]:
-        return Image.fromarray(maps.from_rgb565(frame))
+def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
+    """A scene's frame as a picture."""
+    if scene.pixel.colours:
+        return Image.fromarray(scene.pixel.picture(frame))
     picture = Image.fromarray(frame, "P")
-    picture.putpalette(palette.tobytes())
+    picture.putpalette(scene.palette.tobytes())
     return picture
 
 
-def save(folder: Path, frames: list[np.ndarray], palette: np.ndarray, about: dict) -> None:
-    """Writes dumps, pictures and run.json; palette uint8 (256, 3)."""
+def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
+    """Writes dumps, pictures and run.json."""
     pictures = []
     for number, frame in enumerate(frames):
-        picture = picture_of(frame, palette)
+        picture = picture_of(frame, scene)
         picture.save(folder / f"frame_{number:03}.png")
         dump = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
         (folder / f"frame_{number:03}.chunky").write_bytes(dump)
@@ -174,12 +175,12 @@ def save(folder: Path, frames: list[np.ndarray], palette: np.ndarray, about: dic
     (folder / "run.json").write_text(as_json(about))
 
 
-def publish(out: Path, frames: list[np.ndarray], palette: np.ndarray, about: dict) -> None:
+def publish(out: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
     """Replaces what an earlier run left in ``out``, once everything new is on the disk."""
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".tmap-", dir=out) as folder:
-            save(Path(folder), frames, palette, about)
+            save(Path(folder), frames, scene, about)
             for pattern in WRITTEN:
                 for old in out.glob(pattern):
                     old.unlink()
@@ -262,11 +263,11 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
                                                     done.executed)}
     about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
              **provenance.record(), "width": scene.width, "height": scene.height,
-             "pixel_bytes": scene.pixel_bytes, "lowering": lowering,
-             "palette": scene.palette.tolist() if scene.pixel_bytes == 1 else None,
+             "format": scene.format, "lowering": lowering,
+             "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
              "frames": done.figures, "totals": total(done.figures)}
-    publish(out, done.frames, scene.palette, about)
+    publish(out, done.frames, scene, about)
     return about
 
 

@@ -12,9 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from . import layout, materials, scene_space
-from .fields import REQUIRED, choice, colour, fail, integer, named, number, rows, table, text
+from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
+                     text)
 from .map_range import MAP_CENTRE, check_map, fixed, inside
 from .model_shading import LIT
+from .pixel_formats import FORMATS
 from .scene_file import Object, Scene
 
 ONE = 65536  # 1.0 in 16.16
@@ -57,7 +59,7 @@ def schema(limits: dict[str, int]):
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
         "height": (integer(1, side), REQUIRED),
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-        "bits": (materials.bits, 8), "background": (colour, REQUIRED),
+        "format": (one_of(*FORMATS), "chunky"), "background": (colour, REQUIRED),
         "textures": (named(materials.texture_schema()), {}),
         "materials": (named(materials.material_schema()), REQUIRED),
         **scene_space.schema(limits),
@@ -283,4 +285,4 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     colours, textures, looks = materials.build(spec, pixels, path.parent, where)
     return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["bits"] // 8, **space.tables())
+                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables())

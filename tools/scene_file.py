@@ -8,6 +8,7 @@ import numpy as np
 from . import layout, maps, scene_meshes
 from .errors import UserError
 from .model_shading import LIT
+from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
@@ -17,7 +18,7 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
           "views": "scene_view"}
-HEADER = ("width", "height", "frames", "pixel_bytes", "background", "near_plane", "guard")
+HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
@@ -29,18 +30,17 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
-MAPPERS_16 = ("flat", "columns")  # what draws pixels of two bytes
+#: What draws pixels of so many bytes.
+MAPPERS = {1: tuple(MAPPER_LAYOUT), 2: ("flat", "affine", "columns"), 4: ("flat", "affine")}
 ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
-#: What a texture's bytes are, by pixel_bytes.
-TEXEL = {1: np.dtype(np.uint8), 2: np.dtype(np.uint16)}
 
 
 @dataclass(eq=False)
 class Texture:
     """A map, and the layout its mapper reads."""
 
-    texels: np.ndarray = field(repr=False)  # uint8 or uint16 (height, width): [t][s]
+    texels: np.ndarray = field(repr=False)  # (height, width): [t][s], of the scene's pixels
     layout: str = "page"  # of LAYOUTS
 
     def __eq__(self, other) -> bool:
@@ -86,14 +86,14 @@ class Scene:
     width: int
     height: int
     frames: int
-    background: int  # pixel: palette index or RGB565
+    background: int  # pixel
     palette: np.ndarray = field(repr=False)  # uint8 (256, 3): red, green, blue
     textures: list[Texture]
     materials: list[Material]
     objects: list[Object]
     vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
-    pixel_bytes: int = 1  # 2: RGB565
+    format: str = "chunky"  # of FORMATS
     near_plane: int = ONE  # 16.16; it and guard count where instances are
     guard: int = 9
     points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
@@ -103,6 +103,11 @@ class Scene:
     meshes: list[Mesh] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
     views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
+
+    @property
+    def pixel(self) -> PixelFormat:
+        """What a pixel is."""
+        return FORMATS[self.format]
 
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
@@ -157,13 +162,14 @@ def size_fault(kind: str, width: int, height: int) -> str | None:
     return None if low == high == page else f"{page}x{page}"
 
 
-def check_texture(texture: Texture, pixel_bytes: int, name: str, where: str) -> None:
+def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
     """Refuses a map no mapper could draw."""
-    if texture.layout not in LAYOUTS or pixel_bytes == 2 and texture.layout != "columns":
+    drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
+    if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
         raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
-    if texture.texels.dtype != TEXEL[pixel_bytes]:
+    if texture.texels.dtype != pixel.dtype:
         raise UserError(f"{name}: {where}.texel_bytes: {texture.texels.itemsize} "
-                        f"where {pixel_bytes} is right")
+                        f"where {pixel.bytes} is right")
     height, width = texture.texels.shape
     needs = size_fault(texture.layout, width, height)
     if needs:
@@ -182,8 +188,12 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             "plane", "subtexel"):
         raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
                         "start 'subtexel'")
-    if scene.pixel_bytes == 2 and material.mapper not in MAPPERS_16:
-        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of 2 bytes")
+    if material.mapper not in MAPPERS[scene.pixel.bytes]:
+        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
+                        f"{scene.pixel.bytes} bytes")
+    if scene.pixel.bytes > 1 and material.perspective != "none":
+        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} is for pixels of "
+                        "one byte")
     wanted = MAPPER_LAYOUT[material.mapper]
     none = layout.load().constants["NO_TEXTURE"]
     light = "light" if material.mapper in LIT else None
@@ -198,7 +208,7 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             raise UserError(f"{name}: {where}.{kind}: its layout is {found}, not {layout_wanted}")
     most = layout.load().constants["TOLERANCE_MAX"] if material.perspective != "none" else 0
     require(name, f"{where}.tolerance", material.tolerance, 0, most)
-    require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel_bytes - 1)
+    require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel.bytes - 1)
 
 
 def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
@@ -232,12 +242,11 @@ def check(scene: Scene, name: str) -> None:
     if scene.width % 4:
         raise UserError(f"{name}: width: {scene.width} is not a multiple of 4")
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])
-    require(name, "pixel_bytes", scene.pixel_bytes, 1, 2)
-    require(name, "background", scene.background, 0, 256**scene.pixel_bytes - 1)
+    require(name, "background", scene.background, 0, 256**scene.pixel.bytes - 1)
     for table in TABLES:
         require(name, table, len(getattr(scene, table)), 0, limits["SCENE_COUNT_MAX"], " entries")
     for i, texture in enumerate(scene.textures):
-        check_texture(texture, scene.pixel_bytes, name, f"textures[{i}]")
+        check_texture(texture, scene.pixel, name, f"textures[{i}]")
     for i, material in enumerate(scene.materials):
         check_material(scene, material, name, f"materials[{i}]")
     for i, obj in enumerate(scene.objects):
@@ -309,11 +318,12 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     for texture, data in zip(scene.textures, texels):
         height, width = texture.texels.shape
         tables["textures"].append([width, height, LAYOUTS.index(texture.layout),
-                                   scene.pixel_bytes, at])
+                                   scene.pixel.bytes, at])
         at += len(data)
     values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
                       "version": built.constants["SCENE_VERSION"]}
     values |= {f: getattr(scene, f) for f in HEADER}
+    values["format"] = list(FORMATS).index(scene.format)
     parts = {"palette": palette.tobytes() if with_palette else b""}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
     at = header.size
@@ -353,17 +363,18 @@ def read(data: bytes, name: str) -> Scene:
         found = np.frombuffer(part(f"{table}_at", values[f"{table}_at"], count * struct.size),
                               struct.dtype)
         rows[table] = np.stack([found[f].astype(np.int64) for f in struct.fields], axis=1)
-    require(name, "pixel_bytes", values["pixel_bytes"], 1, 2)
+    require(name, "format", values["format"], 0, len(FORMATS) - 1)
+    pixel = list(FORMATS.values())[values["format"]]
     textures = []
     for i, (width, height, kind, texel_bytes, at) in enumerate(rows["textures"].tolist()):
         where = f"textures[{i}]"
         require(name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
-        require(name, f"{where}.texel_bytes", texel_bytes, *[values["pixel_bytes"]] * 2)
+        require(name, f"{where}.texel_bytes", texel_bytes, *[pixel.bytes] * 2)
         needs = size_fault(LAYOUTS[kind], width, height)
         if needs:
             raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
         texels = part(f"{where}.at", at, width * height * texel_bytes)
-        textures.append(linear(texels, width, height, LAYOUTS[kind], TEXEL[texel_bytes]))
+        textures.append(linear(texels, width, height, LAYOUTS[kind], pixel.dtype))
     materials = [Material(*(name_of(kind, number, name, f"materials[{i}].{kind}")
                             for kind, number in zip(SETTINGS, row)), *row[len(SETTINGS):])
                  for i, row in enumerate(rows["materials"].tolist())]
@@ -371,7 +382,7 @@ def read(data: bytes, name: str) -> Scene:
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]
     scene = Scene(
-        **{f: values[f] for f in HEADER}, **rows | {"textures": textures, "materials": materials},
+        **{f: values[f] for f in HEADER}, format=pixel.name, **rows | {"textures": textures, "materials": materials},
         palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene

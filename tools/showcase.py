@@ -61,7 +61,7 @@ def show(name: str, machine: str, folder: Path) -> Shown:
     drawn = run.render(scene, machine, "addx")
     if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
         raise UserError(f"{name}: a frame of one colour")
-    first, *others = [run.picture_of(frame, scene.palette) for frame in drawn.frames]
+    first, *others = [run.picture_of(frame, scene) for frame in drawn.frames]
     first.save(folder / f"{name}.gif", save_all=True, append_images=others,
                duration=run.GIF_FRAME_MS, loop=0)
     return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))

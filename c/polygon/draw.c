@@ -17,15 +17,17 @@
 #include "polygon/setup.h"
 #include "polygon/shading.h"
 
-/* The layout that each mapper with a map reads. */
-static const uint8 layout_of[MAPPER_KINDS] = {
-    [MAPPER_AFFINE] = MAP_PAGE,
-    [MAPPER_ARBITRARY] = MAP_LINEAR,
-    [MAPPER_TILED] = MAP_TILED,
-    [MAPPER_COLUMNS] = MAP_COLUMNS,
-    [MAPPER_GENERATED] = MAP_MARGINS,
-    [MAPPER_LIT] = MAP_PAGE,
-    [MAPPER_LIT_GOURAUD] = MAP_PAGE
+/* What map each mapper reads: its layout, and how many bytes a texel may have. */
+static const struct {
+    uint8 layout, texel_bytes;
+} map_of[MAPPER_KINDS] = {
+    [MAPPER_AFFINE] = {MAP_PAGE, 1 | 2 | 4},
+    [MAPPER_ARBITRARY] = {MAP_LINEAR, 1},
+    [MAPPER_TILED] = {MAP_TILED, 1},
+    [MAPPER_COLUMNS] = {MAP_COLUMNS, 1 | 2},
+    [MAPPER_GENERATED] = {MAP_MARGINS, 1},
+    [MAPPER_LIT] = {MAP_PAGE, 1},
+    [MAPPER_LIT_GOURAUD] = {MAP_PAGE, 1}
 };
 
 /* What the mapper needs of map and frame. */
@@ -40,7 +42,10 @@ static enum polygon_result set_map(struct setup *s)
         return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
-    if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes)
+    if (!map || map->layout != map_of[mapper].layout
+        || !(map->texel_bytes & map_of[mapper].texel_bytes)
+        || map->texel_bytes != s->frame->pixel_bytes
+        || (map->texel_bytes > 1 && s->material->perspective))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
     s->span.map_width = map->width;
@@ -68,7 +73,7 @@ static uint32 colour(const struct setup *s)
 
 static int32 is_flat(const struct setup *s)
 {
-    return s->kind == SPAN_FILL || s->kind == SPAN_FILL_16;
+    return s->kind == SPAN_FILL || s->kind == SPAN_FILL_16 || s->kind == SPAN_FILL_32;
 }
 
 static enum polygon_result set_span(struct setup *s)
@@ -95,8 +100,9 @@ static enum chain chain_of(const struct setup *s)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
     if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT)
         return CHAIN_NONE;
-    return m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL ? CHAIN_PLANE
-                                                                       : CHAIN_ANYWHERE;
+    if (m->gradients != GRADIENTS_PLANE || m->start != START_SUBTEXEL)
+        return CHAIN_ANYWHERE;
+    return m->whole ? CHAIN_WHOLE : CHAIN_PLANE;
 }
 
 /* Steps of the whole polygon, and starts on its left edges. */
@@ -144,7 +150,7 @@ static void set_ramps(struct setup *s)
     plan.right = right;
     plan.steps = steps;
     plan.truncated = s->material->start == START_TRUNCATED;
-    plan.packed = s->kind == SPAN_AFFINE_SCANLINE || s->kind == SPAN_LIT_WRAP;
+    plan.packed = kind_routines[s->kind].edges == edge_addx || s->kind == SPAN_AFFINE_SCANLINE;
     edge_ramp(&plan);
     s->span.steps = steps;
 }

@@ -7,10 +7,8 @@
 
 #define ONE_PIXEL 65536
 
-/* A rule is a line: its name, where it applies, and below also from which kind of span to
-   which. What one leads to, the lines after it may lead on. */
-#define APPLIES(rule, condition) (!(s->off & (uint32)1 << RULE_##rule) && (condition) \
-                                  && (!s->counts || count_rule(s->counts, RULE_##rule)))
+/* A rule is a line: its name, where it applies (counts.h), and below also from which kind of
+   span to which. What one leads to, the lines after it may lead on. */
 #define LOWER(rule, from, to, condition) \
     if (kind == SPAN_##from && APPLIES(rule, condition)) \
         kind = SPAN_##to;
@@ -96,19 +94,19 @@ static int32 is_slow(fix16 step)
     return ((uint32)step << 8) + most <= 2 * most;
 }
 
-/* What draws anything that a mapper may be asked for, with 1 and 2 bytes a pixel. */
+/* What draws anything that a mapper may be asked for, with 1, 2 and 4 bytes a pixel. */
 static const struct {
-    uint8 kind[2], has_shade, spare;
+    uint8 kind[3], has_shade;
 } asked[MAPPER_KINDS] = {
-    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16}, 0, 0},
-    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0}, 1, 0},
-    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, 0}, 0, 0},
-    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0}, 0, 0},
-    [MAPPER_TILED] = {{SPAN_TILED, 0}, 0, 0},
-    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16}, 0, 0},
-    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0}, 0, 0},
-    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0}, 1, 0},
-    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0}, 1, 0}
+    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32}, 0},
+    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0, 0}, 1},
+    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_32_WRAP}, 0},
+    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0, 0}, 0},
+    [MAPPER_TILED] = {{SPAN_TILED, 0, 0}, 0},
+    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16, 0}, 0},
+    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 0},
+    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0, 0}, 1},
+    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1}
 };
 
 enum span_kind lower_affine(const struct material *material, enum form form)
@@ -128,7 +126,7 @@ int32 lower_asked(struct setup *s)
 {
     const struct material *m = s->material;
 
-    s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes - 1];
+    s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes >> 1];
     if (s->kind == SPAN_AFFINE_ADDX_WRAP)
         s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
     return m->perspective || asked[m->mapper].has_shade;
@@ -175,6 +173,16 @@ void lower_by_steps(struct setup *s)
         LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
         LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
         LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    } else if (kind == SPAN_AFFINE_16_WRAP) {
+        LOWER(STILL_V, AFFINE_16_WRAP, AFFINE_16_ROW,
+              is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(NO_WRAP, AFFINE_16_WRAP, AFFINE_16, !s->texturing.wraps)
+        LOWER(UNIT_STEP, AFFINE_16_ROW, AFFINE_16_COPY,
+              is_still(span->dudx - 65536) && width >= COPY_16_LEAST)
+    } else if (kind == SPAN_AFFINE_32_WRAP) {
+        LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
+              is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
     } else {
         LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
     }

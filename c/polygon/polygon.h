@@ -56,20 +56,21 @@ enum polygon_result {
     POLYGON_FEW,                /* fewer than 3 or more than 64 vertices */
     POLYGON_OUTSIDE_RANGE,      /* a vertex POLYGON_FAR or more away */
     POLYGON_NO_TRIANGLE,        /* GRADIENTS_POLYGON is for triangles */
-    POLYGON_WRONG_MAP           /* the mapper cannot draw this map or frame */
+    POLYGON_WRONG_MAP,          /* the mapper cannot draw this map or frame */
+    POLYGON_REFUSED             /* by the texture engine's unit: it says why */
 };
 
 struct frame {
     uint8 *pixels;              /* row 0 on top */
     int32 width, height, pitch; /* pixels, pixels, bytes */
-    int32 pixel_bytes;          /* 1: chunky; 2: RGB565, big-endian */
+    int32 pixel_bytes;          /* 1, 2 or 4, at a multiple of them */
 };
 
 /* How a polygon's pixels are made. */
 enum mapper {
     MAPPER_FLAT,
     MAPPER_GOURAUD,             /* shade is the pixel */
-    MAPPER_AFFINE,              /* MAP_PAGE */
+    MAPPER_AFFINE,              /* MAP_PAGE; 16- and 32-bit frames too */
     MAPPER_ARBITRARY,           /* MAP_LINEAR; s, t inside the map */
     MAPPER_TILED,               /* MAP_TILED */
     MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
@@ -91,6 +92,9 @@ enum span_kind {
     SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
     SPAN_AFFINE_COPY, SPAN_AFFINE_SHORT, SPAN_AFFINE_SHORT_WRAP, SPAN_AFFINE_ROW_SHORT,
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
+    SPAN_FILL_32, SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY,
+    SPAN_AFFINE_32, SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
+    SPAN_TX_PIXELS,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -115,6 +119,8 @@ enum rule {
     RULE_NO_WRAP_LIT,           /* the same in the light */
     RULE_SHORT,                 /* no line is longer than the cache has room for: no loop; ... */
     RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
+    RULE_TX_FLAT,               /* no texel reaches the combiner's result: flat */
+    RULE_TX_PLAIN,              /* one tile's points and constants: an affine span of its pixels */
     RULES
 };
 
@@ -127,7 +133,10 @@ struct draw_counts {
 /* What a polygon is drawn with. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
-    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL */
+    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
+    uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: u's lowest bit counts even
+                                   where v wraps in a line, for 2 cycles a pixel there */
+    uint8 spare;
     uint16 number;              /* which of the drawing's counts are its */
     fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
                                    the setting's own bound: 0 to TOLERANCE_MAX */
@@ -136,6 +145,7 @@ struct material {
     const struct map *light;    /* of lit ones: MAP_LIGHT */
     const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
+    struct tx_unit *unit;       /* of tx_polygon_draw: instead of mapper and map */
 };
 
 /* How polygons are drawn, whatever they are. */

@@ -34,7 +34,7 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     int32 bytes;
 
     frame->width = scene->header->width;
-    frame->pixel_bytes = (int32)scene->header->pixel_bytes;
+    frame->pixel_bytes = scene_pixel_bytes(scene->header->format);
     frame->pitch = frame->width * frame->pixel_bytes;
     frame->height = scene->header->height;
     bytes = frame->pitch * frame->height + 2 * GUARD;

@@ -25,7 +25,7 @@ int main(void)
     scene_make(&scene, MEMORY_ANY);     /* returns with all it wants: mem_need */
     frame.width = scene.header->width;
     frame.height = scene.header->height;
-    frame.pixel_bytes = (int32)scene.header->pixel_bytes;
+    frame.pixel_bytes = scene_pixel_bytes(scene.header->format);
     frame.pitch = frame.width * frame.pixel_bytes;
     mem_need(&frame.pixels, frame.pitch * frame.height, MEMORY_ANY);
     if (!clock_open())

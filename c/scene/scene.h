@@ -39,6 +39,9 @@ const char *scene_wrong_mesh(const struct scene *scene);
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
                               fix16 s, fix16 t);
 
+/* Bytes of a pixel of an enum pixel_format. */
+int32 scene_pixel_bytes(uint32 format);
+
 /* The tables of a scene file in memory, at a multiple of 4. */
 void scene_place(struct scene *scene, const uint8 *data);
 

@@ -19,7 +19,9 @@ static void clear(const struct frame *frame, uint32 colour)
     plan.row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     plan.pitch = frame->pitch;
     plan.colour = colour;
-    if (frame->pixel_bytes == 2)
+    if (frame->pixel_bytes == 4)
+        span_fill_32(&plan);
+    else if (frame->pixel_bytes == 2)
         span_fill_16(&plan);
     else
         span_fill(&plan);

@@ -10,7 +10,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 5,
+    SCENE_VERSION = 6,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -25,6 +25,15 @@ enum scene_constants {
     GUARD_MAX = 13              /* 8,192 pixels */
 };
 
+/* What a pixel and a texel are; two or four bytes are big-endian. */
+enum pixel_format {
+    PIXEL_CHUNKY,               /* 8 bits: palette index */
+    PIXEL_RGB565,
+    PIXEL_RGBA5551,
+    PIXEL_RGBA8888,
+    PIXEL_FORMATS
+};
+
 struct scene_header {
     uint32 magic;
     uint32 version;
@@ -32,7 +41,7 @@ struct scene_header {
     uint32 checksum;            /* CRC-32 of the file from `width` on */
     int32 width, height;        /* of the frame, pixels; width a multiple of 4 */
     int32 frames;
-    uint32 pixel_bytes;         /* 1: palette indices; 2: RGB565, big-endian */
+    uint32 format;              /* enum pixel_format */
     uint32 background;          /* pixel */
     fix16 near_plane;           /* depth, from W_MIN on; counts where instances are */
     uint32 guard;               /* log2 of how far right and down of the frame's middle
@@ -49,11 +58,12 @@ struct scene_header {
 struct scene_texture {
     int32 width, height;        /* texels */
     uint32 layout;              /* enum map_layout */
-    uint32 texel_bytes;         /* as pixel_bytes; 2 in MAP_COLUMNS alone */
+    uint32 texel_bytes;         /* of the frame's format */
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat or columns. */
+/* With 2 bytes a pixel: flat, affine or columns, with 4 flat or affine; none of these with a
+   perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */

@@ -21,7 +21,7 @@ static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
 
 static uint32 pixel_max(const struct scene_header *h)
 {
-    return h->pixel_bytes == 2 ? 0xffff : 0xff;
+    return ~(uint32)0 >> (32 - 8 * scene_pixel_bytes(h->format));
 }
 
 /* The name of the first field that is wrong, or 0; so below. */
@@ -45,8 +45,8 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "height";
     if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
         return "frames";
-    if (h->pixel_bytes != 1 && h->pixel_bytes != 2)
-        return "pixel_bytes";
+    if (h->format >= PIXEL_FORMATS)
+        return "format";
     if (h->background > pixel_max(h))
         return "background";
     if (!table_usable(h->palette_at, 256, 4, bytes))
@@ -107,13 +107,15 @@ static int32 size_usable(int32 width, int32 height, enum map_layout layout)
 static const char *wrong_texture(const struct scene *scene)
 {
     const struct scene_header *h = scene->header;
+    int32 bytes = scene_pixel_bytes(h->format);
 
     for (uint32 i = 0; i < h->textures; i++) {
         const struct scene_texture *t = &scene->textures[i];
 
-        if (t->layout >= MAP_LAYOUTS || (h->pixel_bytes == 2 && t->layout != MAP_COLUMNS))
+        if (t->layout >= MAP_LAYOUTS || (bytes > 1 && t->layout != MAP_PAGE
+                                         && (bytes > 2 || t->layout != MAP_COLUMNS)))
             return "texture.layout";
-        if (t->texel_bytes != h->pixel_bytes)
+        if (t->texel_bytes != (uint32)bytes)
             return "texture.texel_bytes";
         if (!size_usable(t->width, t->height, (enum map_layout)t->layout))
             return "texture.width or texture.height";
@@ -129,6 +131,13 @@ static int32 is_lit(uint32 mapper)
     return mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD;
 }
 
+/* Whether a mapper draws pixels of so many bytes. */
+static int32 draws(uint32 mapper, int32 bytes)
+{
+    return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
+        || (bytes == 2 && mapper == MAPPER_COLUMNS);
+}
+
 static const char *wrong_material(const struct scene *scene)
 {
     /* What each mapper wants; MAP_LAYOUTS: none. */
@@ -137,12 +146,12 @@ static const char *wrong_material(const struct scene *scene)
         MAP_PAGE, MAP_PAGE
     };
     const struct scene_header *h = scene->header;
+    int32 bytes = scene_pixel_bytes(h->format);
 
     for (uint32 i = 0; i < h->materials; i++) {
         const struct scene_material *m = &scene->materials[i];
 
-        if (m->mapper >= MAPPER_KINDS
-            || (h->pixel_bytes == 2 && m->mapper != MAPPER_FLAT && m->mapper != MAPPER_COLUMNS))
+        if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, bytes))
             return "material.mapper";
         if (m->edges >= EDGES_KINDS)
             return "material.edges";
@@ -155,7 +164,7 @@ static const char *wrong_material(const struct scene *scene)
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
         if (m->perspective >= PERSPECTIVE_KINDS
-            || (m->perspective && (m->mapper != MAPPER_AFFINE || m->start != START_SUBTEXEL
+            || (m->perspective && (bytes > 1 || m->mapper != MAPPER_AFFINE || m->start != START_SUBTEXEL
                                    || m->gradients != GRADIENTS_PLANE)))
             return "material.perspective";
         if (m->tolerance < 0 || m->tolerance > TOLERANCE_MAX || (m->tolerance && !m->perspective))

@@ -4,6 +4,15 @@
 #include "span/logarithm.h"
 #include "system/system.h"
 
+int32 scene_pixel_bytes(uint32 format)
+{
+    static const uint8 bytes[PIXEL_FORMATS] = {
+        [PIXEL_CHUNKY] = 1, [PIXEL_RGB565] = 2, [PIXEL_RGBA5551] = 2, [PIXEL_RGBA8888] = 4
+    };
+
+    return bytes[format];
+}
+
 void scene_place(struct scene *scene, const uint8 *data)
 {
     const struct scene_header *header = (const struct scene_header *)data;
@@ -91,11 +100,13 @@ static int32 make_materials(struct scene *scene)
         to->start = (uint8)from->start;
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
+        to->whole = to->spare = 0;
         to->number = (uint16)i;
         to->tolerance = from->tolerance;
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
+        to->unit = 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }

@@ -22,11 +22,13 @@ static void copy(uint8 *to, const uint8 *from, uint32 bytes)
         *to++ = *from++;
 }
 
-/* A map of power-of-two sides, at least a longword wide, repeated on a page. */
-static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height)
+/* A map of power-of-two sides, at least a longword wide, repeated on a page whose first row
+   is `top`; width and row: bytes of the map's rows and the page's. */
+static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height, int32 row,
+                      int32 top)
 {
-    for (int32 v = 0; v < MAP_PAGE_SIDE; v++)
-        for (int32 u = 0; u < MAP_PAGE_SIDE; u += width, page += width)
+    for (int32 v = top; v < top + MAP_PAGE_SIDE; v++)
+        for (int32 u = 0; u < row; u += width, page += width)
             copy(page, from + (v & (height - 1)) * width, (uint32)width);
 }
 
@@ -34,7 +36,7 @@ static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height)
 static uint32 map_bytes(const struct scene_texture *t)
 {
     if (t->layout == MAP_PAGE)
-        return PAGE_BYTES;
+        return PAGE_BYTES * t->texel_bytes;
     if (t->layout == MAP_MARGINS)
         return 2 * PAGE_BYTES;
     return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
@@ -56,8 +58,12 @@ static void judge_light(struct map *map)
 static void make_map(struct map *map, const struct scene_texture *t, const uint8 *from,
                      uint8 *texels)
 {
+    int32 bytes = (int32)t->texel_bytes, row = MAP_PAGE_SIDE * bytes;
+    int32 top = bytes > 1 ? MAP_PAGE_SIDE / 2 : 0;
+
     if (t->layout == MAP_PAGE) {
-        make_page(texels, from, t->width, t->height);
+        make_page(texels, from, t->width * bytes, t->height, row, top);
+        texels += top * row;
     } else if (t->layout == MAP_MARGINS) {
         copy(texels, from + HALF_PAGE, HALF_PAGE);
         texels += HALF_PAGE;
@@ -95,7 +101,7 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
     for (uint32 i = 0; i < count; i++) {
         const struct scene_texture *t = &scene->textures[i];
 
-        if (t->layout != MAP_LINEAR && t->layout != MAP_COLUMNS)
+        if (t->texel_bytes == 1 && t->layout != MAP_LINEAR && t->layout != MAP_COLUMNS)
             align = PAGE_BYTES;
         if (t->layout == MAP_MARGINS)
             gap = HALF_PAGE;

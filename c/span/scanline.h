@@ -26,6 +26,7 @@ enum scanline_constants {
 
     /* The fewest with which span_affine_copy is quicker than span_affine_row_short. */
     COPY_LEAST = 5,
+    COPY_16_LEAST = 6,          /* the same of span_affine_16_copy and span_affine_16_row */
 
     /* In a lit line's shade: what the wraps of a falling v are taken from. */
     SHADE_FALLS = 0x3ff0000
@@ -134,7 +135,7 @@ struct span_plan {
     int32 pitch;                /* bytes from line to line */
     const uint8 *map;           /* texel (0, 0) */
     fix16 dudx, dvdx;           /* texels a pixel; Gouraud: dudx is shades a pixel */
-    uint32 colour;              /* flat: the pixel, in the low byte or word */
+    uint32 colour;              /* flat: the pixel, in the low byte or word, or all of it */
     int32 map_width, map_height;                /* arbitrary size: texels */
     const struct column_layout *columns;        /* column layout */
     const struct scanline_step *steps;          /* scanline: instead of dudx, dvdx */
@@ -160,6 +161,7 @@ void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);
 void span_fill(const struct span_plan *plan);
 void span_fill_16(const struct span_plan *plan);
+void span_fill_32(const struct span_plan *plan);
 void span_affine_addx(const struct span_plan *plan);
 void span_affine_addx_wrap(const struct span_plan *plan);
 void span_affine_row(const struct span_plan *plan);
@@ -168,6 +170,13 @@ void span_affine_copy(const struct span_plan *plan);
 void span_affine_short(const struct span_plan *plan);
 void span_affine_short_wrap(const struct span_plan *plan);
 void span_affine_row_short(const struct span_plan *plan);
+void span_affine_16(const struct span_plan *plan);
+void span_affine_16_wrap(const struct span_plan *plan);
+void span_affine_16_row(const struct span_plan *plan);
+void span_affine_16_copy(const struct span_plan *plan);
+void span_affine_32(const struct span_plan *plan);
+void span_affine_32_wrap(const struct span_plan *plan);
+void span_affine_32_row(const struct span_plan *plan);
 void span_gouraud_short(const struct span_plan *plan);
 void span_lit_short(const struct span_plan *plan);
 void span_lit_short_wrap(const struct span_plan *plan);

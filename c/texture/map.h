@@ -7,7 +7,9 @@
 /* Where texel (u, v) lies. */
 enum map_layout {
     MAP_PAGE,                   /* 256 v + u, modulo 256 each: a 256x256 page at a multiple
-                                   of 65,536; a smaller map is repeated in it */
+                                   of 65,536; a smaller map is repeated in it. Texels of 2
+                                   or 4 bytes: at a multiple of them, rows 128 to 255 before
+                                   rows 0 to 127, as if that sum were an int16 */
     MAP_LINEAR,                 /* width v + u; any address */
     MAP_TILED,                  /* 256x256 in tiles of 8x8: 2048 (u/8) + 8 v + u%8; at a
                                    multiple of 65,536 */
@@ -32,7 +34,7 @@ struct map {
     int32 width, height;        /* texels */
     fix16 scale;                /* texels for 1 of s or t: the longer side / 256 */
     uint8 layout;
-    uint8 texel_bytes;          /* 1: palette index; 2: RGB565, big-endian */
+    uint8 texel_bytes;          /* 1, 2 or 4: as many as the frame's pixels have */
     uint8 full, dark;           /* MAP_LIGHT: the last level shows texels as they are, the
                                    first one makes all the same */
 };

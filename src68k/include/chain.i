@@ -161,6 +161,68 @@ pixel_lit macro
         move.b  (a2),(a1)+
         endm
 
+; Texels of \1 = 2 or 4 bytes: a3 is texel (0, 0) of the map, whose rows 128 to 255 lie
+; before it, as d4 = VU is signed. 4 bytes.
+draw_wide macro
+        ifeq    \1-2
+        move.w  (a3,d4.w*2),(a1)+
+        else
+        move.l  (a3,d4.w*4),(a1)+
+        endc
+        endm
+
+; Whole spans of such texels, \1 bytes each: the chain of two registers, ...
+wide_chain macro
+        chain_open
+        movea.l d4,a3
+        move.l  (sp),d5
+        span_line d0,d1,*\1
+        span_rounds_out 4
+        add.l   a4,d1
+        span_enter_out_12
+.pixels rept    16
+        texel_next
+        draw_wide \1
+        endr
+        span_close d5
+        endm
+
+; ... S, Q and P apart, ...
+wide_apart macro
+        apart_open
+        movea.l d4,a3
+        span_line d0,d1,*\1
+        apart_start
+        span_rounds_out 4
+        span_enter_out_14
+.pixels rept    16
+        texel_next_apart
+        draw_wide \1
+        endr
+        span_close (sp)
+        endm
+
+; ... and u alone.
+wide_row macro
+        alone_open dudx
+        movea.l d4,a3
+        pack_alone d2,d5,a4
+        move.l  (sp),d3
+        span_line d0,d1,*\1
+        span_rounds_out 4
+        move.w  d0,d4                   ; Vv
+        move.b  d1,d5
+        move.w  d5,d0                   ; uu-U
+        add.l   a4,d0
+        span_enter_out_8
+.pixels rept    16
+        move.b  d0,d4                   ; VU
+        addx.l  d2,d0
+        draw_wide \1
+        endr
+        span_close d3
+        endm
+
 ; The way into a span with the chain of two registers: see span_open. \1: a field of the
 ; plan that goes onto the stack besides.
 chain_open macro

@@ -79,6 +79,30 @@ span_enter_18 macro
         jmp     (a2,d6.w*8)
         endm
 
+; The same way in where all address registers are taken: d6 is what the short first round
+; leaves out of 2^\1 pixels, and the address is counted from .pixels, which follows.
+span_rounds_out macro
+        moveq   #(1<<\1)-1,d6
+        or.w    d7,d6
+        sub.w   d7,d6
+        lsr.w   #\1,d7
+        endm
+
+span_enter_out_8 macro
+        jmp     .pixels(pc,d6.w*8)
+        endm
+
+span_enter_out_12 macro
+        lea     .pixels(pc,d6.w*4),a2
+        jmp     (a2,d6.w*8)
+        endm
+
+span_enter_out_14 macro
+        lea     .pixels(pc,d6.w*2),a2
+        lea     (a2,d6.w*4),a2
+        jmp     (a2,d6.w*8)
+        endm
+
 ; The end of the pixels and of the table's loop. \1: where the pitch is, (sp) or
 ; a register that was spare; \2: bytes on the stack, if not the pitch alone.
 span_close macro

@@ -1,0 +1,39 @@
+        include "routine.i"
+        include "layout.i"
+        include "span.i"
+
+;==============================================================================
+; span_fill_32 - draws a scanline table in one colour of four bytes
+;
+; in:      a0  span_plan*  the table, the frame, the colour
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, left and last of its lines
+; writes:  the pixels of the lines, nothing else
+; formats: 32-bit pixels at multiples of 4
+; error:   none
+; cost:    bench row fill_32
+;==============================================================================
+
+        routine span_fill_32,a0
+        save_all
+        movea.l span_plan_lines(a0),a1
+        move.l  span_plan_count(a0),d7
+        movea.l span_plan_row(a0),a6
+        movea.l span_plan_pitch(a0),a5
+        move.l  span_plan_colour(a0),d0
+        lea     .longwords_end(pc),a3
+        moveq   #scanline_sizeof-6,d6
+        moveq   #15,d5
+        subq.l  #1,d7
+.line   move.l  (a1)+,d2                ; --:left
+        lea     (a6,d2.w*4),a0
+        move.w  (a1)+,d3
+        sub.w   d2,d3
+        bmi.s   .next
+        addq.w  #1,d3
+        fill_longwords
+.next   adda.l  d6,a1
+        adda.l  a5,a6
+        dbra    d7,.line
+        return_all
