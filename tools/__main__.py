@@ -105,6 +105,13 @@ def diff(args: argparse.Namespace) -> int:
     return tool.diff_command(args.a, args.b, args.out)
 
 
+def vectors(args: argparse.Namespace) -> int:
+    """Holds the texture engine to reference data."""
+    build_programs()
+    from .tx import vectors as tool
+    return tool.command(args.files, args.machine)
+
+
 def to_map(args: argparse.Namespace) -> int:
     """Converts a picture to a map."""
     from . import convert as tool
@@ -180,6 +187,12 @@ def parser() -> Parser:
     command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
     command.add_argument("--keep", metavar="NAME",
                          help="add the smallest failing polygon to the hard cases")
+
+    command = add(vectors, "Ask the texture engine the questions of reference data: 0 all right, "
+                  "1 some wrong.")
+    command.add_argument("files", type=Path, nargs="+", metavar="FILE",
+                         help="text, gzipped or not; all are run in one boot")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
 
     command = add(to_map, "Write a PNG or JPEG as a texture map in memory layout.")
     command.add_argument("source", type=Path, metavar="PICTURE")

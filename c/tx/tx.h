@@ -78,7 +78,8 @@ enum tx_result {
     TX_NO_PIPE_SYNC,            /* a change of modes */
     TX_LIST_FULL,               /* calls.h: no room for the words */
     TX_NO_MEMORY,               /* decode.h */
-    TX_DECODE_TOO_LARGE,
+    TX_DECODE_TOO_LARGE,        /* its limit: TX_DECODE_BITS */
+    TX_DECODE_YUV,
     TX_RESULTS
 };
 

@@ -1,0 +1,121 @@
+/* vectors - asks the texture engine what a file says, and writes its answers.
+
+   vectors QUESTIONS ANSWERS
+   prints a line before every REPORTED-th operation. */
+#include "bench/vector_file.h"
+#include "bench/vector_run.h"
+#include "system/file.h"
+#include "system/system.h"
+#include "system/text.h"
+#include "tx/tx.h"
+
+#define REPORTED 512
+#define ANY 0xffff              /* longs: as many as there are */
+
+/* Longs of each operation; of those with ANY at least one. */
+static const uint16 longs_of[VECTOR_CODES] = {
+    0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
+    2, 3
+};
+
+static int32 in_memory(const struct vector_operation *operation, const int32 *values)
+{
+    const uint32 at = (uint32)values[0], count = operation->longs - 1u;
+    const uint32 room = operation->code == VECTOR_TMEM ? TX_TMEM_BYTES : VECTOR_DRAM_BYTES;
+
+    return at <= room && count <= room - at;
+}
+
+/* Whether an operation is one, within so many longs behind its own. */
+static int32 usable_operation(const struct vector_operation *operation, uint32 longs)
+{
+    const int32 *values = (const int32 *)(operation + 1);
+
+    if (operation->code >= VECTOR_CODES || operation->longs > longs)
+        return 0;
+    if (longs_of[operation->code] != ANY)
+        return operation->longs == longs_of[operation->code]
+            && (operation->code != VECTOR_MODE
+                || (uint32)values[0] < sizeof(struct tx_modes));
+    if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
+        return operation->longs && in_memory(operation, values);
+    return operation->longs != 0;
+}
+
+static int32 usable(const uint8 *data, uint32 bytes, const char *name)
+{
+    const struct vector_header *h = (const struct vector_header *)data;
+    const uint32 summed = (uint32)((const uint8 *)&h->operations_at - data);
+    uint32 at;
+
+    if (bytes < sizeof *h || h->size != bytes || bytes & 3)
+        return text_refuse(name, "not a usable file of questions: size");
+    if (h->magic != VECTOR_MAGIC)
+        return text_refuse(name, "not a usable file of questions: magic");
+    if (h->version != VECTOR_VERSION)
+        return text_refuse(name, "not a usable file of questions: version");
+    if (h->checksum != crc32(data + summed, bytes - summed))
+        return text_refuse(name, "not a usable file of questions: checksum");
+    at = h->operations_at;
+    if (at & 3 || at > bytes)
+        return text_refuse(name, "not a usable file of questions: operations_at");
+    for (uint32 i = 0; i < h->operations; i++) {
+        const struct vector_operation *operation = (const struct vector_operation *)(data + at);
+
+        if (at >= bytes || !usable_operation(operation, (bytes - at) / 4 - 1)) {
+            text_add(name);
+            text_add(": not a usable file of questions: operation ");
+            text_number((int32)i);
+            text_print();
+            return 0;
+        }
+        at += 4 + 4u * operation->longs;
+    }
+    return 1;
+}
+
+static int32 run_all(const uint8 *data)
+{
+    const struct vector_header *h = (const struct vector_header *)data;
+    const struct vector_operation *operation =
+        (const struct vector_operation *)(data + h->operations_at);
+
+    for (uint32 i = 0; i < h->operations; i++) {
+        const int32 *values = (const int32 *)(operation + 1);
+
+        if (i % REPORTED == 0) {
+            text_add("operation ");
+            text_number((int32)i);
+            text_print();
+        }
+        vectors_run(operation->code, values, operation->longs);
+        operation = (const struct vector_operation *)(values + operation->longs);
+    }
+    return vectors_flush();
+}
+
+int main(void)
+{
+    enum { QUESTIONS, ANSWERS, ITEMS };
+    static int32 args[ITEMS];
+    const char *name;
+    uint8 *data;
+    uint32 bytes;
+    int32 results, done;
+
+    if (!args_read("QUESTIONS/A,ANSWERS/A", args)) {
+        print("vectors: usage: vectors QUESTIONS ANSWERS\n");
+        return RETURN_FAIL;
+    }
+    name = (const char *)args[QUESTIONS];
+    if (!file_load(name, &data, &bytes) || !usable(data, bytes, name))
+        return RETURN_FAIL;
+    results = file_open((const char *)args[ANSWERS], FILE_NEW);
+    if (!results) {
+        text_refuse((const char *)args[ANSWERS], "cannot be created");
+        return RETURN_FAIL;
+    }
+    done = vectors_open(results) && run_all(data);
+    file_close(results);
+    return done ? RETURN_OK : RETURN_FAIL;
+}

@@ -1,0 +1,167 @@
+#include "tx/decode.h"
+
+#include "system/system.h"
+
+/* One column of a decoded tile: its texel and the next one's, and which decoded column that
+   is, or -1. */
+struct column {
+    int16 index, next, next_at;
+};
+
+/* A tile's columns while it is decoded: as many as a mirrored mask of 10 bits has. */
+static struct column columns[2048];
+
+/* log2 of how many columns or rows the relative coordinates can tell apart. */
+static uint32 bits_of(const struct tx_axis *axis)
+{
+    const uint32 mask = axis->mask < 10 ? axis->mask : 10;
+    const uint32 period = mask + (axis->mirror ? 1 : 0);
+    const uint32 last = (uint32)((axis->high >> 2) - (axis->low >> 2)) & 0x3ff;
+    uint32 bits = 0;
+
+    if (axis->mask && !axis->clamp)
+        return period;
+    while (last >> bits)
+        bits++;
+    return axis->mask && period < bits ? period : bits;
+}
+
+static void list_columns(const struct tx_axis *axis, int32 count)
+{
+    struct tx_place place;
+
+    for (int32 k = 0; k < count; k++) {
+        tx_place_column(axis, (uint32)k, &place);
+        columns[k].index = (int16)place.index;
+        columns[k].next = (int16)(place.index + place.step);
+    }
+    for (int32 k = 0; k < count; k++) {
+        const int32 beside = k + 1 < count ? k + 1 : 0;
+
+        columns[k].next_at = (int16)(columns[beside].index == columns[k].next ? beside : -1);
+    }
+}
+
+static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row)
+{
+    struct tx_colour texel;
+
+    tx_fetch(tx, tile, s, row, 0, &texel);
+    return (uint32)texel.r << 24 | (uint32)texel.g << 16 | (uint32)texel.b << 8 | (uint32)texel.a;
+}
+
+static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32 width,
+                          int32 height, uint32 *texels)
+{
+    struct tx_place row;
+
+    for (int32 j = 0; j < height; j++) {
+        tx_place_row(&tile->t, (uint32)j, &row);
+        for (int32 k = 0; k < width; k++)
+            *texels++ = texel_at(tx, tile, columns[k].index, row.index);
+    }
+}
+
+/* Where a decoded row's lower neighbour is decoded too, or -1. */
+static int32 row_below(const struct tx_tile *tile, int32 j, int32 height, int32 next)
+{
+    const int32 below = j + 1 < height ? j + 1 : 0;
+    struct tx_place row;
+
+    tx_place_row(&tile->t, (uint32)below, &row);
+    return row.index == next ? below : -1;
+}
+
+/* Quads of a row, out of texels that are decoded where they are. */
+static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 width, int32 j,
+                         int32 height, const struct tx_kept *kept)
+{
+    const uint32 *here = kept->texels + j * width, *below;
+    struct tx_quad *quad = kept->quads + j * width;
+    struct tx_place row;
+    int32 next, below_at;
+
+    tx_place_row(&tile->t, (uint32)j, &row);
+    next = row.index + row.step;
+    below_at = row_below(tile, j, height, next);
+    below = below_at < 0 ? 0 : kept->texels + below_at * width;
+    for (int32 k = 0; k < width; k++, quad++) {
+        const struct column *column = &columns[k];
+        const int32 at = column->next_at;
+
+        tx_quad_make(quad, here[k],
+                     at < 0 ? texel_at(tx, tile, column->next, row.index) : here[at],
+                     below ? below[k] : texel_at(tx, tile, column->index, next),
+                     below && at >= 0 ? below[at] : texel_at(tx, tile, column->next, next));
+    }
+}
+
+static int32 holds(const struct tx *tx, int32 n, int32 quads, const struct tx_kept *kept)
+{
+    return kept->tx == tx && kept->tile == (uint32)n
+        && kept->tmem_generation == tx->tmem_generation
+        && kept->tile_generation == tx->tile_generation[n]
+        && kept->tlut == tx->modes.tlut && kept->tlut_type == tx->modes.tlut_type
+        && (!quads || kept->decoded.quads);
+}
+
+/* Memory for so many texels and quads: *kept holds nothing until they are made. */
+static int32 make_room(struct tx_kept *kept, uint32 texels, int32 quads)
+{
+    kept->tx = 0;
+    kept->decoded.texels = 0;
+    kept->decoded.quads = 0;
+    if (kept->texels_room < texels) {
+        kept->texels_room = 0;
+        if (!mem_alloc(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
+            return 0;
+        kept->texels_room = texels;
+    }
+    if (quads && kept->quads_room < texels) {
+        kept->quads_room = 0;
+        if (!mem_alloc(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
+            return 0;
+        kept->quads_room = texels;
+    }
+    return 1;
+}
+
+enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_kept *kept,
+                         int32 *made)
+{
+    const struct tx_tile *tile = &tx->tiles[n & 7];
+    const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
+    struct tx_decoded *decoded = &kept->decoded;
+
+    n &= 7;
+    if (made)
+        *made = 0;
+    if (holds(tx, n, quads, kept))
+        return TX_DONE;
+    if (tile->format == TX_YUV)
+        return TX_DECODE_YUV;
+    if (columns_bits + rows_bits > TX_DECODE_BITS)
+        return TX_DECODE_TOO_LARGE;
+    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads))
+        return TX_NO_MEMORY;
+    list_columns(&tile->s, 1 << columns_bits);
+    decode_texels(tx, tile, 1 << columns_bits, 1 << rows_bits, kept->texels);
+    if (quads)
+        for (int32 j = 0; j < 1 << rows_bits; j++)
+            decode_quads(tx, tile, 1 << columns_bits, j, 1 << rows_bits, kept);
+    decoded->texels = kept->texels;
+    decoded->quads = quads ? kept->quads : 0;
+    decoded->columns_bits = (uint16)columns_bits;
+    decoded->rows_bits = (uint16)rows_bits;
+    decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
+    decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
+    kept->tx = tx;
+    kept->tile = (uint32)n;
+    kept->tmem_generation = tx->tmem_generation;
+    kept->tile_generation = tx->tile_generation[n];
+    kept->tlut = tx->modes.tlut;
+    kept->tlut_type = tx->modes.tlut_type;
+    if (made)
+        *made = 1;
+    return TX_DONE;
+}
