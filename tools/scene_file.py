@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout, maps, scene_meshes
+from . import layout, maps, scene_meshes, scene_units
 from .errors import UserError
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
@@ -17,13 +17,14 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "objects": "scene_object", "vertices": "vertex", "poses": "scene_pose",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
-          "views": "scene_view"}
+          "views": "scene_view", "units": "scene_unit", "lists": "scene_list",
+          "words": "tx_word"}
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
                  "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
-                 "lit_gouraud": "page"}
+                 "lit_gouraud": "page", "unit": None}
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
 #: The settings of a material by their names, and the prefix of each one's enumerators.
 SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
@@ -31,7 +32,8 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
 #: What draws pixels of so many bytes.
-MAPPERS = {1: tuple(MAPPER_LAYOUT), 2: ("flat", "affine", "columns"), 4: ("flat", "affine")}
+MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m != "unit"),
+           2: ("flat", "affine", "columns", "unit"), 4: ("flat", "affine", "unit")}
 ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 
@@ -61,6 +63,7 @@ class Material:
     colour: int = 0  # pixel
     light: int = -1  # index of a light table, or NO_TEXTURE
     tolerance: int = 0  # 16.16 texels that less perspective may cost
+    unit: int = -1  # index of a texture engine, or NO_UNIT
 
 
 @dataclass
@@ -103,6 +106,10 @@ class Scene:
     meshes: list[Mesh] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
     views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
+    units: np.ndarray = field(default_factory=lambda: scene_units.empty("units"), repr=False)
+    lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
+    words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)
+    dram: bytes = field(default=b"", repr=False)  # what the lists load from
 
     @property
     def pixel(self) -> PixelFormat:
@@ -188,6 +195,13 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             "plane", "subtexel"):
         raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
                         "start 'subtexel'")
+    none = layout.load().constants["NO_UNIT"]
+    if material.mapper == "unit":
+        require(name, f"{where}.unit", material.unit, 0, len(scene.units) - 1)
+        if material.edges == "integer":
+            raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
+    else:
+        require(name, f"{where}.unit", material.unit, none, none)
     if material.mapper not in MAPPERS[scene.pixel.bytes]:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
                         f"{scene.pixel.bytes} bytes")
@@ -221,7 +235,7 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     if material.mapper in ("gouraud", *LIT):
         require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
         require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
-    if material.perspective != "none":
+    if material.perspective != "none" or material.mapper == "unit":
         limits = layout.load().constants
         for w in corners[:, 5].tolist():
             require(name, f"{where}: w", w, limits["W_MIN"], limits["W_MAX"])
@@ -247,6 +261,7 @@ def check(scene: Scene, name: str) -> None:
         require(name, table, len(getattr(scene, table)), 0, limits["SCENE_COUNT_MAX"], " entries")
     for i, texture in enumerate(scene.textures):
         check_texture(texture, scene.pixel, name, f"textures[{i}]")
+    scene_units.check(scene, name)
     for i, material in enumerate(scene.materials):
         check_material(scene, material, name, f"materials[{i}]")
     for i, obj in enumerate(scene.objects):
@@ -301,19 +316,22 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     header = built.struct("scene_header")
     palette = np.zeros((256, 4), np.uint8)
     palette[:, 1:] = scene.palette
-    tables = {t: getattr(scene, t) for t in ("vertices", "poses", *scene_meshes.COLUMNS)}
+    tables = {t: getattr(scene, t)
+              for t in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS)}
     for table in RECORDS:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light,
-         m.tolerance]
+         m.tolerance, m.unit]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]
     count = {table: len(getattr(scene, table)) for table in TABLES}
     at = header.size + PALETTE_BYTES * with_palette + sum(
         count[t] * built.struct(s).size for t, s in TABLES.items())
+    dram = {"dram": len(scene.dram), "dram_at": at}
+    at += len(scene.dram)
     tables["textures"] = []
     for texture, data in zip(scene.textures, texels):
         height, width = texture.texels.shape
@@ -322,7 +340,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         at += len(data)
     values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
                       "version": built.constants["SCENE_VERSION"]}
-    values |= {f: getattr(scene, f) for f in HEADER}
+    values |= dram | {f: getattr(scene, f) for f in HEADER}
     values["format"] = list(FORMATS).index(scene.format)
     parts = {"palette": palette.tobytes() if with_palette else b""}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
@@ -330,7 +348,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     for part, data in parts.items():
         values[f"{part}_at"] = at
         at += len(data)
-    body = b"".join([*parts.values(), *texels])
+    body = b"".join([*parts.values(), scene.dram, *texels])
     summed = header.fields["width"]["offset"]
     checksum = zlib.crc32(header.pack(**values, checksum=0)[summed:] + body)
     return header.pack(**values, checksum=checksum) + body
@@ -381,6 +399,7 @@ def read(data: bytes, name: str) -> Scene:
     palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]
+    rows["dram"] = part("dram_at", values["dram_at"], values["dram"])
     scene = Scene(
         **{f: values[f] for f in HEADER}, format=pixel.name, **rows | {"textures": textures, "materials": materials},
         palette=palette.reshape(256, 4)[:, 1:].copy())

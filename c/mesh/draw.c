@@ -15,12 +15,12 @@ static enum polygon_result draw_polygon(const struct vertex *vertices, int32 cou
 
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
-        return polygon_draw(target->frame, vertices, count, material, target->drawing);
+        return material->draw(target->frame, vertices, count, material, target->drawing);
     triangle[0] = vertices[0];
     for (int32 i = 2; i < count; i++) {
         triangle[1] = vertices[i - 1];
         triangle[2] = vertices[i];
-        result = polygon_draw(target->frame, triangle, 3, material, target->drawing);
+        result = material->draw(target->frame, triangle, 3, material, target->drawing);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }

@@ -79,6 +79,7 @@ enum mapper {
                                    first vertex */
     MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,
                                    START_SUBTEXEL */
+    MAPPER_UNIT,                /* by the material's texture unit: not by polygon_draw */
     MAPPER_KINDS
 };
 
@@ -130,6 +131,15 @@ struct draw_counts {
     uint32 rules[RULES];        /* polygons to which each applied */
 };
 
+struct material;
+struct drawing;
+
+/* Draws a convex polygon, either winding. */
+typedef enum polygon_result polygon_routine(const struct frame *frame,
+                                            const struct vertex *vertices, int32 count,
+                                            const struct material *material,
+                                            const struct drawing *drawing);
+
 /* What a polygon is drawn with. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
@@ -145,7 +155,8 @@ struct material {
     const struct map *light;    /* of lit ones: MAP_LIGHT */
     const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
-    struct tx_unit *unit;       /* of tx_polygon_draw: instead of mapper and map */
+    polygon_routine *draw;      /* what meshes and scenes call for it */
+    struct tx_unit *unit;       /* MAPPER_UNIT */
 };
 
 /* How polygons are drawn, whatever they are. */
@@ -156,9 +167,7 @@ struct drawing {
     struct draw_counts *counts; /* one a material, or 0; counting takes time */
 };
 
-/* Draws a convex polygon, either winding. */
-enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
-                                 int32 count, const struct material *material,
-                                 const struct drawing *drawing);
+/* By every mapper but MAPPER_UNIT. */
+polygon_routine polygon_draw;
 
 #endif

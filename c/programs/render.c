@@ -151,7 +151,8 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     if (!dump_frames(scene, frame, run, &refused))
         return RETURN_FAIL;
     if (refused != POLYGON_DRAWN) {
-        text_refuse("render: not all could be drawn", why_refused[refused]);
+        text_refuse("render: not all could be drawn", refused == POLYGON_REFUSED
+                    ? scene_why_refused(scene) : why_refused[refused]);
         return RETURN_WARN;
     }
     return RETURN_OK;

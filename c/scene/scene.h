@@ -5,6 +5,7 @@
 #include "mesh/mesh.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
+#include "tx/unit.h"
 
 struct scene {
     const struct scene_header *header;
@@ -20,11 +21,15 @@ struct scene {
     const struct scene_mesh *meshes;
     const struct scene_instance *instances;
     const struct scene_view *views;
+    const struct scene_unit *units;
+    const struct scene_list *lists;
+    const struct tx_word *words;
     struct mesh_work work;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
+    struct tx_unit *engines;    /* one a unit */
 };
 
 /* Puts the textures of a checked scene into memory of the kind given, each as its
@@ -45,9 +50,26 @@ int32 scene_pixel_bytes(uint32 format);
 /* The tables of a scene file in memory, at a multiple of 4. */
 void scene_place(struct scene *scene, const uint8 *data);
 
+/* Makes the texture engines and runs the first list of each; 0 where memory is short. */
+int32 scene_make_units(struct scene *scene, int32 kind);
+
+/* Runs the lists of a frame. */
+void scene_start_units(const struct scene *scene, int32 number);
+
+/* The first field of units or lists that is wrong, or 0; tables lie in the file. */
+const char *scene_wrong_unit(const struct scene *scene);
+
+/* Runs all lists of all engines; prints a line naming unit, list and command and returns 0 where
+   one is refused. */
+int32 scene_try_units(const struct scene *scene, const char *name);
+
+/* Why the last polygon that a texture engine refused was. */
+const char *scene_why_refused(const struct scene *scene);
+
 /* What there is not enough memory for. */
 enum scene_memory {
-    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES
+    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES,
+    SCENE_UNITS
 };
 
 /* Maps, materials and what else a checked scene is drawn with; textures go to memory of

@@ -62,6 +62,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
 
     for (; first < end; first++, object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
+        const struct material *material = &scene->drawn[object->material];
         const struct vertex *vertices;
         enum polygon_result result;
 
@@ -69,8 +70,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
             continue;
         vertices = place(room, &scene->vertices[object->vertex], object->vertices,
                          &scene->poses[object->pose + age]);
-        result = polygon_draw(frame, vertices, (int32)object->vertices,
-                              &scene->drawn[object->material], drawing);
+        result = material->draw(frame, vertices, (int32)object->vertices, material, drawing);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
@@ -88,6 +88,8 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
     target.frame = frame;
     target.number = number;
     target.drawing = drawing;
+    if (header->units)
+        scene_start_units(scene, number);
     clear(frame, header->background);
     while (instance < header->instances) {      /* those before one object are together */
         uint32 before = scene->instances[instance].before, first = instance;

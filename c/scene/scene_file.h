@@ -7,6 +7,7 @@
 
 #include "compiler.h"
 #include "polygon/vertex.h"
+#include "tx/tx.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
@@ -16,6 +17,7 @@ enum scene_constants {
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     POLYGON_VERTICES_MAX = 64,
     NO_TEXTURE = -1,
+    NO_UNIT = -1,
     MESH_COUNT_MAX = 4096,      /* points, normals and faces of a mesh, each */
     MESH_CORNERS_MAX = 32,      /* of a face: cutting adds some */
     MESH_REACH = 2048,          /* a mesh's points: farthest coordinate */
@@ -48,9 +50,11 @@ struct scene_header {
                                    camera x and y of the size of the depth lie, pixels */
     uint32 textures, materials, objects, vertices, poses;       /* counts */
     uint32 points, normals, corners, faces, meshes, instances, views;
+    uint32 units, lists, words, dram;           /* dram: bytes, a multiple of 8 */
     uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
     uint32 textures_at, materials_at, objects_at, vertices_at, poses_at;
     uint32 points_at, normals_at, corners_at, faces_at, meshes_at, instances_at, views_at;
+    uint32 units_at, lists_at, words_at, dram_at;
 };
 
 /* A map, width x height texels in the order of its layout; MAP_PAGE and MAP_MARGINS
@@ -62,14 +66,27 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine or columns, with 4 flat or affine; none of these with a
-   perspective. */
+/* With 2 bytes a pixel: flat, affine, columns or unit, with 4 flat, affine or unit; none of these
+   with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
     uint32 colour;              /* pixel of a flat material */
     int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
     fix16 tolerance;            /* texels, 0 to TOLERANCE_MAX; 0 without a perspective */
+    int32 unit;                 /* index, of MAPPER_UNIT; else NO_UNIT */
+};
+
+/* A texture engine: display lists that are run one after the other. The first when the scene is
+   loaded; if there are more, there is one for each frame, run before it. All engines load from
+   the dram of the file. */
+struct scene_unit {
+    uint32 list, lists;         /* first, how many: 1 or 1 + frames */
+};
+
+/* A display list: struct tx_word in the table of words. */
+struct scene_list {
+    uint32 word, words;         /* first, how many */
 };
 
 /* One convex polygon that moves: in frame f it is drawn with pose

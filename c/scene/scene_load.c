@@ -75,6 +75,14 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "instances or instances_at";
     if (!table_usable(h->views_at, h->views, sizeof(struct scene_view), bytes))
         return "views or views_at";
+    if (!table_usable(h->units_at, h->units, sizeof(struct scene_unit), bytes))
+        return "units or units_at";
+    if (!table_usable(h->lists_at, h->lists, sizeof(struct scene_list), bytes))
+        return "lists or lists_at";
+    if (!table_usable(h->words_at, h->words, sizeof(struct tx_word), bytes))
+        return "words or words_at";
+    if (h->dram_at < sizeof *h || h->dram & 7 || !table_inside(h->dram_at, h->dram, 1, bytes))
+        return "dram or dram_at";
     return 0;
 }
 
@@ -134,8 +142,9 @@ static int32 is_lit(uint32 mapper)
 /* Whether a mapper draws pixels of so many bytes. */
 static int32 draws(uint32 mapper, int32 bytes)
 {
-    return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
-        || (bytes == 2 && mapper == MAPPER_COLUMNS);
+    return bytes == 1 ? mapper != MAPPER_UNIT
+        : mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE || mapper == MAPPER_UNIT
+          || (bytes == 2 && mapper == MAPPER_COLUMNS);
 }
 
 static const char *wrong_material(const struct scene *scene)
@@ -143,7 +152,7 @@ static const char *wrong_material(const struct scene *scene)
     /* What each mapper wants; MAP_LAYOUTS: none. */
     static const uint8 layouts[MAPPER_KINDS] = {
         MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS,
-        MAP_PAGE, MAP_PAGE
+        MAP_PAGE, MAP_PAGE, MAP_LAYOUTS
     };
     const struct scene_header *h = scene->header;
     int32 bytes = scene_pixel_bytes(h->format);
@@ -153,7 +162,9 @@ static const char *wrong_material(const struct scene *scene)
 
         if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, bytes))
             return "material.mapper";
-        if (m->edges >= EDGES_KINDS)
+        if (m->mapper == MAPPER_UNIT ? (uint32)m->unit >= h->units : m->unit != NO_UNIT)
+            return "material.unit";
+        if (m->edges >= EDGES_KINDS || (m->mapper == MAPPER_UNIT && m->edges == EDGES_INTEGER))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
             || (m->mapper == MAPPER_LIT_GOURAUD && m->gradients != GRADIENTS_PLANE))
@@ -206,7 +217,7 @@ static const char *wrong_vertex(const struct scene *scene, const struct scene_ob
         if ((m->mapper == MAPPER_GOURAUD || is_lit(m->mapper))
             && (v->shade < 0 || v->shade >= 256 << 16))
             return "vertex.shade";
-        if (m->perspective && (v->w < W_MIN || v->w > W_MAX))
+        if ((m->perspective || m->mapper == MAPPER_UNIT) && (v->w < W_MIN || v->w > W_MAX))
             return "vertex.w";
         if (m->mapper == MAPPER_ARBITRARY) {
             const char *wrong = scene_wrong_texel(scene, m, v->s, v->t);
@@ -250,6 +261,8 @@ static const char *wrong_entry(const struct scene *scene)
     const char *wrong = wrong_texture(scene);
 
     if (!wrong)
+        wrong = scene_wrong_unit(scene);
+    if (!wrong)
         wrong = wrong_material(scene);
     if (!wrong)
         wrong = wrong_object(scene);
@@ -262,7 +275,8 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         "", "not enough memory for the textures",
         "not enough memory for the reciprocals of perspective",
         "not enough memory for the logarithms of perspective",
-        "not enough memory for the materials", "not enough memory for the meshes"
+        "not enough memory for the materials", "not enough memory for the meshes",
+        "not enough memory for the texture units"
     };
     enum scene_memory lacks;
     const char *wrong;
@@ -281,5 +295,5 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     lacks = scene_make(scene, kind);
     if (lacks != SCENE_MADE)
         return text_refuse(name, memory_lacks[lacks]);
-    return 1;
+    return scene_try_units(scene, name);
 }

@@ -30,6 +30,9 @@ void scene_place(struct scene *scene, const uint8 *data)
     scene->meshes = (const struct scene_mesh *)(data + header->meshes_at);
     scene->instances = (const struct scene_instance *)(data + header->instances_at);
     scene->views = (const struct scene_view *)(data + header->views_at);
+    scene->units = (const struct scene_unit *)(data + header->units_at);
+    scene->lists = (const struct scene_list *)(data + header->lists_at);
+    scene->words = (const struct tx_word *)(data + header->words_at);
 }
 
 static int32 needs_reciprocals(const struct scene_material *material)
@@ -106,7 +109,8 @@ static int32 make_materials(struct scene *scene)
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
-        to->unit = 0;
+        to->draw = from->mapper == MAPPER_UNIT ? tx_polygon_draw : polygon_draw;
+        to->unit = from->mapper == MAPPER_UNIT ? &scene->engines[from->unit] : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
@@ -156,6 +160,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
         return SCENE_RECIPROCALS;
     if (!make_logarithms(scene))
         return SCENE_LOGARITHMS;
+    if (!scene_make_units(scene, kind))
+        return SCENE_UNITS;
     if (!make_materials(scene))
         return SCENE_MATERIALS;
     if (!make_work(scene))

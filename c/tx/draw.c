@@ -155,6 +155,8 @@ enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vert
 
 void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)
 {
+    static const struct tx_kept none;
+
     tx_init(&unit->tx, dram, dram_bytes);
     unit->result = TX_DONE;
     unit->memory = memory;
@@ -163,5 +165,5 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     for (int32 i = 0; i < TX_PAGE_KEY; i++)
         unit->page.key[i] = 0;
     for (int32 i = 0; i < TX_TILES; i++)
-        tx_decoded_init(&unit->decoded[i]);
+        unit->tiles[i] = none;
 }

@@ -21,7 +21,7 @@ struct tx_unit {
     enum tx_result result;      /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
     struct tx_page page;
-    struct tx_decoded decoded[TX_TILES];
+    struct tx_kept tiles[TX_TILES];     /* decoded for the passes */
 };
 
 /* A unit with its engine as tx_init leaves it. */
@@ -31,9 +31,7 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
    vertices s and t are texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart.
    POLYGON_REFUSED: unit->result says why. */
-enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
-                                    int32 count, const struct material *material,
-                                    const struct drawing *drawing);
+polygon_routine tx_polygon_draw;
 
 /* The same with colours for the combiner's shade: R G B A of each vertex. Without them shade
    is grey, by the vertices' shades, its alpha 255. */

@@ -1,0 +1,86 @@
+/* The texture engines of a scene and the display lists that set them up. */
+#include "scene/scene.h"
+
+#include "system/system.h"
+#include "system/text.h"
+
+const char *scene_wrong_unit(const struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+    const struct scene_list *list = scene->lists;
+    const struct scene_unit *unit = scene->units;
+
+    for (uint32 i = 0; i < h->lists; i++, list++)
+        if (list->word > h->words || list->words > h->words - list->word)
+            return "list.words";
+    for (uint32 i = 0; i < h->units; i++, unit++)
+        if ((unit->lists != 1 && unit->lists != (uint32)h->frames + 1) || unit->list > h->lists
+            || unit->lists > h->lists - unit->list)
+            return "unit.lists";
+    return 0;
+}
+
+static enum tx_result run_list(const struct scene *scene, uint32 unit, uint32 number)
+{
+    const struct scene_list *list = &scene->lists[scene->units[unit].list + number];
+
+    return tx_list_run(&scene->engines[unit].tx, &scene->words[list->word], list->words);
+}
+
+int32 scene_make_units(struct scene *scene, int32 kind)
+{
+    const struct scene_header *h = scene->header;
+    const uint8 *dram = (const uint8 *)h + h->dram_at;
+
+    if (!h->units)
+        return 1;
+    if (!mem_alloc(&scene->engines, (int32)(h->units * sizeof *scene->engines), MEMORY_ANY))
+        return 0;
+    for (uint32 i = 0; i < h->units; i++) {
+        tx_unit_init(&scene->engines[i], dram, h->dram, kind);
+        run_list(scene, i, 0);
+    }
+    return 1;
+}
+
+void scene_start_units(const struct scene *scene, int32 number)
+{
+    for (uint32 i = 0; i < scene->header->units; i++)
+        if (scene->units[i].lists > 1)
+            run_list(scene, i, (uint32)number + 1);
+}
+
+static int32 refuse(const char *name, uint32 unit, uint32 list, uint32 command,
+                    enum tx_result result)
+{
+    text_add(name);
+    text_add(": unit ");
+    text_number((int32)unit);
+    text_add(", list ");
+    text_number((int32)list);
+    text_add(", command ");
+    text_number((int32)command);
+    return text_refuse("", tx_result_text(result));
+}
+
+int32 scene_try_units(const struct scene *scene, const char *name)
+{
+    for (uint32 i = 0; i < scene->header->units; i++)
+        for (uint32 list = 0; list < scene->units[i].lists; list++) {
+            enum tx_result result = run_list(scene, i, list);
+
+            if (result != TX_DONE)
+                return refuse(name, i, list, scene->engines[i].tx.command, result);
+        }
+    return 1;
+}
+
+const char *scene_why_refused(const struct scene *scene)
+{
+    enum tx_result result = TX_DONE;
+
+    for (uint32 i = 0; i < scene->header->units; i++)
+        if (scene->engines[i].result != TX_DONE)
+            result = scene->engines[i].result;
+    return tx_result_text(result);
+}
