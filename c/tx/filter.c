@@ -10,29 +10,32 @@ int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int3
 }
 
 /* Cycle 1 while it both filters and converts one: the texels' differences are weighed by the
-   first two channels of what cycle 0 made, and its third is what they are added to. */
-static int32 weigh(int32 c00, int32 c10, int32 c01, int32 c11, int32 upper,
+   first two channels of what cycle 0 made, and its third is what they are added to; in the
+   middle a quarter of the fourth texel's difference too. */
+static int32 weigh(int32 c00, int32 c10, int32 c01, int32 c11, int32 upper, int32 mid,
                    const struct tx_colour *by)
 {
     const int32 from = upper ? c11 : c00;
     const int32 ds = upper ? c01 - from : c10 - from, dt = upper ? c10 - from : c01 - from;
 
-    return by->b + ((by->r * ds + by->g * dt + 0x80) >> 8);
+    return by->b + ((by->r * ds + by->g * dt + (mid ? 64 * (c00 - from) : 0) + 0x80) >> 8);
 }
 
 /* Where a filter looks: fractions for luma or colour, and for chroma. */
 struct fractions {
     int32 s, chroma_s, t;
-    int32 mid;
+    int32 mid;                  /* the mode */
     const struct tx_colour *by; /* of weigh, or 0 */
 };
 
 static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
                     const struct fractions *at)
 {
+    const int32 mid = at->mid && fs == 16 && at->t == 16;
+
     if (at->by)
-        return (int16)tx_signed_9(weigh(c00, c10, c01, c11, fs + at->t >= 32, at->by));
-    if (at->mid)
+        return (int16)tx_signed_9(weigh(c00, c10, c01, c11, fs + at->t >= 32, mid, at->by));
+    if (mid)
         return (int16)tx_signed_9((c00 + c10 + c01 + c11 + 2) >> 2);
     return (int16)tx_signed_9(tx_three_points(c00, c10, c01, c11, fs, at->t));
 }
@@ -107,7 +110,7 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
         if (tile->format == TX_YUV)
             at.chroma_s = at.s >> 1 | (column.index & 1) << 4;
         at.by = again ? previous : 0;
-        at.mid = tx->modes.mid && at.s == 16 && at.t == 16;
+        at.mid = tx->modes.mid;
         fetch_taps(tx, tile, &column, &row, &taps);
         if (filters)
             filter_taps(&taps, &at, out);
