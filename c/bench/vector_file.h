@@ -57,7 +57,7 @@ enum vector_code {
     VECTOR_CHECK_COORDINATES,   /* s, t = enum tx_result */
     VECTOR_GENERATIONS,         /* tile = those of TMEM, the tile, the modes */
     VECTOR_DRAW,                /* s, t, w, their 6 gradients, shade = R G B A in one long */
-    VECTOR_CALL,                /* enum vector_call, its arguments
+    VECTOR_CALL,                /* pairs there is room for, enum vector_call, its arguments
                                    = enum tx_result, pairs, VECTOR_CALL_PAIRS pairs */
     VECTOR_DECODE,              /* tile, with quads = enum tx_result, columns_bits, rows_bits,
                                    whether it was made anew, texels' address */

@@ -296,9 +296,9 @@ static void call(const int32 *values, uint32 count)
     struct tx_list list;
 
     list.words = words;
-    list.room = VECTOR_CALL_PAIRS;
+    list.room = values[0] < VECTOR_CALL_PAIRS ? (uint32)values[0] : VECTOR_CALL_PAIRS;
     list.count = 0;
-    answer(vector_call(&list, (uint32)values[0], &values[1], count - 1));
+    answer(vector_call(&list, (uint32)values[1], &values[2], count - 2));
     answer((int32)list.count);
     for (uint32 i = 0; i < VECTOR_CALL_PAIRS; i++) {
         answer(i < list.count ? (int32)words[i].hi : 0);

@@ -39,7 +39,7 @@ static int32 usable_operation(const struct vector_operation *operation, uint32 l
                 || (uint32)values[0] < sizeof(struct tx_modes));
     if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
         return operation->longs && in_memory(operation, values);
-    return operation->longs != 0;
+    return operation->longs >= (operation->code == VECTOR_CALL ? 2 : 1);
 }
 
 static int32 usable(const uint8 *data, uint32 bytes, const char *name)

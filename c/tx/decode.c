@@ -42,6 +42,16 @@ static void list_columns(const struct tx_axis *axis, int32 count)
     }
 }
 
+/* A row's texels and the next one's. */
+static void place_row(const struct tx_tile *tile, int32 j, int32 *index, int32 *next)
+{
+    struct tx_place row;
+
+    tx_place_row(&tile->t, (uint32)j, &row);
+    *index = row.index & 255;
+    *next = *index + row.step;
+}
+
 static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row)
 {
     struct tx_colour texel;
@@ -53,12 +63,12 @@ static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s,
 static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32 width,
                           int32 height, uint32 *texels)
 {
-    struct tx_place row;
+    int32 row, next;
 
     for (int32 j = 0; j < height; j++) {
-        tx_place_row(&tile->t, (uint32)j, &row);
+        place_row(tile, j, &row, &next);
         for (int32 k = 0; k < width; k++)
-            *texels++ = texel_at(tx, tile, columns[k].index, row.index);
+            *texels++ = texel_at(tx, tile, columns[k].index, row);
     }
 }
 
@@ -66,10 +76,10 @@ static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32
 static int32 row_below(const struct tx_tile *tile, int32 j, int32 height, int32 next)
 {
     const int32 below = j + 1 < height ? j + 1 : 0;
-    struct tx_place row;
+    int32 row, beyond;
 
-    tx_place_row(&tile->t, (uint32)below, &row);
-    return row.index == next ? below : -1;
+    place_row(tile, below, &row, &beyond);
+    return row == next ? below : -1;
 }
 
 /* Quads of a row, out of texels that are decoded where they are. */
@@ -78,11 +88,9 @@ static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 
 {
     const uint32 *here = kept->texels + j * width, *below;
     struct tx_quad *quad = kept->quads + j * width;
-    struct tx_place row;
-    int32 next, below_at;
+    int32 row, next, below_at;
 
-    tx_place_row(&tile->t, (uint32)j, &row);
-    next = row.index + row.step;
+    place_row(tile, j, &row, &next);
     below_at = row_below(tile, j, height, next);
     below = below_at < 0 ? 0 : kept->texels + below_at * width;
     for (int32 k = 0; k < width; k++, quad++) {
@@ -90,7 +98,7 @@ static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 
         const int32 at = column->next_at;
 
         tx_quad_make(quad, here[k],
-                     at < 0 ? texel_at(tx, tile, column->next, row.index) : here[at],
+                     at < 0 ? texel_at(tx, tile, column->next, row) : here[at],
                      below ? below[k] : texel_at(tx, tile, column->index, next),
                      below && at >= 0 ? below[at] : texel_at(tx, tile, column->next, next));
     }

@@ -20,7 +20,8 @@ struct tx_place {
 uint32 tx_relative(const struct tx_axis *axis, int32 c);
 
 /* coordinates.c. Step 5 (mirror, mask) for a relative coordinate's integer part. Columns and
-   rows differ in the last one's step. */
+   rows differ in the last one's step. Of a row's index the texels only see the low 8 bits, but
+   for copy mode. */
 void tx_place_column(const struct tx_axis *axis, uint32 column, struct tx_place *place);
 void tx_place_row(const struct tx_axis *axis, uint32 row, struct tx_place *place);
 
