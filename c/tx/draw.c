@@ -88,6 +88,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     enum polygon_result result;
     struct tx_planes planes;
 
+    if (unit->tx.modes.cycle == TX_COPY)        /* of rectangles alone */
+        return refused(unit, TX_CYCLE_TYPE);
     s->vertices = tx_planes_vertices(s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)

@@ -12,9 +12,10 @@ static int32 period(const struct tx_axis *axis)
     return 1 << (bits + (axis->mirror ? 1 : 0));
 }
 
-static int32 clamps(const struct tx_axis *axis)
+/* Copy mode does not clamp; an axis without a mask goes on beyond the tile's edges then. */
+static int32 repeats(const struct tx_axis *axis, int32 copy)
 {
-    return axis->clamp || !axis->mask;
+    return axis->mask && (copy || !axis->clamp);
 }
 
 static int32 last_index(const struct tx_axis *axis)
@@ -22,7 +23,7 @@ static int32 last_index(const struct tx_axis *axis)
     return (axis->high >> 2) - (axis->low >> 2);
 }
 
-/* Of a clamping axis: its texels in the middle of the page. */
+/* Of an axis that does not repeat: its texels in the middle of the page. */
 static int32 first_index(const struct tx_axis *axis)
 {
     return (last_index(axis) + 1 - SIDE) >> 1;
@@ -30,19 +31,19 @@ static int32 first_index(const struct tx_axis *axis)
 
 /* An axis whose first edge lies further within its texel than its last one clamps in the middle
    of one. */
-int32 tx_page_window(const struct tx_axis *axis, struct tx_window *window)
+int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window)
 {
     if (axis->shift)
         return 0;
-    if (!clamps(axis)) {
+    if (repeats(axis, copy)) {
         window->low = -0x7fffffff;
         window->high = 0x7fffffff;
         return period(axis) <= SIDE;
     }
     window->low = first_index(axis) * 65536;
     window->high = window->low + SIDE * 65536;
-    return axis->high >= axis->low && (axis->low & 3) <= (axis->high & 3)
-        && last_index(axis) < SIDE;
+    return axis->high >= axis->low && last_index(axis) < SIDE
+        && (copy || (axis->low & 3) <= (axis->high & 3));
 }
 
 /* For each column or row of a page: its coordinate, s10.5, and the first one that shows the
@@ -52,10 +53,10 @@ struct shown {
     uint8 same[SIDE];
 };
 
-static void find_shown(struct shown *shown, const struct tx_axis *axis)
+static void find_shown(struct shown *shown, const struct tx_axis *axis, int32 copy)
 {
     static int16 first[1024];
-    int32 from = clamps(axis) ? first_index(axis) : 0;
+    int32 from = repeats(axis, copy) ? 0 : first_index(axis);
 
     for (int32 i = 0; i < 1024; i++)
         first[i] = -1;
@@ -64,7 +65,7 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis)
         int32 c = (int16)(index * 32 + axis->low * 8);
         struct tx_place place;
 
-        tx_place_row(axis, tx_relative(axis, c) >> 5, &place);
+        tx_place_column(axis, copy ? (uint32)index : tx_relative(axis, c) >> 5, &place);
         shown->coordinate[k] = (int16)c;
         if (first[place.index & 1023] < 0)
             first[place.index & 1023] = (int16)k;
@@ -72,28 +73,39 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis)
     }
 }
 
-static uint32 colour_at(const struct tx *tx, int32 tile, int32 s, int32 t,
-                        const struct tx_colour *shade)
+/* What a page is made with. */
+struct making {
+    const struct tx *tx;
+    int32 tile, pixel_bytes;
+    const struct tx_colour *shade;
+};
+
+static uint32 pixel_at(const struct making *m, int32 s, int32 t)
 {
+    const struct tx *tx = m->tx;
     struct tx_sources sources;
 
-    tx_sample(tx, tile, s, t, 0, 0, &sources.texel0);
+    if (tx->modes.cycle == TX_COPY) {
+        uint32 texels[2];
+
+        tx_copy(tx, m->tile, s, t, texels);
+        return texels[0] >> 16;
+    }
+    tx_sample(tx, m->tile, s, t, 0, 0, &sources.texel0);
     sources.texel1 = sources.texel0;
-    sources.shade = *shade;
+    sources.shade = *m->shade;
     sources.fraction = 0;
-    return tx_combine_pixel(tx, &sources);
+    return tx_pixel_of(tx_combine_pixel(tx, &sources), m->pixel_bytes);
 }
 
-static void make_row(uint8 *row, const struct tx *tx, int32 tile, const struct shown *columns,
-                     int32 t, int32 pixel_bytes, const struct tx_colour *shade)
+static void make_row(uint8 *row, const struct making *m, const struct shown *columns, int32 t)
 {
     for (int32 u = 0; u < SIDE; u++) {
         int32 same = columns->same[u];
-        uint32 colour = same < u ? tx_pixel_read(row, same, pixel_bytes)
-                      : tx_pixel_of(colour_at(tx, tile, columns->coordinate[u], t, shade),
-                                    pixel_bytes);
 
-        tx_pixel_write(row, u, pixel_bytes, colour);
+        tx_pixel_write(row, u, m->pixel_bytes,
+                       same < u ? tx_pixel_read(row, same, m->pixel_bytes)
+                                : pixel_at(m, columns->coordinate[u], t));
     }
 }
 
@@ -103,29 +115,28 @@ static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
         *(uint32 *)to = *(const uint32 *)from;
 }
 
-static void make_page(uint8 *page, const struct tx *tx, int32 tile, int32 pixel_bytes,
-                      const struct tx_colour *shade)
+static void make_page(uint8 *page, const struct making *m)
 {
     static struct shown columns, rows;
-    int32 pitch = SIDE * pixel_bytes;
+    int32 pitch = SIDE * m->pixel_bytes, copy = m->tx->modes.cycle == TX_COPY;
 
-    find_shown(&columns, &tx->tiles[tile].s);
-    find_shown(&rows, &tx->tiles[tile].t);
+    find_shown(&columns, &m->tx->tiles[m->tile].s, copy);
+    find_shown(&rows, &m->tx->tiles[m->tile].t, copy);
     for (int32 v = 0; v < SIDE; v++, page += pitch) {
         int32 back = v - rows.same[v];
 
         if (back)
             copy_row(page, page - back * pitch, pitch);
         else
-            make_row(page, tx, tile, &columns, rows.coordinate[v], pixel_bytes, shade);
+            make_row(page, m, &columns, rows.coordinate[v]);
     }
 }
 
 /* A tile's axis without where it begins: moving it moves the polygon, not the page. */
-static uint32 axis_key(const struct tx_axis *axis)
+static uint32 axis_key(const struct tx_axis *axis, int32 copy)
 {
     return (uint32)axis->clamp << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
-        | (clamps(axis) ? (uint32)axis->low << 12 | axis->high : 0);
+        | (!repeats(axis, copy) ? (uint32)axis->low << 12 | axis->high : 0);
 }
 
 static uint32 packed(const uint8 *colour)
@@ -138,13 +149,14 @@ static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_byte
                      const struct tx_colour *shade)
 {
     const struct tx_tile *tile = &tx->tiles[n];
+    int32 copy = tx->modes.cycle == TX_COPY;
 
     key[0] = tx->tmem_generation;
     key[1] = tx->mode_generation;
     key[2] = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
         | (uint32)tile->line << 9 | tile->tmem;
-    key[3] = axis_key(&tile->s);
-    key[4] = axis_key(&tile->t);
+    key[3] = axis_key(&tile->s, copy);
+    key[4] = axis_key(&tile->t, copy);
     key[5] = packed(tx->primitive);
     key[6] = packed(tx->environment);
     key[7] = (uint32)tx->primitive_fraction << 8 | (uint32)pixel_bytes;
@@ -167,6 +179,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
 {
     struct tx_page *page = &unit->page;
     uint32 key[TX_PAGE_KEY], differs = 0;
+    struct making making;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
@@ -178,7 +191,11 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     page->key[0] = ~key[0];     /* of no use until it is made */
     if (!page_room(unit, SIDE * SIDE * pixel_bytes))
         return 0;
-    make_page(page->texels, &unit->tx, tile, pixel_bytes, shade);
+    making.tx = &unit->tx;
+    making.tile = tile;
+    making.pixel_bytes = pixel_bytes;
+    making.shade = shade;
+    make_page(page->texels, &making);
     page->map.texels = page->texels;
     page->map.width = page->map.height = SIDE;
     page->map.scale = 65536;
