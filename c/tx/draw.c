@@ -108,6 +108,23 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     return POLYGON_DRAWN;
 }
 
+/* Whether state and vertices can be drawn; the state is looked at when it has changed. */
+static enum tx_result judge(struct tx_unit *unit, const struct vertex *v, int32 count)
+{
+    enum tx_result result = TX_DONE;
+    uint32 state = unit->tx.mode_generation + unit->tx.tmem_generation;
+
+    for (int32 i = 0; i < TX_TILES; i++)
+        state += unit->tx.tile_generation[i];
+    if (state != unit->judged)
+        result = tx_check_drawing(&unit->tx);
+    if (result == TX_DONE)
+        unit->judged = state;
+    for (; count > 0 && result == TX_DONE; count--, v++)
+        result = tx_check_coordinates(&unit->tx, v->s, v->t);
+    return result;
+}
+
 enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
                                              const struct vertex *vertices,
                                              const uint32 *colours, int32 count,
@@ -125,9 +142,7 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
         return POLYGON_FEW;
     if (frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
-    check = tx_check_drawing(&unit->tx);
-    for (int32 i = 0; i < count && check == TX_DONE; i++)
-        check = tx_check_coordinates(&unit->tx, vertices[i].s, vertices[i].t);
+    check = judge(unit, vertices, count);
     if (check != TX_DONE)
         return refused(unit, check);
     s.frame = frame;
@@ -162,6 +177,7 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     tx_init(&unit->tx, dram, dram_bytes);
     unit->result = TX_DONE;
     unit->memory = memory;
+    unit->judged = 0;
     unit->page.texels = 0;
     unit->page.bytes = 0;
     for (int32 i = 0; i < TX_PAGE_KEY; i++)

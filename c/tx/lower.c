@@ -69,7 +69,8 @@ static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const
     int32 copy = tx->modes.cycle == TX_COPY;
     struct tx_window columns, rows;
 
-    return (copy || (needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad))
+    return (copy ? s->frame->pixel_bytes == 2
+                 : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
         && !needs->divided
         && tx_page_window(&tile->s, copy, &columns) && tx_page_window(&tile->t, copy, &rows)
         && is_within(s, &s->given->s, &tile->s, &columns)

@@ -20,6 +20,7 @@ struct tx_unit {
     struct tx tx;
     enum tx_result result;      /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
+    uint32 judged;              /* generations of tiles and modes that can be drawn with */
     struct tx_page page;
     struct tx_kept tiles[TX_TILES];     /* decoded for the passes */
 };
