@@ -53,7 +53,7 @@ void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out)
     out->overflow_t = quotient.overflow;
 }
 
-void tx_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out)
+void tx_find_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out)
 {
     if (tx->modes.perspective) {
         tx_divide(at->s >> 16, at->t >> 16, at->w >> 16, out);

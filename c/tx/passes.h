@@ -5,7 +5,8 @@
 
 #include "compiler.h"
 
-/* The iterators at a line's first pixel, and what they change by: s15.16. */
+/* Iterators at a line's first pixel, or what they change by: s15.16. The upper 16 bits are s and t
+   (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
 struct tx_iterators {
     int32 s, t, w;
 };

@@ -2,13 +2,8 @@
 #ifndef TX_PIXEL_H
 #define TX_PIXEL_H
 
+#include "tx/passes.h"
 #include "tx/texel.h"
-
-/* Iterators: s15.16. The upper 16 bits are s and t (s10.5) or, with perspective, s * w, t * w
-   and w (0x7fff is 1.0). */
-struct tx_iterators {
-    int32 s, t, w;
-};
 
 /* A pixel's iterators, and what they grow by to the right and downwards. */
 struct tx_point {
@@ -25,7 +20,7 @@ struct tx_divided {
 void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out);
 
 /* divide.c. The same for iterators: with or without perspective. */
-void tx_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out);
+void tx_find_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out);
 
 /* lod.c. Which tiles a pixel shows, and between them: 9 bits, of which the highest makes it
    negative (0x1c0 is -64). */
