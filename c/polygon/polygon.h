@@ -95,7 +95,7 @@ enum span_kind {
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
     SPAN_FILL_32, SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY,
     SPAN_AFFINE_32, SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
-    SPAN_TX_PIXELS,
+    SPAN_TX_PASSES, SPAN_TX_PIXELS,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -122,6 +122,7 @@ enum rule {
     RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
     RULE_TX_FLAT,               /* no texel reaches the combiner's result: flat */
     RULE_TX_PLAIN,              /* one tile's points and constants: an affine span of its pixels */
+    RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
     RULES
 };
 

@@ -7,6 +7,7 @@
 #include "polygon/lower.h"
 #include "polygon/outline.h"
 #include "tx/lower.h"
+#include "tx/plan.h"
 #include "tx/pixels.h"
 #include "tx/planes.h"
 #include "tx/unit.h"
@@ -45,13 +46,20 @@ static void draw_line(const struct tx *tx, const struct tx_planes *planes,
     }
 }
 
+/* plan: 0 where there is none. */
 static void draw_lines(const struct setup *s, const struct tx *tx,
-                       const struct tx_planes *planes)
+                       const struct tx_planes *planes, const struct tx_plan *plan)
 {
     const struct scanline *line = s->edges.lines;
 
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++)
-        draw_line(tx, planes, s->frame, line->left - EDGE_BIAS, line->last + 1 - EDGE_BIAS, y);
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count > 0 && plan)
+            tx_plan_draw(plan, planes, s->frame, x, y, count);
+        else
+            draw_line(tx, planes, s->frame, x, x + count, y);
+    }
 }
 
 static enum polygon_result draw_flat(const struct setup *s, uint32 colour,
@@ -87,6 +95,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
 {
     enum polygon_result result;
     struct tx_planes planes;
+    struct tx_plan plan;
+    int32 passes;
 
     if (unit->tx.modes.cycle == TX_COPY)        /* of rectangles alone */
         return refused(unit, TX_CYCLE_TYPE);
@@ -99,10 +109,11 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     if (!tx_planes_find(&planes, s, needs->divided,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
         return refused(unit, TX_COORDINATE_RANGE);
-    draw_lines(s, &unit->tx, &planes);
+    passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, s, unit, &planes));
+    draw_lines(s, &unit->tx, &planes, passes ? &plan : 0);
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,
+        s->counts->pixels[passes ? SPAN_TX_PASSES : SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,
                                                           s->box.bottom - s->box.top);
     }
     return POLYGON_DRAWN;
