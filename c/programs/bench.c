@@ -10,6 +10,7 @@
 #include "system/system.h"
 #include "system/text.h"
 #include "texture/map.h"
+#include "tx/plain.h"
 
 #define REPORTED 32
 
@@ -36,6 +37,9 @@ static const struct kernel c_kernels[] = {
     {"column_layout_make", (void (*)(void))make_columns},
     {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
+    {"tx_walk_c", (void (*)(void))tx_walk_c},
+    {"tx_threepoint_c", (void (*)(void))tx_threepoint_c},
+    {"tx_quads_c", (void (*)(void))tx_quads_c},
     {0, 0}
 };
 

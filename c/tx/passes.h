@@ -1,0 +1,46 @@
+/* The passes over a line's pixels: each a routine of src68k/tx (contracts there) that takes
+   what the pass before it left. count is 1 or more. */
+#ifndef TX_PASSES_H
+#define TX_PASSES_H
+
+#include "compiler.h"
+
+/* The iterators at a line's first pixel, and what they change by: s15.16. */
+struct tx_iterators {
+    int32 s, t, w;
+};
+
+/* A coordinate pair: s in the upper, t in the lower word, both s10.5. */
+typedef uint32 tx_coordinates;
+
+/* One triangle of a 2x2 quad: a corner, and what the texels beside it in s and t differ by.
+   Each long has two channels: R and B, or G and A, the first one in the upper word. The corner
+   is 8 * (32 * channel + 16), a difference 8 * (channel - corner's channel); the words of a
+   difference are added as one signed 32-bit number, so that a negative lower one borrows. */
+struct tx_triangle {
+    uint32 rb_s, rb_t, rb, ga_s, ga_t, ga;
+};
+
+/* What the three-point filter needs of texel c00 and its neighbours: the corner of lower is
+   c00, that of upper c11, whose differences are those of c01 in s and of c10 in t. */
+struct tx_quad {
+    struct tx_triangle lower, upper;
+    uint32 mean_rb, mean_ga;    /* as rb and ga: 8 * (8 * (c00 + c10 + c01 + c11) + 16) */
+    uint32 spare[2];
+};
+
+/* A tile as texels of four bytes. A relative coordinate's texel is texels[row << columns_bits |
+   column]: column = s >> 5 modulo 2^columns_bits, row alike. */
+struct tx_decoded {
+    const uint32 *texels;       /* R G B A */
+    const struct tx_quad *quads;        /* the same order; 0 without a filter */
+    uint16 mask_s, mask_t;      /* (columns - 1) << 5, (rows - 1) << 5 */
+    uint16 columns_bits, rows_bits;
+};
+
+void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+
+void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+
+#endif

@@ -1,0 +1,21 @@
+/* The passes in plain C: the yardsticks of the bench. */
+#ifndef TX_PLAIN_H
+#define TX_PLAIN_H
+
+#include "tx/passes.h"
+
+/* What a pass is called with. */
+struct tx_call {
+    const void *in;
+    void *out;
+    const void *constants;
+    int32 count;
+};
+
+void tx_walk_c(const struct tx_call *call);
+void tx_threepoint_c(const struct tx_call *call);
+
+/* tx_quad_make of the four texels in, R G B A. */
+void tx_quads_c(const struct tx_call *call);
+
+#endif

@@ -1,0 +1,2 @@
+; What the passes over a line's pixels share (structs: c/tx/passes.h).
+
