@@ -168,7 +168,7 @@ static void divide(const int32 *at)
 {
     struct tx_divided out;
 
-    tx_divide(at[0], at[1], at[2], &out);
+    tx_divide_pixel(at[0], at[1], at[2], &out);
     answer(out.raw_s);
     answer(out.raw_t);
     answer(out.s);
@@ -216,7 +216,7 @@ static void copy(const int32 *at)
 {
     uint32 texels[2];
 
-    tx_copy(&tx, at[0], at[1], at[2], texels);
+    tx_copy_texels(&tx, at[0], at[1], at[2], texels);
     answer((int32)texels[0]);
     answer((int32)texels[1]);
 }

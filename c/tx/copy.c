@@ -21,7 +21,7 @@ static uint32 unit(const struct tx *tx, const struct tx_tile *tile, int32 s, int
     return (uint32)tx->tmem[address] << 8 | tx->tmem[address + 1];
 }
 
-void tx_copy(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels)
+void tx_copy_texels(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels)
 {
     const struct tx_tile *tile = &tx->tiles[n & 7];
     const int32 first = first_index(&tile->s, s);

@@ -118,5 +118,5 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
             nearest_corner(&taps, &at, out);
     }
     if (!filters)
-        tx_convert(tx, again ? previous : out, out);
+        tx_convert_texel(tx, again ? previous : out, out);
 }

@@ -88,7 +88,7 @@ static uint32 pixel_at(const struct making *m, int32 s, int32 t)
     if (tx->modes.cycle == TX_COPY) {
         uint32 texels[2];
 
-        tx_copy(tx, m->tile, s, t, texels);
+        tx_copy_texels(tx, m->tile, s, t, texels);
         return texels[0] >> 16;
     }
     tx_sample(tx, m->tile, s, t, 0, 0, &sources.texel0);

@@ -17,7 +17,7 @@ struct tx_divided {
     int32 overflow_s, overflow_t;
 };
 
-void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out);
+void tx_divide_pixel(int32 s, int32 t, int32 w, struct tx_divided *out);
 
 /* divide.c. The same for iterators: with or without perspective. */
 void tx_find_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out);

@@ -48,7 +48,7 @@ static void copy_line(const struct frame *frame, const struct tx_rectangle *r, i
 
         if (x <= -4)
             continue;
-        tx_copy(tx, tx->primitive_tile, s >> 5, t, texels);
+        tx_copy_texels(tx, tx->primitive_tile, s >> 5, t, texels);
         copy_four(frame, x, y, end, texels);
     }
 }

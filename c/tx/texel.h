@@ -57,10 +57,10 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
                const struct tx_colour *previous, struct tx_colour *out);
 
 /* convert.c. Signed U, V, Y to R, G, B, A = Y; each signed 9 bits. */
-void tx_convert(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out);
+void tx_convert_texel(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out);
 
 /* copy.c. Four texels of copy mode from s, t (s10.5) on: two longs of 16-bit texels, of which
    one-bit alpha is bit 0. */
-void tx_copy(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels);
+void tx_copy_texels(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels);
 
 #endif
