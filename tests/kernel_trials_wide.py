@@ -17,7 +17,7 @@ def ground(wide: int) -> Ground:
     memory = Memory(7)
     frame = memory.add(memory.noise.bytes(FRAME * wide // 2), name="frame")
     picture = np.frombuffer(memory.noise.bytes(65536 * wide), f">u{wide}").reshape(256, 256)
-    before = memory.noise.bytes(4 + wide & 7)  # so that the page begins there
+    before = memory.noise.bytes(wide)
     at = memory.add(before + maps.to_page(picture).tobytes(), 8, "map")
 
     def draw(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:

@@ -160,10 +160,10 @@ def rules_table(baseline: dict) -> str:
     for case in bench_rules.CASES:
         cells = []
         for machine in machines:
-            on, off = (figures[f"rule_{case.rule}{end}", machine, 1] / 1000
+            on, off = (figures[f"rule_{case.name}{end}", machine, 1] / 1000
                        for end in ("", bench_rules.WITHOUT))
             cells.append(f"{off:.1f} / {on:.1f}")
-        lines.append(f"| {case.rule} | {case.asked or 'none'} | {case.lowered or 'none'} | "
+        lines.append(f"| {case.name} | {case.asked or 'none'} | {case.lowered or 'none'} | "
                      + " | ".join(cells) + " |")
     return "\n".join(lines)
 
