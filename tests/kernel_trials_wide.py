@@ -32,7 +32,8 @@ def span_trials(kernel: str, on: Ground, rng) -> list[Trial]:
     steps = steps_of(rng)
     some = [steps[k] for k in rng.choice(len(steps), 24, replace=False)]
     return [span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, on)
-            for size, chosen in ((SHORT, steps), (LONG_WIDE, some)) for k, pair in enumerate(chosen)]
+            for size, chosen in ((SHORT, steps), (LONG_WIDE, some))
+            for k, pair in enumerate(chosen)]
 
 
 def copy_trials(kernel: str, on: Ground, rng) -> list[Trial]:

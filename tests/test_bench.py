@@ -81,7 +81,8 @@ def test_every_rule_of_lowering_saves_cycles(found) -> None:
     figures = {(r["name"], r["machine"]): r["cycles_per_polygon"] for r in found["rules"]}
     for case in bench_rules.CASES:
         for machine in bench.CONDITIONS:
-            on, off = (figures[f"rule_{case.name}{end}", machine] for end in ("", bench_rules.WITHOUT))
+            on, off = (figures[f"rule_{case.name}{end}", machine]
+                       for end in ("", bench_rules.WITHOUT))
             assert on < 0.995 * off, (case.name, machine, on, off)
 
 

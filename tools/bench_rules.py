@@ -94,7 +94,8 @@ CASES = (
     Case("short_lit", LIT, NARROW, TURNED, "lit_short", "lit"),
     Case("short_lit_wrap", LIT, NARROW, WRAPPED, "lit_short_wrap", "lit_wrap"),
     *(Case("still_v", AFFINE, WIDE, (TURNED[0], heights(WIDE)), f"affine_{bits}_row",
-           f"affine_{bits}", pixels=pixels) for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
+           f"affine_{bits}", pixels=pixels)
+      for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
     Case("unit_step", AFFINE, WIDE, ([x + 7 for x, _ in WIDE], heights(WIDE)), "affine_16_copy",
          "affine_16_row", pixels="rgba5551"),
     *(Case("no_wrap", AFFINE, WIDE, TURNED, f"affine_{bits}", f"affine_{bits}_wrap", pixels=pixels)
@@ -107,8 +108,8 @@ BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
 
 @cache
 def textures(pixels: str) -> list[Texture]:
-    """A page, and in chunky frames 64 levels of light, of which the first makes all texels one and the last shows
-    them as they are; a map of any size."""
+    """A page; in chunky frames 64 levels of light too, of which the first makes all texels one and
+    the last shows them as they are, and a map of any size."""
     rng = np.random.default_rng(3)
     if pixels != "chunky":
         pixel = FORMATS[pixels]

@@ -382,7 +382,8 @@ def read(data: bytes, name: str) -> Scene:
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]
     scene = Scene(
-        **{f: values[f] for f in HEADER}, format=pixel.name, **rows | {"textures": textures, "materials": materials},
+        **{f: values[f] for f in HEADER}, format=pixel.name,
+        **rows | {"textures": textures, "materials": materials},
         palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene
