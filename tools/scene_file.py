@@ -401,7 +401,8 @@ def read(data: bytes, name: str) -> Scene:
         rows[table] = [kind(*row) for row in rows[table].tolist()]
     rows["dram"] = part("dram_at", values["dram_at"], values["dram"])
     scene = Scene(
-        **{f: values[f] for f in HEADER}, format=pixel.name, **rows | {"textures": textures, "materials": materials},
+        **{f: values[f] for f in HEADER}, format=pixel.name,
+        **rows | {"textures": textures, "materials": materials},
         palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene

@@ -4,14 +4,14 @@
 #include "system/text.h"
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "fill_16", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
+    "fill", "fill_16", "fill_32", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
     "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
     "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
     "perspective_pieces", "perspective_curves", "reciprocal", "logarithm",
     "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
     "lit_short", "lit_short_wrap",
-    "fill_32", "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy",
-    "affine_32", "affine_32_wrap", "affine_32_row", "tx_passes", "tx_pixels"
+    "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy", "affine_32",
+    "affine_32_wrap", "affine_32_row", "tx_passes", "tx_pixels"
 };
 
 static const char *const rule_names[RULES] = {

@@ -5,7 +5,7 @@
 
 /* What a pass makes of a pixel's colour, after its codes: cycle 1 takes what cycle 0 made as it
    is. */
-enum codes { COMBINED = 0, TEXEL0 = 1, TEXEL1 = 2, RGB_FRACTION = 13, ALPHA_FRACTION = 0 };
+enum codes { COMBINED = 0, TEXEL0 = 1 };
 
 static int32 adds_nothing(const struct tx_input *in, uint32 zero_c)
 {
@@ -18,16 +18,6 @@ static int32 is_input(const struct tx_combine *combine, int32 cycle, uint32 code
     const struct tx_input *rgb = &combine->rgb[cycle], *alpha = &combine->alpha[cycle];
 
     return adds_nothing(rgb, 16) && rgb->d == code && adds_nothing(alpha, 7) && alpha->d == code;
-}
-
-/* Whether it lies between texel 0 and texel 1 by the level's fraction. */
-static int32 is_blend(const struct tx_combine *combine)
-{
-    const struct tx_input *rgb = combine->rgb, *alpha = combine->alpha;
-
-    return rgb->a == TEXEL1 && rgb->b == TEXEL0 && rgb->c == RGB_FRACTION && rgb->d == TEXEL0
-        && alpha->a == TEXEL1 && alpha->b == TEXEL0 && alpha->c == ALPHA_FRACTION
-        && alpha->d == TEXEL0;
 }
 
 static int32 find_combine(struct tx_plan *plan, const struct tx *tx)
