@@ -37,8 +37,9 @@ def locate(reference: str, folder: Path, where: str) -> Path:
     return path
 
 
-def decode(path: Path) -> Image.Image:
-    """The picture in a PNG or JPEG, upright, in RGB. Raises ValueError if too large."""
+def decode(path: Path, mode: str = "RGB") -> Image.Image:
+    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises ValueError if too
+    large."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
         image = Image.open(path, formats=("PNG", "JPEG"))
@@ -49,20 +50,20 @@ def decode(path: Path) -> Image.Image:
         image.load()
         if image.mode.startswith("I"):  # 16-bit grey: Pillow would clip, not scale
             image = Image.fromarray((np.asarray(image, np.int64) >> 8).astype(np.uint8))
-        return ImageOps.exif_transpose(image).convert("RGB")
+        return ImageOps.exif_transpose(image).convert(mode)
 
 
 def load(reference: str, folder: Path, where: str, width: int = SIDE,
-         height: int = SIDE) -> np.ndarray:
-    """The middle of the referenced picture as uint8 (height, width, 3), row 0 on top.
+         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
+    """The middle of the referenced picture as uint8 (height, width, channels), row 0 on top.
 
-    It is cut to the shape of width x height, then resized.
+    It is cut to the shape of width x height, then resized. ``mode``: "RGB" or "RGBA".
 
     ``where`` (scene file and field) starts the message of every refusal.
     """
     path = locate(reference, folder, where)
     try:
-        image = decode(path)
+        image = decode(path, mode)
     except Image.UnidentifiedImageError:
         raise UserError(f"{where}: {reference}: not a PNG or JPEG picture") from None
     except Image.DecompressionBombError:

@@ -1,21 +1,18 @@
 """Command words run into the state of a texture unit."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 
 from ..fixed import signed
 from .combiner import check as check_combine
+from .disassemble import inputs, line
 from .loads import load_block, load_tile, load_tlut
 from .misuse import Misuse
-from .state import (PENDING_LOAD, PENDING_PIPE, PENDING_TILE, Axis, Combine, Image, Inputs, Modes,
-                    State, Tile)
-
-Word = tuple[int, int]
-
-
-def bits(word: int, high: int, low: int) -> int:
-    """Bits high:low of a word."""
-    return word >> low & (2 << high - low) - 1
-
+from .opcodes import (FULL_SYNC, LOAD_BLOCK, LOAD_SYNC, LOAD_TILE, LOAD_TLUT, PIPE_SYNC,
+                      SET_COMBINE, SET_CONVERT, SET_ENVIRONMENT_COLOUR, SET_OTHER_MODES,
+                      SET_PRIMITIVE_COLOUR, SET_TEXTURE_IMAGE, SET_TILE, SET_TILE_SIZE, TEXTURE,
+                      TILE_SYNC, Word, bits)
+from .state import (PENDING_LOAD, PENDING_PIPE, PENDING_TILE, Axis, Combine, Image, Modes, State,
+                    Tile)
 
 def set_texture_image(state: State, hi: int, lo: int) -> None:
     """Where loads read: format, size, width and address."""
@@ -79,11 +76,7 @@ def set_other_modes(state: State, hi: int, lo: int) -> None:
 def set_combine(state: State, hi: int, lo: int) -> None:
     """The combiner's inputs."""
     state.changes(PENDING_PIPE, "set combine")
-    combine = Combine(
-        (Inputs(bits(hi, 23, 20), bits(lo, 31, 28), bits(hi, 19, 15), bits(lo, 17, 15)),
-         Inputs(bits(hi, 8, 5), bits(lo, 27, 24), bits(hi, 4, 0), bits(lo, 8, 6))),
-        (Inputs(bits(hi, 14, 12), bits(lo, 14, 12), bits(hi, 11, 9), bits(lo, 11, 9)),
-         Inputs(bits(lo, 23, 21), bits(lo, 5, 3), bits(lo, 20, 18), bits(lo, 2, 0))))
+    combine = Combine(**inputs(hi, lo))
     if state.checked:
         check_combine(combine)
     state.combine = combine
@@ -121,12 +114,6 @@ def sync(what: int):
     return run
 
 
-TEXTURE, LOAD_SYNC, PIPE_SYNC, TILE_SYNC, FULL_SYNC = 0x17, 0x26, 0x27, 0x28, 0x29
-SET_CONVERT, SET_OTHER_MODES, LOAD_TLUT = 0x2C, 0x2F, 0x30
-SET_TILE_SIZE, LOAD_BLOCK, LOAD_TILE, SET_TILE = 0x32, 0x33, 0x34, 0x35
-SET_PRIMITIVE_COLOUR, SET_ENVIRONMENT_COLOUR, SET_COMBINE = 0x3A, 0x3B, 0x3C
-SET_TEXTURE_IMAGE = 0x3D
-
 COMMANDS = {
     TEXTURE: texture,
     LOAD_SYNC: sync(PENDING_LOAD),
@@ -155,10 +142,10 @@ def run(state: State, hi: int, lo: int) -> None:
     COMMANDS[operation](state, hi, lo)
 
 
-def replay(state: State, words: Sequence[Word] | Iterable[Word], start: int = 0) -> None:
+def replay(state: State, words: Iterable[Word], start: int = 0) -> None:
     """Runs a display list up to its first error, which names the command's number."""
     for number, (hi, lo) in enumerate(words, start):
         try:
             run(state, hi, lo)
         except Misuse as misuse:
-            raise Misuse(misuse.name, f"command {number} ({hi:08x} {lo:08x}): {misuse}") from None
+            raise Misuse(misuse.name, f"command {number} ({line(hi, lo)}): {misuse}") from None
