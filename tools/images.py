@@ -38,7 +38,8 @@ def locate(reference: str, folder: Path, where: str) -> Path:
 
 
 def decode(path: Path, mode: str = "RGB") -> Image.Image:
-    """The picture in a PNG or JPEG, upright, in RGB or RGBA. Raises ValueError if too large."""
+    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises ValueError if too
+    large."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
         image = Image.open(path, formats=("PNG", "JPEG"))
@@ -56,7 +57,7 @@ def load(reference: str, folder: Path, where: str, width: int = SIDE,
          height: int = SIDE, mode: str = "RGB") -> np.ndarray:
     """The middle of the referenced picture as uint8 (height, width, channels), row 0 on top.
 
-    It is cut to the shape of width x height, then resized.
+    It is cut to the shape of width x height, then resized. ``mode``: "RGB" or "RGBA".
 
     ``where`` (scene file and field) starts the message of every refusal.
     """
