@@ -104,11 +104,32 @@ static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 
     }
 }
 
-static int32 holds(const struct tx *tx, int32 n, int32 quads, const struct tx_kept *kept)
+uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t)
 {
-    return kept->tx == tx && kept->tile == (uint32)n
-        && kept->tmem_generation == tx->tmem_generation
-        && kept->tile_generation == tx->tile_generation[n]
+    return from->texels[(t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5];
+}
+
+static uint32 axis_key(const struct tx_axis *axis)
+{
+    const uint32 clamps = axis->clamp || !axis->mask;
+
+    return clamps << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
+        | (clamps ? (uint32)axis->low << 12 | axis->high : 0);
+}
+
+void tx_tile_key_find(struct tx_tile_key *key, const struct tx_tile *tile)
+{
+    key->tile = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
+        | (uint32)tile->line << 9 | tile->tmem;
+    key->s = axis_key(&tile->s);
+    key->t = axis_key(&tile->t);
+}
+
+static int32 holds(const struct tx *tx, const struct tx_tile_key *key, int32 quads,
+                   const struct tx_kept *kept)
+{
+    return kept->tx == tx && kept->key.tile == key->tile && kept->key.s == key->s
+        && kept->key.t == key->t && kept->tmem_generation == tx->tmem_generation
         && kept->tlut == tx->modes.tlut && kept->tlut_type == tx->modes.tlut_type
         && (!quads || kept->decoded.quads);
 }
@@ -140,11 +161,12 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_ke
     const struct tx_tile *tile = &tx->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
     struct tx_decoded *decoded = &kept->decoded;
+    struct tx_tile_key key;
 
-    n &= 7;
+    tx_tile_key_find(&key, tile);
     if (made)
         *made = 0;
-    if (holds(tx, n, quads, kept))
+    if (holds(tx, &key, quads, kept))
         return TX_DONE;
     if (tile->format == TX_YUV)
         return TX_DECODE_YUV;
@@ -164,9 +186,8 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_ke
     decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
     decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
     kept->tx = tx;
-    kept->tile = (uint32)n;
+    kept->key = key;
     kept->tmem_generation = tx->tmem_generation;
-    kept->tile_generation = tx->tile_generation[n];
     kept->tlut = tx->modes.tlut;
     kept->tlut_type = tx->modes.tlut_type;
     if (made)

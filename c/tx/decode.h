@@ -10,17 +10,29 @@ enum tx_decode_constants {
                                    mirrored; 128 KB of texels, 2 MB of quads */
 };
 
+/* What a tile's texels depend on beside TMEM and TLUT modes. Where it begins is no part of it,
+   unless it clamps: relative coordinates know that. */
+struct tx_tile_key {
+    uint32 tile, s, t;
+};
+
+void tx_tile_key_find(struct tx_tile_key *key, const struct tx_tile *tile);
+
 /* A decoded tile that is kept, with what it was made from. All 0 before the first use. */
 struct tx_kept {
     struct tx_decoded decoded;
     const struct tx *tx;
-    uint32 tile, tmem_generation, tile_generation;
+    struct tx_tile_key key;
+    uint32 tmem_generation;
     uint8 tlut, tlut_type;      /* of the modes, only these matter */
     uint8 spare[2];
     uint32 *texels;
     struct tx_quad *quads;
     uint32 texels_room, quads_room;     /* elements */
 };
+
+/* The texel of relative coordinates. */
+uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t);
 
 /* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
    whether anything was done. Memory is the system's and kept for the next time; a larger tile

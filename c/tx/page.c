@@ -1,6 +1,7 @@
 #include "tx/page.h"
 
 #include "system/system.h"
+#include "tx/lower.h"
 #include "tx/pixels.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -46,10 +47,11 @@ int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *w
         && (copy || (axis->low & 3) <= (axis->high & 3));
 }
 
-/* For each column or row of a page: its coordinate, s10.5, and the first one that shows the
+/* For each column or row of a page: its coordinates, s10.5, and the first one that shows the
    same texel. */
 struct shown {
     int16 coordinate[SIDE];
+    uint16 relative[SIDE];
     uint8 same[SIDE];
 };
 
@@ -65,7 +67,8 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis, int32 co
         int32 c = (int16)(index * 32 + axis->low * 8);
         struct tx_place place;
 
-        tx_place_column(axis, copy ? (uint32)index : tx_relative(axis, c) >> 5, &place);
+        shown->relative[k] = (uint16)tx_relative(axis, c);
+        tx_place_column(axis, copy ? (uint32)index : shown->relative[k] >> 5, &place);
         shown->coordinate[k] = (int16)c;
         if (first[place.index & 1023] < 0)
             first[place.index & 1023] = (int16)k;
@@ -78,34 +81,57 @@ struct making {
     const struct tx *tx;
     int32 tile, pixel_bytes;
     const struct tx_colour *shade;
+    const struct tx_decoded *decoded;   /* 0: texels are sampled one by one */
+    int32 is_texel;             /* the combiner makes nothing else of texel 0 */
+    struct shown columns, rows;
 };
 
-static uint32 pixel_at(const struct making *m, int32 s, int32 t)
+static void texel_at(const struct making *m, int32 u, int32 v, struct tx_colour *texel)
 {
-    const struct tx *tx = m->tx;
+    const struct tx_decoded *from = m->decoded;
+    uint32 colour;
+
+    if (!from) {
+        tx_sample(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], 0, 0, texel);
+        return;
+    }
+    colour = tx_decoded_texel(from, m->columns.relative[u], m->rows.relative[v]);
+    texel->r = (int16)(colour >> 24);
+    texel->g = (int16)(colour >> 16 & 255);
+    texel->b = (int16)(colour >> 8 & 255);
+    texel->a = (int16)(colour & 255);
+}
+
+static uint32 colour_at(const struct making *m, int32 u, int32 v)
+{
     struct tx_sources sources;
 
-    if (tx->modes.cycle == TX_COPY) {
-        uint32 texels[2];
-
-        tx_copy_texels(tx, m->tile, s, t, texels);
-        return texels[0] >> 16;
-    }
-    tx_sample(tx, m->tile, s, t, 0, 0, &sources.texel0);
+    if (m->decoded && m->is_texel)
+        return tx_decoded_texel(m->decoded, m->columns.relative[u], m->rows.relative[v]);
+    texel_at(m, u, v, &sources.texel0);
     sources.texel1 = sources.texel0;
     sources.shade = *m->shade;
     sources.fraction = 0;
-    return tx_pixel_of(tx_combine_pixel(tx, &sources), m->pixel_bytes);
+    return tx_combine_pixel(m->tx, &sources);
 }
 
-static void make_row(uint8 *row, const struct making *m, const struct shown *columns, int32 t)
+static uint32 pixel_at(const struct making *m, int32 u, int32 v)
+{
+    uint32 texels[2];
+
+    if (m->tx->modes.cycle != TX_COPY)
+        return tx_pixel_of(colour_at(m, u, v), m->pixel_bytes);
+    tx_copy_texels(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], texels);
+    return texels[0] >> 16;
+}
+
+static void make_row(uint8 *row, const struct making *m, int32 v)
 {
     for (int32 u = 0; u < SIDE; u++) {
-        int32 same = columns->same[u];
+        int32 same = m->columns.same[u];
 
         tx_pixel_write(row, u, m->pixel_bytes,
-                       same < u ? tx_pixel_read(row, same, m->pixel_bytes)
-                                : pixel_at(m, columns->coordinate[u], t));
+                       same < u ? tx_pixel_read(row, same, m->pixel_bytes) : pixel_at(m, u, v));
     }
 }
 
@@ -115,48 +141,51 @@ static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
         *(uint32 *)to = *(const uint32 *)from;
 }
 
-static void make_page(uint8 *page, const struct making *m)
+static void make_page(uint8 *page, struct making *m)
 {
-    static struct shown columns, rows;
     int32 pitch = SIDE * m->pixel_bytes, copy = m->tx->modes.cycle == TX_COPY;
 
-    find_shown(&columns, &m->tx->tiles[m->tile].s, copy);
-    find_shown(&rows, &m->tx->tiles[m->tile].t, copy);
+    find_shown(&m->columns, &m->tx->tiles[m->tile].s, copy);
+    find_shown(&m->rows, &m->tx->tiles[m->tile].t, copy);
     for (int32 v = 0; v < SIDE; v++, page += pitch) {
-        int32 back = v - rows.same[v];
+        int32 back = v - m->rows.same[v];
 
         if (back)
             copy_row(page, page - back * pitch, pitch);
         else
-            make_row(page, m, &columns, rows.coordinate[v]);
+            make_row(page, m, v);
     }
 }
 
-/* A tile's axis without where it begins: moving it moves the polygon, not the page. */
-static uint32 axis_key(const struct tx_axis *axis, int32 copy)
+/* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. */
+static const struct tx_decoded *find_decoded(struct tx_unit *unit, int32 tile)
 {
-    return (uint32)axis->clamp << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
-        | (!repeats(axis, copy) ? (uint32)axis->low << 12 | axis->high : 0);
+    const struct tx *tx = &unit->tx;
+    int32 made;
+
+    if (tx->modes.cycle == TX_COPY || !tx->modes.filter0
+        || tx_decode(tx, tile, 0, &unit->tiles[tile], &made) != TX_DONE)
+        return 0;
+    return &unit->tiles[tile].decoded;
 }
 
+/* Everything that the page depends on. */
 static uint32 packed(const uint8 *colour)
 {
     return (uint32)colour[0] << 24 | (uint32)colour[1] << 16 | (uint32)colour[2] << 8 | colour[3];
 }
 
-/* Everything that the page depends on. */
 static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_bytes,
                      const struct tx_colour *shade)
 {
-    const struct tx_tile *tile = &tx->tiles[n];
-    int32 copy = tx->modes.cycle == TX_COPY;
+    struct tx_tile_key tile;
 
+    tx_tile_key_find(&tile, &tx->tiles[n]);
     key[0] = tx->tmem_generation;
     key[1] = tx->mode_generation;
-    key[2] = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
-        | (uint32)tile->line << 9 | tile->tmem;
-    key[3] = axis_key(&tile->s, copy);
-    key[4] = axis_key(&tile->t, copy);
+    key[2] = tile.tile;
+    key[3] = tile.s;
+    key[4] = tile.t;
     key[5] = packed(tx->primitive);
     key[6] = packed(tx->environment);
     key[7] = (uint32)tx->primitive_fraction << 8 | (uint32)pixel_bytes;
@@ -178,8 +207,8 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
                    const struct tx_colour *shade)
 {
     struct tx_page *page = &unit->page;
+    static struct making making;
     uint32 key[TX_PAGE_KEY], differs = 0;
-    struct making making;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
@@ -195,6 +224,8 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     making.tile = tile;
     making.pixel_bytes = pixel_bytes;
     making.shade = shade;
+    making.decoded = find_decoded(unit, tile);
+    making.is_texel = tx_combine_is_texel(&unit->tx);
     make_page(page->texels, &making);
     page->map.texels = page->texels;
     page->map.width = page->map.height = SIDE;

@@ -3,33 +3,6 @@
 #include "scene/scene_file.h"
 #include "system/system.h"
 
-/* What a pass makes of a pixel's colour, after its codes: cycle 1 takes what cycle 0 made as it
-   is. */
-enum codes { COMBINED = 0, TEXEL0 = 1 };
-
-static int32 adds_nothing(const struct tx_input *in, uint32 zero_c)
-{
-    return in->a == in->b || in->c >= zero_c;
-}
-
-/* Whether a cycle's result is one of its inputs. */
-static int32 is_input(const struct tx_combine *combine, int32 cycle, uint32 code)
-{
-    const struct tx_input *rgb = &combine->rgb[cycle], *alpha = &combine->alpha[cycle];
-
-    return adds_nothing(rgb, 16) && rgb->d == code && adds_nothing(alpha, 7) && alpha->d == code;
-}
-
-static int32 find_combine(struct tx_plan *plan, const struct tx *tx)
-{
-    plan->combine = 0;
-    if (tx->modes.cycle == TX_ONE_CYCLE)
-        return is_input(&tx->combine, 1, TEXEL0);
-    if (!is_input(&tx->combine, 1, COMBINED))
-        return 0;
-    return is_input(&tx->combine, 0, TEXEL0);
-}
-
 static int32 needs_tile_pass(const struct tx_axis *axis)
 {
     return axis->shift || axis->low || axis->clamp || !axis->mask;
@@ -89,8 +62,9 @@ int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, const str
     const struct tx *tx = &unit->tx;
 
     if (tx->modes.lod || needs->inputs & (TX_INPUT_SHADE | TX_INPUT_LOD_FRACTION)
-        || !find_combine(plan, tx) || !find_coordinates(plan, planes))
+        || !tx_combine_is_texel(tx) || !find_coordinates(plan, planes))
         return 0;
+    plan->combine = 0;
     plan->texel[1].sample = 0;
     plan->store = s->frame->pixel_bytes == 2 ? tx_store_16 : 0;
     return find_sampling(&plan->texel[0], unit, tx->primitive_tile, 0);
