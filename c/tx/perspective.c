@@ -30,7 +30,7 @@ static void divide(int32 s, int32 reciprocal, int32 shift, int32 bad, struct quo
         out->clamped = -32768;
 }
 
-void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out)
+void tx_quotients(int32 s, int32 t, int32 w, struct tx_divided *out)
 {
     const int32 bad = (int16)w <= 0;
     struct quotient quotient;
@@ -53,10 +53,10 @@ void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out)
     out->overflow_t = quotient.overflow;
 }
 
-void tx_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out)
+void tx_project(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out)
 {
     if (tx->modes.perspective) {
-        tx_divide(at->s >> 16, at->t >> 16, at->w >> 16, out);
+        tx_quotients(at->s >> 16, at->t >> 16, at->w >> 16, out);
         return;
     }
     out->s = out->raw_s = at->s >> 16;
