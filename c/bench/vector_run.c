@@ -299,6 +299,14 @@ static void call(const int32 *values, uint32 count)
     }
 }
 
+static void result_text(int32 result)
+{
+    const char *text = tx_result_text((enum tx_result)result);
+
+    for (int32 i = 0; i < VECTOR_TEXT_BYTES; i++)
+        answer(*text ? *text++ : 0);
+}
+
 void vectors_run(uint32 code, const int32 *values, uint32 count)
 {
     switch (code) {
@@ -351,6 +359,7 @@ void vectors_run(uint32 code, const int32 *values, uint32 count)
     case VECTOR_DRAW: draw(values); break;
     case VECTOR_CALL: call(values, count); break;
     case VECTOR_DECODE: decode(values); break;
+    case VECTOR_RESULT_TEXT: result_text(values[0]); break;
     case VECTOR_DECODED: decoded(values); break;
     }
 }
