@@ -8,18 +8,20 @@ from .tx_examples import Example
 
 LENGTH = 256
 NAMES = [name + end for name in tx_examples.MAKERS if name not in tx_examples.IN_C_ALONE
-         for end in ("", "_c")]
+         for end in ("", "_c") if not end or name not in tx_examples.FORMS]
 
 
 def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case, int]:
     """The call of a pass, with input, output, texels and tables in the far arena; and where
     its output is there."""
+    kernel = tx_examples.FORMS.get(kernel, kernel)
     source, out = far.add(example.source), far.add(bytes(len(example.expected)))
     constants = {}
     if example.struct:
         pointers = {name: far.add(block) for name, block in example.blocks.items()}
         constants["constants"] = arena.struct(example.struct, {}, pointers, **{
-            name: int(value) for name, value in example.values.items()})
+            name: value if isinstance(value, list) else int(value)
+            for name, value in example.values.items()})
     if kernel.endswith("_c"):
         more = {} if constants else {"constants": 0}
         call = arena.struct("tx_call", constants, {"in": source, "out": out},

@@ -7,6 +7,7 @@ asked. The bench measures one example of each pass, the tests call many.
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cache
 
 import numpy as np
 
@@ -160,15 +161,168 @@ def threepoint(rng, count: int) -> Example:
     return Example("tx_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
 
 
-#: Pass to the maker of its examples. Those in C alone are called tx_..._c.
+def average(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, True)
+    st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
+    corners, (fs, ft) = ground.corners(*st.T), st.T & 31
+    drawn = np.where((fs == 16)[:, None] & (ft == 16)[:, None], corners.sum(1) + 2 >> 2,
+                     filtered(corners, fs, ft))
+    return Example("tx_average", pairs(st), pixels(drawn), count, *ground.decoded())
+
+
+def point(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, False)
+    return Example("tx_point", pairs(st), pixels(ground.corners(*st.T)[:, 0]), count,
+                   *ground.decoded())
+
+
+def packed(texels: np.ndarray) -> bytes:
+    """5/5/5/1 words of texels [n][4]."""
+    r, g, b, a = texels.reshape(-1, 4).astype(np.int64).T
+    return words((r >> 3) << 11 | (g >> 3) << 6 | (b >> 3) << 1 | a >> 7)
+
+
+def point_16(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, False)
+    struct, values, _ = ground.decoded()
+    return Example("tx_point_16", pairs(st), packed(ground.corners(*st.T)[:, 0]), count,
+                   struct, values, {"texels": packed(ground.texels)})
+
+
+def store_16(rng, count: int) -> Example:
+    texels = any_texels(rng, count)
+    return Example("tx_store_16", pixels(texels), packed(texels), count)
+
+
+def reciprocal(w: int) -> tuple[int, int]:
+    """The hardware's reciprocal of a w above 0, and the shifts that bring its bit 14 to one."""
+    shifts = 15 - w.bit_length()
+    n = (w << shifts) & 0x3FFF
+    table = [round((1 << 20) / (64 + i)) - (i == 6) for i in range(65)]
+    i, f = n >> 8, n & 255
+    return table[i] + ((table[i + 1] - table[i]) * f * 4 >> 10), shifts
+
+
+@cache
+def reciprocals() -> bytes:
+    """What tx_divide_table_make makes."""
+    made = [0x7FFFFFFF, 0x7FFFFFFF]
+    for w in range(2, 1 << 15):
+        r, shifts = reciprocal(w)
+        made.append(r << 3 + shifts)
+    return longs(made)
+
+
+def divided(s: int, w: int) -> tuple[int, bool]:
+    """The quotient of the words s and w as 17 bits, and whether it overflows."""
+    if w <= 0:
+        return 65535, True
+    r, shifts = reciprocal(w)
+    value = s * r * 2 if shifts == 14 else s * r >> 13 - shifts
+    return (int(signed(value, 17)), False) if -65536 <= value < 65536 else \
+        ((65535, -65536)[s < 0], True)
+
+
+def in_range(value: int) -> int:
+    return min(max(value, -32768), 32767)
+
+
+def any_iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Start and step of S, T, W: wild, or such that w stays above 0."""
+    start, step = rng.integers(-1 << 31, 1 << 31, (2, 3))
+    if rng.random() < 0.7:
+        ends = rng.integers([-1 << 24, -1 << 24, 1 << 16], [1 << 24, 1 << 24, 1 << 31], (2, 3))
+        start, step = ends[0], (ends[1] - ends[0]) // count
+        if rng.random() < 0.3:  # very small w
+            start[2], step[2] = 65536 * rng.integers(-2, 5), rng.integers(-8000, 9000)
+    return start, step
+
+
+def divide(rng, count: int, kernel: str = "tx_divide") -> Example:
+    start, step = any_iterators(rng, count)
+    if kernel == "tx_divide_inside" or count == 256:
+        ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
+        start, step = ends[0], (ends[1] - ends[0]) // count
+    st = [[in_range(divided(int(c), int(w))[0]) for c in (s, t)]
+          for s, t, w in walked(start, step, count) >> 16]
+    return Example(kernel, longs(start), pairs(np.array(st)), count, "tx_division",
+                   dict(zip("stw", step)), {"reciprocals": reciprocals()})
+
+
+def divide_inside(rng, count: int) -> Example:
+    return divide(rng, count, "tx_divide_inside")
+
+
+def reciprocal_table(rng, count: int) -> Example:
+    return Example("tx_reciprocals", bytes(4), reciprocals(), count)
+
+
+def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
+    """Clamp, shift as the tile has it, low, high."""
+    if is_plain:
+        return 0, 0, int(rng.integers(4096)), 4095
+    low, high = (int(n) for n in rng.integers(0, 4096, 2))
+    if rng.random() < 0.7:
+        low, high = min(low, high) & ~3, max(low, high) & ~3
+    return int(rng.integers(2)), int(rng.integers(16)), low, high
+
+
+def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
+    """The coordinate c (16 bits signed) relative to the tile, modulo 2^16."""
+    c = c >> shift if shift <= 10 else int(signed(c << 16 - shift, 16))
+    is_over = c >> 3 >= high
+    c -= 8 * low
+    if clamp and is_over:
+        return 32 * ((high >> 2) - (low >> 2) & 0x3FF)
+    return 0 if clamp and c < 0 else c & 0xFFFF
+
+
+def axis_bytes(clamp: int, shift: int, low: int, high: int) -> list[int]:
+    """struct tx_axis_range."""
+    return list(layout.load().struct("tx_axis_range").pack(
+        shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low, high=8 * high,
+        last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
+
+
+def tiled(rng, count: int, kernel: str = "tx_tile") -> Example:
+    st = coordinates(rng, count)
+    axes = [axis(rng, kernel == "tx_tile_plain") for _ in "st"]
+    for k, (_, shift, low, high) in enumerate(axes):  # what stands on the borders
+        border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
+        st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
+    found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
+    return Example(kernel, pairs(st), pairs(np.array(found)), count, "tx_axes",
+                   dict(zip("st", (axis_bytes(*a) for a in axes))))
+
+
+def tiled_plain(rng, count: int) -> Example:
+    return tiled(rng, count, "tx_tile_plain")
+
+
+def combined(a, b, c, d) -> np.ndarray:
+    """The combiner's clamped result, of plain numbers."""
+    value = (a - b) * c + 256 * d + 128 >> 8 & 0x1FF
+    return np.where(value < 256, value, np.where(value < 384, 255, 0))
+
+
+def lerp(rng, count: int) -> Example:
+    first, second = any_texels(rng, count), any_texels(rng, count)
+    fractions = rng.integers(-256 if rng.random() < 0.7 and count != 256 else 0, 256, count)
+    step = 0 if rng.random() < 0.3 and count != 256 else 2
+    fractions = np.where(rng.random(count) < 0.2, 0, fractions)
+    used = fractions[np.arange(count) * step // 2][:, None]
+    return Example("tx_lerp", pixels(first), pixels(combined(second, first, used, first)), count,
+                   "tx_blend", {"fraction_step": step},
+                   {"other": pixels(second), "fractions": words(fractions)})
+
+
+#: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tx_walk": walk, "tx_threepoint": threepoint, "tx_quads": quads}
-IN_C_ALONE = ("tx_quads",)
-
-
-def struct_bytes(example: Example) -> tuple[layout.Struct, dict[str, int]]:
-    """The struct of constants and its values modulo 2^32 (those that point come later)."""
-    shape = layout.load().struct(example.struct)
-    return shape, {name: int(value) % (1 << 8 * shape.fields[name]["size"]) if
-                   not shape.fields[name]["signed"] else int(value)
-                   for name, value in example.values.items()}
+    "tx_walk": walk, "tx_threepoint": threepoint, "tx_average": average, "tx_point": point,
+    "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
+    "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
+    "tx_lerp": lerp, "tx_quads": quads, "tx_reciprocals": reciprocal_table}
+#: Tables, made by C alone.
+IN_C_ALONE = ("tx_quads", "tx_reciprocals")
+#: Another form, or other input, of a pass: beside it there is no C.
+FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile"}

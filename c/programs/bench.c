@@ -31,15 +31,18 @@ static void nothing(void)
 {
 }
 
+#define TX_PASS(name) {#name, (void (*)(void))name}
+
 /* Beside the assembly: what is written in C, and what costs nothing. */
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
     {"column_layout_make", (void (*)(void))make_columns},
     {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
-    {"tx_walk_c", (void (*)(void))tx_walk_c},
-    {"tx_threepoint_c", (void (*)(void))tx_threepoint_c},
-    {"tx_quads_c", (void (*)(void))tx_quads_c},
+    TX_PASS(tx_walk_c), TX_PASS(tx_threepoint_c), TX_PASS(tx_average_c),
+    TX_PASS(tx_point_c), TX_PASS(tx_point_16_c), TX_PASS(tx_store_16_c),
+    TX_PASS(tx_divide_c), TX_PASS(tx_tile_c), TX_PASS(tx_lerp_c),
+    TX_PASS(tx_quads_c), TX_PASS(tx_reciprocals_c),
     {0, 0}
 };
 

@@ -38,9 +38,46 @@ struct tx_decoded {
     uint16 columns_bits, rows_bits;
 };
 
+/* From coordinates to relative ones, one axis. */
+struct tx_axis_range {
+    int16 shift;                /* bits to the right; to the left where it is negative */
+    uint16 clamp;               /* 0: low alone counts, and wraps */
+    int16 low, high;            /* s10.5: the origin; where the last texel is shown from on */
+    int16 last;                 /* that texel's relative coordinate, a whole one */
+};
+
+struct tx_axes {
+    struct tx_axis_range s, t;
+};
+
+#define TX_RECIPROCALS 32768    /* longs: 128 KB */
+
+/* What the iterators change by, and the reciprocal of each w. */
+struct tx_division {
+    int32 s, t, w;
+    const uint32 *reciprocals;
+};
+
+/* Texels 1 and by how much they count: 9 bits signed, 256 is all. */
+struct tx_blend {
+    const uint32 *other;
+    const int16 *fractions;
+    int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
+};
+
+void tx_divide_table_make(uint32 *reciprocals);
 void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
 void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_average(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_point(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_point_16(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void tx_store_16(const void *texels, void *pixels, const void *nothing, int32 count);
+void tx_divide(const void *iterators, void *coordinates, const void *division, int32 count);
+void tx_divide_inside(const void *iterators, void *coordinates, const void *division,
+                      int32 count);
+void tx_tile(const void *coordinates, void *relative, const void *axes, int32 count);
+void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
 
 #endif

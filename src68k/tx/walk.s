@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tx.i"
 
 ;==============================================================================
 ; tx_walk - coordinates without perspective
@@ -20,13 +21,7 @@
 
         routine tx_walk,a0,a1,a2,d0
         movem.l d2-d7,-(sp)
-        moveq   #7,d7
-        move.l  d0,d6
-        neg.l   d6
-        and.l   d7,d6                   ; pixels the first round lacks
-        subq.l  #1,d0
-        lsr.l   #3,d0
-        move.l  d0,d7
+        tx_rounds
         movem.l (a0),d0-d1
         movem.l (a2),d2-d3
         swap    d1
