@@ -266,7 +266,6 @@ static void decoded(const int32 *at)
     const struct tx_decoded *from = &kept[at[0] & 7].decoded;
     const uint32 s = tx_relative(&tile->s, at[1]), t = tx_relative(&tile->t, at[2]);
     const uint32 place = (t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5;
-    const struct tx_quad *quad = from->quads + place;
     const uint32 coordinates = s << 16 | t;
     uint32 colour = 0;
     struct tx_call pass;
@@ -275,10 +274,10 @@ static void decoded(const int32 *at)
     pass.out = &colour;
     pass.constants = from;
     pass.count = 1;
-    if (from->quads)
+    if (from->quads && tx.modes.mid)
+        tx_average_c(&pass);
+    else if (from->quads)
         tx_threepoint_c(&pass);
-    if (from->quads && tx.modes.mid && (s & 31) == 16 && (t & 31) == 16)
-        colour = (quad->mean_rb & 0xff00ff00) | (quad->mean_ga >> 8 & 0x00ff00ff);
     answer(from->texels ? (int32)from->texels[place] : 0);
     answer((int32)colour);
 }
