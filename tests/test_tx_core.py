@@ -2,8 +2,8 @@
 
 import pytest
 from tx_guest import (BITS_4, BITS_8, BITS_16, BITS_32, CI, FULL_SYNC, IA, LOAD_SYNC, PIPE_SYNC,
-                      RGBA, TILE_SYNC, YUV, Guest, I, edges, image, modes, result, result_name,
-                      size, texture, tile)
+                      RESULTS, RGBA, TILE_SYNC, YUV, Guest, I, edges, image, modes, result,
+                      result_name, size, texture, tile)
 
 AT = 0x1000  # of images
 IMAGE = image(RGBA, BITS_16, 32, AT)
@@ -35,7 +35,8 @@ def combine(rgb: tuple[int, int, int, int]) -> tuple[int, int]:
     """Set combine with the same colour codes in both cycles, alpha 0."""
     a, b, c, d = rgb
     return (0xFC << 24 | a << 20 | c << 15 | 7 << 12 | 7 << 9 | a << 5 | c,
-            b << 28 | b << 24 | 7 << 21 | 7 << 18 | d << 15 | 7 << 12 | 7 << 9 | d << 6 | 7 << 3 | 7)
+            b << 28 | b << 24 | 7 << 21 | 7 << 18 | d << 15 | 7 << 12 | 7 << 9 | d << 6 | 7 << 3
+            | 7)
 
 
 #: Refused commands: what for, words of which the last is refused; None: all are done.
@@ -260,3 +261,20 @@ def test_generations() -> None:
     for n, (words, grown) in enumerate(steps):
         found = tuple(b - a for a, b in zip(answers[n], answers[n + 1]))
         assert found == grown, f"step {n}: {words[0]:08x} {words[1]:08x}"
+
+
+def test_every_result_has_its_text() -> None:
+    """Of which a few are known; none twice, none too long."""
+    known = {"DONE": "done", "IMAGE_4_BIT": "4-bit image in a load",
+             "TLUT_ROWS": "TLUT load over more than one row",
+             "SPLIT_HIGH": "low part of RGBA 32 or YUV texels in the high half of TMEM",
+             "NO_LOAD_SYNC": "no load sync", "NO_TILE_SYNC": "no tile sync",
+             "NO_PIPE_SYNC": "no pipe sync", "DECODE_YUV": "YUV tile cannot be decoded"}
+    guest = Guest()
+    for name in RESULTS:
+        guest.ask("RESULT_TEXT", result(name), numbers=64)
+    guest.ask("RESULT_TEXT", result("RESULTS"), numbers=64)
+    *texts, beyond = [bytes(answer).rstrip(b"\0").decode() for answer in guest.run()]
+    assert len(RESULTS) == result("RESULTS") == len(set(texts)) and beyond == "unknown result"
+    assert all(0 < len(text) < 64 for text in texts)
+    assert {name: texts[RESULTS.index(name)] for name in known} == known

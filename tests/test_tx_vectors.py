@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from tools import __main__ as tmap
+from tools import emulator
 from tools.errors import UserError
 from tools.paths import ROOT
 from tools.tx import vector_text, vectors
@@ -158,3 +159,41 @@ def test_bad_files(tmp_path, capsys) -> None:
         out, err = capsys.readouterr()
         assert out == "" and err.startswith(f"tmap: {path}: ") and words in err
         assert err.count("\n") == 1
+
+
+def operations(*longs: int, count: int = 1) -> bytes:
+    """A file of questions out of raw longs, its checksum right."""
+    made = vectors.Operations()
+    made.longs, made.count = list(longs), count
+    return made.file()
+
+
+def test_the_program_refuses_bad_files() -> None:
+    """One line and return code 20 for each; nothing is run."""
+    good = vectors.Operations()
+    good.add("HASH")
+    codes = good.codes
+    mode, tmem, fetch, call, end = (codes[f"VECTOR_{name}"] << 16 for name in (
+        "MODE", "TMEM", "FETCH", "CALL", "CODES"))
+    files = {
+        "is empty": [b""],
+        "size": [good.file()[:20], good.file()[:-4], good.file() + bytes(4)],
+        "magic": [b"TCEV" + good.file()[4:]],
+        "version": [good.file()[:4] + bytes(4) + good.file()[8:]],
+        "checksum": [good.file()[:-1] + b"\1"],
+        "operation 0": [operations(end), operations(fetch | 2, 0, 0), operations(fetch | 3, 0, 0),
+                        operations(mode | 2, 12, 0), operations(mode | 2, 1 << 31, 0),
+                        operations(tmem | 0), operations(tmem | 2, 4096, 0),
+                        operations(tmem | 2, 0xFFFFFFFF, 0), operations(call | 1, 8)],
+        "operation 1": [operations(fetch | 3, 0, 0, 0, count=2)],
+    }
+    cases = [(words, data) for words, several in files.items() for data in several]
+    with emulator.workspace() as folder:
+        results = emulator.run_many([f"vectors q{n} a{n}" for n in range(len(cases))],
+                                    {f"q{n}": data for n, (_, data) in enumerate(cases)},
+                                    "a1200-fast", folder)
+        for n, ((words, _), done) in enumerate(zip(cases, results)):
+            assert done.code == 20, (n, words, done.output)
+            assert done.output.count("\n") == 1 and done.output.startswith(f"q{n}: "), done.output
+            assert done.output.endswith(f"{words}\n"), (n, words, done.output)
+            assert not (done.directory / f"a{n}").exists()

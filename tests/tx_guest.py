@@ -91,17 +91,15 @@ def result(name: str) -> int:
 
 def result_name(number: int) -> str:
     """The name of a result, for messages."""
-    constants = layout.load().constants
-    names = [name for name, value in constants.items()
-             if value == number and name in RESULTS]
-    return names[0].removeprefix("TX_") if names else str(number)
+    numbers = [name for name in RESULTS if result(name) == number]
+    return numbers[0] if numbers else str(number)
 
 
 #: All results, to tell their numbers from other constants'.
-RESULTS = {f"TX_{name}" for name in (
+RESULTS = (
     "DONE", "UNKNOWN_COMMAND", "ILLEGAL_PAIR", "IMAGE_MISALIGNED", "IMAGE_4_BIT", "OUTSIDE_DRAM",
     "LOAD_BACKWARDS", "BLOCK_TOO_LARGE", "LOAD_TOO_LARGE", "TLUT_IMAGE", "TLUT_TILE", "TLUT_ROWS",
     "TLUT_ENTRIES", "TLUT_LOW", "INDEX_HIGH", "SPLIT_HIGH", "TLUT_MODE", "TILE_TOO_LARGE",
     "TILE_OUTSIDE", "TILE_EDGES", "COMBINE_INPUT", "CYCLE_TYPE", "COORDINATE_RANGE",
     "NO_LOAD_SYNC", "NO_TILE_SYNC", "NO_PIPE_SYNC", "LIST_FULL", "NO_MEMORY", "DECODE_TOO_LARGE",
-    "DECODE_YUV")}
+    "DECODE_YUV")

@@ -15,7 +15,7 @@
 /* Longs of each operation. */
 static const uint16 longs_of[VECTOR_CODES] = {
     0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
-    2, 3
+    2, 1, 3
 };
 
 static int32 in_memory(const struct vector_operation *operation, const int32 *values)

@@ -40,7 +40,12 @@ static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
     return (int16)tx_signed_9(tx_three_points(c00, c10, c01, c11, fs, at->t));
 }
 
-static void filter_taps(const struct tx_taps *taps, const struct fractions *at,
+/* The four texels of a quad. Of YUV, chroma's second column may be another than luma's. */
+struct taps {
+    struct tx_colour c00, c10, c01, c11;
+};
+
+static void filter_taps(const struct taps *taps, const struct fractions *at,
                         struct tx_colour *out)
 {
     out->r = filter(taps->c00.r, taps->c10.r, taps->c01.r, taps->c11.r, at->chroma_s, at);
@@ -50,7 +55,7 @@ static void filter_taps(const struct tx_taps *taps, const struct fractions *at,
 }
 
 /* The corner that a filter would start from: what is left of one where it is off. */
-static void nearest_corner(const struct tx_taps *taps, const struct fractions *at,
+static void nearest_corner(const struct taps *taps, const struct fractions *at,
                            struct tx_colour *out)
 {
     const struct tx_colour *chroma = at->chroma_s + at->t >= 32 ? &taps->c11 : &taps->c00;
@@ -64,7 +69,7 @@ static void nearest_corner(const struct tx_taps *taps, const struct fractions *a
 
 static void fetch_taps(const struct tx *tx, const struct tx_tile *tile,
                        const struct tx_place *column, const struct tx_place *row,
-                       struct tx_taps *taps)
+                       struct taps *taps)
 {
     const int32 s0 = column->index, s1 = s0 + column->step;
     const int32 t0 = row->index & 255, t1 = t0 + row->step;
@@ -103,7 +108,7 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
             tx_fetch(tx, tile, column.index, row.index & 255, 0, out);
     } else {
         struct fractions at;
-        struct tx_taps taps;
+        struct taps taps;
 
         at.s = at.chroma_s = (int32)(relative_s & 31);
         at.t = (int32)(relative_t & 31);

@@ -43,11 +43,6 @@ uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
 void tx_expand_rgba16(uint32 bits, struct tx_colour *texel);
 void tx_expand_ia16(uint32 bits, struct tx_colour *texel);
 
-/* filter.c. The four texels of a quad, chroma apart: its second column may be another. */
-struct tx_taps {
-    struct tx_colour c00, c10, c01, c11;
-};
-
 /* filter.c. One channel through the three-point filter; fs, ft: 0 to 31. */
 int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft);
 
