@@ -109,40 +109,6 @@ void tx_store_16_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-static uint32 nearest(int32 product, int32 shifts)
-{
-    const int32 value = shifts == 14 ? product * 2 : product >> (13 - shifts);
-
-    return (uint32)(value > 32767 ? 32767 : value < -32768 ? -32768 : value) & 0xffff;
-}
-
-/* With the table's reciprocal and shifts apart again, as C has no product of 64 bits. */
-void tx_divide_c(const struct tx_call *call)
-{
-    const struct tx_iterators *start = call->in;
-    const struct tx_division *step = call->constants;
-    int32 s = start->s, t = start->t, w = start->w, count = call->count;
-    uint32 *out = call->out;
-
-    do {
-        const int32 divisor = w >> 16;
-        uint32 result = 0x7fff7fffu;
-
-        if (divisor > 0) {
-            int32 shifts = 0, r;
-
-            while (!(divisor << shifts & 0x4000))
-                shifts++;
-            r = divisor == 1 ? 0x4000 : (int32)(step->reciprocals[divisor] >> (3 + shifts));
-            result = nearest((s >> 16) * r, shifts) << 16 | nearest((t >> 16) * r, shifts);
-        }
-        *out++ = result;
-        s += step->s;
-        t += step->t;
-        w += step->w;
-    } while (--count > 0);
-}
-
 static uint32 relative(int32 c, const struct tx_axis_range *axis)
 {
     c = axis->shift >= 0 ? c >> axis->shift : (int16)((uint32)c << -axis->shift);
