@@ -179,6 +179,12 @@ def threepoint(rng, count: int) -> Example:
     return Example("tx_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
 
 
+def threepoint_16(rng, count: int) -> Example:
+    made = threepoint(rng, count)
+    made.expected = packed(np.frombuffer(made.expected, np.uint8))
+    return made
+
+
 def average(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), tile(rng, True)
     st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
@@ -464,7 +470,8 @@ def lod(rng, count: int) -> Example:
 
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tx_walk": walk, "tx_threepoint": threepoint, "tx_average": average, "tx_point": point,
+    "tx_walk": walk, "tx_threepoint": threepoint,
+    "tx_threepoint_16": threepoint_16, "tx_average": average, "tx_point": point,
     "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
     "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
     "tx_lerp": lerp, "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen,

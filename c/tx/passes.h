@@ -119,6 +119,8 @@ void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint
 
 void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_threepoint_16(const void *coordinates, void *pixels, const void *decoded,
+                      int32 count);
 void tx_average(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tx_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tx_point_16(const void *coordinates, void *pixels, const void *decoded, int32 count);

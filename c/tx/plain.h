@@ -14,6 +14,7 @@ struct tx_call {
 
 void tx_walk_c(const struct tx_call *call);
 void tx_threepoint_c(const struct tx_call *call);
+void tx_threepoint_16_c(const struct tx_call *call);
 void tx_average_c(const struct tx_call *call);
 void tx_point_c(const struct tx_call *call);
 void tx_point_16_c(const struct tx_call *call);
