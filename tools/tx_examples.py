@@ -18,8 +18,11 @@ EDGES_16 = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)
 
 @dataclass
 class Example:
-    """One call: bytes in and out, the struct of constants; ``blocks`` are what its fields
-    point at."""
+    """One call: bytes in and out, and the struct of constants, or a table that is them.
+
+    ``blocks`` are what its fields point at, ``more`` what they point at and is written.
+    ``stride``: bytes from pixel to pixel where a word of each is written alone.
+    """
 
     kernel: str
     source: bytes
@@ -28,7 +31,22 @@ class Example:
     struct: str = ""
     values: dict[str, int] = field(default_factory=dict)
     blocks: dict[str, bytes] = field(default_factory=dict)
-    title: str = ""
+    more: dict[str, bytes] = field(default_factory=dict)
+    table: bytes = b""
+    stride: int = 0
+
+    def image(self, before: bytes) -> bytes:
+        """The output as it must be, from what its memory held."""
+        if not self.stride:
+            return self.expected
+        out = np.frombuffer(before, np.uint8).reshape(self.count, self.stride).copy()
+        out[:, :2] = np.frombuffer(self.expected, np.uint8).reshape(self.count, 2)
+        return out.tobytes()
+
+    @property
+    def size(self) -> int:
+        """Bytes of the output's memory."""
+        return self.count * self.stride or len(self.expected)
 
 
 def longs(values) -> bytes:
@@ -159,6 +177,12 @@ def threepoint(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), tile(rng, True)
     drawn = filtered(ground.corners(*st.T), *(st.T & 31))
     return Example("tx_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
+
+
+def threepoint_16(rng, count: int) -> Example:
+    made = threepoint(rng, count)
+    made.expected = packed(np.frombuffer(made.expected, np.uint8))
+    return made
 
 
 def average(rng, count: int) -> Example:
@@ -316,13 +340,144 @@ def lerp(rng, count: int) -> Example:
                    {"other": pixels(second), "fractions": words(fractions)})
 
 
+def modulate(rng, count: int) -> Example:
+    first, other = any_texels(rng, count), any_texels(rng, count)
+    step = 0 if rng.random() < 0.3 and count != 256 else 4
+    found = first * other[np.arange(count) * step // 4] + 128 >> 8
+    return Example("tx_modulate", pixels(first), pixels(found), count, "tx_modulation",
+                   {"step": step}, {"other": pixels(other)})
+
+
+def mapped(rng, count: int) -> Example:
+    texels, tables = any_texels(rng, count), rng.integers(0, 256, (4, 256))
+    return Example("tx_map", pixels(texels), pixels(tables[np.arange(4), texels]), count,
+                   table=pixels(tables))
+
+
+def widen(rng, count: int) -> Example:
+    texels = any_texels(rng, count)
+    return Example("tx_widen", pixels(texels), words(texels), count)
+
+
+def narrow(rng, count: int) -> Example:
+    numbers = rng.integers(-128, 384, (count, 4))
+    clamped = np.where(numbers < 0, 0, np.where(numbers > 255, 255, numbers))
+    return Example("tx_narrow", words(numbers), pixels(clamped), count)
+
+
+def combine(rng, count: int) -> Example:
+    inputs, steps, used = {}, {}, []
+    for name in "abcd":
+        numbers = rng.integers(-128, 384, (count, 4))
+        if rng.random() < 0.3:
+            numbers = rng.integers(-256, 256, (count, 4))
+        step = 0 if rng.random() < 0.3 and count != 256 else 8
+        inputs[name], steps[f"{name}_step"] = words(numbers), step
+        used.append(numbers[np.arange(count) * step // 8, 0])
+    a, b, c, d = used
+    value = (a - b) * signed(c, 9) + 256 * d + 128 >> 8 & 0x1FF
+    found = np.where(value >> 7 == 3, value - 512, value)
+    return Example("tx_combine", bytes(4), words(found), count, "tx_combination", steps, inputs,
+                   stride=8)
+
+
+@dataclass
+class Level:
+    """What a mode has of detail."""
+
+    lod: int
+    sharpen: int
+    detail: int
+    max_level: int
+    min_level: int
+    tile: int
+
+    def blending(self, change: int | None) -> tuple[int, int, int]:
+        """Both tiles and the fraction; ``change``: the longest one, None where one is far."""
+        magnify = level = 0
+        special = self.sharpen or self.detail
+        if change is None or change >= 0x4000:
+            distant, fraction = True, 0xFF
+        elif change < 32:
+            magnify, distant = 1, self.max_level == 0
+            fraction = 8 * max(change, self.min_level) - 256 * self.sharpen if special else \
+                0xFF if distant else 0
+        else:
+            level = max((change >> 5 & 255).bit_length() - 1, 0)
+            distant = self.max_level == 0 or change & 0x6000 != 0 or level >= self.max_level
+            fraction = 0xFF if distant and not special else change * 8 >> level & 255
+        if not self.lod:
+            return self.tile & 7, self.tile + 1 & 7, fraction
+        level = self.max_level if distant else level
+        first = self.tile + level
+        if self.detail:
+            tiles = first + (not magnify), first + (1 if distant or magnify else 2)
+        else:
+            tiles = first, first if distant or (magnify and not self.sharpen) else first + 1
+        return tiles[0] & 7, tiles[1] & 7, fraction
+
+    def table(self) -> bytes:
+        """struct tx_levels."""
+        def entry(first: int, second: int, low: int) -> int:
+            return first << 24 | second << 16 | low & 0xFFFF
+
+        rows = [entry(*self.blending(k)) for k in range(32)] + [0]
+        for k in range(1, 512):
+            first, second, fraction = self.blending(32 * k)
+            level = max((k & 255).bit_length() - 1, 0)
+            all_one = not (self.sharpen or self.detail) and fraction == 255 and \
+                self.blending(32 * k + 1)[2] == 255 and self.blending(32 * k + 16)[2] == 255
+            rows.append(entry(first, second, level << 8 | 255 * all_one))
+        return longs(rows + [entry(*self.blending(None))])
+
+
+def any_level(rng) -> Level:
+    return Level(*(int(n) for n in rng.integers(0, (2, 2, 2, 8, 32, 8))))
+
+
+def levels(rng, count: int) -> Example:
+    mode = any_level(rng)
+    return Example("tx_levels", bytes(4), mode.table(), count, "tx_level_modes", vars(mode))
+
+
+def lod(rng, count: int) -> Example:
+    start, step = any_iterators(rng, count)
+    spread = 1 << int(rng.integers(12, 28))
+    x, y = rng.integers(-spread, spread, (2, 3))
+    if rng.random() < 0.3:
+        x = step
+    if count == 256:
+        ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
+        start, step = ends[0], (ends[1] - ends[0]) // count
+        x, y = step, step[[1, 0, 2]]
+    mode, st, blendings = any_level(rng), [], []
+    for point in walked(start, step, count):
+        gradients = x & ~31, y & ~0x7FFF
+        around = [[divided(int(c), int(q[2])) for c in q[:2]] for q in (
+            signed(point + g, 32) >> 16 for g in (np.zeros(3, np.int64), *gradients))]
+        st.append([in_range(value) for value, _ in around[0]])
+        changes = [q[k][0] - around[0][k][0] for q in around[1:] for k in (0, 1)]
+        is_far = any(overflows for q in around for _, overflows in q)
+        longest = None if is_far else max(d if d >= 0 else ~d for d in changes)
+        first, second, fraction = mode.blending(longest)
+        blendings.append(first << 24 | second << 16 | fraction & 0xFFFF)
+    values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
+                                       for axis, n in zip("stw", g)}
+    return Example("tx_lod", longs(start), pairs(np.array(st)), count, "tx_detail", values,
+                   {"reciprocals": reciprocals(), "levels": mode.table()},
+                   more={"blendings": longs(blendings)})
+
+
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tx_walk": walk, "tx_threepoint": threepoint, "tx_average": average, "tx_point": point,
+    "tx_walk": walk, "tx_threepoint": threepoint,
+    "tx_threepoint_16": threepoint_16, "tx_average": average, "tx_point": point,
     "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
     "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
-    "tx_lerp": lerp, "tx_quads": quads, "tx_reciprocals": reciprocal_table}
+    "tx_lerp": lerp, "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen,
+    "tx_combine": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_quads": quads,
+    "tx_reciprocals": reciprocal_table, "tx_levels": levels}
 #: Tables, made by C alone.
-IN_C_ALONE = ("tx_quads", "tx_reciprocals")
+IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")
 #: Another form, or other input, of a pass: beside it there is no C.
 FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile"}

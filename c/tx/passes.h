@@ -66,11 +66,62 @@ struct tx_blend {
     int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
 };
 
+/* What texels are multiplied with: texels from pixel to pixel, or one. */
+struct tx_modulation {
+    const uint32 *other;
+    int32 step;                 /* bytes: 4, or 0 for the same everywhere */
+};
+
+/* The four channels of a pixel between the combiner's cycles: R G B A. */
+struct tx_wide {
+    int16 channels[4];
+};
+
+/* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
+   constant. Each is the channel's own word of a tx_wide, alpha's, or a single word. */
+struct tx_combination {
+    const int16 *a, *b, *c, *d;
+    int32 a_step, b_step, c_step, d_step;
+};
+
+/* Two tiles and what the second one counts: 9 bits signed, 256 is all. */
+struct tx_blending {
+    uint8 tile0, tile1;
+    int16 fraction;
+};
+
+/* The blending of each level of detail, worked out once for a mode. A level's long has the two
+   tiles, bits to shift the fraction by, and 255 where that is the fraction. */
+struct tx_levels {
+    uint32 magnified[32];       /* tx_blending, by the longest change between pixels */
+    uint32 levels[512];         /* by a 32nd of it, from 1 on */
+    uint32 far;                 /* tx_blending */
+};
+
+/* What the levels depend on. */
+struct tx_level_modes {
+    uint8 lod, sharpen, detail; /* 0 or 1 */
+    uint8 max_level, min_level, tile;
+};
+
+/* What the iterators change by; their gradients; and where the blendings go. */
+struct tx_detail {
+    int32 s, t, w;
+    int32 x_s, x_t, x_w;
+    int32 y_s, y_t, y_w;
+    const uint32 *reciprocals;
+    const struct tx_levels *levels;
+    struct tx_blending *blendings;
+};
+
+void tx_levels_make(struct tx_levels *levels, const struct tx_level_modes *modes);
 void tx_divide_table_make(uint32 *reciprocals);
 void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
 void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_threepoint_16(const void *coordinates, void *pixels, const void *decoded,
+                      int32 count);
 void tx_average(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tx_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tx_point_16(const void *coordinates, void *pixels, const void *decoded, int32 count);
@@ -80,5 +131,11 @@ void tx_divide_inside(const void *iterators, void *coordinates, const void *divi
                       int32 count);
 void tx_tile(const void *coordinates, void *relative, const void *axes, int32 count);
 void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
+void tx_modulate(const void *texels, void *products, const void *modulation, int32 count);
+void tx_map(const void *texels, void *mapped, const void *tables, int32 count);
+void tx_widen(const void *texels, void *wide, const void *nothing, int32 count);
+void tx_combine(const void *nothing, void *results, const void *combination, int32 count);
+void tx_narrow(const void *wide, void *texels, const void *nothing, int32 count);
+void tx_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
 
 #endif

@@ -13,6 +13,34 @@ void tx_walk_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
+/* The quad of a pair of coordinates. */
+static inline const struct tx_quad *quad_at(const struct tx_decoded *tile, uint32 st)
+{
+    const uint32 s = st >> 16 & tile->mask_s, t = st & tile->mask_t;
+
+    return tile->quads + (t >> 5 << tile->columns_bits | s >> 5);
+}
+
+static inline uint32 filtered(const struct tx_quad *quad, uint32 st)
+{
+    const struct tx_triangle *triangle = &quad->lower;
+    uint32 fs = st >> 16 & 31, ft = st & 31;
+
+    if (fs + ft >= 32) {
+        triangle = &quad->upper;
+        fs = 32 - fs;
+        ft = 32 - ft;
+    }
+    return ((triangle->rb + fs * triangle->rb_s + ft * triangle->rb_t) & 0xff00ff00u)
+        | ((triangle->ga + fs * triangle->ga_s + ft * triangle->ga_t) >> 8 & 0x00ff00ffu);
+}
+
+static inline uint32 packed(uint32 texel)
+{
+    return (texel >> 16 & 0xf800) | (texel >> 13 & 0x07c0) | (texel >> 10 & 0x003e)
+        | (texel >> 7 & 1);
+}
+
 void tx_threepoint_c(const struct tx_call *call)
 {
     const struct tx_decoded *tile = call->constants;
@@ -21,19 +49,23 @@ void tx_threepoint_c(const struct tx_call *call)
     int32 count = call->count;
 
     do {
-        const uint32 s = *in >> 16, t = *in++ & 0xffff;
-        const struct tx_quad *quad = tile->quads
-            + ((t & tile->mask_t) >> 5 << tile->columns_bits | (s & tile->mask_s) >> 5);
-        const struct tx_triangle *triangle = &quad->lower;
-        uint32 fs = s & 31, ft = t & 31;
+        const uint32 st = *in++;
 
-        if (fs + ft >= 32) {
-            triangle = &quad->upper;
-            fs = 32 - fs;
-            ft = 32 - ft;
-        }
-        *out++ = ((triangle->rb + fs * triangle->rb_s + ft * triangle->rb_t) & 0xff00ff00u)
-            | ((triangle->ga + fs * triangle->ga_s + ft * triangle->ga_t) >> 8 & 0x00ff00ffu);
+        *out++ = filtered(quad_at(tile, st), st);
+    } while (--count > 0);
+}
+
+void tx_threepoint_16_c(const struct tx_call *call)
+{
+    const struct tx_decoded *tile = call->constants;
+    const uint32 *in = call->in;
+    uint16 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        const uint32 st = *in++;
+
+        *out++ = (uint16)packed(filtered(quad_at(tile, st), st));
     } while (--count > 0);
 }
 
@@ -45,23 +77,11 @@ void tx_average_c(const struct tx_call *call)
     int32 count = call->count;
 
     do {
-        const uint32 s = *in >> 16, t = *in++ & 0xffff;
-        const struct tx_quad *quad = tile->quads
-            + ((t & tile->mask_t) >> 5 << tile->columns_bits | (s & tile->mask_s) >> 5);
-        const struct tx_triangle *triangle = &quad->lower;
-        uint32 fs = s & 31, ft = t & 31;
+        const uint32 st = *in++;
+        const struct tx_quad *quad = quad_at(tile, st);
 
-        if (fs == 16 && ft == 16) {
-            *out++ = (quad->mean_rb & 0xff00ff00u) | (quad->mean_ga >> 8 & 0x00ff00ffu);
-            continue;
-        }
-        if (fs + ft >= 32) {
-            triangle = &quad->upper;
-            fs = 32 - fs;
-            ft = 32 - ft;
-        }
-        *out++ = ((triangle->rb + fs * triangle->rb_s + ft * triangle->rb_t) & 0xff00ff00u)
-            | ((triangle->ga + fs * triangle->ga_s + ft * triangle->ga_t) >> 8 & 0x00ff00ffu);
+        *out++ = (st & 0x001f001f) != 0x00100010 ? filtered(quad, st)
+            : (quad->mean_rb & 0xff00ff00u) | (quad->mean_ga >> 8 & 0x00ff00ffu);
     } while (--count > 0);
 }
 
@@ -101,46 +121,9 @@ void tx_store_16_c(const struct tx_call *call)
     uint16 *out = call->out;
     int32 count = call->count;
 
-    do {
-        const uint32 texel = *in++;
-
-        *out++ = (uint16)((texel >> 16 & 0xf800) | (texel >> 13 & 0x07c0) | (texel >> 10 & 0x003e)
-                          | (texel >> 7 & 1));
-    } while (--count > 0);
-}
-
-static uint32 nearest(int32 product, int32 shifts)
-{
-    const int32 value = shifts == 14 ? product * 2 : product >> (13 - shifts);
-
-    return (uint32)(value > 32767 ? 32767 : value < -32768 ? -32768 : value) & 0xffff;
-}
-
-/* With the table's reciprocal and shifts apart again, as C has no product of 64 bits. */
-void tx_divide_c(const struct tx_call *call)
-{
-    const struct tx_iterators *start = call->in;
-    const struct tx_division *step = call->constants;
-    int32 s = start->s, t = start->t, w = start->w, count = call->count;
-    uint32 *out = call->out;
-
-    do {
-        const int32 divisor = w >> 16;
-        uint32 result = 0x7fff7fffu;
-
-        if (divisor > 0) {
-            int32 shifts = 0, r;
-
-            while (!(divisor << shifts & 0x4000))
-                shifts++;
-            r = divisor == 1 ? 0x4000 : (int32)(step->reciprocals[divisor] >> (3 + shifts));
-            result = nearest((s >> 16) * r, shifts) << 16 | nearest((t >> 16) * r, shifts);
-        }
-        *out++ = result;
-        s += step->s;
-        t += step->t;
-        w += step->w;
-    } while (--count > 0);
+    do
+        *out++ = (uint16)packed(*in++);
+    while (--count > 0);
 }
 
 static uint32 relative(int32 c, const struct tx_axis_range *axis)

@@ -14,6 +14,7 @@ struct tx_call {
 
 void tx_walk_c(const struct tx_call *call);
 void tx_threepoint_c(const struct tx_call *call);
+void tx_threepoint_16_c(const struct tx_call *call);
 void tx_average_c(const struct tx_call *call);
 void tx_point_c(const struct tx_call *call);
 void tx_point_16_c(const struct tx_call *call);
@@ -21,11 +22,20 @@ void tx_store_16_c(const struct tx_call *call);
 void tx_divide_c(const struct tx_call *call);
 void tx_tile_c(const struct tx_call *call);
 void tx_lerp_c(const struct tx_call *call);
+void tx_modulate_c(const struct tx_call *call);
+void tx_map_c(const struct tx_call *call);
+void tx_widen_c(const struct tx_call *call);
+void tx_combine_c(const struct tx_call *call);
+void tx_narrow_c(const struct tx_call *call);
+void tx_lod_c(const struct tx_call *call);
 
 /* tx_quad_make of the four texels in, R G B A. */
 void tx_quads_c(const struct tx_call *call);
 
 /* tx_divide_table_make. */
 void tx_reciprocals_c(const struct tx_call *call);
+
+/* tx_levels_make of the modes that the constants are. */
+void tx_levels_c(const struct tx_call *call);
 
 #endif

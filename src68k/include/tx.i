@@ -1,7 +1,7 @@
 ; What the passes over a line's pixels share (structs: c/tx/passes.h).
 
 ; The texels of relative coordinates by the parts of tx_weights, through the table \1: see
-; tx_threepoint. Longs go to (a1)+.
+; tx_threepoint. \2: what writes a texel, \3: d7 for it.
 tx_filter macro
         xref    tx_weights,\1
         save_all
@@ -10,18 +10,14 @@ tx_filter macro
         move.l  tx_decoded_mask_s(a2),d6        ; and mask_t
         move.w  tx_decoded_columns_bits(a2),d5
         movea.l tx_decoded_quads(a2),a4
-        move.l  #$00ff00ff,d7
+        move.l  #\3,d7
         move.l  #$001f001f,d4
         lea     \1,a5
         lea     tx_weights,a6
         lea     .weighed(pc),a3
         bra.s   .coordinates
 .weighed
-        lsr.l   #8,d3                   ; -G-A
-        eor.l   d2,d3                   ; d2 R-B-
-        and.l   d7,d3
-        eor.l   d3,d2
-        move.l  d2,(a1)+
+        \2
         cmpa.l  (sp),a0
         beq.s   .done
 .coordinates
@@ -40,6 +36,29 @@ tx_filter macro
         jmp     (a6,d1.w)
 .done   addq.l  #4,sp
         return_all
+        endm
+
+; Writes the texel d2, R-B-, and d3, G-A-: all bytes, or 5/5/5/1.
+tx_write macro
+        lsr.l   #8,d3                   ; -G-A
+        eor.l   d2,d3
+        and.l   d7,d3                   ; 00ff00ff
+        eor.l   d3,d2
+        move.l  d2,(a1)+
+        endm
+
+tx_write_16 macro
+        lsr.l   #5,d3                   ; G and A as they are beside R and B
+        eor.l   d2,d3
+        and.l   d7,d3                   ; 07c00400
+        eor.l   d3,d2
+        move.w  d2,d3
+        swap    d2
+        lsr.w   #8,d3
+        and.w   #$ffc0,d2
+        lsr.w   #2,d3
+        or.w    d3,d2
+        move.w  d2,(a1)+
         endm
 
 ; d2 = 32 * (row << columns_bits | column) of the masked s:t in d0; d2 was 0, d5

@@ -18,4 +18,4 @@
 ; cost:    bench row tx_average
 ;==============================================================================
         routine tx_average,a0,a1,a2,d0
-        tx_filter tx_weights_mean_table
+        tx_filter tx_weights_mean_table,tx_write,$00ff00ff
