@@ -377,7 +377,7 @@ def combine(rng, count: int) -> Example:
     a, b, c, d = used
     value = (a - b) * signed(c, 9) + 256 * d + 128 >> 8 & 0x1FF
     found = np.where(value >> 7 == 3, value - 512, value)
-    return Example("tx_combine", bytes(4), words(found), count, "tx_combination", steps, inputs,
+    return Example("tx_combiner", bytes(4), words(found), count, "tx_combination", steps, inputs,
                    stride=8)
 
 
@@ -463,7 +463,7 @@ def lod(rng, count: int) -> Example:
         blendings.append(first << 24 | second << 16 | fraction & 0xFFFF)
     values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
                                        for axis, n in zip("stw", g)}
-    return Example("tx_lod", longs(start), pairs(np.array(st)), count, "tx_detail", values,
+    return Example("tx_lod", longs(start), pairs(np.array(st)), count, "tx_lod_steps", values,
                    {"reciprocals": reciprocals(), "levels": mode.table()},
                    more={"blendings": longs(blendings)})
 
@@ -475,7 +475,7 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
     "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
     "tx_lerp": lerp, "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen,
-    "tx_combine": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_quads": quads,
+    "tx_combiner": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_quads": quads,
     "tx_reciprocals": reciprocal_table, "tx_levels": levels}
 #: Tables, made by C alone.
 IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")

@@ -105,7 +105,7 @@ struct tx_level_modes {
 };
 
 /* What the iterators change by; their gradients; and where the blendings go. */
-struct tx_detail {
+struct tx_lod_steps {
     int32 s, t, w;
     int32 x_s, x_t, x_w;
     int32 y_s, y_t, y_w;
@@ -134,7 +134,7 @@ void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
 void tx_modulate(const void *texels, void *products, const void *modulation, int32 count);
 void tx_map(const void *texels, void *mapped, const void *tables, int32 count);
 void tx_widen(const void *texels, void *wide, const void *nothing, int32 count);
-void tx_combine(const void *nothing, void *results, const void *combination, int32 count);
+void tx_combiner(const void *nothing, void *results, const void *combination, int32 count);
 void tx_narrow(const void *wide, void *texels, const void *nothing, int32 count);
 void tx_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
 

@@ -25,7 +25,7 @@ void tx_lerp_c(const struct tx_call *call);
 void tx_modulate_c(const struct tx_call *call);
 void tx_map_c(const struct tx_call *call);
 void tx_widen_c(const struct tx_call *call);
-void tx_combine_c(const struct tx_call *call);
+void tx_combiner_c(const struct tx_call *call);
 void tx_narrow_c(const struct tx_call *call);
 void tx_lod_c(const struct tx_call *call);
 

@@ -49,7 +49,7 @@ void tx_widen_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tx_combine_c(const struct tx_call *call)
+void tx_combiner_c(const struct tx_call *call)
 {
     const struct tx_combination *inputs = call->constants;
     const uint8 *a = (const uint8 *)inputs->a, *b = (const uint8 *)inputs->b;

@@ -57,7 +57,7 @@ static int32 longer(int32 most, int32 change)
 void tx_lod_c(const struct tx_call *call)
 {
     const struct tx_iterators *start = call->in;
-    const struct tx_detail *d = call->constants;
+    const struct tx_lod_steps *d = call->constants;
     int32 s = start->s, t = start->t, w = start->w, count = call->count;
     uint32 *out = call->out, *blending = (uint32 *)d->blendings;
     struct quotients q, x, y;

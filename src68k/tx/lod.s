@@ -7,7 +7,7 @@
 ;
 ; in:      a0  const tx_iterators*  at the first pixel
 ;          a1  tx_coordinates*  coordinates
-;          a2  const tx_detail*  what they change by, gradients, tables, the other output
+;          a2  const tx_lod_steps*  what they change by, gradients, tables, the other output
 ;          d0  int32  count
 ; out:     -
 ; trashes: d0-d1/a0-a1
@@ -68,12 +68,12 @@ cut     macro
         movem.l (a0),d1-d3
         movem.l d1-d3,iterators(sp)
         moveq   #~31,d4
-        cut     tx_detail_x_s,in_x
+        cut     tx_lod_steps_x_s,in_x
         move.l  #~$7fff,d4
-        cut     tx_detail_y_s,in_y
-        movea.l tx_detail_reciprocals(a2),a3
-        movea.l tx_detail_blendings(a2),a0
-        movea.l tx_detail_levels(a2),a6
+        cut     tx_lod_steps_y_s,in_y
+        movea.l tx_lod_steps_reciprocals(a2),a3
+        movea.l tx_lod_steps_blendings(a2),a0
+        movea.l tx_lod_steps_levels(a2),a6
         lea     LEVELS(a6),a6
         bra     .pixels
 
@@ -135,7 +135,7 @@ cut     macro
 .t      swap    d5
         move.w  d6,d5
         move.l  d5,(a1)+
-        movea.l tx_detail_levels(a2),a6
+        movea.l tx_lod_steps_levels(a2),a6
         lea     LEVELS(a6),a6
         tst.w   d3
         bmi     .far

@@ -2,7 +2,7 @@
         include "layout.i"
 
 ;==============================================================================
-; tx_combine - one channel of the colour combiner, any inputs
+; tx_combiner - one channel of the colour combiner, any inputs
 ;
 ; in:      a0  void*  not read
 ;          a1  int16*  the channel of the results, tx_wide from pixel to pixel
@@ -16,9 +16,9 @@
 ;          take these for: -128 to 383. Inputs are such numbers or others of 9 bits; C is
 ;          taken as 9 bits signed
 ; error:   none
-; cost:    bench row tx_combine
+; cost:    bench row tx_combiner
 ;==============================================================================
-        routine tx_combine,a0,a1,a2,d0
+        routine tx_combiner,a0,a1,a2,d0
         save_all
         movea.l a1,a4
         move.l  d0,d3
