@@ -96,6 +96,16 @@ def walk(rng, count: int) -> Example:
                    "tx_iterators", dict(s=step[0], t=step[1], w=0))
 
 
+def shade(rng, count: int) -> Example:
+    start = rng.integers(-4 << 16, 260 << 16, 4)
+    step = rng.integers(-3 << 16, 3 << 16, 4)
+    if rng.random() < 0.2:
+        start, step = rng.integers(-1 << 31, 1 << 31, (2, 4))
+    found = np.clip(walked(start, step, count) >> 16, 0, 255)
+    return Example("tx_shade", longs(start), pixels(found), count, "tx_shades",
+                   dict(zip("rgba", step)))
+
+
 def quad_bytes(corners: np.ndarray) -> bytes:
     """struct tx_quad of the corners c00, c10, c01, c11: [n][4][4]."""
     corners = corners.astype(np.int64)
@@ -475,7 +485,7 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
     "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
     "tx_lerp": lerp, "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen,
-    "tx_combiner": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_quads": quads,
+    "tx_combiner": combine, "tx_narrow": narrow, "tx_shade": shade, "tx_lod": lod, "tx_quads": quads,
     "tx_reciprocals": reciprocal_table, "tx_levels": levels}
 #: Tables, made by C alone.
 IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")

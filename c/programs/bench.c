@@ -45,7 +45,7 @@ static const struct kernel c_kernels[] = {
     TX_PASS(tx_quads_c), TX_PASS(tx_reciprocals_c),
     TX_PASS(tx_modulate_c), TX_PASS(tx_map_c), TX_PASS(tx_widen_c),
     TX_PASS(tx_combiner_c), TX_PASS(tx_narrow_c), TX_PASS(tx_lod_c), TX_PASS(tx_levels_c),
-    TX_PASS(tx_threepoint_16_c),
+    TX_PASS(tx_threepoint_16_c), TX_PASS(tx_shade_c),
     {0, 0}
 };
 

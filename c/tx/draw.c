@@ -56,7 +56,7 @@ static void draw_lines(const struct setup *s, const struct tx *tx,
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
         if (count > 0 && plan)
-            tx_plan_draw(plan, planes, s->frame, x, y, count);
+            tx_plan_draw(plan, s->frame, x, y, count);
         else
             draw_line(tx, planes, s->frame, x, x + count, y);
     }
@@ -109,7 +109,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     if (!tx_planes_find(&planes, s, needs->divided,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
         return refused(unit, TX_COORDINATE_RANGE);
-    passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, s, unit, &planes));
+    passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, unit, &planes));
     draw_lines(s, &unit->tx, &planes, passes ? &plan : 0);
     if (s->counts) {
         s->counts->polygons++;
@@ -189,6 +189,9 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     unit->result = TX_DONE;
     unit->memory = memory;
     unit->judged = 0;
+    unit->levels = 0;
+    unit->tables = 0;
+    unit->levels_made = unit->tables_made = 0;
     unit->page.texels = 0;
     unit->page.bytes = 0;
     for (int32 i = 0; i < TX_PAGE_KEY; i++)

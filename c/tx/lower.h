@@ -16,9 +16,6 @@ struct tx_needs {
 void tx_lower_inputs(struct tx_needs *needs, struct setup *s, const struct tx *tx,
                      const uint32 *colours);
 
-/* forms.c. Whether the combiner shows texel 0 as it is. */
-int32 tx_combine_is_texel(const struct tx *tx);
-
 /* Whether the pixel is the same everywhere. */
 int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s);
 

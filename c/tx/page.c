@@ -1,7 +1,7 @@
 #include "tx/page.h"
 
 #include "system/system.h"
-#include "tx/lower.h"
+#include "tx/forms.h"
 #include "tx/pixels.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -208,6 +208,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
 {
     struct tx_page *page = &unit->page;
     static struct making making;
+    struct tx_form form;
     uint32 key[TX_PAGE_KEY], differs = 0;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
@@ -225,7 +226,9 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     making.pixel_bytes = pixel_bytes;
     making.shade = shade;
     making.decoded = find_decoded(unit, tile);
-    making.is_texel = tx_combine_is_texel(&unit->tx);
+    tx_form_find(&form, &unit->tx);
+    making.is_texel = !form.any && form.first == TX_FIRST_TEXEL
+        && form.second == TX_SECOND_NOTHING;
     make_page(page->texels, &making);
     page->map.texels = page->texels;
     page->map.width = page->map.height = SIDE;

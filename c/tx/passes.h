@@ -66,6 +66,11 @@ struct tx_blend {
     int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
 };
 
+/* Colours at a line's first pixel, or what they change by: 16.16. */
+struct tx_shades {
+    int32 r, g, b, a;
+};
+
 /* What texels are multiplied with: texels from pixel to pixel, or one. */
 struct tx_modulation {
     const uint32 *other;
@@ -131,6 +136,7 @@ void tx_divide_inside(const void *iterators, void *coordinates, const void *divi
                       int32 count);
 void tx_tile(const void *coordinates, void *relative, const void *axes, int32 count);
 void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
+void tx_shade(const void *shades, void *colours, const void *steps, int32 count);
 void tx_modulate(const void *texels, void *products, const void *modulation, int32 count);
 void tx_map(const void *texels, void *mapped, const void *tables, int32 count);
 void tx_widen(const void *texels, void *wide, const void *nothing, int32 count);

@@ -22,6 +22,7 @@ void tx_store_16_c(const struct tx_call *call);
 void tx_divide_c(const struct tx_call *call);
 void tx_tile_c(const struct tx_call *call);
 void tx_lerp_c(const struct tx_call *call);
+void tx_shade_c(const struct tx_call *call);
 void tx_modulate_c(const struct tx_call *call);
 void tx_map_c(const struct tx_call *call);
 void tx_widen_c(const struct tx_call *call);

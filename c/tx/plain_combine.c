@@ -5,6 +5,28 @@ static uint32 product(uint32 a, uint32 b)
     return ((a & 255) * (b & 255) + 128) >> 8;
 }
 
+static inline uint32 integer(int32 shade)
+{
+    const int32 value = shade >> 16;
+
+    return value < 0 ? 0 : value > 255 ? 255 : (uint32)value;
+}
+
+void tx_shade_c(const struct tx_call *call)
+{
+    const struct tx_shades *start = call->in, *step = call->constants;
+    int32 r = start->r, g = start->g, b = start->b, a = start->a, count = call->count;
+    uint32 *out = call->out;
+
+    do {
+        *out++ = integer(r) << 24 | integer(g) << 16 | integer(b) << 8 | integer(a);
+        r += step->r;
+        g += step->g;
+        b += step->b;
+        a += step->a;
+    } while (--count > 0);
+}
+
 void tx_modulate_c(const struct tx_call *call)
 {
     const struct tx_modulation *modulation = call->constants;

@@ -2,8 +2,8 @@
 #ifndef TX_PLAN_H
 #define TX_PLAN_H
 
+#include "tx/forms.h"
 #include "tx/lower.h"
-#include "tx/passes.h"
 #include "tx/planes.h"
 
 typedef void tx_pass(const void *in, void *out, const void *constants, int32 count);
@@ -16,22 +16,34 @@ struct tx_sampling {
     const struct tx_decoded *tile;
 };
 
-/* In order; 0: not needed. */
 struct tx_plan {
+    struct tx_unit *unit;
+    const struct tx_planes *planes;
     tx_pass *coordinates;
-    struct tx_division division;        /* or steps */
-    struct tx_sampling texel[2];        /* the first always; the second's sample may be 0 */
-    tx_pass *combine;           /* from the first texels, into them or the frame */
-    struct tx_blend blend;
-    tx_pass *store;             /* to the frame, whose pixels are not texels */
+    union {
+        struct tx_iterators walk;
+        struct tx_division division;
+        struct tx_lod_steps lod;
+    } steps;
+    int32 levels;               /* each pixel has tiles and a fraction of its own */
+    int32 tile0, tile1;         /* where it has not */
+    int32 second_texel;         /* texel 1 is needed */
+    struct tx_sampling tiles[TX_TILES];
+    struct tx_form form;
+    uint32 shade;               /* R G B A, where it is the same everywhere */
+    const uint8 *tables;        /* TX_SECOND_TABLES: 256 of R, G, B, A each */
 };
 
-/* Finds the passes for a polygon; 0: there are none for these modes or tiles. */
-int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, const struct setup *s,
-                   struct tx_unit *unit, const struct tx_planes *planes);
+/* Finds the passes for a polygon; 0: there are none for these modes or tiles, or memory is
+   short. */
+int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, struct tx_unit *unit,
+                   const struct tx_planes *planes);
 
-/* Draws pixels x to x + count - 1 of line y. */
-void tx_plan_draw(const struct tx_plan *plan, const struct tx_planes *planes,
-                  const struct frame *frame, int32 x, int32 y, int32 count);
+/* line.c: of the line being drawn. */
+extern struct tx_blending tx_line_blendings[];
+
+/* line.c. Draws pixels x to x + count - 1 of line y. */
+void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
+                  int32 count);
 
 #endif
