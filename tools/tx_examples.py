@@ -440,16 +440,21 @@ def levels(rng, count: int) -> Example:
     return Example("tx_levels", bytes(4), mode.table(), count, "tx_level_modes", vars(mode))
 
 
-def lod(rng, count: int) -> Example:
+def lod_apart(rng, count: int) -> Example:
+    return lod(rng, count, 1)
+
+
+def lod(rng, count: int, apart: int = 0) -> Example:
     start, step = any_iterators(rng, count)
     spread = 1 << int(rng.integers(12, 28))
     x, y = rng.integers(-spread, spread, (2, 3))
-    if rng.random() < 0.3:
-        x = step
+    if rng.random() < 0.5:
+        x = step = step & ~31
     if count == 256:
         ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
         start, step = ends[0], (ends[1] - ends[0]) // count
         x, y = step, step[[1, 0, 2]]
+        step = step & ~31 | apart
     mode, st, blendings = any_level(rng), [], []
     for point in walked(start, step, count):
         gradients = x & ~31, y & ~0x7FFF
@@ -475,9 +480,10 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tx_point_16": point_16, "tx_store_16": store_16, "tx_divide": divide,
     "tx_divide_inside": divide_inside, "tx_tile": tiled, "tx_tile_plain": tiled_plain,
     "tx_lerp": lerp, "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen,
-    "tx_combine": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_quads": quads,
-    "tx_reciprocals": reciprocal_table, "tx_levels": levels}
+    "tx_combine": combine, "tx_narrow": narrow, "tx_lod": lod, "tx_lod_apart": lod_apart,
+    "tx_quads": quads, "tx_reciprocals": reciprocal_table, "tx_levels": levels}
 #: Tables, made by C alone.
 IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")
 #: Another form, or other input, of a pass: beside it there is no C.
-FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile"}
+FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile",
+         "tx_lod_apart": "tx_lod"}
