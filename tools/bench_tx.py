@@ -4,7 +4,7 @@ import numpy as np
 
 from . import tx_examples
 from .kernels import Arena, Case, Result
-from .tx_examples import Example
+from .tx_example import Example
 
 LENGTH = 256
 NAMES = [name + end for name in tx_examples.MAKERS if name not in tx_examples.IN_C_ALONE

@@ -6,7 +6,7 @@ struct quotients {
 };
 
 /* Reciprocal and shifts are taken apart again, as C has no product of 64 bits. */
-static void divide(struct quotients *q, const uint32 *reciprocals, int32 s, int32 t, int32 w)
+static inline void divide(struct quotients *q, const uint32 *reciprocals, int32 s, int32 t, int32 w)
 {
     int32 shifts = 0, r;
 
@@ -25,7 +25,7 @@ static void divide(struct quotients *q, const uint32 *reciprocals, int32 s, int3
     q->is_far = q->s < -65536 || q->s > 65535 || q->t < -65536 || q->t > 65535;
 }
 
-static uint32 nearest(int32 value)
+static inline uint32 nearest(int32 value)
 {
     return (uint32)(value > 32767 ? 32767 : value < -32768 ? -32768 : value) & 0xffff;
 }

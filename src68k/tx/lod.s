@@ -15,16 +15,20 @@
 ; writes:  the coordinates, a tx_blending of each pixel
 ; formats: coordinates as tx_divide; the gradients are cut to 2^5 in x and 2^15 in y
 ; error:   none
-; cost:    bench row tx_lod
+; cost:    bench rows tx_lod, tx_lod_apart
 ;==============================================================================
-; Three points are divided: the pixel's, and those a pixel further in x and in y.
+; Three points are divided: the pixel's, and those a pixel further in x and in y. Where the
+; one in x is the next pixel, because the steps are the gradients, it is divided once.
 
 ; On the stack.
 iterators equ   0
 in_x    equ     12
 in_y    equ     24
 left    equ     36
-locals  equ     40
+kept    equ     40                      ; d3, d5, d6 of the point in x
+is_kept equ     52
+same    equ     54                      ; -1 where that point is the next pixel
+locals  equ     56
 
 LEVELS  equ     tx_levels_levels        ; where a6 points: behind the magnified ones
 
@@ -39,13 +43,17 @@ distance macro
 .less\@
         endm
 
-; What the quotients change by to the point that the gradient \1 leads to.
+; What the quotients change by to the point that the gradient \1 leads to. \2: kept.
 neighbour macro
         movem.l iterators(sp),d0-d2
         add.l   \1(sp),d0
         add.l   \1+4(sp),d1
         add.l   \1+8(sp),d2
         bsr     .divide
+        ifnb    \2
+        movem.l d3/d5-d6,kept(sp)
+        move.w  same(sp),is_kept(sp)
+        endc
         tst.w   d3
         bmi     .far
         distance d5,a4
@@ -69,6 +77,16 @@ cut     macro
         movem.l d1-d3,iterators(sp)
         moveq   #~31,d4
         cut     tx_lod_steps_x_s,in_x
+        moveq   #0,d0
+        cmp.l   tx_lod_steps_s(a2),d1
+        bne.s   .apart
+        cmp.l   tx_lod_steps_t(a2),d2
+        bne.s   .apart
+        cmp.l   tx_lod_steps_w(a2),d3
+        bne.s   .apart
+        moveq   #-1,d0
+.apart  move.l  d0,is_kept(sp)          ; and same
+        clr.w   is_kept(sp)
         move.l  #~$7fff,d4
         cut     tx_lod_steps_y_s,in_y
         movea.l tx_lod_steps_reciprocals(a2),a3
@@ -122,9 +140,15 @@ cut     macro
         add.l   d2,iterators+8(sp)
         subq.l  #1,left(sp)
         beq     .done
-.pixels movem.l iterators(sp),d0-d2
+.pixels tst.w   is_kept(sp)
+        beq.s   .divided
+        movem.l kept(sp),d3/d5-d6
+        clr.w   is_kept(sp)
+        bra.s   .here
+.divided
+        movem.l iterators(sp),d0-d2
         bsr     .divide
-        movea.l d5,a4
+.here   movea.l d5,a4
         movea.l d6,a5
         movea.w d5,a6
         cmpa.l  d5,a6
@@ -140,7 +164,7 @@ cut     macro
         tst.w   d3
         bmi     .far
         moveq   #0,d7
-        neighbour in_x
+        neighbour in_x,kept
         neighbour in_y
         cmp.l   #$4000,d7
         bge     .far

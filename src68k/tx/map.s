@@ -1,5 +1,4 @@
         include "routine.i"
-        include "tx.i"
 
 ;==============================================================================
 ; tx_map - texels through a table for each channel
