@@ -30,6 +30,8 @@ MOST = {f"span_{name}": layout.load().constants[f"SHORT_{constant}"] for name, c
     ("affine_short", "AFFINE"), ("affine_short_wrap", "AFFINE_WRAP"),
     ("affine_row_short", "AFFINE_ROW"), ("gouraud_short", "GOURAUD"), ("lit_short", "LIT"),
     ("lit_short_wrap", "LIT_WRAP"))}
+#: The chain of two registers: v wraps at most once in a line.
+ONCE_WRAPPING = ("span_affine_addx", "span_affine_short", "span_affine_16", "span_affine_32")
 COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
 TURN = 1 << 24  # u and v repeat after 256 texels
 
@@ -162,7 +164,7 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
 def form_of(kernel: str) -> str:
     """How the lines of a span routine are packed."""
     chained = ("_addx", "_row", "_column", "_scanline", "_wrap", "_copy",
-               "_short")
+               "_short", "_16", "_32")
     return "addx" if "affine" in kernel and any(part in kernel for part in chained) else "plain"
 
 
@@ -175,7 +177,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     starts = []
     for count in (count for count in counts for _ in range(4)):
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel in ("span_affine_addx", "span_affine_short"):
+        if kernel in ONCE_WRAPPING:
             u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
         starts.append((count, u, v))
 
@@ -198,24 +200,26 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
 ALONE_MOST = 64000  # texels that u or v alone may travel in a line
 
 
-def alone_trials(kernel: str, rng) -> list[Trial]:
-    """Steps of all kinds with the other one 0, or whole maps."""
+def alone_trials(kernel: str, rng, ground: Ground | None = None, tables=None) -> list[Trial]:
+    """Steps of all kinds with the other one 0, or whole maps; ``tables`` instead of the kernel's
+    sizes."""
     moving = [*STEPS, *(a for pair in PAIRS for a in pair),
               *(int(n) for n in rng.integers(-ONE, ONE, 8)),
               *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
     trials = []
-    for counts, pitch in sizes(kernel):
+    for counts, pitch in tables or sizes(kernel):
         for k, step in enumerate(moving):
             still = (0, TURN, -3 * TURN)[k % 3]
             reduced = abs((step + TURN // 2) % TURN - TURN // 2) / ONE
             longest = int(ALONE_MOST / reduced) if reduced else ALONE_MOST
             size = [min(count, longest) for count in counts], pitch
             pair = (step, still) if "_row" in kernel else (still, step)
-            trials.append(span_trial(kernel, *pair, 0, size, rng, k % 8 == 7))
+            trials.append(span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, ground))
     return trials
 
 
-def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwards: bool) -> Trial:
+def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwards: bool,
+               kernel: str = "span_affine_copy", ground: Ground | None = None) -> Trial:
     """One table of copied texels: every count at all four alignments of the pixels, from
     texels at ``source`` modulo 4. ``near``: some of each line lies behind its row's end."""
     steps = ONE + TURN * int(rng.integers(-3, 4)), TURN * int(rng.integers(-3, 4))
@@ -225,11 +229,14 @@ def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwa
         first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
         starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
 
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return texels(u, v, ONE, 0, count).tobytes()
+    on = ground or Ground(*picture_memory(), texels)
 
-    return table_trial("span_affine_copy", "addx", starts, pitch, rng, upwards, picture_memory(),
-                       drawn, steps_text(*steps), dudx=steps[0], dvdx=steps[1])
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return on.texels(u, v, ONE, 0, count).tobytes()
+
+    return table_trial(kernel, "addx", starts, pitch, rng, upwards,
+                       (on.memory, on.frame_at, on.map_at), drawn, steps_text(*steps),
+                       wide=on.pixel_bytes, dudx=steps[0], dvdx=steps[1])
 
 
 def copy_trials(rng) -> list[Trial]:
@@ -245,16 +252,26 @@ def steps_text(dudx: int, dvdx: int) -> str:
     return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
 
 
+def fill_trials(kernel: str, ground: Ground, long, rng) -> list[Trial]:
+    """Every colour."""
+    return [span_trial(kernel, 0, 0, colour, size, rng, upwards, ground) for colour in COLOURS
+            for size in (SHORT, long) for upwards in (False, True)]
+
+
+def steps_of(rng) -> list[tuple[int, int]]:
+    """Pairs of all kinds."""
+    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
+    return steps + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+
+
 def span_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds on short lines, some of them on long ones."""
     if kernel.startswith("span_fill"):
         wide = kernel == "span_fill_16"
         ground = Ground(*picture_memory(), texels, 1 + wide)
-        return [span_trial(kernel, 0, 0, colour, size, rng, upwards, ground) for colour in COLOURS
-                for size in (SHORT, LONG_WIDE if wide else LONG) for upwards in (False, True)]
-    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
-    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
-    steps += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+        return fill_trials(kernel, ground, LONG_WIDE if wide else LONG, rng)
+    steps = steps_of(rng)
     if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
         steps = steps[::4]
     long_steps = [*PAIRS[:8], *(steps[k] for k in rng.choice(len(steps), 24, replace=False))]

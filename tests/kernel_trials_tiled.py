@@ -5,9 +5,8 @@ from functools import cache
 import numpy as np
 
 from kernel_checker import Memory, Trial, Write
-from kernel_trials_edge import ONE
-from kernel_trials_span import FRAME, LONG, LONG_WIDE, MAP_ALIGN, PAIRS, SHORT, STEPS, Ground, span_trial, \
-    texels, texture
+from kernel_trials_span import FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground, span_trial, \
+    steps_of, texels, texture
 from tools import layout, maps
 from tools.kernels import Case
 from tools.scanline import add_span_plan
@@ -57,13 +56,6 @@ def column_ground(width: int, height: int, texel: str) -> Ground:
 
     return Ground(memory, frame_at, map_at, draw, size, columns_of(width, height),
                   f"{width}x{height}, ")
-
-
-def steps_of(rng) -> list[tuple[int, int]]:
-    """Pairs of all kinds."""
-    pairs = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
-    pairs += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
-    return pairs + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
 
 
 def some(steps: list[tuple[int, int]], count: int, rng) -> list[tuple[int, int]]:

@@ -40,12 +40,19 @@ def test_palette_pictures_come_back(tmp_path, layout: str, size: tuple[int, int]
 
 
 def test_colours_come_back(tmp_path) -> None:
-    """RGB pictures of 256 colours at 8 bits, and RGB565 ones at 16."""
+    """RGB pictures of 256 colours, and every colour of the other formats, alpha too."""
     few = RNG.integers(0, 256, (200, 3), dtype=np.uint8)[RNG.integers(0, 200, (8, 24))]
     assert np.array_equal(np.array(there_and_back(tmp_path, Image.fromarray(few)).convert("RGB")), few)
     every = maps.from_rgb565(np.arange(65536).reshape(256, 256))
-    back = there_and_back(tmp_path, Image.fromarray(every), "--bits", "16", "--layout", "tiled")
+    back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgb565", "--layout", "tiled")
     assert np.array_equal(np.array(back), every)
+    every = maps.from_rgba5551(np.arange(65536).reshape(256, 256))
+    back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgba5551")
+    assert np.array_equal(np.array(back), every)
+    some = RNG.integers(0, 256, (64, 32, 4), dtype=np.uint8)
+    back = there_and_back(tmp_path, Image.fromarray(some), "--format", "rgba8888", "--layout", "columns")
+    assert np.array_equal(np.array(back), some)
+    assert (tmp_path / "a.map").read_bytes()[:16] == some[0, :4].tobytes()
 
 
 def test_bad_input_is_one_line(tmp_path, capsys) -> None:

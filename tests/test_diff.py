@@ -98,7 +98,7 @@ def test_16_bits_a_pixel(tmp_path, capsys):
         (tmp_path / run).mkdir()
         (tmp_path / run / "frame_000.chunky").write_bytes(frame.tobytes())
         (tmp_path / run / "run.json").write_text(json.dumps(
-            {"width": 8, "height": 4, "pixel_bytes": 2, "palette": None}))
+            {"width": 8, "height": 4, "format": "rgb565", "palette": None}))
     assert diff_command(tmp_path / "a", tmp_path / "a") == 0
     assert diff_command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
     assert "first (5, 2): 2048 / 2016; largest difference 32" in capsys.readouterr().out
@@ -108,7 +108,7 @@ def test_16_bits_a_pixel(tmp_path, capsys):
     dump(half, size=(4, 8))
     half.with_name("run.json").write_text('{"width": 8}')
     assert diff_command(tmp_path / "a" / "frame_000.chunky", half) == 2
-    assert "2 and 1 bytes a pixel" in capsys.readouterr().err
+    assert "rgb565 and chunky" in capsys.readouterr().err
 
 
 def test_pngs(tmp_path, capsys):
@@ -148,8 +148,8 @@ def picture(path):
     (lambda a, b: b.write_bytes(b""), "0 bytes is not 320x? pixels"),
     (lambda a, b: b.write_bytes(bytes(321)), "321 bytes is not 320x1 pixels"),
     (lambda a, b: dump(b, size=(HEIGHT + 1, WIDTH)), "320x6 and 320x7 pixels"),
-    (lambda a, b: b.with_name("run.json").write_text("{"), "run.json: width, height, pixel_bytes or palette"),
-    (lambda a, b: b.with_name("run.json").write_text("[]"), "run.json: width, height, pixel_bytes or palette"),
+    (lambda a, b: b.with_name("run.json").write_text("{"), "run.json: width, height, format or palette"),
+    (lambda a, b: b.with_name("run.json").write_text("[]"), "run.json: width, height, format or palette"),
     (lambda a, b: b.with_name("run.json").write_text('{"width": 0}'), "run.json: width, height"),
     (lambda a, b: b.with_name("run.json").write_text('{"width": -320, "height": -6}'),
      "is not -320x-6 pixels"),
@@ -157,12 +157,12 @@ def picture(path):
      "1920 bytes is not 320x7 pixels"),
     (lambda a, b: b.with_name("run.json").write_text('{"palette": [[1, 2, 3]]}'), "run.json: "),
     (lambda a, b: b.with_name("run.json").write_text('{"palette": 300}'), "run.json: "),
-    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 3}'), "run.json: "),
-    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": [2]}'), "run.json: "),
-    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2}'), "320x6 and 320x3 pixels"),
-    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2, "height": 6}'),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb555"}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": ["rgb565"]}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565"}'), "320x6 and 320x3 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565", "height": 6}'),
      "1920 bytes is not 320x6 pixels of 2 bytes"),
-    (lambda a, b: b.with_name("run.json").write_text('{"pixel_bytes": 2, "height": 6, "width": 160}'),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565", "height": 6, "width": 160}'),
      "320x6 and 160x6 pixels"),
 ])
 def test_unusable(two, tmp_path, capsys, spoil, message):

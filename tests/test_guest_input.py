@@ -71,11 +71,19 @@ def lit() -> Scene:
 
 
 def wide_pixels() -> Scene:
-    """A scene of 16 bits: a flat triangle and one with a map in columns."""
+    """A scene in rgb565: a flat triangle and one with a map in columns."""
     scene = example(0)
-    scene.pixel_bytes, scene.background = 2, 0xFFFF
+    scene.format, scene.background = "rgb565", 0xFFFF
     scene.textures = [Texture(np.zeros((8, 16), np.uint16), "columns")]
     scene.materials = [Material(colour=0xFFFF), Material("columns", texture=0)]
+    return scene
+
+
+def widest_pixels() -> Scene:
+    """The same in rgba8888, with a page."""
+    scene = wide_pixels()
+    scene.format, scene.textures = "rgba8888", [Texture(np.zeros((8, 16), np.uint32))]
+    scene.materials[1] = Material("affine", texture=0)
     return scene
 
 
@@ -112,7 +120,8 @@ def lengths(header: str, data: bytes) -> list[int]:
 
 def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
-    every, wide, light_only = map(scene_file.write, (every_mapper(), wide_pixels(), lit()))
+    every, wide, widest, light_only = map(
+        scene_file.write, (every_mapper(), wide_pixels(), widest_pixels(), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
     flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
@@ -133,8 +142,12 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
                           (margins, (8, 512, M32)), (light, (255, 128, M32))):
         entry(every, "textures", index, "width", *widths, said=size)
         entry(every, "textures", index, "height", *widths, said=size)
-    entry(wide, "textures", 0, "layout", page, linear)
-    entry(wide, "textures", 0, "texel_bytes", 1)
+    entry(wide, "textures", 0, "layout", linear, tiled, light)
+    entry(wide, "textures", 0, "layout", page, said="material.texture")
+    entry(wide, "textures", 0, "texel_bytes", 1, 4)
+    entry(widest, "textures", 0, "layout", columns)
+    entry(widest, "materials", 1, "mapper", 1, 3, 4, 5, 6, 7, 8)
+    entry(widest, "materials", 1, "perspective", 1, 4)
     entry(every, "materials", flat, "mapper", 9, M32)
     entry(every, "materials", flat, "texture", 0)
     entry(every, "materials", gouraud, "texture", 0)
@@ -230,7 +243,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         header_field(name, 0, 1025, M32, 2**31 - 1)
     header_field("width", 6)
     header_field("background", 256, M32)
-    header_field("pixel_bytes", 0, 3, M32)
+    header_field("format", 4, M32)
     header_field("palette_at", 0, 78, len(data), M32 - 3)
     for name in scene_file.TABLES:
         header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")

@@ -18,6 +18,7 @@ import kernel_trials_reciprocal
 import kernel_trials_scanline
 import kernel_trials_span
 import kernel_trials_tiled
+import kernel_trials_wide
 import pytest
 
 from tools import contracts, paths
@@ -37,7 +38,7 @@ CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C
 ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, kernel_trials_tiled,
          kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_perspective,
          kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
-         kernel_trials_logarithm)
+         kernel_trials_logarithm, kernel_trials_wide)
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 
 

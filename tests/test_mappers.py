@@ -20,23 +20,32 @@ background = "#102030"
 full = {image = "noise.png"}
 odd = {image = "noise.png", width = 100, height = 37}
 high = {image = "noise.png", width = 64, height = 512}
+small = {image = "noise.png", width = 64, height = 128}
 [materials]
 """
 #: mapper: (what the material has besides, radius on the map)
 LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
          "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
-         "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300)}
-MACHINES = {8: "a1200-fast", 16: "a1200"}
+         "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
+         "affine": ('texture = "small"', 700)}
+#: Format: the mappers that draw it (tests/test_run.py has the affine one of chunky frames), machine.
+DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
+         "rgb565": (["columns", "affine"], "a1200"), "rgba5551": (["columns", "affine"], "a1200-fast"),
+         "rgba8888": (["affine"], "a1200")}
+SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short"},
+         "rgb565": {"columns_16", "affine_16", "affine_16_wrap"},
+         "rgba8888": {"affine_32", "affine_32_wrap"}}
+SPANS["rgba5551"] = SPANS["rgb565"]
 
 
-def scene(bits: int) -> str:
+def scene(pixels: str) -> str:
     """A frame for each mapper and combination of settings, polygons of 3 to 7 corners,
     some larger than the frame."""
     choices = {kind: names for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
     materials = objects = ""
-    mappers = ["columns"] if bits == 16 else LOOKS
+    mappers = DRAWN[pixels][0]
     wanted = [(mapper, *names) for mapper, *names in itertools.product(mappers, *choices.values())
               if mapper != "lit_gouraud" or {"plane", "subtexel"} <= set(names)]
     for n, (mapper, *names) in enumerate(wanted):
@@ -49,26 +58,25 @@ def scene(bits: int) -> str:
                     f"radius = {47.3 if n % 3 else 11.7}\nmap_radius = {map_radius}\n"
                     f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n"
                     + "shades = [130]\n" * (mapper == "lit"))
-    return f"frames = {n + 1}\nbits = {bits}\n" + HEAD + materials + objects
+    return f"frames = {n + 1}\nformat = \"{pixels}\"\n" + HEAD + materials + objects
 
 
-@pytest.mark.parametrize("bits", [8, 16])
-def test_every_mapper_is_the_models(tmp_path, bits):
+@pytest.mark.parametrize("pixels", DRAWN)
+def test_every_mapper_is_the_models(tmp_path, pixels):
     noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
     Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
-    (tmp_path / "all.toml").write_text(scene(bits))
+    (tmp_path / "all.toml").write_text(scene(pixels))
     made, out = compile_scene(tmp_path / "all.toml"), tmp_path / "out"
     assert main(["run", str(tmp_path / "all.toml"), "-o", str(out),
-                 "--machine", MACHINES[bits]]) == 0
+                 "--machine", DRAWN[pixels][1]]) == 0
     wrong = []
     for number, obj in enumerate(made.objects):
-        found = np.fromfile(out / f"frame_{number:03}.chunky", ">u2" if bits == 16 else np.uint8)
+        found = np.fromfile(out / f"frame_{number:03}.chunky", made.pixel.dtype.newbyteorder(">"))
         differing = np.count_nonzero(found != model.render(made, number).reshape(-1))
         if differing:
             wrong.append(f"frame {number}: {differing} pixels, {made.materials[obj.material]}")
     assert not wrong, "\n".join(wrong)
     about = json.loads((out / "run.json").read_text())
-    assert about["pixel_bytes"] == bits // 8
-    assert set(about["totals"]["spans"]) == ({"columns_16"} if bits == 16 else {
-        *LOOKS, "lit_wrap", "gouraud_short"})
+    assert about["format"] == pixels
+    assert set(about["totals"]["spans"]) == SPANS[pixels]
     assert all(frame["pixels"] > 100 for frame in about["frames"])

@@ -66,7 +66,8 @@ def listed(vertices: str) -> str:
 
 FLAT, RAMP = 'colour = "#ff0000"', 'shades = ["#000000", "#ff8000"]'
 SQUARE = "[[0, 0, 0, 0], [8, 0, {0}, 0], [8, 8, {0}, {1}], [0, 8, 0, {1}]]"
-HEAD_16 = HEAD.replace("frames", "bits = 16\nframes")
+HEAD_16 = HEAD.replace("frames", 'format = "rgb565"\nframes')
+HEAD_32 = HEAD.replace("frames", 'format = "rgba8888"\nframes')
 
 
 @pytest.mark.parametrize("text, material", [
@@ -190,14 +191,32 @@ def test_light_of_corners(folder):
     assert set(sides) == {255 * ONE + ONE // 2}  # where nothing is said: full light
 
 
-def test_16_bits(folder):
+def test_rgb565(folder):
     made = make(folder, 'texture = "small", mapper = "columns"',
                 head=HEAD_16 + 'red.colour = "#ff0000"\n')
-    assert (made.pixel_bytes, made.background) == (2, 0x1106)
+    assert (made.format, made.background) == ("rgb565", 0x1106)
     assert made.materials == [Material(colour=0xF800), Material("columns", texture=0)]
     texels = made.textures[0].texels
     assert texels.dtype == np.uint16 and maps.from_rgb565(texels[4, 2]).tolist() == [0, 0, 0]
     assert abs(maps.from_rgb565(texels[4, 13]).astype(int) - [200, 220, 240]).max() <= 4
+
+
+@pytest.mark.parametrize("name, background, red, white", [
+    ("rgba5551", 2 << 11 | 4 << 6 | 6 << 1 | 1, 0xF801, 0xFFFF),
+    ("rgba8888", 0x102030FF, 0xFF0000FF, 0xFFFFFFFF)])
+def test_formats_with_alpha(folder, name, background, red, white):
+    """Colours are opaque; a texture's alpha comes with it."""
+    picture = np.full((8, 8, 4), 255, np.uint8)
+    picture[4:, :, 3] = 0
+    Image.fromarray(picture).save(folder / "alpha.png")
+    head = HEAD_32.replace("rgba8888", name).replace(
+        "[textures]", '[textures]\nalpha = {image = "alpha.png", width = 8, height = 8}', 1)
+    made = make(folder, 'texture = "alpha"', head=head + 'red.colour = "#ff0000"\n')
+    assert (made.format, made.background) == (name, background)
+    assert made.materials == [Material(colour=red), Material("affine", texture=0)]
+    texels = made.textures[0].texels
+    assert texels.dtype == made.pixel.dtype and (texels[:4] == white).all()
+    assert not (texels[4:] & (1 if name == "rgba5551" else 255)).any()
 
 
 def test_16_bit_frames_of_the_model(folder):
@@ -223,7 +242,7 @@ def test_16_bit_frames_of_the_model(folder):
      'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
     (['texture = "square", mapper = "lit_gouraud", start = "truncated"'],
      'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
-    (['texture = "square", mapper = "lit"', TRIANGLE, HEAD_16], "materials.it.mapper: a scene of 16"),
+    (['texture = "square", mapper = "lit"', TRIANGLE, HEAD_16], "materials.it.mapper: a scene in rgb565"),
     (['texture = "square", mapper = "lit"', shaped("shades = [256]")],
      "objects[0].shades[0]: must be from 0 to 255"),
     (['texture = "square", mapper = "lit_gouraud"', shaped("shades = [0, 255]", 4)],
@@ -247,11 +266,18 @@ def test_16_bit_frames_of_the_model(folder):
     ([FLAT, TRIANGLE, HEAD.replace("2048", "32768")],
      "textures.tall.width: 128x32768 is more than 1048576 texels"),
     ([FLAT, TRIANGLE, HEAD.replace("2048", "0")], "textures.tall.height: must be from 1 to 32768"),
-    ([FLAT, TRIANGLE, HEAD_16.replace("16", "12", 1)], "bits: must be 8 or 16"),
-    ([FLAT, TRIANGLE, HEAD_16.replace("16", "32", 1)], "bits: must be from 8 to 16"),
-    ([RAMP, TRIANGLE, HEAD_16],
-     'materials.it.shades: a scene of 16 bits has flat colours and the mapper "columns" only'),
-    (['texture = "square"', TRIANGLE, HEAD_16], "materials.it.mapper: a scene of 16 bits has"),
+    ([FLAT, TRIANGLE, HEAD_16.replace("rgb565", "rgb555")],
+     "format: 'rgb555' is not one of chunky, rgb565, rgba5551, rgba8888"),
+    ([RAMP, TRIANGLE, HEAD_16], "materials.it.shades: a scene in rgb565 has flat colours and the "
+                                'mapper "affine" or "columns" only'),
+    (['texture = "square", mapper = "tiled"', TRIANGLE, HEAD_16],
+     "materials.it.mapper: a scene in rgb565 has"),
+    (['texture = "small", mapper = "columns"', TRIANGLE, HEAD_32],
+     'materials.it.mapper: a scene in rgba8888 has flat colours and the mapper "affine" only'),
+    (['texture = "square", perspective = "every16"', TRIANGLE, HEAD_16],
+     "materials.it.perspective: a scene in rgb565 has none"),
+    (['texture = "square", perspective = "pixel"', TRIANGLE, HEAD_32],
+     "materials.it.perspective: a scene in rgba8888 has none"),
     (['texture = "square", gradients = "polygon"', shaped("", 4)],
      "objects[0].sides: 4 corners, but material 'it' has gradients \"polygon\", which are for"),
     (['texture = "square", gradients = "polygon"', listed(SQUARE.format(9, 9))],

@@ -215,14 +215,14 @@ def test_every_setting_is_the_models(folder):
 
 def test_frames_of_16_bits(folder):
     """A scene with nothing to be seen: background, dump, pictures and run.json."""
-    text = SMALL.replace("frames = 3", "frames = 2\nbits = 16").replace(
+    text = SMALL.replace("frames = 3", "frames = 2\nformat = \"rgb565\"").replace(
         'wall.texture = "wall"', 'wall = {texture = "wall", mapper = "columns"}')
     (folder / "wide.toml").write_text(text.replace("centre = [", "centre = [500, 500]\nmove = ["))
     out = folder / "out" / "wide"
     assert main(["run", str(folder / "wide.toml"), "-o", str(out)]) == 0
     assert dumps(out) == [b"\x11\x06" * 64 * 48] * 2
     about = json.loads((out / "run.json").read_text())
-    assert (about["pixel_bytes"], about["palette"]) == (2, None)
+    assert (about["format"], about["palette"]) == ("rgb565", None)
     assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
                           "frame_001.png", "run.json"]
     with Image.open(out / "frame_001.png") as picture:

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 import mesh_cases
 from tools import layout, maps, scene_file, scene_meshes
 from tools.errors import UserError
+from tools.pixel_formats import FORMATS
 from tools.scene_file import Material, Object, Scene, Texture
 
 
@@ -81,12 +82,32 @@ def test_round_trip_of_every_layout(kind, width, height):
 def test_round_trip_of_16_bits():
     texels = np.random.default_rng(1).integers(0, 65536, (16, 32)).astype(np.uint16)
     scene = dataclasses.replace(
-        example(), pixel_bytes=2, background=65535, textures=[Texture(texels, "columns")],
+        example(), format="rgb565", background=65535, textures=[Texture(texels, "columns")],
         materials=[Material(colour=65535), Material("columns", texture=0)])
     data = scene_file.write(scene)
     assert_equal(scene, scene_file.read(data, "x"))
     # u 0 to 3 of the first row, then of the second: columns are 4 texels wide.
     assert data[-1024:-1008] == texels[:2, :4].astype(">u2").tobytes()
+
+
+@pytest.mark.parametrize("name", ["rgb565", "rgba5551", "rgba8888"])
+def test_round_trip_of_wide_pages(name):
+    pixel = FORMATS[name]
+    most = 256**pixel.bytes - 1
+    texels = np.random.default_rng(1).integers(0, most + 1, (16, 32), dtype=pixel.dtype)
+    scene = dataclasses.replace(
+        example(), format=name, background=most, textures=[Texture(texels)],
+        materials=[Material(colour=most), Material("affine", texture=0)])
+    data = scene_file.write(scene)
+    assert_equal(scene, scene_file.read(data, "x"))
+    assert data.endswith(texels.astype(pixel.dtype.newbyteorder(">")).tobytes())
+
+
+def test_formats_are_the_headers():
+    """Names and numbers are those of enum pixel_format."""
+    constants = layout.load().constants
+    numbers = [constants[f"PIXEL_{name}".upper()] for name in FORMATS]
+    assert numbers == list(range(constants["PIXEL_FORMATS"]))
 
 
 LIGHT = Texture(np.arange(64 * 256, dtype=np.uint32).reshape(64, 256).astype(np.uint8), "light")
@@ -154,7 +175,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\5"
+    assert data[:8] == b"TMAP\0\0\0\6"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[144:148] == b"\0" + scene.palette[0].tobytes()
@@ -220,7 +241,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x5 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x6 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -244,9 +265,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
     ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
-    ("scene_header", "pixel_bytes", 0, "pixel_bytes: 0 is not from 1 to 2"),
-    ("scene_header", "pixel_bytes", 3, "pixel_bytes: 3 is not from 1 to 2"),
-    ("scene_header", "pixel_bytes", 2, "textures[0].texel_bytes: 1 is not from 2 to 2"),
+    ("scene_header", "format", 4, "format: 4 is not from 0 to 3"),
+    ("scene_header", "format", 3, "textures[0].texel_bytes: 1 is not from 4 to 4"),
+    ("scene_header", "format", 1, "textures[0].texel_bytes: 1 is not from 2 to 2"),
     ("scene_texture", "width", 0, "textures[0].width or height: 0x256 is not sides that are"),
     ("scene_texture", "width", -256, "textures[0].width or height: -256x256 is not sides"),
     ("scene_texture", "width", 512, "textures[0].width or height: 512x256 is not sides"),
@@ -333,8 +354,14 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
       "materials": [Material(), Material("arbitrary", texture=0)]},
      r"objects\[1\]: texel of s: 524288 is not from 0 to 262144"),
     ({"textures": [Texture(np.zeros((8, 8), np.uint16), "columns")]}, r"textures\[0\].texel_bytes"),
-    ({"pixel_bytes": 2}, r"textures\[0\].layout: 'page' is not for these pixels"),
-    ({"pixel_bytes": 2, "textures": [], "materials": [Material("gouraud"), Material()]},
+    ({"format": "rgb565", "textures": [Texture(np.zeros((256, 256), np.uint16), "tiled")]},
+     r"textures\[0\].layout: 'tiled' is not for these pixels"),
+    ({"format": "rgba8888", "textures": [Texture(np.zeros((8, 8), np.uint32), "columns")]},
+     r"textures\[0\].layout: 'columns' is not for these pixels"),
+    ({"format": "rgba8888", "textures": [Texture(np.zeros((8, 8), np.uint32))],
+      "materials": [Material(), Material("affine", perspective="fine", texture=0)]},
+     r"materials\[1\].perspective: 'fine' is for pixels of one byte"),
+    ({"format": "rgba5551", "textures": [], "materials": [Material("gouraud"), Material()]},
      r"materials\[0\].mapper: 'gouraud' is not for pixels of 2 bytes"),
     ({"materials": [Material("lit", texture=0, light=0), Material()]},
      r"materials\[0\].light: its layout is page, not light"),

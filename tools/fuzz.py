@@ -96,7 +96,8 @@ class Fault:
 
 def digest_of(frame: np.ndarray) -> tuple[int, int]:
     """The fields sum and hash of struct frame_digest."""
-    longs, factor = np.frombuffer(frame.tobytes(), ">u4").tolist(), layout.load().constants["FRAME_HASH"]
+    data = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
+    longs, factor = np.frombuffer(data, ">u4").tolist(), layout.load().constants["FRAME_HASH"]
     found = 0
     for four in longs:
         found = ((found << 16 | found >> 16) ^ four) * factor & 0xFFFFFFFF

@@ -54,8 +54,8 @@ def check(spec: dict, where: str) -> None:
         drawn = MAPPERS[pixel.bytes]
         if mapper not in drawn:
             fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
-                 f"a scene in {pixel.name} has flat colours and the mapper"
-                 + " or ".join(f' "{name}"' for name in drawn[1:]) + " only")
+                 f"a scene in {pixel.name} has flat colours and the mapper "
+                 + " or ".join(f'"{each}"' for each in drawn[1:]) + " only")
         if pixel.bytes > 1 and material["perspective"] != "none":
             fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
         if material["perspective"] != "none" and (
