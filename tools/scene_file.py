@@ -10,8 +10,8 @@ from .errors import UserError
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
-from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, Texture, check_texture, linear, ordered,
-                             size_fault)
+from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, Texture, check_texture, linear,
+                             ordered, size_fault)
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
@@ -136,8 +136,8 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
         number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
     if material.perspective != "none" and (material.mapper, material.gradients, material.start) != (
             "affine", "plane", "subtexel"):
-        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper 'affine', "
-                        "gradients 'plane' and start 'subtexel'")
+        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper "
+                        "'affine', gradients 'plane' and start 'subtexel'")
     if material.mapper == "lit_gouraud" and (material.gradients, material.start) != (
             "plane", "subtexel"):
         raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
@@ -249,8 +249,8 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
-        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light,
-         m.tolerance, m.unit]
+        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
+         m.light, m.tolerance, m.unit]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]
@@ -328,7 +328,8 @@ def read(data: bytes, name: str) -> Scene:
         rows[table] = [kind(*row) for row in rows[table].tolist()]
     rows["dram"] = part("dram_at", values["dram_at"], values["dram"])
     scene = Scene(
-        **{f: values[f] for f in HEADER}, format=pixel.name, **rows | {"textures": textures, "materials": materials},
+        **{f: values[f] for f in HEADER}, format=pixel.name,
+        **rows | {"textures": textures, "materials": materials},
         palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene

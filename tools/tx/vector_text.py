@@ -10,6 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from ..errors import UserError
 
 DECIMAL, HEX = 10, 16
@@ -124,3 +126,32 @@ def read(path: str | Path) -> Iterator[Line]:
     for number, line in enumerate(text.splitlines(), 1):
         if line.strip() and not line.startswith("#"):
             yield parse_line(line, number, f"{path}:{number}")
+
+
+def xorshift_step(x: int) -> int:
+    """The next number of xorshift32."""
+    x ^= x << 13 & 0xFFFFFFFF
+    x ^= x >> 17
+    return x ^ x << 5 & 0xFFFFFFFF
+
+
+def xorshift(seed: int, count: int) -> np.ndarray:
+    """The ``count`` numbers that follow a seed, uint32: what the ``rand`` commands fill with."""
+    values = np.array([xorshift_step(seed)], np.uint32)
+    basis = [xorshift_step(1 << bit) for bit in range(32)]  # each bit after values.size steps
+    while values.size < count:
+        ahead = np.zeros_like(values)
+        for bit, becomes in enumerate(basis):
+            ahead ^= (values >> np.uint32(bit) & np.uint32(1)) * np.uint32(becomes)
+        values = np.concatenate([values, ahead])
+        basis = [combined(basis, b) for b in basis]
+    return values[:count]
+
+
+def combined(basis: list[int], x: int) -> int:
+    """x after the steps that a basis stands for."""
+    result = 0
+    for bit, becomes in enumerate(basis):
+        if x >> bit & 1:
+            result ^= becomes
+    return result

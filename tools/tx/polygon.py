@@ -1,0 +1,205 @@
+"""Polygons and rectangles as the texture unit draws them, bit for bit.
+
+A polygon's iterators are planes over the screen, a pair at a time set up as the renderer's
+polygons are (tools.model.set_up: exact edges, plane gradients, sub-texel starts): (S, T),
+(W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+
+- without perspective S = 32 s, T = 32 t: s15.16 of s10.5, exact;
+- with it W = floor(0x7fff0000 * least w / w) at each vertex, S = floor(32 s * W / 2^31), T alike;
+- a colour 0..255 is the whole part of 16.16, exact;
+- each of a pair is moved by its base, floor((least + most) / 2), before set-up and back after;
+- the plane's value at the box's middle, its steps and the lines' starts are rounded by set-up:
+  gradients cut to 32.32, values and steps to the nearest 16.16 (tools.model_texturing.plane);
+- iterators then step without rounding, modulo 2^32; their upper 16 bits are s, t and w;
+- shade is the whole part of the iterator, clamped to 0..255.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .. import model
+from ..errors import UserError
+from ..fixed import M32
+from .combiner import uses_shade
+from .copy import check as check_copy
+from .copy import copy
+from .lod import Gradients
+from .misuse import Misuse
+from .pixels import pixels, store
+from .state import COPY, State
+
+SETTINGS = model.Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
+NEAREST = 0x7FFF0000  # W of the nearest vertex
+
+
+class Vertex(NamedTuple):
+    """``x``, ``y``: pixels; ``s``, ``t``: texels; ``w``: depth, above 0; all 16.16.
+    ``colour``: R, G, B, A, 0..255."""
+
+    x: int
+    y: int
+    s: int = 0
+    t: int = 0
+    w: int = 65536
+    colour: tuple[int, int, int, int] = (255, 255, 255, 255)
+
+
+class Pair(NamedTuple):
+    """Two planes: values at pixels, int64 [n], modulo 2^32, and steps (x and y) of each."""
+
+    values: tuple[np.ndarray, np.ndarray]
+    ddx: tuple[int, int]
+    ddy: tuple[int, int]
+
+
+class Spans(NamedTuple):
+    """A polygon's pixels, line by line, int64 [n]."""
+
+    y: np.ndarray
+    x: np.ndarray
+
+
+def spans(polygon: model.Polygon) -> Spans:
+    """The pixels of a set-up polygon."""
+    counts = [max(0, line.right - line.left) for line in polygon.lines]
+    y = np.repeat(np.arange(polygon.top, polygon.top + len(counts)), counts)
+    runs = [np.arange(line.left, max(line.left, line.right)) for line in polygon.lines]
+    return Spans(y, np.concatenate(runs) if runs else np.zeros(0, np.int64))
+
+
+def set_up_pair(vertices: list[Vertex], pair: list[tuple[int, int]],
+                frame: np.ndarray) -> tuple[Spans, Pair] | None:
+    """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
+    differ by 2^31 or more."""
+    height, width = frame.shape
+    bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
+    moved = [(v.x, v.y, *(value - base for value, base in zip(values, bases)))
+             for v, values in zip(vertices, pair)]
+    polygon = model.set_up(moved, width, height, True, SETTINGS)
+    if polygon is None:
+        return None
+    at, t = spans(polygon), polygon.texturing
+    counts = [max(0, line.right - line.left) for line in polygon.lines]
+    offsets = at.x - np.repeat([line.left for line in polygon.lines], counts)
+    values = []
+    for name, base in zip("uv", bases):
+        starts = np.array([getattr(line, name) for line in polygon.lines], np.int64)
+        step = getattr(t, f"d{name}dx")
+        values.append(np.repeat(starts, counts) + offsets * step + (base & M32) & M32)
+    return at, Pair(tuple(values), (t.dudx, t.dvdx), (t.dudy, t.dvdy))
+
+
+def iterators(vertices: list[Vertex], perspective: bool):
+    """S and T of the vertices, and W; without perspective all W are 0."""
+    texture = [(32 * v.s, 32 * v.t) for v in vertices]
+    if not perspective:
+        return texture, [(0, 0)] * len(vertices)
+    if any(v.w <= 0 for v in vertices):
+        raise UserError(f"polygon: a vertex's w is {min(v.w for v in vertices)}; it must be "
+                        "above 0")
+    nearest = min(v.w for v in vertices)
+    ws = [NEAREST * nearest // v.w for v in vertices]
+    return [tuple(c * w >> 31 for c in st) for st, w in zip(texture, ws)], [(w, 0) for w in ws]
+
+
+def whole(iterator: np.ndarray) -> np.ndarray:
+    """A colour's iterator as 0..255."""
+    return np.clip((iterator + (1 << 31) & M32) - (1 << 31) >> 16, 0, 255)
+
+
+class Prepared(NamedTuple):
+    """A polygon's pixels and what the pixels' pipeline needs of them (tools.tx.pixels)."""
+
+    at: Spans
+    s: np.ndarray
+    t: np.ndarray
+    w: np.ndarray
+    gradients: Gradients
+    shade: np.ndarray | None
+
+
+def prepare(state: State, frame: np.ndarray, vertices: list[Vertex]) -> Prepared | None:
+    """Sets a convex polygon up; None where nothing is drawn."""
+    texture, ws = iterators(vertices, bool(state.modes.perspective))
+    pairs = [texture, ws]
+    if uses_shade(state):
+        pairs += [[tuple(c << 16 for c in v.colour[k:k + 2]) for v in vertices] for k in (0, 2)]
+    found = [set_up_pair(vertices, pair, frame) for pair in pairs]
+    if any(f is None for f in found):
+        return None
+    at, planes = found[0][0], [pair for _, pair in found]
+    st, w = planes[:2]
+    gradients = Gradients(*st.ddx, w.ddx[0], *st.ddy, w.ddy[0])
+    shade = None
+    if planes[2:]:
+        shade = np.stack([whole(value) for pair in planes[2:] for value in pair.values], -1)
+    return Prepared(at, *st.values, w.values[0], gradients, shade)
+
+
+def draw(state: State, frame: np.ndarray, vertices: list[Vertex]) -> int:
+    """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (5551) or uint32
+    (8888) [height, width]; gives the number of its pixels.
+
+    Its tile and highest level are the state's.
+    """
+    prepared = prepare(state, frame, vertices)
+    if prepared is None or not prepared.at.x.size:
+        return 0
+    colours = pixels(state, *prepared[1:])
+    store(frame, *prepared.at, colours)
+    state.draws()
+    return prepared.at.x.size
+
+
+def rectangle(state: State, frame: np.ndarray, box: tuple[int, int, int, int], tile: int, s: int,
+              t: int, dsdx: int, dtdy: int, flip: bool = False) -> None:
+    """Draws a texture rectangle, cut to the frame.
+
+    ``box``: left, top, right, bottom, whole pixels, the last two not drawn (copy mode too).
+    ``s``, ``t``: s10.5 at the upper left pixel; ``dsdx``, ``dtdy``: s5.10 a pixel, in copy mode
+    ``dsdx`` a step of four pixels. ``flip``: s goes down and t goes right.
+    """
+    left, top, right, bottom = box
+    height, width = frame.shape
+    y, x = np.mgrid[max(top, 0):min(bottom, height), max(left, 0):min(right, width)]
+    y, x = y.reshape(-1), x.reshape(-1)
+    if not x.size:
+        return
+    state.forbids(state.modes.perspective != 0, "rectangle perspective",
+                  "a texture rectangle has no w: perspective must be off")
+    across, down = x - left, y - top
+    steps = dsdx << 11, dtdy << 11  # to s15.16 of s10.5
+    if state.modes.cycle == COPY:
+        coordinates = ((s << 16) + (across >> 2) * steps[0] >> 16,
+                       (t << 16) + down * steps[1] >> 16)
+        copy_rectangle(state, frame, (y, x), tile, coordinates, across & 3, flip)
+        return
+    gradients = Gradients(dsdx=steps[0], dtdy=steps[1])
+    if flip:
+        across, down = down, across
+        gradients = Gradients(dsdy=steps[0], dtdx=steps[1])
+    old = state.primitive_tile, state.max_level
+    state.primitive_tile, state.max_level = tile, 0  # its command says no level
+    try:
+        shade = None if state.checked else np.zeros((x.size, 4), np.int64)
+        colours = pixels(state, (s << 16) + across * steps[0] & M32,
+                         (t << 16) + down * steps[1] & M32, np.zeros_like(x), gradients, shade)
+    finally:
+        state.primitive_tile, state.max_level = old
+    store(frame, y, x, colours)
+    state.draws()
+
+
+def copy_rectangle(state: State, frame: np.ndarray, at, tile: int, coordinates,
+                   which: np.ndarray, flip: bool) -> None:
+    """Copies texels to pixels; ``coordinates``: of each pixel's group of four, s10.5;
+    ``which``: of the four it is."""
+    y, x = at
+    if flip or frame.dtype != np.uint16:
+        raise Misuse("copy mode", "copy mode draws texture rectangles into frames of 16 bits, "
+                                  "and does not flip them")
+    check_copy(state, tile)
+    texels = copy(state, tile, *coordinates)
+    frame[y, x] = texels[np.arange(x.size), which]
+    state.draws()
