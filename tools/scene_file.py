@@ -149,6 +149,8 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
         require(name, f"{where}.unit", material.unit, none, none)
+    if material.mapper == "unit" and scene.format == "rgb565":
+        raise UserError(f"{name}: {where}.mapper: 'unit' is not for rgb565")
     if material.mapper not in MAPPERS[scene.pixel.bytes]:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
                         f"{scene.pixel.bytes} bytes")

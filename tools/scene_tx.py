@@ -13,7 +13,8 @@ from .tx.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
 
 #: A tile's formats by name: format and size of its descriptor.
 TEXELS = {"rgba16": (RGBA, 2), "rgba32": (RGBA, 3), "yuv16": (YUV, 2), "ci4": (CI, 0),
-          "ci8": (CI, 1), "ia4": (IA, 0), "ia8": (IA, 1), "ia16": (IA, 2), "i4": (I, 0), "i8": (I, 1)}
+          "ci8": (CI, 1), "ia4": (IA, 0), "ia8": (IA, 1), "ia16": (IA, 2), "i4": (I, 0),
+          "i8": (I, 1)}
 FRAMES = ("rgba5551", "rgba8888")  # formats of scenes that engines draw into
 WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": (1, 1)}
 TILES = 8
@@ -169,10 +170,10 @@ def check_tiles(tx: dict, where: str) -> None:
         if end > TILES:
             fail(f"{at}.levels", f"makes {end} tiles; an engine has {TILES}")
         if TEXELS[tile["format"]][0] == CI and tx["tlut"] == "none":
-            fail(f"{at}.format", f'"{tile["format"]}" needs a TLUT, which {where.split()[-1]}.tlut '
-                                 "turns off")
+            fail(f"{where}.tlut", f'"none", but tiles[{i}] is {tile["format"]}')
         if tile["format"].startswith("ci") != tx["tiles"][0]["format"].startswith("ci"):
-            fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it none')
+            fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it '
+                                 "none")
         if tile["palette"] != [0] and tile["format"] != "ci4":
             fail(f"{at}.palette", f'is for "ci4", not "{tile["format"]}"')
     is_ci = tx["tiles"][0]["format"].startswith("ci")
@@ -197,7 +198,8 @@ def check(tx: dict, where: str) -> None:
         tx["combine"].append(PRESETS["pass"])
     if tx["cycles"] == 1:
         if tx["lod"] or "lod fraction" in inputs_of(tx):
-            fail(f"{where}.{'lod' if tx['lod'] else 'combine'}", 'the level of detail needs "cycles" 2')
+            fail(f"{where}.{'lod' if tx['lod'] else 'combine'}",
+                 'the level of detail needs "cycles" 2')
         if tx["convert"] == "filter, convert":
             fail(f"{where}.convert", '"filter, convert" needs "cycles" 2')
     check_tiles(tx, where)
