@@ -81,22 +81,34 @@ def padded(picture: np.ndarray, unit: int) -> np.ndarray:
     return np.pad(picture, ((0, 0), (0, -picture.shape[1] % unit), (0, 0)), "edge")
 
 
+def reduced(colours: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """(indices [n], palette [at most count, 3]) of colours [n, 3], uint8, by Pillow."""
+    image = Image.fromarray(np.ascontiguousarray(colours[None])).quantize(
+        count, Image.Quantize.MEDIANCUT, kmeans=4, dither=Image.Dither.NONE)
+    palette = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
+    return np.asarray(image, np.int64)[0], palette[:count]
+
+
 def palette_of(picture: np.ndarray, count: int, ia: bool) -> tuple[np.ndarray, np.ndarray]:
     """(indices [height, width], entries [at most count]): exact where the picture has no more
-    than so many colours of 16 bits, else Pillow's choice."""
+    than so many colours of 16 bits, else Pillow's choice; what is transparent shares entry 0."""
     values = to_ia16(picture) if ia else to_rgba16(picture)
     entries, indices = np.unique(values, return_inverse=True)
     if entries.size <= count:
         return indices.reshape(values.shape), entries
-    seen = picture if not ia else grey(intensity(picture), picture[..., 3]).astype(np.uint8)
-    method = Image.Quantize.FASTOCTREE  # the one that takes alpha into account
-    if not ia:
-        seen = seen.copy()
-        seen[..., 3] = np.where(seen[..., 3] >= OPAQUE, 255, 0)
-    image = Image.fromarray(np.ascontiguousarray(seen)).quantize(count, method)
-    colours = np.array(image.getpalette("RGBA"), np.uint8).reshape(1, -1, 4)[:, :count]
-    entries = (to_ia16(colours) if ia else to_rgba16(colours)).reshape(-1)
-    return np.asarray(image, np.int64), entries
+    if ia:  # two channels count as three: both matter alike
+        pairs = np.stack([values >> 8, values & 255], -1).astype(np.uint8).reshape(-1, 2)
+        indices, palette = reduced(pairs[:, [0, 1, 1]], count)
+        entries = palette[:, 0].astype(np.int64) << 8 | palette[:, 1]
+        return indices.reshape(values.shape), entries
+    opaque = picture[..., 3] >= OPAQUE
+    first = 0 if opaque.all() else 1
+    indices = np.zeros(values.shape, np.int64)
+    found, palette = reduced(picture[opaque][:, :3], count - first)
+    indices[opaque] = found + first
+    colours = np.pad(palette, ((0, 0), (0, 1)), constant_values=255)
+    entries = np.concatenate([np.zeros(first, np.int64), to_rgba16(colours)])
+    return indices, entries
 
 
 def to_yuv(picture: np.ndarray) -> np.ndarray:
