@@ -154,7 +154,8 @@ class Space:
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
-    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes, where: str) -> mesh_build.Tables:
+    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes,
+              where: str) -> mesh_build.Tables:
         """The tables of an object's mesh, refused where the material cannot draw it.
         ``map_size``: sides in texels; s and t at the far ends."""
         size, extent = map_size
