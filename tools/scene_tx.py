@@ -105,6 +105,7 @@ def tile_schema():
         "image": (text, REQUIRED), "format": (one_of(*TEXELS), REQUIRED),
         "width": (integer(1, 1024), None), "height": (integer(1, 256), None),
         "s": (axis, plain), "t": (axis, plain), "palette": (palette, [0]),
+        "colours": (integer(0, 15), None),
         "levels": (integer(1, TILES), 1), "load": (one_of("block", "tile"), None),
         "tmem": (integer(0, 511), None),
         "slide": (rows(number(-REACH, REACH), 2, 2), [0.0, 0.0])})
@@ -174,8 +175,11 @@ def check_tiles(tx: dict, where: str) -> None:
         if tile["format"].startswith("ci") != tx["tiles"][0]["format"].startswith("ci"):
             fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it '
                                  "none")
-        if tile["palette"] != [0] and tile["format"] != "ci4":
-            fail(f"{at}.palette", f'is for "ci4", not "{tile["format"]}"')
+        for name, plain in (("palette", [0]), ("colours", None)):
+            if tile[name] != plain and tile["format"] != "ci4":
+                fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
+        if tile["colours"] is None:
+            tile["colours"] = tile["palette"][0]
     is_ci = tx["tiles"][0]["format"].startswith("ci")
     if not is_ci and (tx["tlut"] or "none") != "none":
         fail(f"{where}.tlut", f'"{tx["tlut"]}", but no tile is CI')

@@ -172,13 +172,13 @@ def indexed(tx: dict, pictures: list[list[np.ndarray]], folder: Path,
         fail(f"{where}.palettes", 'is missing: "ci4" and "ci8" tiles share one TLUT')
     groups: dict[int, list[int]] = {}
     for i, tile in enumerate(tx["tiles"]):
-        groups.setdefault(tile["palette"][0] if tile["format"] == "ci4" else -1, []).append(i)
+        groups.setdefault(tile["colours"] if tile["format"] == "ci4" else -1, []).append(i)
     made: dict[int, list[texels.Texture]] = {}
     for number, members in groups.items():
         size, unit, count = (1, 8, 256) if number < 0 else (0, 16, ENTRIES)
         full = [texels.padded(level, unit) for i in members for level in pictures[i]]
         if tx["palettes"] and number >= 0 and ENTRIES * number not in palettes.entries:
-            fail(f"{where}.tiles[{members[0]}].palette", f"{tx['palettes']} has no row {number}")
+            fail(f"{where}.tiles[{members[0]}].colours", f"{tx['palettes']} has no row {number}")
         found = iter(palettes.indices(full, ENTRIES * max(number, 0), count))
         for i in members:
             made[i] = []
