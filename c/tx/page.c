@@ -103,6 +103,7 @@ static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
         *(uint32 *)to = *(const uint32 *)from;
 }
 
+/* page: row 0; rows 128 to 255 lie before it, as in MAP_PAGE. */
 static void make_page(uint8 *page, const struct tx *tx, int32 tile, int32 pixel_bytes,
                       const struct tx_colour *shade)
 {
@@ -111,13 +112,14 @@ static void make_page(uint8 *page, const struct tx *tx, int32 tile, int32 pixel_
 
     find_shown(&columns, &tx->tiles[tile].s);
     find_shown(&rows, &tx->tiles[tile].t);
-    for (int32 v = 0; v < SIDE; v++, page += pitch) {
-        int32 back = v - rows.same[v];
+    for (int32 v = 0; v < SIDE; v++) {
+        int32 same = rows.same[v];
+        uint8 *row = page + (int8)v * pitch;
 
-        if (back)
-            copy_row(page, page - back * pitch, pitch);
+        if (same < v)
+            copy_row(row, page + (int8)same * pitch, pitch);
         else
-            make_row(page, tx, tile, &columns, rows.coordinate[v], pixel_bytes, shade);
+            make_row(row, tx, tile, &columns, rows.coordinate[v], pixel_bytes, shade);
     }
 }
 
@@ -167,6 +169,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
 {
     struct tx_page *page = &unit->page;
     uint32 key[TX_PAGE_KEY], differs = 0;
+    uint8 *origin;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
@@ -178,8 +181,9 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     page->key[0] = ~key[0];     /* of no use until it is made */
     if (!page_room(unit, SIDE * SIDE * pixel_bytes))
         return 0;
-    make_page(page->texels, &unit->tx, tile, pixel_bytes, shade);
-    page->map.texels = page->texels;
+    origin = page->texels + SIDE / 2 * SIDE * pixel_bytes;
+    make_page(origin, &unit->tx, tile, pixel_bytes, shade);
+    page->map.texels = origin;
     page->map.width = page->map.height = SIDE;
     page->map.scale = 65536;
     page->map.layout = MAP_PAGE;
