@@ -23,6 +23,7 @@ ALPHA_C = ("lod fraction", "texel0", "texel1", "primitive", "shade", "environmen
 #: Names of the inputs' codes: (A, B, C, D) of colour and of alpha.
 RGB_NAMES = (RGB_A, RGB_B, RGB_C, RGB_D)
 ALPHA_NAMES = (ALPHA_ABD, ALPHA_ABD, ALPHA_C, ALPHA_ABD)
+TEXELS = ("texel0", "texel0.a", "texel1", "texel1.a")
 #: What this combiner has not.
 ABSENT = ("noise", "key centre", "key scale")
 
@@ -59,7 +60,7 @@ def used(combine: Combine, cycles: int) -> set[str]:
 def samples(state: State) -> set[int]:
     """Which samples matter: 0 is tile T0's, 1 is T1's."""
     if state.modes.cycle != TWO_CYCLES:
-        return {0} if used(state.combine, 1) & {"texel0", "texel1", "texel0.a", "texel1.a"} else set()
+        return {0} if used(state.combine, 1) & set(TEXELS) else set()
     return {number ^ cycle for cycle in (0, 1) for number in (0, 1)
             if cycle_names(state.combine, cycle) & {f"texel{number}", f"texel{number}.a"}}
 
