@@ -178,7 +178,7 @@ def test_bytes_are_the_headers():
     assert data[:8] == b"TMAP\0\0\0\6"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[144:148] == b"\0" + scene.palette[0].tobytes()
+    assert data[176:180] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -259,9 +259,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "objects", 65536, "objects_at: "),
     ("scene_header", "vertices", 5, "objects[1].vertex: 2 is not from 0 to 1"),
     ("scene_header", "poses", 3, "objects[1].pose: 2 is not from 0 to 1"),
-    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 144 to"),
+    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 176 to"),
     ("scene_header", "textures_at", 2**32 - 4, "textures_at: 4294967292 is not from"),
-    ("scene_header", "materials_at", 146, "materials_at: 146 is not a multiple of 4"),
+    ("scene_header", "materials_at", 178, "materials_at: 178 is not a multiple of 4"),
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
     ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
@@ -276,12 +276,14 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "layout", 5, "textures[0].width or height: 256x256 is not 256x64"),
     ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
     ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
-    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 144 to"),
+    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 176 to"),
     ("scene_texture", "at", len(TEXTURED) - 4, "textures[0].at: "),
-    ("scene_texture", "at", 146, "textures[0].at: 146 is not a multiple of 4"),
+    ("scene_texture", "at", 178, "textures[0].at: 178 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
-    ("scene_material", "mapper", 9, "materials[0].mapper: 9 is not from 0 to 8"),
+    ("scene_material", "mapper", 10, "materials[0].mapper: 10 is not from 0 to 9"),
+    ("scene_material", "mapper", 9, "materials[0].unit: -1 is not from 0 to -1"),
+    ("scene_material", "unit", 0, "materials[0].unit: 0 is not from -1 to -1"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
     ("scene_material", "light", 0, "materials[0].light: 0 is not from -1 to -1"),
     ("scene_material", "edges", 3, "materials[0].edges: 3 is not from 0 to 2"),

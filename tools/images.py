@@ -53,17 +53,14 @@ def decode(path: Path, mode: str = "RGB") -> Image.Image:
         return ImageOps.exif_transpose(image).convert(mode)
 
 
-def load(reference: str, folder: Path, where: str, width: int = SIDE,
-         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
-    """The middle of the referenced picture as uint8 (height, width, channels), row 0 on top.
-
-    It is cut to the shape of width x height, then resized. ``mode``: "RGB" or "RGBA".
+def picture(reference: str, folder: Path, where: str, mode: str = "RGB") -> Image.Image:
+    """The referenced picture in its own size.
 
     ``where`` (scene file and field) starts the message of every refusal.
     """
     path = locate(reference, folder, where)
     try:
-        image = decode(path, mode)
+        return decode(path, mode)
     except Image.UnidentifiedImageError:
         raise UserError(f"{where}: {reference}: not a PNG or JPEG picture") from None
     except Image.DecompressionBombError:
@@ -71,6 +68,15 @@ def load(reference: str, folder: Path, where: str, width: int = SIDE,
     except Exception as error:  # a damaged file fails in as many ways as there are decoders
         text = " ".join(str(error).split()) or type(error).__name__
         raise UserError(f"{where}: {reference}: cannot be read: {text}") from None
+
+
+def load(reference: str, folder: Path, where: str, width: int = SIDE,
+         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
+    """The middle of a ``picture`` as uint8 (height, width, channels), row 0 on top.
+
+    It is cut to the shape of width x height, then resized.
+    """
+    image = picture(reference, folder, where, mode)
     wide, high = image.size
     cut_wide = max(1, min(wide, high * width // height))
     cut_high = max(1, min(high, wide * height // width))

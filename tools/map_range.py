@@ -4,6 +4,7 @@ import numpy as np
 
 from . import layout
 from .fields import fail
+from .scene_tx import REACH
 
 ONE = 65536  # 1.0 in 16.16
 MAP_CENTRE = 128.0  # of s along the longer side
@@ -24,6 +25,16 @@ def inside(made: np.ndarray, texture: dict) -> np.ndarray:
     size = np.array([texture["width"], texture["height"]])
     last = (((size << 16) + 1) * 256 - 1) // max(size)  # its texel is not beyond the side
     return made.clip(0, np.minimum(last, 256 * ONE))
+
+
+def check_engine(corners: list[list[float]], where: str) -> None:
+    """Refuses corners of one polygon whose s, t a texture engine cannot draw."""
+    for noun, column in (("s", 2), ("t", 3)):
+        values = [corner[column] for corner in corners]
+        if not -REACH <= min(values) <= max(values) <= REACH - 1 / 32:
+            fail(where, f"{noun} must be from -{REACH} to {REACH - 1 / 32:g} texels")
+        if max(values) - min(values) >= REACH:
+            fail(where, f"{noun} of two corners: {REACH} texels apart or more")
 
 
 def check_map(corners: list[list[float]], mapper: str, size: tuple[int, int],

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import numpy as np
 
-from . import images, palette
+from . import images, palette, scene_tx
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
 from .model_shading import LIT
-from .pixel_formats import FORMATS
+from .pixel_formats import FORMATS, PixelFormat
 from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ONE, SETTINGS, Material, Texture,
                          size_fault)
 
@@ -32,6 +32,7 @@ def material_schema():
     return choice({
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
         "colour": {"colour": (colour, REQUIRED)},
+        "tx": {"tx": (scene_tx.schema(), REQUIRED), "mapper": (one_of("unit"), "unit")},
         "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
         settings)
 
@@ -39,6 +40,25 @@ def material_schema():
 def mapper_of(material: dict) -> str:
     """The mapper of a checked material."""
     return material.get("mapper", "gouraud" if "shades" in material else "flat")
+
+
+def has_shades(material: dict) -> bool:
+    """Whether a checked material, other than a Gouraud one, takes shades from 0 to 255."""
+    looks = scene_tx.looks(material)
+    return mapper_of(material) in LIT or bool(looks and looks.shade)
+
+
+def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
+    """Refuses a texture engine that does not fit its material or the scene's pixels."""
+    if pixel.name not in scene_tx.FRAMES:
+        fail(f"{at}.tx", f"a scene in {pixel.name} has no texture engine; one in "
+                         + " or ".join(scene_tx.FRAMES) + " has")
+    for kind in ("gradients", "start", "perspective"):
+        if material[kind] != getattr(Material, kind):
+            fail(f"{at}.{kind}", "is not for a texture engine")
+    if material["edges"] == "integer":
+        fail(f"{at}.edges", '"integer" is not for a texture engine')
+    scene_tx.check(material["tx"], f"{at}.tx")
 
 
 def check(spec: dict, where: str) -> None:
@@ -52,14 +72,17 @@ def check(spec: dict, where: str) -> None:
         at = join(f"{where}materials", name)
         mapper = mapper_of(material)
         drawn = MAPPERS[pixel.bytes]
-        if mapper not in drawn:
+        if mapper not in drawn and mapper != "unit":
             fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
                  f"a scene in {pixel.name} has flat colours and the mapper "
-                 + " or ".join(f'"{each}"' for each in drawn[1:]) + " only")
+                 + " or ".join(f'"{each}"' for each in drawn[1:] if each != "unit") + " only")
         if pixel.bytes > 1 and material["perspective"] != "none":
             fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
+        if "tx" in material:
+            check_tx(material, pixel, at)
         if material["perspective"] != "none" and (
-                mapper, material["gradients"], material["start"]) != ("affine", "plane", "subtexel"):
+                mapper, material["gradients"], material["start"]) != (
+                    "affine", "plane", "subtexel"):
             fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
                                       'gradients "plane" and start "subtexel"')
         if material["tolerance"] and material["perspective"] == "none":
@@ -83,7 +106,7 @@ class Pixels:
     """The exact colours of a scene: what pixel each is, and the palette's first entries."""
 
     of: dict[tuple, int]  # flat colour: pixel
-    ramps: dict[str, tuple[int, int]]  # Gouraud or lit material: first entry, steps
+    ramps: dict[str, tuple[int, int]]  # material with shades: first entry, steps
     exact: list[tuple[int, int, int]] = field(default_factory=list)
 
 
@@ -92,13 +115,12 @@ def pixels(spec: dict) -> Pixels:
     materials = spec["materials"]
     flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
                                                      if "colour" in m)]))
+    ramps = {name: (0, SHADES) for name, m in materials.items() if has_shades(m)}
     if FORMATS[spec["format"]].numbers:
-        return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), {})
-    made = Pixels({rgb: i for i, rgb in enumerate(flat)}, {}, list(flat))
+        return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), ramps)
+    made = Pixels({rgb: i for i, rgb in enumerate(flat)}, ramps, list(flat))
     known = {}
     for name, material in materials.items():
-        if mapper_of(material) in LIT:
-            made.ramps[name] = 0, SHADES
         if "shades" not in material:
             continue
         steps, key = material["steps"], (*material["shades"], material["steps"])
@@ -118,9 +140,10 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
-def build(spec: dict, made: Pixels, folder: Path,
+def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
-    """Palette, uint8 (256, 3), textures and materials; a texture once a layout."""
+    """Palette, uint8 (256, 3), textures and materials; a texture once a layout. ``engines``:
+    the numbers of those that materials have."""
     wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]])
               for m in spec["materials"].values() if "texture" in m}
     pictures, pixel = {}, FORMATS[spec["format"]]
@@ -150,5 +173,6 @@ def build(spec: dict, made: Pixels, folder: Path,
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
-                 light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE))
-        for m in spec["materials"].values()]
+                 light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE),
+                 engines.get(name, -1))
+        for name, m in spec["materials"].items()]

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import model_logarithm, model_reciprocal
+from . import model_logarithm, model_reciprocal, scene_units
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
@@ -258,7 +258,7 @@ def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
                         material.perspective, material.mapper, material.tolerance)
     texture = scene.textures[material.texture].texels if material.texture >= 0 else None
     return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
-                  scene.width, scene.height, material.mapper != "flat", settings,
+                  scene.width, scene.height, material.mapper not in ("flat", "unit"), settings,
                   None if texture is None else texture.shape[::-1])
 
 
@@ -273,8 +273,15 @@ def prepare(scene, obj, number: int) -> Polygon | None:
 def render(scene, number: int) -> np.ndarray:
     """Frame ``number`` of a scene (tools.scene_file.Scene), height x width of its pixels."""
     frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
+    states = {}
     for which, vertices in polygons_at(scene, number):
-        polygon, material = prepare_polygon(scene, which, vertices), scene.materials[which]
+        material = scene.materials[which]
+        if material.mapper == "unit":
+            if material.unit not in states:
+                states[material.unit] = scene_units.state_at(scene, material.unit, number)
+            scene_units.draw(scene, states[material.unit], frame, material, vertices)
+            continue
+        polygon = prepare_polygon(scene, which, vertices)
         if polygon:
             texture = scene.textures[material.texture].texels if material.texture >= 0 else None
             light = scene.textures[material.light].texels if material.light >= 0 else None

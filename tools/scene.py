@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials, scene_space
+from . import layout, materials, scene_space, scene_tx, scene_tx_build
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
-from .map_range import MAP_CENTRE, check_map, fixed, inside
+from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, fixed, inside
 from .model_shading import LIT
 from .pixel_formats import FORMATS
 from .scene_file import Object, Scene
@@ -51,7 +51,7 @@ def schema(limits: dict[str, int]):
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
                   "map_turn": (number(-360, 360), 0.0),  # degrees
                   "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)} | placing,
-        "vertices": {"vertices": (rows(rows(place, 2, 5), 3, corners), REQUIRED)} | placing}
+        "vertices": {"vertices": (rows(rows(place, 2, 6), 3, corners), REQUIRED)} | placing}
     shapes |= scene_space.object_schema(limits)
     always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
     side = limits["SCENE_SIDE_MAX"]
@@ -104,26 +104,34 @@ def check_convex(corners: list[list[float]], where: str) -> None:
         fail(where, "the polygon crosses itself")
 
 
-def listed(spec: dict, kind: str, where: str) -> list[list[float]]:
-    """A vertex list as x, y, s, t, shade, w. ``kind``: the mapper, or "perspective"."""
-    forms = {"flat": "[x, y, s, t] or, as it is flat, [x, y]", "gouraud": "[x, y, shade]",
-             "perspective": "[x, y, s, t, w]"} | dict.fromkeys(LIT, "[x, y, s, t, shade]")
-    lengths = {"flat": (2, 4), "gouraud": (3,), "perspective": (5,)} | dict.fromkeys(LIT, (5,))
+def columns_of(material: dict) -> list[str]:
+    """What a vertex of a material has after x and y."""
+    mapper, looks = materials.mapper_of(material), scene_tx.looks(material)
+    if mapper == "gouraud":
+        return ["shade"]
+    if looks:
+        return ["s", "t", *["w"] * looks.depth, *["shade"] * looks.shade]
+    return ["s", "t"] + (["shade"] if mapper in LIT else
+                         ["w"] if material["perspective"] != "none" else [])
+
+
+def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
+    """A vertex list as x, y, s, t, shade, w."""
+    columns = columns_of(material)
+    is_flat = materials.mapper_of(material) == "flat"
+    form = f"[x, y, {', '.join(columns)}]" + is_flat * " or, as it is flat, [x, y]"
     limits = layout.load().constants
-    depth = number(limits["W_MIN"] / ONE, limits["W_MAX"] / ONE)
+    ranges = {"shade": number(0, materials.SHADES - 1),
+              "w": number(limits["W_MIN"] / ONE, limits["W_MAX"] / ONE)}
     out = []
-    for i, corner in enumerate(spec["vertices"]):
-        if len(corner) not in lengths.get(kind, (4,)):
-            fail(f"{where}[{i}]", f"must be {forms.get(kind, '[x, y, s, t]')}")
-        x, y, *rest = corner
-        s, t, shade, w = [*rest[:2], 0.0, 0.0][:2] + [0.0, 1.0]
-        if kind == "gouraud":
-            s, shade = 0.0, number(0, materials.SHADES - 1)(corner[2], f"{where}[{i}][2]")
-        elif kind in LIT:
-            shade = number(0, materials.SHADES - 1)(corner[4], f"{where}[{i}][4]")
-        elif kind == "perspective":
-            w = depth(corner[4], f"{where}[{i}][4]")
-        out.append([x, y, s, t, shade, w])
+    for i, (x, y, *rest) in enumerate(spec["vertices"]):
+        if len(rest) != len(columns) and (rest or not is_flat):
+            fail(f"{where}[{i}]", f"must be {form}")
+        corner = {"s": 0.0, "t": 0.0, "shade": 0.0, "w": 1.0} | dict(zip(columns, rest))
+        for name in ("shade", "w"):
+            if name in columns:
+                ranges[name](corner[name], f"{where}[{i}][{2 + columns.index(name)}]")
+        out.append([x, y, *corner.values()])
     check_convex(spec["vertices"], where)
     return out
 
@@ -143,31 +151,33 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
     material cannot draw: ``where`` is the object."""
     mapper = materials.mapper_of(material)
     at = f"{where}.vertices" if "vertices" in spec else f"{where}.sides"
+    has_shades = materials.has_shades(material)
     if spec.get("shades") is not None:
-        if mapper not in ("gouraud", *LIT):
+        if mapper != "gouraud" and not has_shades:
             fail(f"{where}.shades", f"material {spec['material']!r} has no shades")
         if len(spec["shades"]) > spec["sides"]:
             fail(f"{where}.shades", f"must have 1 to {spec['sides']} entries, "
                                     f"not {len(spec['shades'])}")
     size = (texture["width"], texture["height"]) if texture else (256, 256)
-    extent = tuple(2 * MAP_CENTRE * side / max(size) for side in size)
-    kind = mapper if material["perspective"] == "none" else "perspective"
-    if mapper == "lit" and "sides" in spec and spec["shades"] is None:
+    extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
+    if has_shades and mapper != "lit_gouraud" and "sides" in spec and spec["shades"] is None:
         spec = spec | {"shades": [materials.SHADES - 1.0]}  # full light
-    corners = regular(spec, extent) if "sides" in spec else listed(spec, kind, at)
+    corners = regular(spec, extent) if "sides" in spec else listed(spec, material, at)
     if mapper != "flat" and len(corners) > 3:
         if material["gradients"] == "polygon":
             fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
                      '"polygon", which are for triangles')
         even = material["gradients"] == "plane"  # others go from edge to edge
-        if mapper in ("gouraud", "lit_gouraud") and even:
+        if mapper in ("gouraud", "lit_gouraud", "unit") and even:
             shades_at = at if "vertices" in spec else f"{where}.shades"
             check_even(corners, [4], UNEVEN_SHADE, shades_at)
         elif mapper == "arbitrary" and even:
             check_even(corners, [2, 3], UNEVEN, at)
+    map_at = at if "vertices" in spec else f"{where}.map_radius"
     if texture:
-        map_at = at if "vertices" in spec else f"{where}.map_radius"
         check_map(corners, mapper, size, extent, map_at)
+    if mapper == "unit":
+        check_engine(corners, map_at)
     return corners
 
 
@@ -280,9 +290,11 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
     count = frames or spec["frames"]
     pixels = materials.pixels(spec)
+    engines, engine_tables = scene_tx_build.build(spec, path.parent, count, where)
     space = scene_space.Space(spec, count, path.parent, where)
     objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
-    colours, textures, looks = materials.build(spec, pixels, path.parent, where)
+    colours, textures, looks = materials.build(spec, pixels, engines, path.parent, where)
     return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables())
+                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
+                 **engine_tables)

@@ -5,11 +5,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout, maps, scene_meshes, scene_units
+from . import layout, scene_meshes, scene_units
 from .errors import UserError
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
+from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, Texture, check_texture, linear,
+                             ordered, size_fault)
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
@@ -21,32 +23,13 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "words": "tx_word"}
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
-#: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
-MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
-                 "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
-                 "lit_gouraud": "page", "unit": None}
-LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
 #: The settings of a material by their names, and the prefix of each one's enumerators.
 SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
-#: What draws pixels of so many bytes.
-MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m != "unit"),
-           2: ("flat", "affine", "columns", "unit"), 4: ("flat", "affine", "unit")}
 ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
-
-
-@dataclass(eq=False)
-class Texture:
-    """A map, and the layout its mapper reads."""
-
-    texels: np.ndarray = field(repr=False)  # (height, width): [t][s], of the scene's pixels
-    layout: str = "page"  # of LAYOUTS
-
-    def __eq__(self, other) -> bool:
-        return self.layout == other.layout and np.array_equal(self.texels, other.texels)
 
 
 @dataclass(frozen=True)
@@ -147,50 +130,14 @@ def number_of(kind: str, value: str, name: str, where: str) -> int:
     return SETTINGS[kind].index(value)
 
 
-def size_fault(kind: str, width: int, height: int) -> str | None:
-    """What a layout needs and this size is not; None: it fits."""
-    limits = layout.load().constants
-    least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
-    low, high = sorted((width, height))
-    powers = not width & width - 1 and not height & height - 1
-    if kind == "page":
-        fits = powers and least <= low <= high <= page
-        return None if fits else f"sides that are powers of two from {least} to {page}"
-    if kind == "linear":
-        return None if 1 <= low <= high <= most else f"sides from 1 to {most}"
-    if kind == "columns":
-        texels = 1 << limits["MAP_COLUMNS_BITS"]
-        fits = powers and least <= low and width * height <= texels
-        return None if fits else (f"sides that are powers of two from {least} and at most "
-                                  f"{texels} texels")
-    if kind == "light":
-        levels = limits["LIGHT_LEVELS"]
-        return None if (width, height) == (page, levels) else f"{page}x{levels}"
-    return None if low == high == page else f"{page}x{page}"
-
-
-def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
-    """Refuses a map no mapper could draw."""
-    drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
-    if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
-        raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
-    if texture.texels.dtype != pixel.dtype:
-        raise UserError(f"{name}: {where}.texel_bytes: {texture.texels.itemsize} "
-                        f"where {pixel.bytes} is right")
-    height, width = texture.texels.shape
-    needs = size_fault(texture.layout, width, height)
-    if needs:
-        raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
-
-
 def check_material(scene: Scene, material: Material, name: str, where: str) -> None:
     """Refuses unknown settings and a texture that is not the mapper's."""
     for kind in SETTINGS:
         number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
     if material.perspective != "none" and (material.mapper, material.gradients, material.start) != (
             "affine", "plane", "subtexel"):
-        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper 'affine', "
-                        "gradients 'plane' and start 'subtexel'")
+        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper "
+                        "'affine', gradients 'plane' and start 'subtexel'")
     if material.mapper == "lit_gouraud" and (material.gradients, material.start) != (
             "plane", "subtexel"):
         raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
@@ -202,6 +149,8 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
         require(name, f"{where}.unit", material.unit, none, none)
+    if material.mapper == "unit" and scene.format == "rgb565":
+        raise UserError(f"{name}: {where}.mapper: 'unit' is not for rgb565")
     if material.mapper not in MAPPERS[scene.pixel.bytes]:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
                         f"{scene.pixel.bytes} bytes")
@@ -276,26 +225,6 @@ def check(scene: Scene, name: str) -> None:
     scene_meshes.check(scene, name)
 
 
-def ordered(texture: Texture) -> bytes:
-    """The texels as the file has them: in the layout's order, big-endian."""
-    texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
-    if texture.layout == "tiled":
-        texels = maps.to_tiled(texels)
-    elif texture.layout == "columns":
-        texels = maps.to_columns(texels)
-    return texels.tobytes()
-
-
-def linear(data: bytes, width: int, height: int, kind: str, texel: np.dtype) -> Texture:
-    """The inverse of ``ordered``."""
-    texels = np.frombuffer(data, texel.newbyteorder(">")).astype(texel)
-    if kind == "tiled":
-        return Texture(maps.from_tiled(texels, width, height), kind)
-    if kind == "columns":
-        return Texture(maps.from_columns(texels, width, height), kind)
-    return Texture(texels.reshape(height, width), kind)
-
-
 def records(table, struct: layout.Struct) -> bytes:
     """A table's bytes, from rows of one number a field."""
     rows = np.asarray(table, np.int64).reshape(-1, len(struct.fields))
@@ -322,8 +251,8 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
-        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour, m.light,
-         m.tolerance, m.unit]
+        [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
+         m.light, m.tolerance, m.unit]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]

@@ -8,14 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials, mesh_build, mesh_file, space
+from . import layout, materials, mesh_build, mesh_file, scene_tx_build, space
 from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
-from .map_range import MAP_CENTRE, check_map, extent_of, fixed, inside
+from .map_range import check_engine, check_map, extent_of, fixed, inside
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
 
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
-LIGHT = ("gouraud", "lit", "lit_gouraud")  # mappers that take shades
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, s or t
 
@@ -54,12 +53,18 @@ def schema(limits: dict[str, int]) -> dict:
     key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
                  "eye": (place, None), "target": (place, None)})
     camera = table({
-        "eye": (place, REQUIRED), "target": (place, [0.0, 0.0, 0.0]), "up": (place, [0.0, 1.0, 0.0]),
+        "eye": (place, REQUIRED), "target": (place, [0.0, 0.0, 0.0]),
+        "up": (place, [0.0, 1.0, 0.0]),
         "fov": (number(1, 170), 60.0),  # degrees, across the frame's width
         "near": (number(limits["W_MIN"] / ONE, 1000), 0.125), "keys": (rows(key, 1, 1000), None)})
     light = table({"direction": (place, REQUIRED), "ambient": (number(0, 1), 0.25)})
     return {"camera": (camera, None),
             "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
+
+
+def has_light(material: dict) -> bool:
+    """Whether a material takes shades."""
+    return materials.mapper_of(material) == "gouraud" or materials.has_shades(material)
 
 
 def is_mesh(obj: dict) -> bool:
@@ -103,7 +108,7 @@ def check(spec: dict, where: str) -> None:
         if obj["mapping"] not in allowed:
             fail(f"{at}.mapping", f'"{obj["mapping"]}", but material {obj["material"]!r} takes '
                                   f"{' or '.join(allowed)}")
-        if obj["normals"] and obj["mapping"] != "environment" and mapper not in LIGHT:
+        if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
             fail(f"{at}.normals", f"material {obj['material']!r} has no use for them")
 
 
@@ -134,13 +139,14 @@ class Space:
         size = (texture["width"], texture["height"]) if texture else (256, 256)
         mapper = materials.mapper_of(material)
         wishes = Wishes(
-            obj["size"], obj["normals"], obj["mapping"], mapper in LIGHT,
+            obj["size"], obj["normals"], obj["mapping"], has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
-        key = repr((source, size, mapper == "arbitrary", wishes))
+        extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
+        key = repr((source, size, extent, mapper in ("arbitrary", "unit"), wishes))
         if key not in self.asked:
-            made = self.build(obj, mapper, size, wishes, where)
+            made = self.build(obj, mapper, (size, extent), wishes, where)
             if mapper == "arbitrary":
                 made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
             if made.key not in self.known:
@@ -148,10 +154,11 @@ class Space:
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
-    def build(self, obj: dict, mapper: str, size: tuple[int, int], wishes: Wishes,
+    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes,
               where: str) -> mesh_build.Tables:
-        """The tables of an object's mesh, refused where the material cannot draw it."""
-        extent = extent_of(size)
+        """The tables of an object's mesh, refused where the material cannot draw it.
+        ``map_size``: sides in texels; s and t at the far ends."""
+        size, extent = map_size
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
         shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
             mesh_file.listed(obj, where)
@@ -160,8 +167,14 @@ class Space:
         if obj["mapping"] == "uv":
             if shape.texels is None:
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
-            check_map([(0, 0, *texel) for face in shape.texels for texel in face], mapper, size,
-                      extent, at if "mesh" in obj else f"{where}.uvs")
+            texels_at = at if "mesh" in obj else f"{where}.uvs"
+            faces = [[(0, 0, *texel) for texel in face] for face in shape.texels]
+            if mapper == "unit":
+                for face in faces:
+                    check_engine(face, texels_at)
+            else:
+                check_map([corner for face in faces for corner in face], mapper, size, extent,
+                          texels_at)
         return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
@@ -178,8 +191,9 @@ class Space:
         return len(self.meshes) - 1
 
     def seen(self, obj: dict, age: int, frame: int, shades: float) -> tuple[np.ndarray, ...]:
-        """An object's view before it is rounded: factors, a row each for x, y and w; the move; the eye in
-        the mesh; factors of normals, for s, t and shade. ``shades``: how many lie between dark and bright."""
+        """An object's view before it is rounded: factors, a row each for x, y and w; the move;
+        the eye in the mesh; factors of normals, for s, t and shade. ``shades``: how many lie
+        between dark and bright."""
         spec, guard = self.spec, 2.0 ** self.guard
         axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])

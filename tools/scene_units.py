@@ -1,4 +1,4 @@
-"""Texture engines in scene files: their display lists and DRAM.
+"""Texture engines in scene files: their display lists and DRAM, and what they draw.
 
 Formats stand in c/scene/scene_file.h.
 """
@@ -6,6 +6,10 @@ Formats stand in c/scene/scene_file.h.
 import numpy as np
 
 from .errors import UserError
+from .tx.commands import replay
+from .tx.state import State
+
+REACH = 1024 << 16
 
 #: The tables, with their columns: an engine's first list and how many; a list's first word and
 #: how many; a word's halves.
@@ -28,6 +32,34 @@ def lists_until(scene, unit: int, frame: int) -> list[list[int]]:
     """All words that an engine has been given when a frame is drawn on its own."""
     several = int(scene.units[unit][1]) > 1
     return words_of(scene, unit, 0) + (words_of(scene, unit, 1 + frame) if several else [])
+
+
+def state_at(scene, unit: int, frame: int) -> State:
+    """An engine's model as it is when a frame is drawn."""
+    state = State(np.frombuffer(scene.dram, np.uint8))
+    replay(state, lists_until(scene, unit, frame))
+    return state
+
+
+def check_range(vertices: list[tuple], where: str) -> None:
+    """Refuses vertices whose s and t an engine does not draw."""
+    for noun, column in (("s", 2), ("t", 3)):
+        values = [vertex[column] for vertex in vertices]
+        if not -REACH <= min(values) <= max(values) < REACH:
+            raise UserError(f"{where}: {noun} is not from -1,024 to 1,023.97 texels")
+        if max(values) - min(values) >= REACH:
+            raise UserError(f"{where}: {noun} of two vertices are 1,024 texels or more apart")
+
+
+def draw(scene, state: State, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+    """Draws a polygon, vertices (x, y, s, t, shade, w), by an engine of the scene's."""
+    from . import model  # which draws with this
+    from .tx import polygon
+
+    check_range(vertices, "polygon")
+    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
+    polygon.draw(state, frame, [polygon.Vertex(x, y, s, t, w, shade=shade)
+                                for x, y, s, t, shade, w in vertices], settings)
 
 
 def check(scene, name: str) -> None:

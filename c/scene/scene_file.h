@@ -66,8 +66,8 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine, columns or unit, with 4 flat, affine or unit; none of these
-   with a perspective. */
+/* With 2 bytes a pixel: flat, affine, columns or, but for PIXEL_RGB565, unit; with 4 flat, affine
+   or unit; none of these with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */

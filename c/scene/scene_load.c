@@ -160,7 +160,8 @@ static const char *wrong_material(const struct scene *scene)
     for (uint32 i = 0; i < h->materials; i++) {
         const struct scene_material *m = &scene->materials[i];
 
-        if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, bytes))
+        if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, bytes)
+            || (m->mapper == MAPPER_UNIT && h->format == PIXEL_RGB565))
             return "material.mapper";
         if (m->mapper == MAPPER_UNIT ? (uint32)m->unit >= h->units : m->unit != NO_UNIT)
             return "material.unit";

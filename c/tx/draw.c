@@ -27,28 +27,29 @@ static void shade_at(const struct tx_planes *planes, int32 x, int32 y, struct tx
     shade->a = channel(tx_plane_at(planes, TX_ALPHA, x, y));
 }
 
-/* A line pixel by pixel: whatever the modes are. */
+/* A line pixel by pixel: whatever the modes are. constant: the shade where the planes have none. */
 static void draw_line(const struct tx *tx, const struct tx_planes *planes,
-                      const struct frame *frame, int32 x, int32 end, int32 y)
+                      const struct tx_colour *constant, const struct frame *frame, int32 x,
+                      int32 end, int32 y)
 {
     uint8 *row = frame->pixels + y * frame->pitch;
+    struct tx_colour shade = *constant;
 
     for (; x < end; x++) {
         struct tx_point point;
-        struct tx_colour shade;
 
         tx_planes_point(planes, x, y, &point);
         if (planes->shaded)
             shade_at(planes, x, y, &shade);
         tx_pixel_write(row, x, frame->pixel_bytes,
-                       tx_pixel_of(tx_draw_pixel(tx, &point, planes->shaded ? &shade : 0),
-                                   frame->pixel_bytes));
+                       tx_pixel_of(tx_draw_pixel(tx, &point, &shade), frame->pixel_bytes));
     }
 }
 
 /* plan: 0 where there is none. */
 static void draw_lines(const struct setup *s, const struct tx *tx,
-                       const struct tx_planes *planes, const struct tx_plan *plan)
+                       const struct tx_planes *planes, const struct tx_colour *shade,
+                       const struct tx_plan *plan)
 {
     const struct scanline *line = s->edges.lines;
 
@@ -58,7 +59,7 @@ static void draw_lines(const struct setup *s, const struct tx *tx,
         if (count > 0 && plan)
             tx_plan_draw(plan, s->frame, x, y, count);
         else
-            draw_line(tx, planes, s->frame, x, x + count, y);
+            draw_line(tx, planes, shade, s->frame, x, x + count, y);
     }
 }
 
@@ -110,7 +111,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
         return refused(unit, TX_COORDINATE_RANGE);
     passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, unit, &planes));
-    draw_lines(s, &unit->tx, &planes, passes ? &plan : 0);
+    draw_lines(s, &unit->tx, &planes, &needs->shade, passes ? &plan : 0);
     if (s->counts) {
         s->counts->polygons++;
         s->counts->pixels[passes ? SPAN_TX_PASSES : SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,

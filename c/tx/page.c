@@ -141,19 +141,21 @@ static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
         *(uint32 *)to = *(const uint32 *)from;
 }
 
+/* page: row 0; rows 128 to 255 lie before it, as in MAP_PAGE. */
 static void make_page(uint8 *page, struct making *m)
 {
     int32 pitch = SIDE * m->pixel_bytes, copy = m->tx->modes.cycle == TX_COPY;
 
     find_shown(&m->columns, &m->tx->tiles[m->tile].s, copy);
     find_shown(&m->rows, &m->tx->tiles[m->tile].t, copy);
-    for (int32 v = 0; v < SIDE; v++, page += pitch) {
-        int32 back = v - m->rows.same[v];
+    for (int32 v = 0; v < SIDE; v++) {
+        int32 same = m->rows.same[v];
+        uint8 *row = page + (int8)v * pitch;
 
-        if (back)
-            copy_row(page, page - back * pitch, pitch);
+        if (same < v)
+            copy_row(row, page + (int8)same * pitch, pitch);
         else
-            make_row(page, m, v);
+            make_row(row, m, v);
     }
 }
 
@@ -210,6 +212,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     static struct making making;
     struct tx_form form;
     uint32 key[TX_PAGE_KEY], differs = 0;
+    uint8 *origin;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
@@ -229,8 +232,9 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     tx_form_find(&form, &unit->tx);
     making.is_texel = !form.any && form.first == TX_FIRST_TEXEL
         && form.second == TX_SECOND_NOTHING;
-    make_page(page->texels, &making);
-    page->map.texels = page->texels;
+    origin = page->texels + SIDE / 2 * SIDE * pixel_bytes;
+    make_page(origin, &making);
+    page->map.texels = origin;
     page->map.width = page->map.height = SIDE;
     page->map.scale = 65536;
     page->map.layout = MAP_PAGE;

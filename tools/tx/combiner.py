@@ -23,6 +23,7 @@ ALPHA_C = ("lod fraction", "texel0", "texel1", "primitive", "shade", "environmen
 #: Names of the inputs' codes: (A, B, C, D) of colour and of alpha.
 RGB_NAMES = (RGB_A, RGB_B, RGB_C, RGB_D)
 ALPHA_NAMES = (ALPHA_ABD, ALPHA_ABD, ALPHA_C, ALPHA_ABD)
+TEXELS = ("texel0", "texel0.a", "texel1", "texel1.a")
 #: What this combiner has not.
 ABSENT = ("noise", "key centre", "key scale")
 
@@ -44,12 +45,24 @@ def names(inputs: Inputs, table) -> list[str | None]:
     return [row[code] if code < len(row) else None for code, row in zip(codes, table)]
 
 
+def cycle_names(combine: Combine, cycle: int) -> set[str]:
+    """Names of a cycle's inputs."""
+    return {name for inputs, table in ((combine.rgb[cycle], RGB_NAMES),
+                                       (combine.alpha[cycle], ALPHA_NAMES))
+            for name in names(inputs, table) if name}
+
+
 def used(combine: Combine, cycles: int) -> set[str]:
     """Names of the inputs in use, of 1 or 2 cycles."""
-    return {name for cycle in range(2 - cycles, 2)
-            for inputs, table in ((combine.rgb[cycle], RGB_NAMES),
-                                  (combine.alpha[cycle], ALPHA_NAMES))
-            for name in names(inputs, table) if name}
+    return set().union(*(cycle_names(combine, cycle) for cycle in range(2 - cycles, 2)))
+
+
+def samples(state: State) -> set[int]:
+    """Which samples matter: 0 is tile T0's, 1 is T1's."""
+    if state.modes.cycle != TWO_CYCLES:
+        return {0} if used(state.combine, 1) & set(TEXELS) else set()
+    return {number ^ cycle for cycle in (0, 1) for number in (0, 1)
+            if cycle_names(state.combine, cycle) & {f"texel{number}", f"texel{number}.a"}}
 
 
 def uses_shade(state: State) -> bool:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .combiner import Sources, combine, used
+from .combiner import Sources, combine, samples, used
 from .divide import divide
 from .filters import sample
 from .lod import Gradients, level, upper
@@ -43,7 +43,8 @@ def pixels(state: State, s: np.ndarray, t: np.ndarray, w: np.ndarray, gradients:
         steps = gradients if two else gradients._replace(dsdy=0, dtdy=0, dwdy=0)
         at = level(state, s, t, w, steps)
         texel0 = by_tiles(state, at.tile0, at.s, at.t, 0, None)
-        texel1 = by_tiles(state, at.tile1, at.s, at.t, 1, texel0) if two else texel0
+        second = two and 1 in samples(state)
+        texel1 = by_tiles(state, at.tile1, at.s, at.t, 1, texel0) if second else texel0
         return combine(state, Sources(texel0, texel1, shade, at.fraction))
     at = divide(upper(s), upper(t), upper(w), state.modes.perspective)
     tiles = np.full(at.s.shape, state.primitive_tile)

@@ -1,11 +1,13 @@
 """Polygons and rectangles as the texture unit draws them, bit for bit.
 
 A polygon's iterators are planes over the screen, a pair at a time set up as the renderer's
-polygons are (tools.model.set_up: exact edges, plane gradients, sub-texel starts): (S, T),
-(W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+polygons are (tools.model.set_up: plane gradients, sub-texel starts, exact edges or subpixel
+ones): (S, T), (W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
 
-- without perspective S = 32 s, T = 32 t: s15.16 of s10.5, exact;
-- with it W = floor(0x7fff0000 * least w / w) at each vertex, S = floor(32 s * W / 2^31), T alike;
+- without perspective, or where all w are the same, planes of s and t are found in 1/65536 texel,
+  and S = 32 s, T = 32 t: s15.16 of s10.5, exact; W is 0x7fff0000 everywhere;
+- else W = 0x7fff0000 * least w / w at each vertex, S = 32 s * W / 0x7fff0000, T alike, each to
+  the nearest, halves up;
 - a colour 0..255 is the whole part of 16.16, exact;
 - each of a pair is moved by its base, floor((least + most) / 2), before set-up and back after;
 - the plane's value at the box's middle, its steps and the lines' starts are rounded by set-up:
@@ -20,7 +22,7 @@ import numpy as np
 
 from .. import model
 from ..errors import UserError
-from ..fixed import M32
+from ..fixed import M32, mul_div
 from .combiner import uses_shade
 from .copy import check as check_copy
 from .copy import copy
@@ -31,11 +33,12 @@ from .state import COPY, State
 
 SETTINGS = model.Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
 NEAREST = 0x7FFF0000  # W of the nearest vertex
+NARROW = 1024 << 16  # s and t of two corners are less than this apart
 
 
 class Vertex(NamedTuple):
     """``x``, ``y``: pixels; ``s``, ``t``: texels; ``w``: depth, above 0; all 16.16.
-    ``colour``: R, G, B, A, 0..255."""
+    ``colour``: R, G, B, A, 0..255; ``shade``: an opaque grey instead, 16.16."""
 
     x: int
     y: int
@@ -43,6 +46,14 @@ class Vertex(NamedTuple):
     t: int = 0
     w: int = 65536
     colour: tuple[int, int, int, int] = (255, 255, 255, 255)
+    shade: int | None = None
+
+    @property
+    def channels(self) -> tuple[int, int, int, int]:
+        """The colour in 16.16."""
+        if self.shade is not None:
+            return self.shade, self.shade, self.shade, 255 << 16
+        return tuple(c << 16 for c in self.colour)
 
 
 class Pair(NamedTuple):
@@ -68,15 +79,15 @@ def spans(polygon: model.Polygon) -> Spans:
     return Spans(y, np.concatenate(runs) if runs else np.zeros(0, np.int64))
 
 
-def set_up_pair(vertices: list[Vertex], pair: list[tuple[int, int]],
-                frame: np.ndarray) -> tuple[Spans, Pair] | None:
+def set_up_pair(vertices: list[Vertex], pair: list[tuple[int, int]], frame: np.ndarray,
+                settings: model.Settings) -> tuple[Spans, Pair] | None:
     """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
     differ by 2^31 or more."""
     height, width = frame.shape
     bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
     moved = [(v.x, v.y, *(value - base for value, base in zip(values, bases)))
              for v, values in zip(vertices, pair)]
-    polygon = model.set_up(moved, width, height, True, SETTINGS)
+    polygon = model.set_up(moved, width, height, True, settings)
     if polygon is None:
         return None
     at, t = spans(polygon), polygon.texturing
@@ -91,16 +102,23 @@ def set_up_pair(vertices: list[Vertex], pair: list[tuple[int, int]],
 
 
 def iterators(vertices: list[Vertex], perspective: bool):
-    """S and T of the vertices, and W; without perspective all W are 0."""
-    texture = [(32 * v.s, 32 * v.t) for v in vertices]
-    if not perspective:
-        return texture, [(0, 0)] * len(vertices)
-    if any(v.w <= 0 for v in vertices):
-        raise UserError(f"polygon: a vertex's w is {min(v.w for v in vertices)}; it must be "
-                        "above 0")
+    """What planes are found of, and by how many bits they are shifted then: S and T of the
+    vertices, and W."""
     nearest = min(v.w for v in vertices)
-    ws = [NEAREST * nearest // v.w for v in vertices]
-    return [tuple(c * w >> 31 for c in st) for st, w in zip(texture, ws)], [(w, 0) for w in ws]
+    if perspective and nearest <= 0:
+        raise UserError(f"polygon: a vertex's w is {nearest}; it must be above 0")
+    if not perspective or all(v.w == nearest for v in vertices):
+        return [(v.s, v.t) for v in vertices], [(NEAREST, 0)] * len(vertices), 5
+    ws = [mul_div(NEAREST, nearest, v.w) for v in vertices]
+    return [(mul_div(32 * v.s, w, NEAREST), mul_div(32 * v.t, w, NEAREST))
+            for v, w in zip(vertices, ws)], [(w, 0) for w in ws], 0
+
+
+def enlarged(pair: Pair, bits: int) -> Pair:
+    """Planes times 2^bits."""
+    return Pair(tuple(value << bits & M32 for value in pair.values),
+                tuple(step << bits & M32 for step in pair.ddx),
+                tuple(step << bits & M32 for step in pair.ddy))
 
 
 def whole(iterator: np.ndarray) -> np.ndarray:
@@ -119,17 +137,26 @@ class Prepared(NamedTuple):
     shade: np.ndarray | None
 
 
-def prepare(state: State, frame: np.ndarray, vertices: list[Vertex]) -> Prepared | None:
+def is_narrow(vertices: list[Vertex]) -> bool:
+    """Whether s and t stay within what a polygon may show."""
+    return all(max(c) - min(c) < NARROW
+               for c in ([v.s for v in vertices], [v.t for v in vertices]))
+
+
+def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
+            settings: model.Settings = SETTINGS) -> Prepared | None:
     """Sets a convex polygon up; None where nothing is drawn."""
-    texture, ws = iterators(vertices, bool(state.modes.perspective))
+    if not is_narrow(vertices):
+        return None
+    texture, ws, bits = iterators(vertices, bool(state.modes.perspective))
     pairs = [texture, ws]
     if uses_shade(state):
-        pairs += [[tuple(c << 16 for c in v.colour[k:k + 2]) for v in vertices] for k in (0, 2)]
-    found = [set_up_pair(vertices, pair, frame) for pair in pairs]
+        pairs += [[v.channels[k:k + 2] for v in vertices] for k in (0, 2)]
+    found = [set_up_pair(vertices, pair, frame, settings) for pair in pairs]
     if any(f is None for f in found):
         return None
     at, planes = found[0][0], [pair for _, pair in found]
-    st, w = planes[:2]
+    st, w = enlarged(planes[0], bits), planes[1]
     gradients = Gradients(*st.ddx, w.ddx[0], *st.ddy, w.ddy[0])
     shade = None
     if planes[2:]:
@@ -137,13 +164,14 @@ def prepare(state: State, frame: np.ndarray, vertices: list[Vertex]) -> Prepared
     return Prepared(at, *st.values, w.values[0], gradients, shade)
 
 
-def draw(state: State, frame: np.ndarray, vertices: list[Vertex]) -> int:
+def draw(state: State, frame: np.ndarray, vertices: list[Vertex],
+         settings: model.Settings = SETTINGS) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (5551) or uint32
     (8888) [height, width]; gives the number of its pixels.
 
-    Its tile and highest level are the state's.
+    Its tile and highest level are the state's; edges and clip the settings'.
     """
-    prepared = prepare(state, frame, vertices)
+    prepared = prepare(state, frame, vertices, settings) if len(vertices) > 2 else None
     if prepared is None or not prepared.at.x.size:
         return 0
     colours = pixels(state, *prepared[1:])

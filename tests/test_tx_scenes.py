@@ -1,0 +1,299 @@
+"""Scenes with texture engines: what TOML may say, what it becomes, and the guest's frames."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import model, run, scene_file, scene_units
+from tools.errors import UserError
+from tools.paths import SCENES
+from tools.scene import compile_scene
+from tools.scene_tx import TEXELS
+from tools.tx import images
+
+NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv")
+MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
+
+HEAD = """\
+width = 64
+height = 48
+frames = {frames}
+format = "{pixels}"
+background = "#102030"
+"""
+SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32], [0, 32, 0, 32]]"
+TILE = 'image = "noise.png", format = "rgba16"'
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16."""
+    rng = np.random.default_rng(3)
+    for name, size in (("noise", (32, 32)), ("odd", (20, 24)), ("wide", (4, 1030)),
+                       ("palettes", (16, 16)), ("half", (5, 16))):
+        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
+        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    return tmp_path
+
+
+def scene_of(tx: str, obj: str = SQUARE, pixels: str = "rgba8888", frames: int = 1,
+             more: str = "") -> str:
+    """A scene's text: one material, one object."""
+    return (HEAD.format(frames=frames, pixels=pixels)
+            + f'[materials]\nit = {{ {more}tx = {{ {tx} }} }}\n'
+            + f'[[objects]]\nmaterial = "it"\n{obj}\n')
+
+
+def make(folder, *args, **kinds):
+    """The compiled scene of ``scene_of``."""
+    (folder / "scene.toml").write_text(scene_of(*args, **kinds))
+    return compile_scene(folder / "scene.toml")
+
+
+def check_frames(name: str, frames: int, off: str | None) -> None:
+    """Compares the guest's frames with the model's."""
+    scene = compile_scene(SCENES / f"{name}.toml", frames)
+    done = run.render(scene, "a1200-fast", "addx", off)
+    for number, found in enumerate(done.frames):
+        expected = model.render(scene, number)
+        wrong = np.argwhere(found != expected)
+        digits = 2 * scene.pixel.bytes
+        text = "".join(f"; pixel ({x}, {y}) is {found[y, x]:#0{digits + 2}x}, not "
+                       f"{expected[y, x]:#0{digits + 2}x}" for y, x in wrong[:1])
+        assert not len(wrong), (
+            f"{name}, frame {number}: {len(wrong)} pixels are not the model's{text}; again: "
+            f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
+            + (f" --off {off}" if off else ""))
+        assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_frames_are_the_models(name: str) -> None:
+    """With all rules of lowering; where lists run each frame, two frames."""
+    check_frames(name, 1 + (name in MOVING), None)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_frames_are_the_models_without_rules(name: str) -> None:
+    check_frames(name, 1, "all")
+
+
+def test_a_frame_of_one_colour_fails():
+    scene = compile_scene(SCENES / "tx_wall.toml", 1)
+    empty = np.full((scene.height, scene.width), scene.background, np.uint16)
+    with pytest.raises(UserError, match="frame 0: one colour only"):
+        run.check_frame(empty, scene, 0)
+
+
+@pytest.mark.parametrize("texels", TEXELS)
+@pytest.mark.parametrize("load", ["block", "tile"])
+def test_every_format_shows_its_picture(folder, texels, load):
+    """A texel a pixel: the picture as tools.tx.images reads it back, which goes neither through
+    display lists nor through TMEM."""
+    side = 16 if texels == "yuv16" else 32 if texels != "rgba32" else 16
+    tile = (f'image = "noise.png", format = "{texels}", width = {side}, height = {side}, '
+            f'load = "{load}"')
+    more = 'convert = "convert", combine = "convert", ' if texels == "yuv16" else ""
+    scene = make(folder, f"{more}tiles = [{{ {tile} }}]")
+    written = scene_file.write(scene)
+    assert scene_file.write(scene_file.read(written, "x")) == written
+    picture = images.read("noise.png", folder, "x", side, side)
+    expected = images.decode(images.encode(picture, *TEXELS[texels]))
+    found = scene.pixel.colours(model.render(scene, 0)[:side, :side])
+    assert np.array_equal(found, expected)
+
+
+def test_odd_sizes_and_parts(folder):
+    """A clamped tile of 20 columns, whose rows end in the middle of a word, from 2 texels on."""
+    tile = ('image = "odd.png", format = "i4", s = { wrap = "clamp", low = 2 }, '
+            't = { wrap = "clamp", low = 2 }')
+    scene = make(folder, f"tiles = [{{ {tile} }}]")
+    picture = images.read("odd.png", folder, "x", 24, 20)
+    full = images.decode(images.encode(picture, *TEXELS["i4"]))
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])
+    at = (np.arange(32) - 2).clip(0)
+    assert np.array_equal(found, full[at.clip(0, 19)][:, at.clip(0, 23)])
+
+
+def test_a_tile_slides_and_palettes_change(folder):
+    """Whole texels a frame: each frame is the first one, moved; palettes follow the frame."""
+    scene = make(folder, f"tiles = [{{ {TILE}, slide = [3, -2] }}]", frames=40)
+    first = model.render(scene, 0)[:32, :32]
+    for number in (1, 7, 39):
+        moved = np.roll(first, (-2 * number, 3 * number), (0, 1))
+        assert np.array_equal(model.render(scene, number)[:32, :32], moved), number
+    tile = 'image = "noise.png", format = "ci4", colours = 0, palette = [0, 5]'
+    scene = make(folder, f'palettes = "palettes.png", tiles = [{{ {tile} }}]', frames=4)
+    frames = [model.render(scene, number) for number in range(4)]
+    assert np.array_equal(frames[0], frames[2]) and np.array_equal(frames[1], frames[3])
+    colours = images.to_rgba16(images.read("palettes.png", folder, "x", 16, 16))
+    for number, row in ((0, 0), (1, 5)):
+        shown = scene.pixel.colours(frames[number][:32, :32]).reshape(-1, 4)
+        assert {int(n) for n in images.to_rgba16(shown[None])[0]} <= set(colours[row].tolist())
+
+
+def test_levels_are_means(folder):
+    """Level 2 drawn on its own: each texel covers 4x4 texels of the picture, and is what is left
+    of their mean after two roundings and 5 bits of quantisation: 2 * 0.5 + 255 / 62 away at
+    most."""
+    scene = make(folder, f"tile = 2, tiles = [{{ {TILE}, levels = 4 }}]")
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])[..., :3].astype(float)
+    picture = images.read("noise.png", folder, "x", 32, 32)[..., :3].astype(float)
+    mean = picture.reshape(8, 4, 8, 4, 3).mean((1, 3))
+    assert np.array_equal(found, np.kron(found[::4, ::4], np.ones((4, 4, 1))))
+    assert abs(found[::4, ::4] - mean).max() <= 1 + 255 / 62
+
+
+def test_equal_engines_and_texels_are_there_once(folder):
+    """Two materials of one engine; tiles that share DRAM and TMEM."""
+    tx = f"cycles = 2, combine = 'interference', tiles = [{{ {TILE} }}, {{ {TILE}, s.shift = 1 }}]"
+    text = scene_of(tx) + SQUARE.replace("vertices", '[[objects]]\nmaterial = "other"\nvertices')
+    other = f'[materials.other]\nedges = "exact"\ntx = {{ {tx} }}\n'
+    (folder / "scene.toml").write_text(text.replace("[[objects]]", other + "[[objects]]", 1))
+    scene = compile_scene(folder / "scene.toml")
+    assert [m.unit for m in scene.materials] == [0, 0] and len(scene.units) == 1
+    assert [m.edges for m in scene.materials] == ["subpixel", "exact"]
+    assert len(scene.dram) == 32 * 32 * 2
+    tiles = scene_units.state_at(scene, 0, 0).tiles
+    assert tiles[0].tmem == tiles[1].tmem == 0 and tiles[1].s.shift == 1
+
+
+def test_tiles_have_places_of_their_own(folder):
+    """Split texels in both halves, others where there is room, and one at its own place."""
+    kinds = ['format = "i8", height = 8, width = 16', 'format = "rgba32", height = 8, width = 8',
+             'format = "ia16", height = 8, tmem = 40', 'format = "i4", height = 16']
+    tiles = ", ".join(f'{{ image = "noise.png", {kind} }}' for kind in kinds)
+    scene = make(folder, f"tiles = [{tiles}]")
+    found = scene_units.state_at(scene, 0, 0).tiles
+    assert [tile.tmem for tile in found[:4]] == [16, 0, 40, 104]
+    assert [tile.line for tile in found[:4]] == [2, 2, 8, 2]
+
+
+def two(tile: str, other: str = TILE) -> str:
+    return f"tiles = [{{ {tile} }}, {{ {other} }}]"
+
+
+ONE = f"tiles = [{{ {TILE} }}]"
+CI = 'image = "noise.png", format = "ci4"'
+MESSAGES = [
+    ("cycles = 3, " + ONE, "tx.cycles: must be from 1 to 2"),
+    ("mode = 1, " + ONE, "tx.mode: unknown field; known are cycles, combine, "),
+    ("combine = 'decals', " + ONE, "tx.combine: 'decals' is not one of primitive, shade, decal, "),
+    ("combine = ['decal', 'pass'], " + ONE, 'tx.combine: has two cycles: "cycles" must be 2'),
+    ("combine = { rgb = [['noise', '0', '0', '0']], alpha = [['0', '0', '0', '0']] }, " + ONE,
+     "tx.combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
+    ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0']] }, " + ONE,
+     "tx.combine.alpha[0]: must have 4 entries, not 3"),
+    ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0', 'k5']] }, " + ONE,
+     "tx.combine.alpha[0][3]: 'k5' is no input D"),
+    ("lod = true, " + ONE, 'tx.lod: the level of detail needs "cycles" 2'),
+    ("convert = 'filter, convert', " + ONE, 'tx.convert: "filter, convert" needs "cycles" 2'),
+    ("k = [1, 2, 3], " + ONE, "tx.k: must have 6 entries, not 3"),
+    ("primitive = '#12', " + ONE, 'tx.primitive: must be a colour like "#8040ff"'),
+    ("filter = 'bilinear', " + ONE, "tx.filter: 'bilinear' is not one of point, bilerp, average"),
+    ("perspective = 1, " + ONE, "tx.perspective: must be true or false"),
+    ("tlut = 'ia16', " + ONE, 'tx.tlut: "ia16", but no tile is CI'),
+    ("palettes = 'palettes.png', " + ONE, "tx.palettes: there is no tile that is CI"),
+    ("tile = 1, " + ONE, "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+    ("cycles = 2, combine = 'trilinear', " + ONE,
+     "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+    ("cycles = 2, lod = true, max_level = 2, " + two(TILE),
+     "tx.tiles: tile 2 would be drawn; there are tiles 0 to 1"),
+    ("tiles = []", "tx.tiles: must have 1 to 8 entries, not 0"),
+    (two(TILE, TILE.replace("rgba16", "rgba8")),
+     "tx.tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
+    (two(TILE, CI), 'tx.tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
+    ("tlut = 'none', tiles = [{ " + CI + " }]", 'tx.tlut: "none", but tiles[0] is ci4'),
+    (two(CI, CI.replace("ci4", "ci8")),
+     'tx.palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
+    ("tiles = [{ " + CI + ", palette = [0, 3] }]", "tx.tiles[0].palette: palette 3 has no colours"),
+    ("palettes = 'half.png', tiles = [{ " + CI + ", colours = 9 }]",
+     "tx.tiles[0].colours: half.png has no row 9"),
+    ("palettes = 'odd.png', tiles = [{ " + CI + " }]",
+     "tx.palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
+    ("tiles = [{ " + TILE + ", palette = 1 }]", 'tx.tiles[0].palette: is for "ci4", not "rgba16"'),
+    ("tiles = [{ image = 'no.png', format = 'i8' }]",
+     "tx.tiles[0].image: no.png: no such file"),
+    ("tiles = [{ image = 'wide.png', format = 'i8' }]",
+     "tx.tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
+    ("tiles = [{ image = 'odd.png', format = 'i8' }]",
+     'tx.tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
+    ("tiles = [{ " + TILE + ", s.mask = 6 }]",
+     "tx.tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
+    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', high = 40 } }]",
+     "tx.tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
+    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', low = 9, high = 4 } }]",
+     "tx.tiles[0].t.high: lies before low"),
+    ("tiles = [{ " + TILE + ", s = { low = 1000 } }]",
+     "tx.tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
+    ("tiles = [{ " + TILE + ", s.wrap = 'clamp', slide = [1, 0] }]",
+     "tx.tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
+    ("tiles = [{ " + TILE + ", width = 24, levels = 2 }]",
+     "tx.tiles[0].levels: 24x32 texels are not powers of two"),
+    ("tiles = [{ " + TILE + ", levels = 7 }]", "tx.tiles[0].levels: 32x32 texels have 6 levels"),
+    (two(TILE + ", levels = 5", TILE + ", levels = 4"),
+     "tx.tiles[1].levels: makes 9 tiles; an engine has 8"),
+    ("tiles = [{ " + TILE + ", levels = 4, s.shift = 9 }]",
+     "tx.tiles[0].s.shift: is more than 10 at level 2"),
+    ("tiles = [{ " + TILE + ", width = 64, height = 40, load = 'block', t.wrap = 'clamp' }]",
+     "tx.tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
+    ("tiles = [{ image = 'noise.png', format = 'i4', width = 176, height = 40, load = 'block', "
+     "s.wrap = 'clamp', t.wrap = 'clamp' }]",
+     'tx.tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
+     "load them"),
+    (two(TILE + ", tmem = 400"),
+     "tx.tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
+    (two("image = 'noise.png', format = 'rgba32', width = 64, height = 16",
+         "image = 'odd.png', format = 'rgba32', s.wrap = 'clamp', t.wrap = 'clamp'"),
+     "tx.tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
+     "there"),
+    ("tiles = [{ " + CI.replace("ci4", "ci8") + ", width = 64, height = 64 }]",
+     "tx.tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
+]
+
+
+@pytest.mark.parametrize("tx, message", MESSAGES)
+def test_refused(folder, tx, message):
+    """One line that names file and field."""
+    with pytest.raises(UserError) as caught:
+        make(folder, tx)
+    text = str(caught.value)
+    assert text.startswith(f"{folder / 'scene.toml'}: materials.it.{message}"), text
+    assert "\n" not in text
+
+
+@pytest.mark.parametrize("kinds, message", [
+    ({"pixels": "rgb565"}, "materials.it.tx: a scene in rgb565 has no texture engine; one in "
+                           "rgba5551 or rgba8888 has"),
+    ({"pixels": "chunky"}, "materials.it.tx: a scene in chunky has no texture engine"),
+    ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
+    ({"more": 'gradients = "scanline", '}, "materials.it.gradients: is not for a texture engine"),
+    ({"more": 'perspective = "fine", '}, "materials.it.perspective: "),
+    ({"more": 'mapper = "affine", '}, "materials.it.mapper: 'affine' is not one of unit"),
+    ({"obj": SQUARE.replace("32, 0]", "32, 0, 1]")},
+     "objects[0].vertices[1]: must be [x, y, s, t]"),
+    ({"obj": SQUARE.replace("32, 0]", "1200, 0]")},
+     "objects[0].vertices: s must be from -1024 to 1023.97 texels"),
+    ({"obj": "vertices = [[0, 0, 0, -600], [32, 0, 32, 0], [32, 32, 32, 500]]"},
+     "objects[0].vertices: t of two corners: 1024 texels apart or more"),
+])
+def test_refused_besides(folder, kinds, message):
+    """What does not fit the scene, the material or the vertices."""
+    with pytest.raises(UserError) as caught:
+        make(folder, ONE, **kinds)
+    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
+
+
+def test_vertices_have_what_the_engine_takes(folder):
+    """w with perspective, a shade where the combiner reads it, from 0 to 255."""
+    corners = [[0, 0, 0, 0, 1, 0], [32, 0, 32, 0, 2, 255], [32, 32, 32, 32, 2, 255]]
+    tx = "perspective = true, combine = 'modulate', " + ONE
+    scene = make(folder, tx, f"vertices = {corners}")
+    assert scene.vertices[:, 4:].tolist() == [[32768, 65536], [255 * 65536 + 32768, 131072],
+                                              [255 * 65536 + 32768, 131072]]
+    corners[1][5] = 256
+    with pytest.raises(UserError, match=r"vertices\[1\]\[5\]: must be from 0 to 255"):
+        make(folder, tx, f"vertices = {corners}")
+    scene = make(folder, "combine = 'modulate', " + ONE, "sides = 4\nradius = 20")
+    assert set(scene.vertices[:, 4].tolist()) == {255 * 65536 + 32768}
+    assert scene.vertices[:, 2].max() == 32 << 16  # the whole picture

@@ -1,0 +1,88 @@
+"""Maps in scene files: their layouts, sizes and texels.
+
+Formats stand in c/scene/scene_file.h.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from . import layout, maps
+from .errors import UserError
+from .pixel_formats import PixelFormat
+
+#: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
+MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
+                 "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
+                 "lit_gouraud": "page", "unit": None}
+LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
+#: What draws pixels of so many bytes.
+MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m != "unit"),
+           2: ("flat", "affine", "columns", "unit"), 4: ("flat", "affine", "unit")}
+
+
+@dataclass(eq=False)
+class Texture:
+    """A map, and the layout its mapper reads."""
+
+    texels: np.ndarray = field(repr=False)  # (height, width): [t][s], of the scene's pixels
+    layout: str = "page"  # of LAYOUTS
+
+    def __eq__(self, other) -> bool:
+        return self.layout == other.layout and np.array_equal(self.texels, other.texels)
+
+
+def size_fault(kind: str, width: int, height: int) -> str | None:
+    """What a layout needs and this size is not; None: it fits."""
+    limits = layout.load().constants
+    least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
+    low, high = sorted((width, height))
+    powers = not width & width - 1 and not height & height - 1
+    if kind == "page":
+        fits = powers and least <= low <= high <= page
+        return None if fits else f"sides that are powers of two from {least} to {page}"
+    if kind == "linear":
+        return None if 1 <= low <= high <= most else f"sides from 1 to {most}"
+    if kind == "columns":
+        texels = 1 << limits["MAP_COLUMNS_BITS"]
+        fits = powers and least <= low and width * height <= texels
+        return None if fits else (f"sides that are powers of two from {least} and at most "
+                                  f"{texels} texels")
+    if kind == "light":
+        levels = limits["LIGHT_LEVELS"]
+        return None if (width, height) == (page, levels) else f"{page}x{levels}"
+    return None if low == high == page else f"{page}x{page}"
+
+
+def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
+    """Refuses a map no mapper could draw."""
+    drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
+    if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
+        raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
+    if texture.texels.dtype != pixel.dtype:
+        raise UserError(f"{name}: {where}.texel_bytes: {texture.texels.itemsize} "
+                        f"where {pixel.bytes} is right")
+    height, width = texture.texels.shape
+    needs = size_fault(texture.layout, width, height)
+    if needs:
+        raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
+
+
+def ordered(texture: Texture) -> bytes:
+    """The texels as the file has them: in the layout's order, big-endian."""
+    texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
+    if texture.layout == "tiled":
+        texels = maps.to_tiled(texels)
+    elif texture.layout == "columns":
+        texels = maps.to_columns(texels)
+    return texels.tobytes()
+
+
+def linear(data: bytes, width: int, height: int, kind: str, texel: np.dtype) -> Texture:
+    """The inverse of ``ordered``."""
+    texels = np.frombuffer(data, texel.newbyteorder(">")).astype(texel)
+    if kind == "tiled":
+        return Texture(maps.from_tiled(texels, width, height), kind)
+    if kind == "columns":
+        return Texture(maps.from_columns(texels, width, height), kind)
+    return Texture(texels.reshape(height, width), kind)

@@ -1,0 +1,209 @@
+"""What a scene's TOML says of texture engines: materials with a table ``tx``.
+
+The words are the N64 manual's where it has one; c/tx/tx.h tells what each does.
+"""
+
+import re
+from dataclasses import dataclass
+
+from .fields import (REQUIRED, colour, expect, fail, integer, number, one_of, rows, table, text)
+from .tx.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
+from .tx.state import CI, IA, RGBA, YUV, I
+from .tx.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
+
+#: A tile's formats by name: format and size of its descriptor.
+TEXELS = {"rgba16": (RGBA, 2), "rgba32": (RGBA, 3), "yuv16": (YUV, 2), "ci4": (CI, 0),
+          "ci8": (CI, 1), "ia4": (IA, 0), "ia8": (IA, 1), "ia16": (IA, 2), "i4": (I, 0),
+          "i8": (I, 1)}
+FRAMES = ("rgba5551", "rgba8888")  # formats of scenes that engines draw into
+WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": (1, 1)}
+TILES = 8
+REACH = 1024  # texels: s and t, and how far apart those of two corners may be
+
+
+def same(*inputs: str) -> Cycle:
+    """One cycle, alpha as colour."""
+    return Cycle(inputs, inputs)
+
+
+OPAQUE = ("0", "0", "0", "one")
+#: Combiner cycles by name: inputs A, B, C, D of (A - B) * C + D. In the second of two cycles
+#: texel0 and texel1 have changed places.
+PRESETS = {
+    "primitive": same("0", "0", "0", "primitive"),
+    "shade": same("0", "0", "0", "shade"),
+    "decal": same("0", "0", "0", "texel0"),
+    "modulate": same("texel0", "0", "shade", "0"),
+    "modulate primitive": same("texel0", "0", "primitive", "0"),
+    "blend": Cycle(("primitive", "environment", "texel0", "environment"), OPAQUE),
+    "interference": same("texel0", "0", "texel1", "0"),
+    "mix": same("texel1", "texel0", "primitive lod fraction", "texel0"),
+    "trilinear": same("texel1", "texel0", "lod fraction", "texel0"),
+    "convert": Cycle(("texel0", "k4", "k5", "texel0"), OPAQUE),
+    "pass": same("0", "0", "0", "combined"),
+    "modulate again": same("combined", "0", "shade", "0"),
+    "modulate primitive again": same("combined", "0", "primitive", "0"),
+    "blend again": Cycle(("primitive", "environment", "combined", "environment"), OPAQUE),
+}
+
+
+def colour_and_alpha(value, where):
+    """``#rrggbb``, opaque, or ``#rrggbbaa`` to (red, green, blue, alpha)."""
+    text(value, where)
+    if re.fullmatch(r"#[0-9a-fA-F]{8}", value):
+        return tuple(bytes.fromhex(value[1:]))
+    return *colour(value, where), 255
+
+
+def four(names: tuple):
+    """A cycle's inputs A, B, C, D, from the names that each may have."""
+    def check(value, where):
+        found = rows(text, 4, 4)(value, where)
+        for i, (name, letter, known) in enumerate(zip(found, "ABCD", names)):
+            allowed = [n for n in (*known, "0") if n and n not in ABSENT]
+            if name not in allowed:
+                fail(f"{where}[{i}]", f"{name!r} is no input {letter}; known are "
+                                      + ", ".join(allowed))
+        return tuple(found)
+    return check
+
+
+def combine(value, where) -> list[Cycle]:
+    """A preset, two of them, or lists of inputs: a cycle each."""
+    if isinstance(value, dict):
+        found = table({"rgb": (rows(four(RGB_NAMES), 1, 2), REQUIRED),
+                       "alpha": (rows(four(ALPHA_NAMES), 1, 2), REQUIRED)})(value, where)
+        if len(found["rgb"]) != len(found["alpha"]):
+            fail(f"{where}.alpha", f"must have {len(found['rgb'])} entries, as rgb has")
+        return [Cycle(*both) for both in zip(found["rgb"], found["alpha"])]
+    expect(value, where, (str, list), "a preset's name, a list of two, or a table")
+    preset = one_of(*PRESETS)
+    names = rows(preset, 1, 2)(value, where) if isinstance(value, list) else [preset(value, where)]
+    return [PRESETS[name] for name in names]
+
+
+def palette(value, where) -> list[int]:
+    """A palette's number, or one for each frame, over and over: always a list."""
+    one = integer(0, 15)
+    return rows(one, 1, 1000)(value, where) if isinstance(value, list) else [one(value, where)]
+
+
+def flag(value, where):
+    """True or false."""
+    if type(value) is not bool:
+        fail(where, "must be true or false")
+    return value
+
+
+def tile_schema():
+    """The check of a tile. Lengths are texels; None: as the picture asks for."""
+    edge = number(0, REACH - 0.25)
+    axis = table({"wrap": (one_of(*WRAPS), "wrap"), "mask": (integer(0, 10), None),
+                  "shift": (integer(0, 15), 0), "low": (edge, 0.0), "high": (edge, None)})
+    plain = axis({}, "")
+    return table({
+        "image": (text, REQUIRED), "format": (one_of(*TEXELS), REQUIRED),
+        "width": (integer(1, 1024), None), "height": (integer(1, 256), None),
+        "s": (axis, plain), "t": (axis, plain), "palette": (palette, [0]),
+        "colours": (integer(0, 15), None),
+        "levels": (integer(1, TILES), 1), "load": (one_of("block", "tile"), None),
+        "tmem": (integer(0, 511), None),
+        "slide": (rows(number(-REACH, REACH), 2, 2), [0.0, 0.0])})
+
+
+def schema():
+    """The check of a material's ``tx``."""
+    black, fraction = (0, 0, 0, 255), integer(0, 255)
+    return table({
+        "cycles": (integer(1, 2), 1), "combine": (combine, [PRESETS["decal"]]),
+        "perspective": (flag, False), "filter": (one_of(*FILTERS), "point"),
+        "convert": (one_of(*CONVERTS), "filter"),
+        "k": (rows(integer(-256, 255), 6, 6), [175, -43, -89, 222, 114, 42]),
+        "lod": (flag, False), "detail": (one_of(*DETAILS), "clamp"),
+        "min_level": (integer(0, 31), 0), "max_level": (integer(0, 7), None),
+        "tlut": (one_of(*TLUTS), None), "palettes": (text, None),
+        "primitive": (colour_and_alpha, black), "environment": (colour_and_alpha, black),
+        "primitive_lod_fraction": (fraction, 0), "tile": (integer(0, 7), 0),
+        "tiles": (rows(tile_schema(), 1, TILES), REQUIRED)})
+
+
+def inputs_of(tx: dict) -> set[str]:
+    """The names of the inputs that count. texel0 and texel1: of the first cycle."""
+    cycles, found = tx["combine"], set()
+    for number_, cycle in enumerate(cycles):
+        for name in (*cycle.rgb, *cycle.alpha):
+            name = name.removesuffix(".a")
+            if number_ and name in ("texel0", "texel1"):
+                name = "texel1" if name == "texel0" else "texel0"
+            found.add(name)
+    if tx["cycles"] == 1 and "texel1" in found:
+        found = found - {"texel1"} | {"texel0"}
+    return found
+
+
+@dataclass(frozen=True)
+class Looks:
+    """What an engine needs of vertices."""
+
+    depth: bool  # w
+    shade: bool
+
+
+def looks(material: dict) -> Looks | None:
+    """What a material's engine needs; None: it has none."""
+    tx = material.get("tx")
+    return tx and Looks(tx["perspective"], "shade" in inputs_of(tx))
+
+
+def numbers(tx: dict) -> list[int]:
+    """The number of each tile's first level; then that behind the last."""
+    found = [0]
+    for tile in tx["tiles"]:
+        found.append(found[-1] + tile["levels"])
+    return found
+
+
+def check_tiles(tx: dict, where: str) -> None:
+    """Refuses tiles too many, that are missing, or that do not go together."""
+    firsts = numbers(tx)
+    for i, (tile, end) in enumerate(zip(tx["tiles"], firsts[1:])):
+        at = f"{where}.tiles[{i}]"
+        if end > TILES:
+            fail(f"{at}.levels", f"makes {end} tiles; an engine has {TILES}")
+        if TEXELS[tile["format"]][0] == CI and tx["tlut"] == "none":
+            fail(f"{where}.tlut", f'"none", but tiles[{i}] is {tile["format"]}')
+        if tile["format"].startswith("ci") != tx["tiles"][0]["format"].startswith("ci"):
+            fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it '
+                                 "none")
+        for name, plain in (("palette", [0]), ("colours", None)):
+            if tile[name] != plain and tile["format"] != "ci4":
+                fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
+        if tile["colours"] is None:
+            tile["colours"] = tile["palette"][0]
+    is_ci = tx["tiles"][0]["format"].startswith("ci")
+    if not is_ci and (tx["tlut"] or "none") != "none":
+        fail(f"{where}.tlut", f'"{tx["tlut"]}", but no tile is CI')
+    if not is_ci and tx["palettes"]:
+        fail(f"{where}.palettes", "there is no tile that is CI")
+    tx["tlut"] = tx["tlut"] or ("rgba16" if is_ci else "none")
+    beyond = tx["tile"] + (tx["detail"] == "detail" and tx["lod"])
+    if tx["max_level"] is None:
+        tx["max_level"] = max(firsts[-1] - 1 - beyond, 0) if tx["lod"] else 0
+    last = beyond + tx["max_level"] if tx["lod"] else tx["tile"] + ("texel1" in inputs_of(tx))
+    if last >= firsts[-1]:
+        fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {firsts[-1] - 1}")
+
+
+def check(tx: dict, where: str) -> None:
+    """Refuses modes and tiles that do not go together; fills in what is left out."""
+    if len(tx["combine"]) > tx["cycles"]:
+        fail(f"{where}.combine", 'has two cycles: "cycles" must be 2')
+    if len(tx["combine"]) < tx["cycles"]:
+        tx["combine"].append(PRESETS["pass"])
+    if tx["cycles"] == 1:
+        if tx["lod"] or "lod fraction" in inputs_of(tx):
+            fail(f"{where}.{'lod' if tx['lod'] else 'combine'}",
+                 'the level of detail needs "cycles" 2')
+        if tx["convert"] == "filter, convert":
+            fail(f"{where}.convert", '"filter, convert" needs "cycles" 2')
+    check_tiles(tx, where)
