@@ -73,9 +73,8 @@ def lit() -> Scene:
 def wide_pixels(pixels: str, mapper: str) -> Scene:
     """A scene in a wide format: a flat triangle and one with a map."""
     scene = example(0)
-    scene.format, scene.background = pixels, 0xFFFF
-    texels = np.zeros((8, 16), scene.pixel.dtype)
-    scene.textures = [Texture(texels, scene_file.MAPPER_LAYOUT[mapper])]
+    scene.format, scene.background, layout = pixels, 0xFFFF, scene_file.MAPPER_LAYOUT[mapper]
+    scene.textures = [Texture(np.zeros((8, 16), scene.pixel.dtype), layout)]
     scene.materials = [Material(colour=0xFFFF), Material(mapper, texture=0)]
     return scene
 
@@ -113,9 +112,8 @@ def lengths(header: str, data: bytes) -> list[int]:
 
 def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
-    every, wide, widest, light_only = map(
-        scene_file.write, (every_mapper(), wide_pixels("rgb565", "columns"),
-                           wide_pixels("rgba8888", "affine"), lit()))
+    every, wide, widest, light_only = map(scene_file.write, (
+        every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
     flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
