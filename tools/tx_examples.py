@@ -20,6 +20,12 @@ def combined(a, b, c, d) -> np.ndarray:
     return np.where(value < 256, value, np.where(value < 384, 255, 0))
 
 
+def copy_row(rng, count: int) -> Example:
+    count = -(-count // 32) * 32
+    row = rng.bytes(4 * count)
+    return Example("tx_copy_row", row, row, count)
+
+
 def shade(rng, count: int) -> Example:
     start = rng.integers(-4 << 16, 260 << 16, 4)
     step = rng.integers(-3 << 16, 3 << 16, 4)
@@ -89,7 +95,7 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tx_point": sample.point, "tx_point_16": sample.point_16, "tx_store_16": sample.store_16,
     "tx_divide": depth.divide, "tx_divide_inside": depth.divide_inside, "tx_tile": sample.tiled,
     "tx_tile_plain": sample.tiled_plain, "tx_lerp": lerp, "tx_modulate": modulate,
-    "tx_map": mapped, "tx_widen": widen, "tx_combiner": combine, "tx_narrow": narrow, "tx_shade": shade,
+    "tx_map": mapped, "tx_widen": widen, "tx_combiner": combine, "tx_narrow": narrow, "tx_shade": shade, "tx_copy_row": copy_row,
     "tx_lod": depth.lod, "tx_lod_apart": depth.lod_apart, "tx_quads": sample.quads,
     "tx_reciprocals": depth.reciprocal_table, "tx_levels": depth.levels,
 }
@@ -97,4 +103,4 @@ MAKERS: dict[str, Callable[..., Example]] = {
 IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")
 #: Another form, or other input, of a pass: beside it there is no C.
 FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile",
-         "tx_lod_apart": "tx_lod"}
+         "tx_lod_apart": "tx_lod", "tx_copy_row": "tx_copy_row"}

@@ -125,20 +125,17 @@ static uint32 pixel_at(const struct making *m, int32 u, int32 v)
     return texels[0] >> 16;
 }
 
-static void make_row(uint8 *row, const struct making *m, int32 v)
+/* A row of 2 or 4 bytes a pixel: its own texels, and those again where they are repeated. */
+static void make_row_16(uint16 *row, const struct making *m, int32 v)
 {
-    for (int32 u = 0; u < SIDE; u++) {
-        int32 same = m->columns.same[u];
-
-        tx_pixel_write(row, u, m->pixel_bytes,
-                       same < u ? tx_pixel_read(row, same, m->pixel_bytes) : pixel_at(m, u, v));
-    }
+    for (int32 u = 0; u < SIDE; u++)
+        row[u] = m->columns.same[u] < u ? row[m->columns.same[u]] : (uint16)pixel_at(m, u, v);
 }
 
-static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
+static void make_row_32(uint32 *row, const struct making *m, int32 v)
 {
-    for (; bytes > 0; bytes -= 4, to += 4, from += 4)
-        *(uint32 *)to = *(const uint32 *)from;
+    for (int32 u = 0; u < SIDE; u++)
+        row[u] = m->columns.same[u] < u ? row[m->columns.same[u]] : pixel_at(m, u, v);
 }
 
 /* page: row 0; rows 128 to 255 lie before it, as in MAP_PAGE. */
@@ -153,9 +150,11 @@ static void make_page(uint8 *page, struct making *m)
         uint8 *row = page + (int8)v * pitch;
 
         if (same < v)
-            copy_row(row, page + (int8)same * pitch, pitch);
+            tx_copy_row((const uint32 *)(page + (int8)same * pitch), (uint32 *)row, pitch / 4);
+        else if (m->pixel_bytes == 2)
+            make_row_16((uint16 *)row, m, v);
         else
-            make_row(row, m, v);
+            make_row_32((uint32 *)row, m, v);
     }
 }
 

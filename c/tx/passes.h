@@ -119,6 +119,9 @@ struct tx_lod_steps {
     struct tx_blending *blendings;
 };
 
+/* Of a page: longs, a multiple of 32. */
+void tx_copy_row(const uint32 *row, uint32 *to, int32 longs);
+
 void tx_levels_make(struct tx_levels *levels, const struct tx_level_modes *modes);
 void tx_divide_table_make(uint32 *reciprocals);
 void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);

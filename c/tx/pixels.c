@@ -8,11 +8,6 @@ uint32 tx_pixel_of(uint32 colour, int32 pixel_bytes)
         | (colour >> 7 & 1);
 }
 
-uint32 tx_pixel_read(const uint8 *row, int32 x, int32 pixel_bytes)
-{
-    return pixel_bytes == 4 ? ((const uint32 *)row)[x] : ((const uint16 *)row)[x];
-}
-
 void tx_pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pixel)
 {
     if (pixel_bytes == 4)

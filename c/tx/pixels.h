@@ -9,7 +9,6 @@
 uint32 tx_pixel_of(uint32 colour, int32 pixel_bytes);
 
 /* Of a row of 2 or 4 bytes a pixel. */
-uint32 tx_pixel_read(const uint8 *row, int32 x, int32 pixel_bytes);
 void tx_pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pixel);
 
 #endif
