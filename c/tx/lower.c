@@ -42,20 +42,18 @@ int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s)
     return APPLIES(TX_FLAT, !needs->inputs);
 }
 
-/* Whether every pixel's coordinate lies within a window of a page: it leaves the vertices'
+/* Whether every pixel's coordinate lies within the window of a page: it leaves the vertices'
    range by less than TX_PAGE_MARGIN. */
 static int32 is_within(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
                        const struct tx_window *window)
 {
-    fix16 origin = axis->low << 14;
+    fix16 low = (axis->low << 14) + window->first * 65536 + TX_PAGE_MARGIN * 65536;
+    fix16 high = low + (MAP_PAGE_SIDE - 2 * TX_PAGE_MARGIN) * 65536;
 
-    if (window->low == -0x7fffffff)
+    if (window->period)
         return 1;
     for (int32 i = 0; i < s->count; i++) {
-        fix16 relative = *value - origin;
-
-        if (relative < window->low + TX_PAGE_MARGIN * 65536
-            || relative >= window->high - TX_PAGE_MARGIN * 65536)
+        if (*value < low || *value >= high)
             return 0;
         value += sizeof(struct vertex) / sizeof *value;
     }
@@ -63,28 +61,47 @@ static int32 is_within(const struct setup *s, const fix16 *value, const struct t
 }
 
 /* Point sampling of one tile without levels, the rest constants. */
-static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx)
+static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx,
+                      struct tx_window *columns, struct tx_window *rows)
 {
     const struct tx_tile *tile = &tx->tiles[tx->primitive_tile];
     int32 copy = tx->modes.cycle == TX_COPY;
-    struct tx_window columns, rows;
 
     return (copy ? s->frame->pixel_bytes == 2
                  : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
         && !needs->divided
-        && tx_page_window(&tile->s, copy, &columns) && tx_page_window(&tile->t, copy, &rows)
-        && is_within(s, &s->given->s, &tile->s, &columns)
-        && is_within(s, &s->given->t, &tile->t, &rows);
+        && tx_page_window(&tile->s, copy, columns) && tx_page_window(&tile->t, copy, rows)
+        && is_within(s, &s->given->s, &tile->s, columns)
+        && is_within(s, &s->given->t, &tile->t, rows);
 }
 
-static const struct vertex *relative_vertices(const struct setup *s, const struct tx_tile *tile)
+/* Where the page of an axis begins, in texels. It may be moved by whole periods: so that the
+   vertices are around its middle, and spans do not leave it where they need not. */
+static fix16 page_origin(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
+                         const struct tx_window *window)
+{
+    fix16 origin = (axis->low << 14) + window->first * 65536, least = *value, most = *value;
+    fix16 period = window->period * 65536, middle;
+
+    if (!period)
+        return origin;
+    for (int32 i = 1; i < s->count; i++) {
+        value += sizeof(struct vertex) / sizeof *value;
+        least = *value < least ? *value : least;
+        most = *value > most ? *value : most;
+    }
+    middle = (least >> 1) + (most >> 1) - origin - MAP_PAGE_SIDE / 2 * 65536;
+    return origin + ((middle + (period >> 1)) & -period);
+}
+
+static const struct vertex *page_vertices(const struct setup *s, fix16 s_origin, fix16 t_origin)
 {
     static struct vertex moved[POLYGON_VERTICES_MAX];
 
     for (int32 i = 0; i < s->count; i++) {
         moved[i] = s->given[i];
-        moved[i].s -= tile->s.low << 14;
-        moved[i].t -= tile->t.low << 14;
+        moved[i].s -= s_origin;
+        moved[i].t -= t_origin;
     }
     return moved;
 }
@@ -92,10 +109,12 @@ static const struct vertex *relative_vertices(const struct setup *s, const struc
 int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx_unit *unit,
                         struct material *plain, const struct vertex **vertices)
 {
-    int32 tile = unit->tx.primitive_tile;
+    int32 number = unit->tx.primitive_tile;
+    const struct tx_tile *tile = &unit->tx.tiles[number];
+    struct tx_window columns, rows;
 
-    if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx)
-                 && tx_page_make(unit, tile, s->frame->pixel_bytes, &needs->shade)))
+    if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx, &columns, &rows)
+                 && tx_page_make(unit, number, s->frame->pixel_bytes, &needs->shade)))
         return 0;
     *plain = *s->material;
     plain->mapper = MAPPER_AFFINE;
@@ -104,6 +123,7 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
     plain->perspective = PERSPECTIVE_NONE;
     plain->whole = 1;
     plain->map = &unit->page.map;
-    *vertices = relative_vertices(s, &unit->tx.tiles[tile]);
+    *vertices = page_vertices(s, page_origin(s, &s->given->s, &tile->s, &columns),
+                              page_origin(s, &s->given->t, &tile->t, &rows));
     return 1;
 }

@@ -36,13 +36,12 @@ int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *w
 {
     if (axis->shift)
         return 0;
+    window->first = window->period = 0;
     if (repeats(axis, copy)) {
-        window->low = -0x7fffffff;
-        window->high = 0x7fffffff;
-        return period(axis) <= SIDE;
+        window->period = period(axis);
+        return window->period <= SIDE;
     }
-    window->low = first_index(axis) * 65536;
-    window->high = window->low + SIDE * 65536;
+    window->first = first_index(axis);
     return axis->high >= axis->low && last_index(axis) < SIDE
         && (copy || (axis->low & 3) <= (axis->high & 3));
 }
@@ -63,7 +62,7 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis, int32 co
     for (int32 i = 0; i < 1024; i++)
         first[i] = -1;
     for (int32 k = 0; k < SIDE; k++) {
-        int32 index = from + ((k - from) & (SIDE - 1));
+        int32 index = from + k;
         int32 c = (int16)(index * 32 + axis->low * 8);
         struct tx_place place;
 

@@ -8,10 +8,11 @@ enum tx_page_constants {
     TX_PAGE_MARGIN = 1          /* texels: more than u and v of a pixel leave the vertices' range */
 };
 
-/* What an axis' page shows: column k stands for relative indices base + k modulo 256. An axis
-   that repeats within a page has all of them, one that clamps those from base to base + 255. */
+/* What an axis' page shows: column k is relative index first + k. An axis that repeats within a
+   page goes on for ever, one that clamps ends with the page. */
 struct tx_window {
-    int32 low, high;            /* indices between which it is right, 16.16: low <= u < high */
+    int32 first;                /* texels */
+    int32 period;               /* texels; 0: it clamps */
 };
 
 /* Whether a page can stand for an axis at all, and where. Shifted axes have none. */
