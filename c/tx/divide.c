@@ -1,27 +1,29 @@
 #include "tx/passes.h"
 
+#define HALF (TX_RECIPROCALS / 2)
+
 /* 2^20 / (64 + i), the hardware's: all are the rounded ones but one. */
 static int32 inverse(int32 i)
 {
     return i == 6 ? 14979 : ((2 << 20) / (64 + i) + 1) >> 1;
 }
 
-/* s * r >> (13 - shifts) is the upper half of (s << 16) * (r << (3 + shifts)). Of w = 1 it is
-   one less, to be a signed number: the quotients differ where they are clamped alone. */
+/* s * r >> (13 - shifts) is the upper half of (s << 16) * (r << (3 + shifts)), where shifts bring
+   w's highest bit to bit 14. Those of w and 2 w differ by one, and r is the same: only the upper
+   half of the table is worked out, 256 entries of it along a line. Of w = 1 it is one less, to
+   be a signed number: the quotients differ where they are clamped alone. */
 void tx_divide_table_make(uint32 *reciprocals)
 {
-    int32 shifts = 14;
+    uint32 *to = reciprocals + HALF;
 
-    *reciprocals++ = 0x7fffffff;
-    for (int32 w = 1; w < 0x8000; w++) {
-        int32 n, i, r;
+    for (int32 i = 0; i < HALF / 256; i++) {
+        const int32 from = inverse(i), step = (inverse(i + 1) - from) * 4;
+        int32 below = 0;
 
-        while ((w << shifts) >= 0x8000)
-            shifts--;
-        n = w << shifts & 0x3fff;
-        i = n >> 8;
-        r = inverse(i);
-        r += ((inverse(i + 1) - r) * (n & 255) * 4) >> 10;
-        *reciprocals++ = w == 1 ? 0x7fffffff : (uint32)r << (3 + shifts);
+        for (int32 k = 0; k < 256; k++, below += step)
+            *to++ = (uint32)(from + (below >> 10)) << 3;
     }
+    for (int32 w = HALF - 1; w > 1; w--)
+        reciprocals[w] = reciprocals[2 * w] << 1;
+    reciprocals[0] = reciprocals[1] = 0x7fffffff;
 }
