@@ -8,6 +8,7 @@ import gzip
 import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -135,23 +136,30 @@ def xorshift_step(x: int) -> int:
     return x ^ x << 5 & 0xFFFFFFFF
 
 
-def xorshift(seed: int, count: int) -> np.ndarray:
-    """The ``count`` numbers that follow a seed, uint32: what the ``rand`` commands fill with."""
-    values = np.array([xorshift_step(seed)], np.uint32)
-    basis = [xorshift_step(1 << bit) for bit in range(32)]  # each bit after values.size steps
-    while values.size < count:
-        ahead = np.zeros_like(values)
-        for bit, becomes in enumerate(basis):
-            ahead ^= (values >> np.uint32(bit) & np.uint32(1)) * np.uint32(becomes)
-        values = np.concatenate([values, ahead])
-        basis = [combined(basis, b) for b in basis]
-    return values[:count]
-
-
-def combined(basis: list[int], x: int) -> int:
-    """x after the steps that a basis stands for."""
+def after(basis: list[int], x: int) -> int:
+    """x after the steps that a basis stands for: what each bit becomes."""
     result = 0
     for bit, becomes in enumerate(basis):
         if x >> bit & 1:
             result ^= becomes
     return result
+
+
+@cache
+def doublings(times: int) -> list[int]:
+    """The basis of 2^times steps."""
+    if not times:
+        return [xorshift_step(1 << bit) for bit in range(32)]
+    half = doublings(times - 1)
+    return [after(half, becomes) for becomes in half]
+
+
+def xorshift(seed: int, count: int) -> np.ndarray:
+    """The ``count`` numbers that follow a seed, uint32: what the ``rand`` commands fill with."""
+    values = np.array([xorshift_step(seed)], np.uint32)
+    for times in range((count - 1).bit_length()):
+        ahead = np.zeros_like(values)
+        for bit, becomes in enumerate(doublings(times)):
+            ahead ^= (values >> np.uint32(bit) & np.uint32(1)) * np.uint32(becomes)
+        values = np.concatenate([values, ahead])
+    return values[:count]
