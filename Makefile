@@ -46,7 +46,8 @@ SCENE_OBJECT := $(C_OUT)/programs/scene.o
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
-OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(C_OBJECTS)
+WEIGHTS := $(ASM_OUT)/gen/tx_weights.o
+OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WEIGHTS) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
@@ -132,7 +133,7 @@ endef
 $(ASM_OUT)/%.o: src68k/%.s build/obj/flags | setup build/gen/layout.i
 	$(ASSEMBLE)
 
-$(ASM_OUT)/gen/%.o: build/gen/%.s build/obj/flags | setup
+$(ASM_OUT)/gen/%.o: build/gen/%.s build/obj/flags | setup build/gen/layout.i
 	$(ASSEMBLE)
 
 # C
@@ -168,6 +169,10 @@ build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/h
 
 build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tools.contracts src68k build/gen
+
+build/gen/tx_weights.s: tools/tx_weights.py | setup
+	@mkdir -p $(@D)
+	@$(PYTHON) -m tools.tx_weights $@
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

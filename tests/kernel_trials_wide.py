@@ -17,7 +17,7 @@ def ground(wide: int) -> Ground:
     memory = Memory(7)
     frame = memory.add(memory.noise.bytes(FRAME * wide // 2), name="frame")
     picture = np.frombuffer(memory.noise.bytes(65536 * wide), f">u{wide}").reshape(256, 256)
-    before = memory.noise.bytes(4 + wide & 7)  # so that the page begins there
+    before = memory.noise.bytes(wide)
     at = memory.add(before + maps.to_page(picture).tobytes(), 8, "map")
 
     def draw(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
@@ -32,7 +32,8 @@ def span_trials(kernel: str, on: Ground, rng) -> list[Trial]:
     steps = steps_of(rng)
     some = [steps[k] for k in rng.choice(len(steps), 24, replace=False)]
     return [span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, on)
-            for size, chosen in ((SHORT, steps), (LONG_WIDE, some)) for k, pair in enumerate(chosen)]
+            for size, chosen in ((SHORT, steps), (LONG_WIDE, some))
+            for k, pair in enumerate(chosen)]
 
 
 def copy_trials(kernel: str, on: Ground, rng) -> list[Trial]:

@@ -67,7 +67,7 @@ def test_speeds_that_are_promised(found) -> None:
 
 
 def test_every_scene_has_rows(found) -> None:
-    """Those of depth and effects, on both machines; quicker with fast RAM."""
+    """Those of depth, effects and wide pixels, on both machines; quicker with fast RAM."""
     names = {path.stem for path in SCENES.glob("*.toml")} - {"default", "mappers", "triangle"}
     figures = {(r["name"], r["machine"]): r["cycles_per_frame"] for r in found["frames"]}
     assert figures.keys() == {(f"scene_{name}", machine) for name in names
@@ -81,8 +81,9 @@ def test_every_rule_of_lowering_saves_cycles(found) -> None:
     figures = {(r["name"], r["machine"]): r["cycles_per_polygon"] for r in found["rules"]}
     for case in bench_rules.CASES:
         for machine in bench.CONDITIONS:
-            on, off = (figures[f"rule_{case.rule}{end}", machine] for end in ("", bench_rules.WITHOUT))
-            assert on < 0.995 * off, (case.rule, machine, on, off)
+            on, off = (figures[f"rule_{case.name}{end}", machine]
+                       for end in ("", bench_rules.WITHOUT))
+            assert on < 0.995 * off, (case.name, machine, on, off)
 
 
 def test_a_moved_figure_is_noticed(baseline) -> None:

@@ -44,13 +44,15 @@ def test_colours_come_back(tmp_path) -> None:
     few = RNG.integers(0, 256, (200, 3), dtype=np.uint8)[RNG.integers(0, 200, (8, 24))]
     assert np.array_equal(np.array(there_and_back(tmp_path, Image.fromarray(few)).convert("RGB")), few)
     every = maps.from_rgb565(np.arange(65536).reshape(256, 256))
-    back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgb565", "--layout", "tiled")
+    back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgb565",
+                          "--layout", "tiled")
     assert np.array_equal(np.array(back), every)
     every = maps.from_rgba5551(np.arange(65536).reshape(256, 256))
     back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgba5551")
     assert np.array_equal(np.array(back), every)
     some = RNG.integers(0, 256, (64, 32, 4), dtype=np.uint8)
-    back = there_and_back(tmp_path, Image.fromarray(some), "--format", "rgba8888", "--layout", "columns")
+    back = there_and_back(tmp_path, Image.fromarray(some), "--format", "rgba8888",
+                          "--layout", "columns")
     assert np.array_equal(np.array(back), some)
     assert (tmp_path / "a.map").read_bytes()[:16] == some[0, :4].tobytes()
 

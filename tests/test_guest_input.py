@@ -70,20 +70,12 @@ def lit() -> Scene:
     return scene
 
 
-def wide_pixels() -> Scene:
-    """A scene in rgb565: a flat triangle and one with a map in columns."""
+def wide_pixels(pixels: str, mapper: str) -> Scene:
+    """A scene in a wide format: a flat triangle and one with a map."""
     scene = example(0)
-    scene.format, scene.background = "rgb565", 0xFFFF
-    scene.textures = [Texture(np.zeros((8, 16), np.uint16), "columns")]
-    scene.materials = [Material(colour=0xFFFF), Material("columns", texture=0)]
-    return scene
-
-
-def widest_pixels() -> Scene:
-    """The same in rgba8888, with a page."""
-    scene = wide_pixels()
-    scene.format, scene.textures = "rgba8888", [Texture(np.zeros((8, 16), np.uint32))]
-    scene.materials[1] = Material("affine", texture=0)
+    scene.format, scene.background, layout = pixels, 0xFFFF, scene_file.MAPPER_LAYOUT[mapper]
+    scene.textures = [Texture(np.zeros((8, 16), scene.pixel.dtype), layout)]
+    scene.materials = [Material(colour=0xFFFF), Material(mapper, texture=0)]
     return scene
 
 
@@ -120,8 +112,8 @@ def lengths(header: str, data: bytes) -> list[int]:
 
 def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
-    every, wide, widest, light_only = map(
-        scene_file.write, (every_mapper(), wide_pixels(), widest_pixels(), lit()))
+    every, wide, widest, light_only = map(scene_file.write, (
+        every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
     flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
@@ -143,19 +135,16 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
         entry(every, "textures", index, "width", *widths, said=size)
         entry(every, "textures", index, "height", *widths, said=size)
     entry(wide, "textures", 0, "layout", linear, tiled, light)
-    entry(wide, "textures", 0, "layout", page, said="material.texture")
     entry(wide, "textures", 0, "texel_bytes", 1, 4)
     entry(widest, "textures", 0, "layout", columns)
-    entry(widest, "materials", 1, "mapper", 1, 3, 4, 5, 6, 7, 8)
+    entry(widest, "materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
     entry(widest, "materials", 1, "perspective", 1, 4)
     entry(every, "materials", flat, "mapper", 9, M32)
     entry(every, "materials", flat, "texture", 0)
     entry(every, "materials", gouraud, "texture", 0)
     entry(every, "materials", affine, "texture", linear, light, -1, 6)
-    entry(every, "materials", affine, "edges", 3, M32)
-    entry(every, "materials", affine, "gradients", 3, M32)
-    entry(every, "materials", affine, "start", 2, M32)
-    entry(every, "materials", affine, "clip", 2, M32)
+    for field, past in (("edges", 3), ("gradients", 3), ("start", 2), ("clip", 2)):
+        entry(every, "materials", affine, field, past, M32)
     entry(every, "materials", affine, "light", 0, light)
     for index in lit_flat, lit_gouraud:
         entry(every, "materials", index, "texture", linear, light, -1)
@@ -163,7 +152,6 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     entry(every, "materials", lit_gouraud, "gradients", 0, 1)
     entry(every, "materials", lit_gouraud, "start", 0)
     entry(light_only, "vertices", 0, "shade", -1, 256 << 16, 2**31)
-    entry(wide, "materials", 0, "mapper", gouraud, affine)
     entry(wide, "materials", 0, "colour", 65536)
     entry(every, "objects", gouraud, "vertices", 4)
     entry(every, "objects", arbitrary, "vertices", 4)

@@ -19,26 +19,28 @@ def test_every_exact_rule_has_its_case():
     assert set(layout.load().names("RULE_")) - set(bench_rules.INEXACT) == {case.rule for case in CASES}
 
 
-def test_counts_show_that_nothing_else_ran():
+@pytest.mark.parametrize("pixels", bench_rules.BY_PIXELS)
+def test_counts_show_that_nothing_else_ran(pixels):
     """With each rule on and off: the spans of its frame, and that it was counted, or not."""
-    scene = bench_rules.scene_of(CASES)
-    ways = [None] + [case.rule for case in CASES]
+    cases = bench_rules.BY_PIXELS[pixels]
+    scene = bench_rules.scene_of(cases)
+    ways = [None] + [case.rule for case in cases]
     commands = ["render rules.scene COUNT" + (f" OFF {rule}" if rule else "") for rule in ways]
     with emulator.workspace() as directory:
         done = emulator.run_many(commands, {"rules.scene": write(scene)}, MACHINE, directory)
     parsed = [run.parse_output(each.output, scene.frames, len(scene.materials)) for each in done]
     (figures, executed), *others = parsed
-    for number, (case, (without, executed_without)) in enumerate(zip(CASES, others), 1):
+    for number, (case, (without, executed_without)) in enumerate(zip(cases, others), 1):
         spans = figures[number]["spans"], without[number]["spans"]
         wanted = [[kind] if kind else [] for kind in (case.lowered, case.asked)]
         assert [list(found) for found in spans] == wanted, case.rule
-        material = [m.rule for m in CASES if m.material == case.material]
+        material = [m.rule for m in cases if m.material == case.material]
         which = scene.materials.index(case.material)
         assert executed[which]["rules"][case.rule] >= 1, (case.rule, material)
         assert not any(case.rule in each["rules"] for each in executed_without), case.rule
         others_same = [k for k in range(1, scene.frames) if figures[k]["spans"] != without[k]["spans"]]
-        assert all(CASES[k - 1].material.mapper == case.material.mapper
-                   or CASES[k - 1].lowered == case.lowered for k in others_same), case.rule
+        assert all(cases[k - 1].material.mapper == case.material.mapper
+                   or cases[k - 1].lowered == case.lowered for k in others_same), case.rule
 
 
 def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polygons.Fuzzed:

@@ -29,10 +29,10 @@ LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
          "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
          "affine": ('texture = "small"', 700)}
-#: Format: the mappers that draw it (tests/test_run.py has the affine one of chunky frames), machine.
+#: Format: the mappers that draw it (of chunky ones tests/test_run.py has the affine one), machine.
 DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
-         "rgb565": (["columns", "affine"], "a1200"), "rgba5551": (["columns", "affine"], "a1200-fast"),
-         "rgba8888": (["affine"], "a1200")}
+         "rgb565": (["columns", "affine"], "a1200"),
+         "rgba5551": (["columns", "affine"], "a1200-fast"), "rgba8888": (["affine"], "a1200")}
 SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short"},
          "rgb565": {"columns_16", "affine_16", "affine_16_wrap"},
          "rgba8888": {"affine_32", "affine_32_wrap"}}

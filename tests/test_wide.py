@@ -1,15 +1,20 @@
 """Affine polygons in 16- and 32-bit frames: their spans by the rules, and the example scenes."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from test_still_steps import FLOORS, folder, turned  # noqa: F401
-from tools import model, run
+from tools import fuzz, fuzz_polygons, model, run
 from tools.__main__ import main
 from tools.paths import SCENES
+from tools.pixel_formats import FORMATS
 from tools.scene import compile_scene
+from tools.scene_file import Material, Scene, Texture
+
+SEED, FUZZED_BLOCKS, FUZZED = 9, 3, 300
 
 HEAD = """\
 width = 96
@@ -26,7 +31,8 @@ it = {{texture = "wall"}}
 #: than twice round it, mirrored in t.
 COPIES = {
     "inside": [[3, 5, 10, 7], [90, 5, 97, 7], [90, 60, 97, 62], [3, 60, 10, 62]],
-    "odd": [[3.5, 5.5, 10.25, 7], [90.5, 5.5, 97.25, 7], [90.5, 60.5, 97.25, 62], [3.5, 60.5, 10.25, 62]],
+    "odd": [[3.5, 5.5, 10.25, 7], [90.5, 5.5, 97.25, 7], [90.5, 60.5, 97.25, 62],
+            [3.5, 60.5, 10.25, 62]],
     "over the sides": [[2, 5, 222, 222], [91, 5, 311, 222], [91, 60, 311, 277], [2, 60, 222, 277]],
     "mirrored": [[0, 0, -30, 64], [96, 0, 66, 64], [96, 64, 66, 0], [0, 64, -30, 0]],
     "slanted": [[20, 0, 276, 0], [90, 0, 346, 0], [40, 64, 296, 64]],
@@ -67,6 +73,32 @@ def test_spans_by_the_rules(folder, pixels):  # noqa: F811
     assert others == frames and {k for f in general for k in f["spans"]} == {f"{kind}_wrap"}
     for form in ("swap", "c"):
         assert drawn(folder, pixels, every, "--form", form)[1] == frames
+
+
+def widened(scene: Scene, pixels: str) -> Scene:
+    """A fuzzed scene in another format: what has a texture is drawn by the affine mapper."""
+    pixel, noise = FORMATS[pixels], np.random.default_rng(5)
+    pages = [Texture(noise.integers(0, 256**pixel.bytes, each.texels.shape, dtype=pixel.dtype))
+             for each in scene.textures if each.layout == "page"]
+    materials = [m if m.mapper == "flat" else
+                 Material("affine", m.edges, m.gradients, m.start, m.clip, texture=k % len(pages))
+                 for k, m in enumerate(scene.materials)]
+    return replace(scene, format=pixels, textures=pages, materials=materials)
+
+
+@pytest.mark.parametrize("pixels, form", [("rgb565", "addx"), ("rgba8888", "addx"),
+                                          ("rgba8888", "swap")])
+def test_fuzzed_polygons(pixels: str, form: str) -> None:
+    """The fuzzer's polygons with their settings: the model's frames, refused where they must be."""
+    for block in range(FUZZED_BLOCKS):
+        some = [fuzz_polygons.polygon(SEED, block * fuzz_polygons.BLOCK + k)
+                for k in range(FUZZED)]
+        scene = widened(fuzz_polygons.scene(SEED, block, some), pixels)
+        digests, = fuzz.draw([(scene, form)], "a1200-fast")
+        wrong = [number for number, digest in enumerate(digests)
+                 if not fuzz.is_models(model.render(scene, number), digest)]
+        assert not wrong, (f"seed {SEED}, block {block}: polygons {wrong}; "
+                           f"{scene.materials[scene.objects[wrong[0]].material]}")
 
 
 @pytest.mark.parametrize("name, spans", [

@@ -52,8 +52,8 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
     frames = bench_scenes.measure(machine, [name for name in bench_scenes.NAMES
                                             if fnmatch.fnmatch(f"scene_{name}", only)])
     whole = {"frames": frames, "rules": bench_rules.measure(
-        machine, [f"rule_{case.rule}" for case in bench_rules.CASES
-                  if fnmatch.fnmatch(f"rule_{case.rule}", only)])}
+        machine, [f"rule_{case.name}" for case in bench_rules.CASES
+                  if fnmatch.fnmatch(f"rule_{case.name}", only)])}
     if not rows:
         return {kind: [] for kind in kinds} | whole
     for row in rows:

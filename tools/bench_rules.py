@@ -11,6 +11,7 @@ import numpy as np
 from . import fuzz, model
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
+from .pixel_formats import FORMATS
 from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
 
 WIDTH, HEIGHT = 160, 128
@@ -49,6 +50,13 @@ class Case:
     asked: str | None  # without the rule
     shades: tuple[float, ...] = (100, 100, 100)
     depths: tuple[float, ...] = (1, 1, 1)
+    pixels: str = "chunky"  # of FORMATS
+
+    @property
+    def name(self) -> str:
+        """The rule, and in a frame of wider pixels their bits."""
+        bits = 8 * FORMATS[self.pixels].bytes
+        return self.rule if bits == 8 else f"{self.rule}_{bits}"
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
@@ -85,56 +93,76 @@ CASES = (
     Case("short_gouraud", GOURAUD, NARROW, TURNED, "gouraud_short", "gouraud", (10, 100, 200)),
     Case("short_lit", LIT, NARROW, TURNED, "lit_short", "lit"),
     Case("short_lit_wrap", LIT, NARROW, WRAPPED, "lit_short_wrap", "lit_wrap"),
+    *(Case("still_v", AFFINE, WIDE, (TURNED[0], heights(WIDE)), f"affine_{bits}_row",
+           f"affine_{bits}", pixels=pixels)
+      for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
+    Case("unit_step", AFFINE, WIDE, ([x + 7 for x, _ in WIDE], heights(WIDE)), "affine_16_copy",
+         "affine_16_row", pixels="rgba5551"),
+    *(Case("no_wrap", AFFINE, WIDE, TURNED, f"affine_{bits}", f"affine_{bits}_wrap", pixels=pixels)
+      for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
 )
+#: By the format of their frames: cases of one share a scene.
+BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
+             for pixels in dict.fromkeys(case.pixels for case in CASES)}
 
 
 @cache
-def textures() -> list[Texture]:
-    """A page; 64 levels of light, of which the first makes all texels one and the last shows
-    them as they are; a map of any size."""
+def textures(pixels: str) -> list[Texture]:
+    """A page; in chunky frames 64 levels of light too, of which the first makes all texels one and
+    the last shows them as they are, and a map of any size."""
     rng = np.random.default_rng(3)
+    if pixels != "chunky":
+        pixel = FORMATS[pixels]
+        return [Texture(rng.integers(1, 256**pixel.bytes, (256, 256), dtype=pixel.dtype))]
     page, light = (rng.integers(1, 256, (h, 256), dtype=np.uint8) for h in (256, 64))
     light[0], light[63] = 9, np.arange(256)
     return [Texture(page), Texture(light, "light"), Texture(page[:70, :90].copy(), "linear")]
 
 
 def scene_of(cases, copies: int = 1) -> Scene:
-    """An empty frame, then one for each case, drawn so many times in the same place."""
+    """An empty frame, then one for each case of a format, drawn so many times in the same place."""
+    pixels = cases[0].pixels
     materials = list(dict.fromkeys(case.material for case in cases))
     vertices = [vertex for case in cases for vertex in case.vertices]
     objects = [Object(materials.index(case.material), 3 * k, 3, 0, 1, k + 1)
                for k, case in enumerate(cases) for _ in range(copies)]
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, palette, textures(), materials, objects,
-                 np.array(vertices), np.array([IDENTITY]))
+    return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, palette, textures(pixels), materials,
+                 objects, np.array(vertices), np.array([IDENTITY]), pixels)
 
 
 @cache
-def shown() -> tuple[Scene, list[np.ndarray]]:
-    """The cases' scene and the model's pictures of it."""
-    scene = scene_of(CASES, COPIES)
+def shown(pixels: str) -> tuple[Scene, list[np.ndarray]]:
+    """The scene of a format's cases and the model's pictures of it."""
+    scene = scene_of(BY_PIXELS[pixels], COPIES)
     return scene, [model.render(scene, number) for number in range(scene.frames)]
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
-    """Two rows for each rule, with it and without it, all in one boot."""
-    cases = [case for case in CASES if f"rule_{case.rule}" in names]
+    """Two rows for each case, with its rule and without it."""
+    return [row for pixels in BY_PIXELS for row in measure_format(machine, names, pixels)]
+
+
+def measure_format(machine: str, names: list[str], pixels: str) -> list[dict]:
+    """The rows of one format, all in one boot."""
+    every = BY_PIXELS[pixels]
+    cases = [case for case in every if f"rule_{case.name}" in names]
     if not cases:
         return []
     boot, chip = MACHINES[machine]
-    scene, pictures = shown()
+    scene, pictures = shown(pixels)
     ways = [""] + [f" OFF {case.rule}" for case in cases]
     drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way in ways], boot)
     for way, digests in zip(ways, drawn):
         for number, (picture, digest) in enumerate(zip(pictures, digests, strict=True)):
             if not fuzz.is_models(picture, digest):
                 raise UserError(f"bench: rules{way}, {machine}: frame {number} "
-                                f"({CASES[number - 1].rule}) is not the model's")
+                                f"({every[number - 1].name}) is not the model's")
     rows = []
     for case, digests in zip(cases, drawn[1:]):
-        number = CASES.index(case) + 1
-        for name, found in ((f"rule_{case.rule}", drawn[0]),
-                            (f"rule_{case.rule}{WITHOUT}", digests)):
+        number = every.index(case) + 1
+        for name, found in ((f"rule_{case.name}", drawn[0]),
+                            (f"rule_{case.name}{WITHOUT}", digests)):
             ticks = int(found["ticks"][number]) - int(found["ticks"][0])
             rows.append({"name": name, "machine": machine, "length": 1,
                          "cycles_per_polygon": ticks * CYCLES_PER_TICK / COPIES,

@@ -15,7 +15,8 @@ from .paths import SCENES
 from .scene import compile_scene
 from .scene_file import Scene
 
-NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded")
+NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
+         "panel")
 FRAMES = 4
 #: Conditions of the bench that a program can be run under.
 MACHINES = ("a1200", "a1200-fast")

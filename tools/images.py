@@ -38,7 +38,8 @@ def locate(reference: str, folder: Path, where: str) -> Path:
 
 
 def decode(path: Path, mode: str = "RGB") -> Image.Image:
-    """The picture in a PNG or JPEG, upright, in RGB or RGBA. Raises ValueError if too large."""
+    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises ValueError if too
+    large."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
         image = Image.open(path, formats=("PNG", "JPEG"))

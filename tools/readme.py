@@ -98,6 +98,9 @@ EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
                 ("rotator, generated code", "rotator_generated", 320),
                 ("v's step 0: floors, upright pictures", "affine_row", 256),
                 ("u's step 0: walls on their side", "affine_column", 256),
+                ("texels and frame of 16 bits", "affine_16", 256),
+                ("the same, v's step 0, a texel a pixel: copied", "affine_16_copy", 256),
+                ("texels and frame of 32 bits", "affine_32", 256),
                 ("lit, one level", "affine_lit", 256),
                 ("lit, a level each pixel", "affine_gouraud", 256))
 
@@ -160,10 +163,10 @@ def rules_table(baseline: dict) -> str:
     for case in bench_rules.CASES:
         cells = []
         for machine in machines:
-            on, off = (figures[f"rule_{case.rule}{end}", machine, 1] / 1000
+            on, off = (figures[f"rule_{case.name}{end}", machine, 1] / 1000
                        for end in ("", bench_rules.WITHOUT))
             cells.append(f"{off:.1f} / {on:.1f}")
-        lines.append(f"| {case.rule} | {case.asked or 'none'} | {case.lowered or 'none'} | "
+        lines.append(f"| {case.name} | {case.asked or 'none'} | {case.lowered or 'none'} | "
                      + " | ".join(cells) + " |")
     return "\n".join(lines)
 

@@ -24,7 +24,7 @@ from .scene_file import Scene, ordered, write
 
 #: What calls the first calls the second: short memory ends the program with a line.
 ALIASES = {"_mem_alloc": "_mem_need"}
-TRACER = {"_main": "_trace_main"}
+TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait"}
 FLAGS = "trace.flags"
 TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed, more than once so
 RENDER_LINK = BUILD / "obj" / "render.link"

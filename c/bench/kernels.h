@@ -9,7 +9,7 @@ struct kernel {
     void (*routine)(void);
 };
 
-/* Every routine of src68k's math, edge and span, made from their contract blocks. */
+/* Every routine of src68k's math, mesh, polygon, edge, span and tx, made from their contract blocks. */
 extern const struct kernel kernel_table[];
 
 /* src68k/amiga/call.s: contracts there. */

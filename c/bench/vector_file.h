@@ -12,7 +12,8 @@ enum vector_constants {
     VECTOR_DRAM_BYTES = 0x100000,
     VECTOR_RANDOM_FROM = 0x1000,        /* what VECTOR_DRAM_RANDOM fills */
     VECTOR_RANDOM_END = 0x9000,
-    VECTOR_CALL_PAIRS = 8       /* words of one call, at most */
+    VECTOR_CALL_PAIRS = 8,      /* words of one call, at most */
+    VECTOR_TEXT_BYTES = 64
 };
 
 struct vector_header {
@@ -57,10 +58,11 @@ enum vector_code {
     VECTOR_CHECK_COORDINATES,   /* s, t = enum tx_result */
     VECTOR_GENERATIONS,         /* tile = those of TMEM, the tile, the modes */
     VECTOR_DRAW,                /* s, t, w, their 6 gradients, shade = R G B A in one long */
-    VECTOR_CALL,                /* enum vector_call, its arguments
+    VECTOR_CALL,                /* pairs there is room for, enum vector_call, its arguments
                                    = enum tx_result, pairs, VECTOR_CALL_PAIRS pairs */
     VECTOR_DECODE,              /* tile, with quads = enum tx_result, columns_bits, rows_bits,
                                    whether it was made anew, texels' address */
+    VECTOR_RESULT_TEXT,         /* enum tx_result = VECTOR_TEXT_BYTES characters, or 0, each */
     VECTOR_DECODED,             /* tile, s, t (s10.5) = texel, quad's result or 0 */
     VECTOR_CODES
 };

@@ -7,6 +7,7 @@
 #include "system/text.h"
 #include "tx/decode.h"
 #include "tx/pixel.h"
+#include "tx/plain.h"
 
 static struct tx tx;
 static struct tx_kept kept[TX_TILES];
@@ -168,7 +169,7 @@ static void divide(const int32 *at)
 {
     struct tx_divided out;
 
-    tx_divide(at[0], at[1], at[2], &out);
+    tx_quotients(at[0], at[1], at[2], &out);
     answer(out.raw_s);
     answer(out.raw_t);
     answer(out.s);
@@ -216,7 +217,7 @@ static void copy(const int32 *at)
 {
     uint32 texels[2];
 
-    tx_copy(&tx, at[0], at[1], at[2], texels);
+    tx_copy_texels(&tx, at[0], at[1], at[2], texels);
     answer((int32)texels[0]);
     answer((int32)texels[1]);
 }
@@ -259,35 +260,26 @@ static void decode(const int32 *values)
     answer((int32)tile->decoded.texels);
 }
 
-/* Three points of a quad, as its header says. */
-static uint32 three_points(const struct tx_quad *quad, uint32 fs, uint32 ft)
-{
-    const struct tx_triangle *half = &quad->lower;
-    uint32 rb, ga;
-
-    if (fs + ft >= 32) {
-        half = &quad->upper;
-        fs = 32 - fs;
-        ft = 32 - ft;
-    }
-    rb = half->rb + fs * half->rb_s + ft * half->rb_t;
-    ga = half->ga + fs * half->ga_s + ft * half->ga_t;
-    if (tx.modes.mid && fs == 16 && ft == 16) {
-        rb = quad->mean_rb;
-        ga = quad->mean_ga;
-    }
-    return (rb >> 5 & 0x00ff00ff) << 8 | (ga >> 5 & 0x00ff00ff);
-}
-
 static void decoded(const int32 *at)
 {
     const struct tx_tile *tile = &tx.tiles[at[0] & 7];
     const struct tx_decoded *from = &kept[at[0] & 7].decoded;
     const uint32 s = tx_relative(&tile->s, at[1]), t = tx_relative(&tile->t, at[2]);
     const uint32 place = (t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5;
+    const uint32 coordinates = s << 16 | t;
+    uint32 colour = 0;
+    struct tx_call pass;
 
+    pass.in = &coordinates;
+    pass.out = &colour;
+    pass.constants = from;
+    pass.count = 1;
+    if (from->quads && tx.modes.mid)
+        tx_average_c(&pass);
+    else if (from->quads)
+        tx_threepoint_c(&pass);
     answer(from->texels ? (int32)from->texels[place] : 0);
-    answer(from->quads ? (int32)three_points(&from->quads[place], s & 31, t & 31) : 0);
+    answer((int32)colour);
 }
 
 static void call(const int32 *values, uint32 count)
@@ -296,14 +288,22 @@ static void call(const int32 *values, uint32 count)
     struct tx_list list;
 
     list.words = words;
-    list.room = VECTOR_CALL_PAIRS;
+    list.room = values[0] < VECTOR_CALL_PAIRS ? (uint32)values[0] : VECTOR_CALL_PAIRS;
     list.count = 0;
-    answer(vector_call(&list, (uint32)values[0], &values[1], count - 1));
+    answer(vector_call(&list, (uint32)values[1], &values[2], count - 2));
     answer((int32)list.count);
     for (uint32 i = 0; i < VECTOR_CALL_PAIRS; i++) {
         answer(i < list.count ? (int32)words[i].hi : 0);
         answer(i < list.count ? (int32)words[i].lo : 0);
     }
+}
+
+static void result_text(int32 result)
+{
+    const char *text = tx_result_text((enum tx_result)result);
+
+    for (int32 i = 0; i < VECTOR_TEXT_BYTES; i++)
+        answer(*text ? *text++ : 0);
 }
 
 void vectors_run(uint32 code, const int32 *values, uint32 count)
@@ -358,6 +358,7 @@ void vectors_run(uint32 code, const int32 *values, uint32 count)
     case VECTOR_DRAW: draw(values); break;
     case VECTOR_CALL: call(values, count); break;
     case VECTOR_DECODE: decode(values); break;
+    case VECTOR_RESULT_TEXT: result_text(values[0]); break;
     case VECTOR_DECODED: decoded(values); break;
     }
 }

@@ -17,18 +17,23 @@
 #include "polygon/setup.h"
 #include "polygon/shading.h"
 
-/* What map each mapper reads: its layout, and how many bytes a texel may have. */
-static const struct {
-    uint8 layout, texel_bytes;
-} map_of[MAPPER_KINDS] = {
-    [MAPPER_AFFINE] = {MAP_PAGE, 1 | 2 | 4},
-    [MAPPER_ARBITRARY] = {MAP_LINEAR, 1},
-    [MAPPER_TILED] = {MAP_TILED, 1},
-    [MAPPER_COLUMNS] = {MAP_COLUMNS, 1 | 2},
-    [MAPPER_GENERATED] = {MAP_MARGINS, 1},
-    [MAPPER_LIT] = {MAP_PAGE, 1},
-    [MAPPER_LIT_GOURAUD] = {MAP_PAGE, 1}
+/* The layout that each mapper with a map reads. */
+static const uint8 layout_of[MAPPER_KINDS] = {
+    [MAPPER_AFFINE] = MAP_PAGE,
+    [MAPPER_ARBITRARY] = MAP_LINEAR,
+    [MAPPER_TILED] = MAP_TILED,
+    [MAPPER_COLUMNS] = MAP_COLUMNS,
+    [MAPPER_GENERATED] = MAP_MARGINS,
+    [MAPPER_LIT] = MAP_PAGE,
+    [MAPPER_LIT_GOURAUD] = MAP_PAGE
 };
+
+/* Whether a material draws texels of 2 or 4 bytes. */
+static int32 draws_wide(const struct material *m, int32 bytes)
+{
+    return m->mapper == MAPPER_AFFINE ? !m->perspective
+         : m->mapper == MAPPER_COLUMNS && bytes == 2;
+}
 
 /* What the mapper needs of map and frame. */
 static enum polygon_result set_map(struct setup *s)
@@ -42,10 +47,8 @@ static enum polygon_result set_map(struct setup *s)
         return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
-    if (!map || map->layout != map_of[mapper].layout
-        || !(map->texel_bytes & map_of[mapper].texel_bytes)
-        || map->texel_bytes != s->frame->pixel_bytes
-        || (map->texel_bytes > 1 && s->material->perspective))
+    if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes
+        || (map->texel_bytes > 1 && !draws_wide(s->material, map->texel_bytes)))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
     s->span.map_width = map->width;
@@ -73,7 +76,7 @@ static uint32 colour(const struct setup *s)
 
 static int32 is_flat(const struct setup *s)
 {
-    return s->kind == SPAN_FILL || s->kind == SPAN_FILL_16 || s->kind == SPAN_FILL_32;
+    return s->kind <= SPAN_FILL_32;
 }
 
 static enum polygon_result set_span(struct setup *s)

@@ -3,6 +3,7 @@
 const struct kind_routines kind_routines[SPAN_KINDS] = {
     [SPAN_FILL] = {edge_flat, edge_flat_exact, scissor_flat, span_fill},
     [SPAN_FILL_16] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_16},
+    [SPAN_FILL_32] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_32},
     [SPAN_AFFINE_ADDX] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_addx},
     [SPAN_AFFINE_ADDX_WRAP] = {edge_addx, edge_addx_exact, scissor_addx,
                                span_affine_addx_wrap},
@@ -30,7 +31,6 @@ const struct kind_routines kind_routines[SPAN_KINDS] = {
     [SPAN_GOURAUD_SHORT] = {edge_plain, edge_plain_exact, scissor_plain, span_gouraud_short},
     [SPAN_LIT_SHORT] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_short},
     [SPAN_LIT_SHORT_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_lit_short_wrap},
-    [SPAN_FILL_32] = {edge_flat, edge_flat_exact, scissor_flat, span_fill_32},
     [SPAN_AFFINE_16] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_16},
     [SPAN_AFFINE_16_WRAP] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_16_wrap},
     [SPAN_AFFINE_16_ROW] = {edge_addx, edge_addx_exact, scissor_addx, span_affine_16_row},

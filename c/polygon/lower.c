@@ -173,6 +173,8 @@ void lower_by_steps(struct setup *s)
         LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
         LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
         LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    } else if (kind == SPAN_GOURAUD) {
+        LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
     } else if (kind == SPAN_AFFINE_16_WRAP) {
         LOWER(STILL_V, AFFINE_16_WRAP, AFFINE_16_ROW,
               is_still(span->dvdx) && is_slow(span->dudx))
@@ -183,8 +185,6 @@ void lower_by_steps(struct setup *s)
         LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
               is_still(span->dvdx) && is_slow(span->dudx))
         LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
-    } else {
-        LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
     }
     s->kind = kind;
 }

@@ -10,6 +10,7 @@
 #include "system/system.h"
 #include "system/text.h"
 #include "texture/map.h"
+#include "tx/plain.h"
 
 #define REPORTED 32
 
@@ -30,12 +31,21 @@ static void nothing(void)
 {
 }
 
+#define TX_PASS(name) {#name, (void (*)(void))name}
+
 /* Beside the assembly: what is written in C, and what costs nothing. */
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
     {"column_layout_make", (void (*)(void))make_columns},
     {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
+    TX_PASS(tx_walk_c), TX_PASS(tx_threepoint_c), TX_PASS(tx_average_c),
+    TX_PASS(tx_point_c), TX_PASS(tx_point_16_c), TX_PASS(tx_store_16_c),
+    TX_PASS(tx_divide_c), TX_PASS(tx_tile_c), TX_PASS(tx_lerp_c),
+    TX_PASS(tx_quads_c), TX_PASS(tx_reciprocals_c),
+    TX_PASS(tx_modulate_c), TX_PASS(tx_map_c), TX_PASS(tx_widen_c),
+    TX_PASS(tx_combiner_c), TX_PASS(tx_narrow_c), TX_PASS(tx_lod_c), TX_PASS(tx_levels_c),
+    TX_PASS(tx_threepoint_16_c), TX_PASS(tx_shade_c),
     {0, 0}
 };
 

@@ -12,10 +12,10 @@
 #define REPORTED 512
 #define ANY 0xffff              /* longs: as many as there are */
 
-/* Longs of each operation; of those with ANY at least one. */
+/* Longs of each operation. */
 static const uint16 longs_of[VECTOR_CODES] = {
     0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
-    2, 3
+    2, 1, 3
 };
 
 static int32 in_memory(const struct vector_operation *operation, const int32 *values)
@@ -39,7 +39,7 @@ static int32 usable_operation(const struct vector_operation *operation, uint32 l
                 || (uint32)values[0] < sizeof(struct tx_modes));
     if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
         return operation->longs && in_memory(operation, values);
-    return operation->longs != 0;
+    return operation->code != VECTOR_CALL || operation->longs >= 2;
 }
 
 static int32 usable(const uint8 *data, uint32 bytes, const char *name)

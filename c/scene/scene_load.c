@@ -176,7 +176,8 @@ static const char *wrong_material(const struct scene *scene)
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
         if (m->perspective >= PERSPECTIVE_KINDS
-            || (m->perspective && (bytes > 1 || m->mapper != MAPPER_AFFINE || m->start != START_SUBTEXEL
+            || (m->perspective && (bytes > 1 || m->mapper != MAPPER_AFFINE
+                                   || m->start != START_SUBTEXEL
                                    || m->gradients != GRADIENTS_PLANE)))
             return "material.perspective";
         if (m->tolerance < 0 || m->tolerance > TOLERANCE_MAX || (m->tolerance && !m->perspective))

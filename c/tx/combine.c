@@ -1,47 +1,38 @@
 /* The colour combiner: (A - B) * C + D in 9 bits, once or twice. */
 #include "tx/bits.h"
+#include "tx/codes.h"
 #include "tx/pixel.h"
-
-enum codes {
-    COMBINED, TEXEL0, TEXEL1, PRIMITIVE, SHADE, ENVIRONMENT, ONE, ZERO,
-    /* A and B of R G B */
-    NOISE = 7, KEY_CENTRE = 6, K4 = 7,
-    /* C of R G B */
-    KEY_SCALE = 6, COMBINED_ALPHA = 7, TEXEL0_ALPHA, TEXEL1_ALPHA, PRIMITIVE_ALPHA, SHADE_ALPHA,
-    ENVIRONMENT_ALPHA, FRACTION, PRIMITIVE_FRACTION, K5,
-    /* C of alpha */
-    ALPHA_FRACTION = 0, ALPHA_PRIMITIVE_FRACTION = 6
-};
 
 /* What a cycle's codes stand for; channel 0-3: R G B A. */
 struct inputs {
-    int32 colours[6][4];        /* COMBINED to ENVIRONMENT */
+    int32 colours[6][4];        /* TX_CODE_COMBINED to TX_CODE_ENVIRONMENT */
     int32 fraction, primitive_fraction, k4, k5;
 };
 
 static int32 rgb_a(const struct inputs *in, uint32 code, int32 channel)
 {
-    return code < ONE ? in->colours[code][channel] : code == ONE ? 0x100 : 0;
+    return code < TX_CODE_ONE ? in->colours[code][channel] : code == TX_CODE_ONE ? 0x100 : 0;
 }
 
 static int32 rgb_b(const struct inputs *in, uint32 code, int32 channel)
 {
-    return code < KEY_CENTRE ? in->colours[code][channel] : code == K4 ? in->k4 : 0;
+    return code < TX_CODE_KEY_CENTRE ? in->colours[code][channel] : code == TX_CODE_K4 ? in->k4 : 0;
 }
 
 static int32 rgb_c(const struct inputs *in, uint32 code, int32 channel)
 {
-    if (code < KEY_SCALE)
+    if (code < TX_CODE_KEY_SCALE)
         return in->colours[code][channel];
-    if (code >= COMBINED_ALPHA && code <= ENVIRONMENT_ALPHA)
-        return in->colours[code - COMBINED_ALPHA][3];
-    return code == FRACTION ? in->fraction : code == PRIMITIVE_FRACTION ? in->primitive_fraction
-        : code == K5 ? in->k5 : 0;
+    if (code >= TX_CODE_COMBINED_ALPHA && code <= TX_CODE_ENVIRONMENT_ALPHA)
+        return in->colours[code - TX_CODE_COMBINED_ALPHA][3];
+    return code == TX_CODE_FRACTION ? in->fraction
+        : code == TX_CODE_PRIMITIVE_FRACTION ? in->primitive_fraction
+        : code == TX_CODE_K5 ? in->k5 : 0;
 }
 
 static int32 rgb_d(const struct inputs *in, uint32 code, int32 channel)
 {
-    return code < ONE ? in->colours[code][channel] : code == ONE ? 0x100 : 0;
+    return code < TX_CODE_ONE ? in->colours[code][channel] : code == TX_CODE_ONE ? 0x100 : 0;
 }
 
 static int32 alpha_abd(const struct inputs *in, uint32 code)
@@ -51,9 +42,9 @@ static int32 alpha_abd(const struct inputs *in, uint32 code)
 
 static int32 alpha_c(const struct inputs *in, uint32 code)
 {
-    return code == ALPHA_FRACTION ? in->fraction
-        : code == ALPHA_PRIMITIVE_FRACTION ? in->primitive_fraction
-        : code < ONE ? in->colours[code][3] : 0;
+    return code == TX_CODE_ALPHA_FRACTION ? in->fraction
+        : code == TX_CODE_ALPHA_PRIMITIVE_FRACTION ? in->primitive_fraction
+        : code < TX_CODE_ONE ? in->colours[code][3] : 0;
 }
 
 /* A, B and D: a quarter of the range is negative. */
@@ -81,7 +72,7 @@ static void combine_cycle(const struct tx_combine *codes, int32 cycle, struct in
     made[3] = combine(alpha_abd(in, alpha->a), alpha_abd(in, alpha->b), alpha_c(in, alpha->c),
                       alpha_abd(in, alpha->d));
     for (int32 i = 0; i < 4; i++)
-        in->colours[COMBINED][i] = made[i];
+        in->colours[TX_CODE_COMBINED][i] = made[i];
 }
 
 static void put(struct inputs *in, int32 code, const struct tx_colour *colour)
@@ -104,33 +95,33 @@ uint32 tx_combine_pixel(const struct tx *tx, const struct tx_sources *sources)
     uint32 colour = 0;
 
     for (int32 i = 0; i < 4; i++) {
-        in.colours[COMBINED][i] = 0;
-        in.colours[PRIMITIVE][i] = tx->primitive[i];
-        in.colours[ENVIRONMENT][i] = tx->environment[i];
+        in.colours[TX_CODE_COMBINED][i] = 0;
+        in.colours[TX_CODE_PRIMITIVE][i] = tx->primitive[i];
+        in.colours[TX_CODE_ENVIRONMENT][i] = tx->environment[i];
     }
-    put(&in, SHADE, &sources->shade);
-    put(&in, TEXEL0, &sources->texel0);
-    put(&in, TEXEL1, &sources->texel1);
+    put(&in, TX_CODE_SHADE, &sources->shade);
+    put(&in, TX_CODE_TEXEL0, &sources->texel0);
+    put(&in, TX_CODE_TEXEL1, &sources->texel1);
     in.fraction = sources->fraction;
     in.primitive_fraction = tx->primitive_fraction;
     in.k4 = tx->k[4];
     in.k5 = tx->k[5];
     if (tx->modes.cycle == TX_TWO_CYCLES) {
         combine_cycle(&tx->combine, 0, &in);
-        put(&in, TEXEL0, &sources->texel1);
-        put(&in, TEXEL1, &sources->texel0);
+        put(&in, TX_CODE_TEXEL0, &sources->texel1);
+        put(&in, TX_CODE_TEXEL1, &sources->texel0);
     }
     combine_cycle(&tx->combine, 1, &in);
     for (int32 i = 0; i < 4; i++)
-        colour = colour << 8 | (uint32)tx_clamp_9(in.colours[COMBINED][i]);
+        colour = colour << 8 | (uint32)tx_clamp_9(in.colours[TX_CODE_COMBINED][i]);
     return colour;
 }
 
 enum tx_result tx_check_combine(const struct tx_combine *combine)
 {
     for (int32 cycle = 0; cycle < 2; cycle++)
-        if (combine->rgb[cycle].a == NOISE || combine->rgb[cycle].b == KEY_CENTRE
-            || combine->rgb[cycle].c == KEY_SCALE)
+        if (combine->rgb[cycle].a == TX_CODE_NOISE || combine->rgb[cycle].b == TX_CODE_KEY_CENTRE
+            || combine->rgb[cycle].c == TX_CODE_KEY_SCALE)
             return TX_COMBINE_INPUT;
     return TX_DONE;
 }
@@ -138,8 +129,8 @@ enum tx_result tx_check_combine(const struct tx_combine *combine)
 /* enum tx_inputs of one of the codes that mean the same in all places. */
 static uint32 input_of(uint32 code)
 {
-    return code == TEXEL0 ? TX_INPUT_TEXEL0 : code == TEXEL1 ? TX_INPUT_TEXEL1
-        : code == SHADE ? TX_INPUT_SHADE : 0;
+    return code == TX_CODE_TEXEL0 ? TX_INPUT_TEXEL0 : code == TX_CODE_TEXEL1 ? TX_INPUT_TEXEL1
+        : code == TX_CODE_SHADE ? TX_INPUT_SHADE : 0;
 }
 
 static uint32 cycle_inputs(const struct tx_combine *combine, int32 cycle)
@@ -148,9 +139,9 @@ static uint32 cycle_inputs(const struct tx_combine *combine, int32 cycle)
     uint32 inputs = input_of(rgb->a) | input_of(rgb->b) | input_of(rgb->c) | input_of(rgb->d)
         | input_of(alpha->a) | input_of(alpha->b) | input_of(alpha->c) | input_of(alpha->d);
 
-    if (rgb->c >= TEXEL0_ALPHA && rgb->c <= SHADE_ALPHA)
-        inputs |= input_of(rgb->c - COMBINED_ALPHA);
-    if (rgb->c == FRACTION || alpha->c == ALPHA_FRACTION)
+    if (rgb->c >= TX_CODE_TEXEL0_ALPHA && rgb->c <= TX_CODE_SHADE_ALPHA)
+        inputs |= input_of(rgb->c - TX_CODE_COMBINED_ALPHA);
+    if (rgb->c == TX_CODE_FRACTION || alpha->c == TX_CODE_ALPHA_FRACTION)
         inputs |= TX_INPUT_LOD_FRACTION;
     return inputs;
 }

@@ -128,7 +128,7 @@ static enum tx_result set_some_modes(struct tx *tx, uint32 hi, uint32 lo)
     uint32 mask;
 
     if (count + unshift > 32)
-        return TX_UNKNOWN_COMMAND;
+        return tx->checked ? TX_UNKNOWN_COMMAND : TX_DONE;
     mask = 0xffffffffu >> (32 - count) << (32 - count - unshift);
     return set_modes(tx, (tx->other_modes & ~mask) | (lo & mask));
 }

@@ -2,7 +2,7 @@
 #include "tx/bits.h"
 #include "tx/texel.h"
 
-void tx_convert(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out)
+void tx_convert_texel(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out)
 {
     const int32 u = yuv->r, v = yuv->g, y = yuv->b;
     const int16 *k = tx->k;

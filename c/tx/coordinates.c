@@ -53,5 +53,4 @@ void tx_place_column(const struct tx_axis *axis, uint32 column, struct tx_place 
 void tx_place_row(const struct tx_axis *axis, uint32 row, struct tx_place *row_place)
 {
     place(axis, row, 0xff, row_place);
-    row_place->index &= 0xff;
 }

@@ -42,6 +42,16 @@ static void list_columns(const struct tx_axis *axis, int32 count)
     }
 }
 
+/* A row's texels and the next one's. */
+static void place_row(const struct tx_tile *tile, int32 j, int32 *index, int32 *next)
+{
+    struct tx_place row;
+
+    tx_place_row(&tile->t, (uint32)j, &row);
+    *index = row.index & 255;
+    *next = *index + row.step;
+}
+
 static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row)
 {
     struct tx_colour texel;
@@ -53,12 +63,12 @@ static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s,
 static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32 width,
                           int32 height, uint32 *texels)
 {
-    struct tx_place row;
+    int32 row, next;
 
     for (int32 j = 0; j < height; j++) {
-        tx_place_row(&tile->t, (uint32)j, &row);
+        place_row(tile, j, &row, &next);
         for (int32 k = 0; k < width; k++)
-            *texels++ = texel_at(tx, tile, columns[k].index, row.index);
+            *texels++ = texel_at(tx, tile, columns[k].index, row);
     }
 }
 
@@ -66,10 +76,10 @@ static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32
 static int32 row_below(const struct tx_tile *tile, int32 j, int32 height, int32 next)
 {
     const int32 below = j + 1 < height ? j + 1 : 0;
-    struct tx_place row;
+    int32 row, beyond;
 
-    tx_place_row(&tile->t, (uint32)below, &row);
-    return row.index == next ? below : -1;
+    place_row(tile, below, &row, &beyond);
+    return row == next ? below : -1;
 }
 
 /* Quads of a row, out of texels that are decoded where they are. */
@@ -78,11 +88,9 @@ static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 
 {
     const uint32 *here = kept->texels + j * width, *below;
     struct tx_quad *quad = kept->quads + j * width;
-    struct tx_place row;
-    int32 next, below_at;
+    int32 row, next, below_at;
 
-    tx_place_row(&tile->t, (uint32)j, &row);
-    next = row.index + row.step;
+    place_row(tile, j, &row, &next);
     below_at = row_below(tile, j, height, next);
     below = below_at < 0 ? 0 : kept->texels + below_at * width;
     for (int32 k = 0; k < width; k++, quad++) {
@@ -90,17 +98,38 @@ static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 
         const int32 at = column->next_at;
 
         tx_quad_make(quad, here[k],
-                     at < 0 ? texel_at(tx, tile, column->next, row.index) : here[at],
+                     at < 0 ? texel_at(tx, tile, column->next, row) : here[at],
                      below ? below[k] : texel_at(tx, tile, column->index, next),
                      below && at >= 0 ? below[at] : texel_at(tx, tile, column->next, next));
     }
 }
 
-static int32 holds(const struct tx *tx, int32 n, int32 quads, const struct tx_kept *kept)
+uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t)
 {
-    return kept->tx == tx && kept->tile == (uint32)n
-        && kept->tmem_generation == tx->tmem_generation
-        && kept->tile_generation == tx->tile_generation[n]
+    return from->texels[(t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5];
+}
+
+static uint32 axis_key(const struct tx_axis *axis)
+{
+    const uint32 clamps = axis->clamp || !axis->mask;
+
+    return clamps << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
+        | (clamps ? (uint32)axis->low << 12 | axis->high : 0);
+}
+
+void tx_tile_key_find(struct tx_tile_key *key, const struct tx_tile *tile)
+{
+    key->tile = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
+        | (uint32)tile->line << 9 | tile->tmem;
+    key->s = axis_key(&tile->s);
+    key->t = axis_key(&tile->t);
+}
+
+static int32 holds(const struct tx *tx, const struct tx_tile_key *key, int32 quads,
+                   const struct tx_kept *kept)
+{
+    return kept->tx == tx && kept->key.tile == key->tile && kept->key.s == key->s
+        && kept->key.t == key->t && kept->tmem_generation == tx->tmem_generation
         && kept->tlut == tx->modes.tlut && kept->tlut_type == tx->modes.tlut_type
         && (!quads || kept->decoded.quads);
 }
@@ -132,11 +161,12 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_ke
     const struct tx_tile *tile = &tx->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
     struct tx_decoded *decoded = &kept->decoded;
+    struct tx_tile_key key;
 
-    n &= 7;
+    tx_tile_key_find(&key, tile);
     if (made)
         *made = 0;
-    if (holds(tx, n, quads, kept))
+    if (holds(tx, &key, quads, kept))
         return TX_DONE;
     if (tile->format == TX_YUV)
         return TX_DECODE_YUV;
@@ -156,9 +186,8 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_ke
     decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
     decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
     kept->tx = tx;
-    kept->tile = (uint32)n;
+    kept->key = key;
     kept->tmem_generation = tx->tmem_generation;
-    kept->tile_generation = tx->tile_generation[n];
     kept->tlut = tx->modes.tlut;
     kept->tlut_type = tx->modes.tlut_type;
     if (made)

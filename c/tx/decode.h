@@ -2,6 +2,7 @@
 #ifndef TX_DECODE_H
 #define TX_DECODE_H
 
+#include "tx/passes.h"
 #include "tx/texel.h"
 
 enum tx_decode_constants {
@@ -9,43 +10,29 @@ enum tx_decode_constants {
                                    mirrored; 128 KB of texels, 2 MB of quads */
 };
 
-/* Three points of a quad; R:B and G:A are pairs of 16-bit fields in one long, scaled by 32. A
-   result is (rb + fs * rb_s + ft * rb_t) >> 5 & 0x00ff00ff in signed 32-bit numbers: a negative
-   lower field borrows from the upper one. */
-struct tx_triangle {
-    uint32 rb, rb_s, rb_t, ga, ga_s, ga_t;
+/* What a tile's texels depend on beside TMEM and TLUT modes. Where it begins is no part of it,
+   unless it clamps: relative coordinates know that. */
+struct tx_tile_key {
+    uint32 tile, s, t;
 };
 
-/* lower: fs + ft < 32, from the texel itself; upper: from the opposite one with 32 - fs and
-   32 - ft. mean: 8 * (c00 + c10 + c01 + c11) + 16, for average filtering in the middle. */
-struct tx_quad {
-    struct tx_triangle lower, upper;
-    uint32 mean_rb, mean_ga, spare[2];
-};
-
-/* A tile as texels of four bytes: those of relative coordinates are at
-   [(t & mask_t) >> 5 << columns_bits | (s & mask_s) >> 5]. */
-struct tx_decoded {
-    const uint32 *texels;       /* R G B A from the highest byte on */
-    const struct tx_quad *quads;    /* in the same order; 0 where none were asked for */
-    uint16 mask_s, mask_t;      /* (columns - 1) << 5, (rows - 1) << 5 */
-    uint16 columns_bits, rows_bits;
-};
-
-/* quad.c. Corners: R G B A from the highest byte on. */
-void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+void tx_tile_key_find(struct tx_tile_key *key, const struct tx_tile *tile);
 
 /* A decoded tile that is kept, with what it was made from. All 0 before the first use. */
 struct tx_kept {
     struct tx_decoded decoded;
     const struct tx *tx;
-    uint32 tile, tmem_generation, tile_generation;
+    struct tx_tile_key key;
+    uint32 tmem_generation;
     uint8 tlut, tlut_type;      /* of the modes, only these matter */
     uint8 spare[2];
     uint32 *texels;
     struct tx_quad *quads;
     uint32 texels_room, quads_room;     /* elements */
 };
+
+/* The texel of relative coordinates. */
+uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t);
 
 /* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
    whether anything was done. Memory is the system's and kept for the next time; a larger tile

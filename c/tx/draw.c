@@ -7,6 +7,7 @@
 #include "polygon/lower.h"
 #include "polygon/outline.h"
 #include "tx/lower.h"
+#include "tx/plan.h"
 #include "tx/pixels.h"
 #include "tx/planes.h"
 #include "tx/unit.h"
@@ -45,14 +46,21 @@ static void draw_line(const struct tx *tx, const struct tx_planes *planes,
     }
 }
 
+/* plan: 0 where there is none. */
 static void draw_lines(const struct setup *s, const struct tx *tx,
-                       const struct tx_planes *planes, const struct tx_colour *shade)
+                       const struct tx_planes *planes, const struct tx_colour *shade,
+                       const struct tx_plan *plan)
 {
     const struct scanline *line = s->edges.lines;
 
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++)
-        draw_line(tx, planes, shade, s->frame, line->left - EDGE_BIAS,
-                  line->last + 1 - EDGE_BIAS, y);
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count > 0 && plan)
+            tx_plan_draw(plan, s->frame, x, y, count);
+        else
+            draw_line(tx, planes, shade, s->frame, x, x + count, y);
+    }
 }
 
 static enum polygon_result draw_flat(const struct setup *s, uint32 colour,
@@ -88,7 +96,11 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
 {
     enum polygon_result result;
     struct tx_planes planes;
+    struct tx_plan plan;
+    int32 passes;
 
+    if (unit->tx.modes.cycle == TX_COPY)        /* of rectangles alone */
+        return refused(unit, TX_CYCLE_TYPE);
     s->vertices = tx_planes_vertices(s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
@@ -98,13 +110,31 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     if (!tx_planes_find(&planes, s, needs->divided,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
         return refused(unit, TX_COORDINATE_RANGE);
-    draw_lines(s, &unit->tx, &planes, &needs->shade);
+    passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, unit, &planes));
+    draw_lines(s, &unit->tx, &planes, &needs->shade, passes ? &plan : 0);
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,
+        s->counts->pixels[passes ? SPAN_TX_PASSES : SPAN_TX_PIXELS] += lines_pixels(s->edges.lines,
                                                           s->box.bottom - s->box.top);
     }
     return POLYGON_DRAWN;
+}
+
+/* Whether state and vertices can be drawn; the state is looked at when it has changed. */
+static enum tx_result judge(struct tx_unit *unit, const struct vertex *v, int32 count)
+{
+    enum tx_result result = TX_DONE;
+    uint32 state = unit->tx.mode_generation + unit->tx.tmem_generation;
+
+    for (int32 i = 0; i < TX_TILES; i++)
+        state += unit->tx.tile_generation[i];
+    if (state != unit->judged)
+        result = tx_check_drawing(&unit->tx);
+    if (result == TX_DONE)
+        unit->judged = state;
+    for (; count > 0 && result == TX_DONE; count--, v++)
+        result = tx_check_coordinates(&unit->tx, v->s, v->t);
+    return result;
 }
 
 enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
@@ -124,9 +154,7 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
         return POLYGON_FEW;
     if (frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
-    check = tx_check_drawing(&unit->tx);
-    for (int32 i = 0; i < count && check == TX_DONE; i++)
-        check = tx_check_coordinates(&unit->tx, vertices[i].s, vertices[i].t);
+    check = judge(unit, vertices, count);
     if (check != TX_DONE)
         return refused(unit, check);
     s.frame = frame;
@@ -161,6 +189,10 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     tx_init(&unit->tx, dram, dram_bytes);
     unit->result = TX_DONE;
     unit->memory = memory;
+    unit->judged = 0;
+    unit->levels = 0;
+    unit->tables = 0;
+    unit->levels_made = unit->tables_made = 0;
     unit->page.texels = 0;
     unit->page.bytes = 0;
     for (int32 i = 0; i < TX_PAGE_KEY; i++)

@@ -9,21 +9,43 @@ int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int3
     return c11 + (((32 - fs) * (c01 - c11) + (32 - ft) * (c10 - c11) + 16) >> 5);
 }
 
+/* Cycle 1 while it both filters and converts one: the texels' differences are weighed by the
+   first two channels of what cycle 0 made, and its third is what they are added to; in the
+   middle a quarter of the fourth texel's difference too. */
+static int32 weigh(int32 c00, int32 c10, int32 c01, int32 c11, int32 upper, int32 mid,
+                   const struct tx_colour *by)
+{
+    const int32 from = upper ? c11 : c00;
+    const int32 ds = upper ? c01 - from : c10 - from, dt = upper ? c10 - from : c01 - from;
+
+    return by->b + ((by->r * ds + by->g * dt + (mid ? 64 * (c00 - from) : 0) + 0x80) >> 8);
+}
+
 /* Where a filter looks: fractions for luma or colour, and for chroma. */
 struct fractions {
     int32 s, chroma_s, t;
-    int32 mid;
+    int32 mid;                  /* the mode */
+    const struct tx_colour *by; /* of weigh, or 0 */
 };
 
 static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
                     const struct fractions *at)
 {
-    if (at->mid)
+    const int32 mid = at->mid && fs == 16 && at->t == 16;
+
+    if (at->by)
+        return (int16)tx_signed_9(weigh(c00, c10, c01, c11, fs + at->t >= 32, mid, at->by));
+    if (mid)
         return (int16)tx_signed_9((c00 + c10 + c01 + c11 + 2) >> 2);
     return (int16)tx_signed_9(tx_three_points(c00, c10, c01, c11, fs, at->t));
 }
 
-static void filter_taps(const struct tx_taps *taps, const struct fractions *at,
+/* The four texels of a quad. Of YUV, chroma's second column may be another than luma's. */
+struct taps {
+    struct tx_colour c00, c10, c01, c11;
+};
+
+static void filter_taps(const struct taps *taps, const struct fractions *at,
                         struct tx_colour *out)
 {
     out->r = filter(taps->c00.r, taps->c10.r, taps->c01.r, taps->c11.r, at->chroma_s, at);
@@ -33,7 +55,7 @@ static void filter_taps(const struct tx_taps *taps, const struct fractions *at,
 }
 
 /* The corner that a filter would start from: what is left of one where it is off. */
-static void nearest_corner(const struct tx_taps *taps, const struct fractions *at,
+static void nearest_corner(const struct taps *taps, const struct fractions *at,
                            struct tx_colour *out)
 {
     const struct tx_colour *chroma = at->chroma_s + at->t >= 32 ? &taps->c11 : &taps->c00;
@@ -47,10 +69,10 @@ static void nearest_corner(const struct tx_taps *taps, const struct fractions *a
 
 static void fetch_taps(const struct tx *tx, const struct tx_tile *tile,
                        const struct tx_place *column, const struct tx_place *row,
-                       struct tx_taps *taps)
+                       struct taps *taps)
 {
     const int32 s0 = column->index, s1 = s0 + column->step;
-    const int32 t0 = row->index, t1 = t0 + row->step;
+    const int32 t0 = row->index & 255, t1 = t0 + row->step;
 
     tx_fetch(tx, tile, s0, t0, 0, &taps->c00);
     tx_fetch(tx, tile, s1, t0, 1, &taps->c10);
@@ -74,21 +96,26 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
     const struct tx_tile *tile = &tx->tiles[n & 7];
     const int32 filters = cycle ? tx->modes.filter1 : tx->modes.filter0;
     const uint32 relative_s = tx_relative(&tile->s, s), relative_t = tx_relative(&tile->t, t);
+    const int32 again = cycle && tx->modes.convert_one;
     struct tx_place column, row;
 
     tx_place_column(&tile->s, relative_s >> 5, &column);
     tx_place_row(&tile->t, relative_t >> 5, &row);
     if (!tx->modes.quad) {
-        tx_fetch(tx, tile, column.index, row.index, 0, out);
+        if (filters && again)   /* four equal texels */
+            out->r = out->g = out->b = out->a = previous->b;
+        else
+            tx_fetch(tx, tile, column.index, row.index & 255, 0, out);
     } else {
         struct fractions at;
-        struct tx_taps taps;
+        struct taps taps;
 
         at.s = at.chroma_s = (int32)(relative_s & 31);
         at.t = (int32)(relative_t & 31);
         if (tile->format == TX_YUV)
             at.chroma_s = at.s >> 1 | (column.index & 1) << 4;
-        at.mid = tx->modes.mid && at.s == 16 && at.t == 16;
+        at.by = again ? previous : 0;
+        at.mid = tx->modes.mid;
         fetch_taps(tx, tile, &column, &row, &taps);
         if (filters)
             filter_taps(&taps, &at, out);
@@ -96,5 +123,5 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
             nearest_corner(&taps, &at, out);
     }
     if (!filters)
-        tx_convert(tx, cycle && tx->modes.convert_one ? previous : out, out);
+        tx_convert_texel(tx, again ? previous : out, out);
 }

@@ -2,16 +2,26 @@
 #include "tx/bits.h"
 #include "tx/tx.h"
 
-static void put_unit(struct tx *tx, uint32 unit, const uint8 *from)
+/* Two bytes to a 16-bit unit of TMEM. */
+static void put_unit(struct tx *tx, uint32 unit, uint32 first, uint32 second)
 {
-    tx->tmem[2 * unit] = from[0];
-    tx->tmem[2 * unit + 1] = from[1];
+    uint8 *to = tx->tmem + 2 * unit;
+
+    to[0] = (uint8)first;
+    to[1] = (uint8)second;
 }
 
-static void put_bytes(struct tx *tx, uint32 unit, uint8 first, uint8 second)
+static int32 is_split(const struct tx_tile *tile)
 {
-    tx->tmem[2 * unit] = first;
-    tx->tmem[2 * unit + 1] = second;
+    return tile->format == TX_YUV || (tile->format == TX_RGBA && tile->size == TX_32);
+}
+
+/* The 16-bit unit, from the row's beginning on, that texel s of a tile is in. */
+static uint32 column_of(const struct tx_tile *tile, uint32 s)
+{
+    if (tile->size == TX_8 || tile->format == TX_YUV)
+        return s >> 1;
+    return tile->size == TX_4 ? s >> 2 : s;
 }
 
 /* 8 bytes for a row, at texel s: 16-bit units in order, the long halves of odd rows swapped;
@@ -19,30 +29,27 @@ static void put_bytes(struct tx *tx, uint32 unit, uint8 first, uint8 second)
 static void put_chunk(struct tx *tx, const struct tx_tile *tile, uint32 row, uint32 s,
                       const uint8 *d)
 {
-    const int32 yuv = tile->format == TX_YUV;
-    const int32 split = yuv || (tile->format == TX_RGBA && tile->size == TX_32);
     const uint32 base = ((tile->line * row & 511) + tile->tmem) * 4;
-    const uint32 column = yuv || tile->size == TX_8 ? s >> 1 : tile->size == TX_4 ? s >> 2 : s;
-    const uint32 odd = row & 1 ? 2 : 0;
-    uint32 unit;
+    const uint32 odd = (row & 1) * 2;
+    uint32 unit = base + column_of(tile, s);
 
-    if (!split) {
-        unit = (base + column) & 0x7fc;
-        for (uint32 i = 0; i < 4; i++)
-            put_unit(tx, (unit + i) ^ odd, d + 2 * i);
+    if (!is_split(tile)) {
+        unit &= 0x7fc;
+        for (uint32 i = 0; i < 4; i++, d += 2)
+            put_unit(tx, (unit + i) ^ odd, d[0], d[1]);
         return;
     }
-    unit = (((base + column) & 0x7fe) ^ odd) & 0x3ff;
-    if (yuv) {
-        put_bytes(tx, unit, d[0], d[2]);
-        put_bytes(tx, unit + 1, d[4], d[6]);
-        put_bytes(tx, unit + 0x400, d[1], d[3]);
-        put_bytes(tx, unit + 0x401, d[5], d[7]);
+    unit = ((unit & 0x7fe) ^ odd) & 0x3ff;
+    if (tile->format == TX_YUV) {
+        put_unit(tx, unit, d[0], d[2]);
+        put_unit(tx, unit + 1, d[4], d[6]);
+        put_unit(tx, unit + 0x400, d[1], d[3]);
+        put_unit(tx, unit + 0x401, d[5], d[7]);
     } else {
-        put_unit(tx, unit, d);
-        put_unit(tx, unit + 1, d + 4);
-        put_unit(tx, unit + 0x400, d + 2);
-        put_unit(tx, unit + 0x401, d + 6);
+        put_unit(tx, unit, d[0], d[1]);
+        put_unit(tx, unit + 1, d[4], d[5]);
+        put_unit(tx, unit + 0x400, d[2], d[3]);
+        put_unit(tx, unit + 0x401, d[6], d[7]);
     }
 }
 
@@ -73,7 +80,7 @@ static enum tx_result check_room(const struct tx *tx, const struct tx_tile *tile
 {
     if (!tx->checked)
         return TX_DONE;
-    if (tile->format == TX_YUV || (tile->format == TX_RGBA && tile->size == TX_32)) {
+    if (is_split(tile)) {
         if (tile->tmem >= TX_HALF_WORDS)
             return TX_SPLIT_HIGH;
         return end > TX_HALF_WORDS ? TX_LOAD_TOO_LARGE : TX_DONE;
@@ -86,9 +93,7 @@ static enum tx_result check_room(const struct tx *tx, const struct tx_tile *tile
 /* TMEM words that chunks take from the beginning of a row on: split ones take half. */
 static uint32 words_of(const struct tx_tile *tile, uint32 chunks)
 {
-    if (tile->format == TX_YUV || (tile->format == TX_RGBA && tile->size == TX_32))
-        return (chunks + 1) >> 1;
-    return chunks;
+    return is_split(tile) ? (chunks + 1) >> 1 : chunks;
 }
 
 enum tx_result tx_load_tile_words(struct tx *tx, uint32 hi, uint32 lo)
@@ -205,9 +210,12 @@ enum tx_result tx_load_tlut_words(struct tx *tx, uint32 hi, uint32 lo)
     if (!inside(tx, from, 2 * entries))
         return TX_OUTSIDE_DRAM;
     tx_set_edges(tx, hi, lo);
-    for (uint32 i = 0; i < entries; i++)
+    for (uint32 i = 0; i < entries; i++) {
+        const uint8 *entry = tx->dram + from + 2 * i;
+
         for (uint32 copy = 0; copy < 4; copy++)
-            put_unit(tx, ((tile->tmem + i) * 4 + copy) & 0x7ff, tx->dram + from + 2 * i);
+            put_unit(tx, ((tile->tmem + i) * 4 + copy) & 0x7ff, entry[0], entry[1]);
+    }
     tx->tmem_generation++;
     return TX_DONE;
 }

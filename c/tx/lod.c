@@ -70,12 +70,12 @@ void tx_level_of_point(const struct tx *tx, const struct tx_point *point,
     int32 lod, far;
 
     neighbour(&point->at, &point->dx, ~(uint32)0x1f, &beside);
-    tx_coordinates(tx, &beside, &there);
+    tx_project(tx, &beside, &there);
     lod = larger(distance(at->raw_s, there.raw_s), distance(at->raw_t, there.raw_t));
     far = overflows(at) || overflows(&there);
     if (tx->modes.cycle != TX_ONE_CYCLE) {
         neighbour(&point->at, &point->dy, ~(uint32)0x7fff, &beside);
-        tx_coordinates(tx, &beside, &there);
+        tx_project(tx, &beside, &there);
         lod = larger(lod, larger(distance(at->raw_s, there.raw_s),
                                  distance(at->raw_t, there.raw_t)));
         far = far || overflows(&there);

@@ -66,11 +66,13 @@ static int32 is_within(const struct setup *s, const fix16 *value, const struct t
 static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx)
 {
     const struct tx_tile *tile = &tx->tiles[tx->primitive_tile];
+    int32 copy = tx->modes.cycle == TX_COPY;
     struct tx_window columns, rows;
 
-    return needs->inputs == TX_INPUT_TEXEL0 && !needs->divided && !tx->modes.lod
-        && !tx->modes.quad && tx->modes.cycle != TX_COPY
-        && tx_page_window(&tile->s, &columns) && tx_page_window(&tile->t, &rows)
+    return (copy ? s->frame->pixel_bytes == 2
+                 : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
+        && !needs->divided
+        && tx_page_window(&tile->s, copy, &columns) && tx_page_window(&tile->t, copy, &rows)
         && is_within(s, &s->given->s, &tile->s, &columns)
         && is_within(s, &s->given->t, &tile->t, &rows);
 }

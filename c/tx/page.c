@@ -1,6 +1,7 @@
 #include "tx/page.h"
 
 #include "system/system.h"
+#include "tx/forms.h"
 #include "tx/pixels.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -12,9 +13,10 @@ static int32 period(const struct tx_axis *axis)
     return 1 << (bits + (axis->mirror ? 1 : 0));
 }
 
-static int32 clamps(const struct tx_axis *axis)
+/* Copy mode does not clamp; an axis without a mask goes on beyond the tile's edges then. */
+static int32 repeats(const struct tx_axis *axis, int32 copy)
 {
-    return axis->clamp || !axis->mask;
+    return axis->mask && (copy || !axis->clamp);
 }
 
 static int32 last_index(const struct tx_axis *axis)
@@ -22,7 +24,7 @@ static int32 last_index(const struct tx_axis *axis)
     return (axis->high >> 2) - (axis->low >> 2);
 }
 
-/* Of a clamping axis: its texels in the middle of the page. */
+/* Of an axis that does not repeat: its texels in the middle of the page. */
 static int32 first_index(const struct tx_axis *axis)
 {
     return (last_index(axis) + 1 - SIDE) >> 1;
@@ -30,32 +32,33 @@ static int32 first_index(const struct tx_axis *axis)
 
 /* An axis whose first edge lies further within its texel than its last one clamps in the middle
    of one. */
-int32 tx_page_window(const struct tx_axis *axis, struct tx_window *window)
+int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window)
 {
     if (axis->shift)
         return 0;
-    if (!clamps(axis)) {
+    if (repeats(axis, copy)) {
         window->low = -0x7fffffff;
         window->high = 0x7fffffff;
         return period(axis) <= SIDE;
     }
     window->low = first_index(axis) * 65536;
     window->high = window->low + SIDE * 65536;
-    return axis->high >= axis->low && (axis->low & 3) <= (axis->high & 3)
-        && last_index(axis) < SIDE;
+    return axis->high >= axis->low && last_index(axis) < SIDE
+        && (copy || (axis->low & 3) <= (axis->high & 3));
 }
 
-/* For each column or row of a page: its coordinate, s10.5, and the first one that shows the
+/* For each column or row of a page: its coordinates, s10.5, and the first one that shows the
    same texel. */
 struct shown {
     int16 coordinate[SIDE];
+    uint16 relative[SIDE];
     uint8 same[SIDE];
 };
 
-static void find_shown(struct shown *shown, const struct tx_axis *axis)
+static void find_shown(struct shown *shown, const struct tx_axis *axis, int32 copy)
 {
     static int16 first[1024];
-    int32 from = clamps(axis) ? first_index(axis) : 0;
+    int32 from = repeats(axis, copy) ? 0 : first_index(axis);
 
     for (int32 i = 0; i < 1024; i++)
         first[i] = -1;
@@ -64,7 +67,8 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis)
         int32 c = (int16)(index * 32 + axis->low * 8);
         struct tx_place place;
 
-        tx_place_row(axis, tx_relative(axis, c) >> 5, &place);
+        shown->relative[k] = (uint16)tx_relative(axis, c);
+        tx_place_column(axis, copy ? (uint32)index : shown->relative[k] >> 5, &place);
         shown->coordinate[k] = (int16)c;
         if (first[place.index & 1023] < 0)
             first[place.index & 1023] = (int16)k;
@@ -72,28 +76,62 @@ static void find_shown(struct shown *shown, const struct tx_axis *axis)
     }
 }
 
-static uint32 colour_at(const struct tx *tx, int32 tile, int32 s, int32 t,
-                        const struct tx_colour *shade)
+/* What a page is made with. */
+struct making {
+    const struct tx *tx;
+    int32 tile, pixel_bytes;
+    const struct tx_colour *shade;
+    const struct tx_decoded *decoded;   /* 0: texels are sampled one by one */
+    int32 is_texel;             /* the combiner makes nothing else of texel 0 */
+    struct shown columns, rows;
+};
+
+static void texel_at(const struct making *m, int32 u, int32 v, struct tx_colour *texel)
+{
+    const struct tx_decoded *from = m->decoded;
+    uint32 colour;
+
+    if (!from) {
+        tx_sample(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], 0, 0, texel);
+        return;
+    }
+    colour = tx_decoded_texel(from, m->columns.relative[u], m->rows.relative[v]);
+    texel->r = (int16)(colour >> 24);
+    texel->g = (int16)(colour >> 16 & 255);
+    texel->b = (int16)(colour >> 8 & 255);
+    texel->a = (int16)(colour & 255);
+}
+
+static uint32 colour_at(const struct making *m, int32 u, int32 v)
 {
     struct tx_sources sources;
 
-    tx_sample(tx, tile, s, t, 0, 0, &sources.texel0);
+    if (m->decoded && m->is_texel)
+        return tx_decoded_texel(m->decoded, m->columns.relative[u], m->rows.relative[v]);
+    texel_at(m, u, v, &sources.texel0);
     sources.texel1 = sources.texel0;
-    sources.shade = *shade;
+    sources.shade = *m->shade;
     sources.fraction = 0;
-    return tx_combine_pixel(tx, &sources);
+    return tx_combine_pixel(m->tx, &sources);
 }
 
-static void make_row(uint8 *row, const struct tx *tx, int32 tile, const struct shown *columns,
-                     int32 t, int32 pixel_bytes, const struct tx_colour *shade)
+static uint32 pixel_at(const struct making *m, int32 u, int32 v)
+{
+    uint32 texels[2];
+
+    if (m->tx->modes.cycle != TX_COPY)
+        return tx_pixel_of(colour_at(m, u, v), m->pixel_bytes);
+    tx_copy_texels(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], texels);
+    return texels[0] >> 16;
+}
+
+static void make_row(uint8 *row, const struct making *m, int32 v)
 {
     for (int32 u = 0; u < SIDE; u++) {
-        int32 same = columns->same[u];
-        uint32 colour = same < u ? tx_pixel_read(row, same, pixel_bytes)
-                      : tx_pixel_of(colour_at(tx, tile, columns->coordinate[u], t, shade),
-                                    pixel_bytes);
+        int32 same = m->columns.same[u];
 
-        tx_pixel_write(row, u, pixel_bytes, colour);
+        tx_pixel_write(row, u, m->pixel_bytes,
+                       same < u ? tx_pixel_read(row, same, m->pixel_bytes) : pixel_at(m, u, v));
     }
 }
 
@@ -104,49 +142,52 @@ static void copy_row(uint8 *to, const uint8 *from, int32 bytes)
 }
 
 /* page: row 0; rows 128 to 255 lie before it, as in MAP_PAGE. */
-static void make_page(uint8 *page, const struct tx *tx, int32 tile, int32 pixel_bytes,
-                      const struct tx_colour *shade)
+static void make_page(uint8 *page, struct making *m)
 {
-    static struct shown columns, rows;
-    int32 pitch = SIDE * pixel_bytes;
+    int32 pitch = SIDE * m->pixel_bytes, copy = m->tx->modes.cycle == TX_COPY;
 
-    find_shown(&columns, &tx->tiles[tile].s);
-    find_shown(&rows, &tx->tiles[tile].t);
+    find_shown(&m->columns, &m->tx->tiles[m->tile].s, copy);
+    find_shown(&m->rows, &m->tx->tiles[m->tile].t, copy);
     for (int32 v = 0; v < SIDE; v++) {
-        int32 same = rows.same[v];
+        int32 same = m->rows.same[v];
         uint8 *row = page + (int8)v * pitch;
 
         if (same < v)
             copy_row(row, page + (int8)same * pitch, pitch);
         else
-            make_row(row, tx, tile, &columns, rows.coordinate[v], pixel_bytes, shade);
+            make_row(row, m, v);
     }
 }
 
-/* A tile's axis without where it begins: moving it moves the polygon, not the page. */
-static uint32 axis_key(const struct tx_axis *axis)
+/* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. */
+static const struct tx_decoded *find_decoded(struct tx_unit *unit, int32 tile)
 {
-    return (uint32)axis->clamp << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
-        | (clamps(axis) ? (uint32)axis->low << 12 | axis->high : 0);
+    const struct tx *tx = &unit->tx;
+    int32 made;
+
+    if (tx->modes.cycle == TX_COPY || !tx->modes.filter0
+        || tx_decode(tx, tile, 0, &unit->tiles[tile], &made) != TX_DONE)
+        return 0;
+    return &unit->tiles[tile].decoded;
 }
 
+/* Everything that the page depends on. */
 static uint32 packed(const uint8 *colour)
 {
     return (uint32)colour[0] << 24 | (uint32)colour[1] << 16 | (uint32)colour[2] << 8 | colour[3];
 }
 
-/* Everything that the page depends on. */
 static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_bytes,
                      const struct tx_colour *shade)
 {
-    const struct tx_tile *tile = &tx->tiles[n];
+    struct tx_tile_key tile;
 
+    tx_tile_key_find(&tile, &tx->tiles[n]);
     key[0] = tx->tmem_generation;
     key[1] = tx->mode_generation;
-    key[2] = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
-        | (uint32)tile->line << 9 | tile->tmem;
-    key[3] = axis_key(&tile->s);
-    key[4] = axis_key(&tile->t);
+    key[2] = tile.tile;
+    key[3] = tile.s;
+    key[4] = tile.t;
     key[5] = packed(tx->primitive);
     key[6] = packed(tx->environment);
     key[7] = (uint32)tx->primitive_fraction << 8 | (uint32)pixel_bytes;
@@ -168,6 +209,8 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
                    const struct tx_colour *shade)
 {
     struct tx_page *page = &unit->page;
+    static struct making making;
+    struct tx_form form;
     uint32 key[TX_PAGE_KEY], differs = 0;
     uint8 *origin;
 
@@ -181,8 +224,16 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     page->key[0] = ~key[0];     /* of no use until it is made */
     if (!page_room(unit, SIDE * SIDE * pixel_bytes))
         return 0;
+    making.tx = &unit->tx;
+    making.tile = tile;
+    making.pixel_bytes = pixel_bytes;
+    making.shade = shade;
+    making.decoded = find_decoded(unit, tile);
+    tx_form_find(&form, &unit->tx);
+    making.is_texel = !form.any && form.first == TX_FIRST_TEXEL
+        && form.second == TX_SECOND_NOTHING;
     origin = page->texels + SIDE / 2 * SIDE * pixel_bytes;
-    make_page(origin, &unit->tx, tile, pixel_bytes, shade);
+    make_page(origin, &making);
     page->map.texels = origin;
     page->map.width = page->map.height = SIDE;
     page->map.scale = 65536;

@@ -15,10 +15,10 @@ struct tx_window {
 };
 
 /* Whether a page can stand for an axis at all, and where. Shifted axes have none. */
-int32 tx_page_window(const struct tx_axis *axis, struct tx_window *window);
+int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window);
 
 /* Makes the unit's page fit a tile, its colour being what the combiner makes of texel 0 and
-   constants; nothing is done where it still does. 0: there is no memory. */
+   constants, or in copy mode the texel; nothing is done where it still does. 0: there is no memory. */
 int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
                    const struct tx_colour *shade);
 

@@ -3,7 +3,7 @@
 
 void tx_sample_pixel(const struct tx *tx, const struct tx_point *point, struct tx_pixel *pixel)
 {
-    tx_coordinates(tx, &point->at, &pixel->at);
+    tx_project(tx, &point->at, &pixel->at);
     tx_level_of_point(tx, point, &pixel->at, &pixel->level);
     tx_sample(tx, pixel->level.tile0, pixel->at.s, pixel->at.t, 0, 0, &pixel->texel0);
     tx_sample(tx, pixel->level.tile1, pixel->at.s, pixel->at.t, 1, &pixel->texel0,
@@ -18,7 +18,7 @@ uint32 tx_draw_pixel(const struct tx *tx, const struct tx_point *point,
     struct tx_level level;
     struct tx_sources sources;
 
-    tx_coordinates(tx, &point->at, &at);
+    tx_project(tx, &point->at, &at);
     level.tile0 = tx->primitive_tile;
     level.tile1 = tx->primitive_tile + 1;
     level.fraction = 0;

@@ -2,30 +2,26 @@
 #ifndef TX_PIXEL_H
 #define TX_PIXEL_H
 
+#include "tx/passes.h"
 #include "tx/texel.h"
 
-/* Iterators: s15.16. The upper 16 bits are s and t (s10.5) or, with perspective, s * w, t * w
-   and w (0x7fff is 1.0). */
-struct tx_iterators {
-    int32 s, t, w;
-};
-
-/* A pixel's iterators, and what they grow by to the right and downwards. */
+/* A pixel's iterators, and what they grow by to the right and downwards. Their upper 16 bits
+   are s and t (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
 struct tx_point {
     struct tx_iterators at, dx, dy;
 };
 
-/* divide.c. Coordinates of a pixel: s, t s10.5 within 16 bits; raw_s, raw_t the same before
+/* perspective.c. Coordinates of a pixel: s, t s10.5 within 16 bits; raw_s, raw_t the same before
    the clamp, signed 17 bits; overflow: -1, 0, 1 for each (w <= 0 is 1). */
 struct tx_divided {
     int32 s, t, raw_s, raw_t;
     int32 overflow_s, overflow_t;
 };
 
-void tx_divide(int32 s, int32 t, int32 w, struct tx_divided *out);
+void tx_quotients(int32 s, int32 t, int32 w, struct tx_divided *out);
 
-/* divide.c. The same for iterators: with or without perspective. */
-void tx_coordinates(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out);
+/* perspective.c. The same for iterators: with or without perspective. */
+void tx_project(const struct tx *tx, const struct tx_iterators *at, struct tx_divided *out);
 
 /* lod.c. Which tiles a pixel shows, and between them: 9 bits, of which the highest makes it
    negative (0x1c0 is -64). */

@@ -20,7 +20,8 @@ struct tx_place {
 uint32 tx_relative(const struct tx_axis *axis, int32 c);
 
 /* coordinates.c. Step 5 (mirror, mask) for a relative coordinate's integer part. Columns and
-   rows differ in the last one's step. */
+   rows differ in the last one's step. Of a row's index the texels only see the low 8 bits, but
+   for copy mode. */
 void tx_place_column(const struct tx_axis *axis, uint32 column, struct tx_place *place);
 void tx_place_row(const struct tx_axis *axis, uint32 row, struct tx_place *place);
 
@@ -42,11 +43,6 @@ uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
 void tx_expand_rgba16(uint32 bits, struct tx_colour *texel);
 void tx_expand_ia16(uint32 bits, struct tx_colour *texel);
 
-/* filter.c. The four texels of a quad, chroma apart: its second column may be another. */
-struct tx_taps {
-    struct tx_colour c00, c10, c01, c11;
-};
-
 /* filter.c. One channel through the three-point filter; fs, ft: 0 to 31. */
 int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft);
 
@@ -56,10 +52,10 @@ void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
                const struct tx_colour *previous, struct tx_colour *out);
 
 /* convert.c. Signed U, V, Y to R, G, B, A = Y; each signed 9 bits. */
-void tx_convert(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out);
+void tx_convert_texel(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out);
 
 /* copy.c. Four texels of copy mode from s, t (s10.5) on: two longs of 16-bit texels, of which
    one-bit alpha is bit 0. */
-void tx_copy(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels);
+void tx_copy_texels(const struct tx *tx, int32 n, int32 s, int32 t, uint32 *texels);
 
 #endif

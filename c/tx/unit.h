@@ -20,6 +20,11 @@ struct tx_unit {
     struct tx tx;
     enum tx_result result;      /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
+    struct tx_levels *levels;   /* of levels_made, a mode_generation; or 0 */
+    uint32 levels_made;
+    uint8 *tables;              /* of tables_made, another; or 0 */
+    uint32 tables_made;
+    uint32 judged;              /* generations of tiles and modes that can be drawn with */
     struct tx_page page;
     struct tx_kept tiles[TX_TILES];     /* decoded for the passes */
 };

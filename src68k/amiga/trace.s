@@ -78,6 +78,23 @@ trace_step:                             ; the stacked PC: the next instruction
 .done   movem.l (sp)+,d0/a0
         rte
 
+;==============================================================================
+; trace_wait - what clock_wait is while instructions are noted: nothing
+;
+; in:      -
+; out:     -
+; trashes: -
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+; Its loops ask for one place of the beam; traced, each round takes lines, and can pass that
+; place by for ever.
+        routine trace_wait
+        rts
+
         section .bss.trace,bss
 old_trace       ds.l    1
 trace_flags     ds.b    TRACE_WORDS

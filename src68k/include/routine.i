@@ -6,7 +6,8 @@
 ; defines two entries:
 ;       _name   for C: copies its stack arguments to the registers named
 ;       name    for assembly: takes them in those registers
-; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6.
+; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6; with a2 as the third register
+; the entry for C does so itself, and calls the other.
 
 routine macro
         section .text.\1,code
@@ -14,6 +15,16 @@ routine macro
         xdef    _\1
         xdef    \1
 _\1:
+        ifc     '\4','a2'
+        move.l  a2,-(sp)
+        movea.l 8(sp),\2
+        movea.l 12(sp),\3
+        movea.l 16(sp),a2
+        move.l  20(sp),\5
+        bsr     \1
+        movea.l (sp)+,a2
+        rts
+        else
         ifnb    \2
         move.l  4(sp),\2
         endc
@@ -25,6 +36,7 @@ _\1:
         endc
         ifnb    \5
         move.l  16(sp),\5
+        endc
         endc
 \1:
         endm

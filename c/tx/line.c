@@ -1,0 +1,160 @@
+/* A line of a polygon, pass by pass. */
+#include "tx/pixels.h"
+#include "tx/plan.h"
+
+static uint32 coordinates[SCENE_SIDE_MAX];
+struct tx_blending tx_line_blendings[SCENE_SIDE_MAX];
+static uint32 texels1[SCENE_SIDE_MAX], shades[SCENE_SIDE_MAX];
+
+/* A run of pixels of the same tiles. */
+struct run {
+    int32 first, count, tile0, tile1;
+};
+
+static void sample(const struct tx_sampling *from, const uint32 *at, uint32 *texels, int32 count)
+{
+    static uint32 relative[SCENE_SIDE_MAX];
+
+    if (from->relative) {
+        from->relative(at, relative, &from->axes, count);
+        at = relative;
+    }
+    from->sample(at, texels, from->tile, count);
+}
+
+static const int16 *fractions_of(const struct tx_plan *plan, int32 first)
+{
+    return plan->form.fraction < 0 ? &tx_line_blendings[first].fraction : &plan->form.fraction;
+}
+
+/* Texels of one tile; where the blend is of that and itself it is left out. */
+static void sample_run(const struct tx_plan *plan, const struct run *run, uint32 *texels)
+{
+    const struct tx_form *form = &plan->form;
+    const uint32 *at = coordinates + run->first;
+    uint32 *other = texels1 + run->first;
+    struct tx_blend blend;
+
+    texels += run->first;
+    sample(&plan->tiles[form->swapped ? run->tile1 : run->tile0], at, texels, run->count);
+    if (!plan->second_texel || (form->first == TX_FIRST_BLEND && run->tile0 == run->tile1))
+        return;
+    sample(&plan->tiles[form->swapped ? run->tile0 : run->tile1], at, other, run->count);
+    if (form->first != TX_FIRST_BLEND)
+        return;
+    blend.other = other;
+    blend.fractions = fractions_of(plan, run->first);
+    blend.fraction_step = form->fraction < 0 ? (int32)sizeof *tx_line_blendings : 0;
+    tx_lerp(texels, texels, &blend, run->count);
+}
+
+/* The next pixels that have the same tiles. */
+static void find_run(const struct tx_plan *plan, struct run *run, int32 end)
+{
+    const struct tx_blending *from = &tx_line_blendings[run->first];
+
+    run->count = end - run->first;
+    run->tile0 = plan->tile0;
+    run->tile1 = plan->tile1;
+    if (!plan->levels)
+        return;
+    run->tile0 = from->tile0;
+    run->tile1 = from->tile1;
+    run->count = 1;
+    while (run->first + run->count < end && from[run->count].tile0 == from->tile0
+           && from[run->count].tile1 == from->tile1)
+        run->count++;
+}
+
+static void find_texels(const struct tx_plan *plan, uint32 *texels, int32 count)
+{
+    struct run run;
+
+    for (run.first = 0; run.first < count; run.first += run.count) {
+        find_run(plan, &run, count);
+        sample_run(plan, &run, texels);
+    }
+}
+
+static void find_shades(const struct tx_planes *planes, int32 x, int32 y, int32 count)
+{
+    const struct tx_plane *of = planes->of;
+    struct tx_shades start, steps;
+
+    start.r = (int32)tx_plane_at(planes, TX_RED, x, y);
+    start.g = (int32)tx_plane_at(planes, TX_GREEN, x, y);
+    start.b = (int32)tx_plane_at(planes, TX_BLUE, x, y);
+    start.a = (int32)tx_plane_at(planes, TX_ALPHA, x, y);
+    steps.r = (int32)of[TX_RED].dx;
+    steps.g = (int32)of[TX_GREEN].dx;
+    steps.b = (int32)of[TX_BLUE].dx;
+    steps.a = (int32)of[TX_ALPHA].dx;
+    tx_shade(&start, shades, &steps, count);
+}
+
+static void modulate(const struct tx_plan *plan, const uint32 *texels, uint32 *colours,
+                     int32 count)
+{
+    struct tx_modulation by;
+
+    by.other = plan->planes->shaded ? shades : &plan->shade;
+    by.step = plan->planes->shaded ? (int32)sizeof *shades : 0;
+    tx_modulate(texels, colours, &by, count);
+}
+
+/* The combiner's cycles as they stand. */
+static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *colours,
+                    int32 count)
+{
+    static struct tx_wide wide[3][SCENE_SIDE_MAX];
+    struct tx_places places;
+
+    tx_widen(texels, wide[0], 0, count);
+    if (plan->second_texel)
+        tx_widen(texels1, wide[1], 0, count);
+    if (plan->planes->shaded)
+        tx_widen(shades, wide[2], 0, count);
+    else
+        tx_widen(&plan->shade, wide[2], 0, 1);
+    places.texel0 = wide[0];
+    places.texel1 = plan->second_texel ? wide[1] : wide[0];
+    places.shade = wide[2];
+    places.shade_step = plan->planes->shaded ? (int32)sizeof **wide : 0;
+    places.fraction = &tx_line_blendings->fraction;
+    places.fraction_step = sizeof *tx_line_blendings;
+    tx_combine_line(&plan->unit->tx, &places, colours, count);
+}
+
+static void find_coordinates(const struct tx_plan *plan, int32 x, int32 y, int32 count)
+{
+    const struct tx_planes *planes = plan->planes;
+    struct tx_iterators at;
+
+    at.s = (int32)tx_plane_at(planes, TX_S, x, y);
+    at.t = (int32)tx_plane_at(planes, TX_T, x, y);
+    at.w = (int32)tx_plane_at(planes, TX_W, x, y);
+    plan->coordinates(&at, coordinates, &plan->steps, count);
+}
+
+void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
+                  int32 count)
+{
+    static uint32 room[SCENE_SIDE_MAX], made[SCENE_SIDE_MAX];
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : made;
+    int32 second = plan->form.any || plan->form.second != TX_SECOND_NOTHING;
+    uint32 *texels = second ? room : colours;
+
+    find_coordinates(plan, x, y, count);
+    find_texels(plan, texels, count);
+    if (plan->planes->shaded)
+        find_shades(plan->planes, x, y, count);
+    if (plan->form.any)
+        combine(plan, texels, colours, count);
+    else if (plan->form.second == TX_SECOND_MODULATE)
+        modulate(plan, texels, colours, count);
+    else if (plan->form.second == TX_SECOND_TABLES)
+        tx_map(texels, colours, plan->tables, count);
+    if (frame->pixel_bytes == 2)
+        tx_store_16(colours, pixels, 0, count);
+}

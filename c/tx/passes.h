@@ -1,0 +1,147 @@
+/* The passes over a line's pixels: each a routine of src68k/tx (contracts there) that takes
+   what the pass before it left. count is 1 or more. */
+#ifndef TX_PASSES_H
+#define TX_PASSES_H
+
+#include "compiler.h"
+
+/* Iterators at a line's first pixel, or what they change by: s15.16. The upper 16 bits are s and t
+   (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
+struct tx_iterators {
+    int32 s, t, w;
+};
+
+/* A coordinate pair: s in the upper, t in the lower word, both s10.5. */
+typedef uint32 tx_coordinates;
+
+/* One triangle of a 2x2 quad: a corner, and what the texels beside it in s and t differ by.
+   Each long has two channels: R and B, or G and A, the first one in the upper word. The corner
+   is 8 * (32 * channel + 16), a difference 8 * (channel - corner's channel); the words of a
+   difference are added as one signed 32-bit number, so that a negative lower one borrows. */
+struct tx_triangle {
+    uint32 rb_s, rb_t, rb, ga_s, ga_t, ga;
+};
+
+/* What the three-point filter needs of texel c00 and its neighbours: the corner of lower is
+   c00, that of upper c11, whose differences are those of c01 in s and of c10 in t. */
+struct tx_quad {
+    struct tx_triangle lower, upper;
+    uint32 mean_rb, mean_ga;    /* as rb and ga: 8 * (8 * (c00 + c10 + c01 + c11) + 16) */
+    uint32 spare[2];
+};
+
+/* A tile as texels of four bytes. A relative coordinate's texel is texels[row << columns_bits |
+   column]: column = s >> 5 modulo 2^columns_bits, row alike. */
+struct tx_decoded {
+    const uint32 *texels;       /* R G B A */
+    const struct tx_quad *quads;        /* the same order; 0 without a filter */
+    uint16 mask_s, mask_t;      /* (columns - 1) << 5, (rows - 1) << 5 */
+    uint16 columns_bits, rows_bits;
+};
+
+/* From coordinates to relative ones, one axis. */
+struct tx_axis_range {
+    int16 shift;                /* bits to the right; to the left where it is negative */
+    uint16 clamp;               /* 0: low alone counts, and wraps */
+    int16 low, high;            /* s10.5: the origin; where the last texel is shown from on */
+    int16 last;                 /* that texel's relative coordinate, a whole one */
+};
+
+struct tx_axes {
+    struct tx_axis_range s, t;
+};
+
+#define TX_RECIPROCALS 32768    /* longs: 128 KB */
+
+/* What the iterators change by, and the reciprocal of each w. */
+struct tx_division {
+    int32 s, t, w;
+    const uint32 *reciprocals;
+};
+
+/* Texels 1 and by how much they count: 9 bits signed, 256 is all. */
+struct tx_blend {
+    const uint32 *other;
+    const int16 *fractions;
+    int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
+};
+
+/* Colours at a line's first pixel, or what they change by: 16.16. */
+struct tx_shades {
+    int32 r, g, b, a;
+};
+
+/* What texels are multiplied with: texels from pixel to pixel, or one. */
+struct tx_modulation {
+    const uint32 *other;
+    int32 step;                 /* bytes: 4, or 0 for the same everywhere */
+};
+
+/* The four channels of a pixel between the combiner's cycles: R G B A. */
+struct tx_wide {
+    int16 channels[4];
+};
+
+/* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
+   constant. Each is the channel's own word of a tx_wide, alpha's, or a single word. */
+struct tx_combination {
+    const int16 *a, *b, *c, *d;
+    int32 a_step, b_step, c_step, d_step;
+};
+
+/* Two tiles and what the second one counts: 9 bits signed, 256 is all. */
+struct tx_blending {
+    uint8 tile0, tile1;
+    int16 fraction;
+};
+
+/* The blending of each level of detail, worked out once for a mode. A level's long has the two
+   tiles, bits to shift the fraction by, and 255 where that is the fraction. */
+struct tx_levels {
+    uint32 magnified[32];       /* tx_blending, by the longest change between pixels */
+    uint32 levels[512];         /* by a 32nd of it, from 1 on */
+    uint32 far;                 /* tx_blending */
+};
+
+/* What the levels depend on. */
+struct tx_level_modes {
+    uint8 lod, sharpen, detail; /* 0 or 1 */
+    uint8 max_level, min_level, tile;
+};
+
+/* What the iterators change by; their gradients; and where the blendings go. */
+struct tx_lod_steps {
+    int32 s, t, w;
+    int32 x_s, x_t, x_w;
+    int32 y_s, y_t, y_w;
+    const uint32 *reciprocals;
+    const struct tx_levels *levels;
+    struct tx_blending *blendings;
+};
+
+void tx_levels_make(struct tx_levels *levels, const struct tx_level_modes *modes);
+void tx_divide_table_make(uint32 *reciprocals);
+void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+
+void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_threepoint_16(const void *coordinates, void *pixels, const void *decoded,
+                      int32 count);
+void tx_average(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_point(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tx_point_16(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void tx_store_16(const void *texels, void *pixels, const void *nothing, int32 count);
+void tx_divide(const void *iterators, void *coordinates, const void *division, int32 count);
+void tx_divide_inside(const void *iterators, void *coordinates, const void *division,
+                      int32 count);
+void tx_tile(const void *coordinates, void *relative, const void *axes, int32 count);
+void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
+void tx_shade(const void *shades, void *colours, const void *steps, int32 count);
+void tx_modulate(const void *texels, void *products, const void *modulation, int32 count);
+void tx_map(const void *texels, void *mapped, const void *tables, int32 count);
+void tx_widen(const void *texels, void *wide, const void *nothing, int32 count);
+void tx_combiner(const void *nothing, void *results, const void *combination, int32 count);
+void tx_narrow(const void *wide, void *texels, const void *nothing, int32 count);
+void tx_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
+
+#endif

@@ -1,0 +1,42 @@
+/* The passes in plain C: the yardsticks of the bench. */
+#ifndef TX_PLAIN_H
+#define TX_PLAIN_H
+
+#include "tx/passes.h"
+
+/* What a pass is called with. */
+struct tx_call {
+    const void *in;
+    void *out;
+    const void *constants;
+    int32 count;
+};
+
+void tx_walk_c(const struct tx_call *call);
+void tx_threepoint_c(const struct tx_call *call);
+void tx_threepoint_16_c(const struct tx_call *call);
+void tx_average_c(const struct tx_call *call);
+void tx_point_c(const struct tx_call *call);
+void tx_point_16_c(const struct tx_call *call);
+void tx_store_16_c(const struct tx_call *call);
+void tx_divide_c(const struct tx_call *call);
+void tx_tile_c(const struct tx_call *call);
+void tx_lerp_c(const struct tx_call *call);
+void tx_shade_c(const struct tx_call *call);
+void tx_modulate_c(const struct tx_call *call);
+void tx_map_c(const struct tx_call *call);
+void tx_widen_c(const struct tx_call *call);
+void tx_combiner_c(const struct tx_call *call);
+void tx_narrow_c(const struct tx_call *call);
+void tx_lod_c(const struct tx_call *call);
+
+/* tx_quad_make of the four texels in, R G B A. */
+void tx_quads_c(const struct tx_call *call);
+
+/* tx_divide_table_make. */
+void tx_reciprocals_c(const struct tx_call *call);
+
+/* tx_levels_make of the modes that the constants are. */
+void tx_levels_c(const struct tx_call *call);
+
+#endif

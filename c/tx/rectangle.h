@@ -1,0 +1,21 @@
+/* Texture rectangles: the drawing processor's own primitive. */
+#ifndef TX_RECTANGLE_H
+#define TX_RECTANGLE_H
+
+#include "tx/unit.h"
+
+struct tx_rectangle {
+    int32 left, top, right, bottom;     /* pixels; right and bottom excluded */
+    int32 s, t;                 /* s10.5, at the upper left pixel */
+    int32 dsdx, dtdy;           /* s5.10: 1024 is a texel a pixel; dsdx of copy mode: four pixels */
+    int32 flip;                 /* s runs down and t to the right */
+};
+
+/* Draws one by the unit of a material; without perspective, shade 0. In copy mode the frame has 2
+   bytes a pixel, which are the texels as they are. POLYGON_REFUSED: unit->result says why. */
+enum polygon_result tx_rectangle_draw(const struct frame *frame,
+                                      const struct tx_rectangle *rectangle,
+                                      const struct material *material,
+                                      const struct drawing *drawing);
+
+#endif

@@ -1,0 +1,21 @@
+        include "routine.i"
+        include "layout.i"
+        include "tx.i"
+
+;==============================================================================
+; tx_point - texels by point sampling
+;
+; in:      a0  const tx_coordinates*  relative coordinates
+;          a1  uint32*  texels, R G B A
+;          a2  const tx_decoded*  the tile
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the coordinates, the tile, its texels
+; writes:  the texels
+; formats: s:t, both s10.5 modulo 2^16
+; error:   none
+; cost:    bench row tx_point
+;==============================================================================
+        routine tx_point,a0,a1,a2,d0
+        tx_sample l,4

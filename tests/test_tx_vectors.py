@@ -1,0 +1,199 @@
+"""The texture engine on the emulated machine against reference data, number by number."""
+
+import gzip
+from pathlib import Path
+
+import pytest
+
+from tools import __main__ as tmap
+from tools import emulator
+from tools.errors import UserError
+from tools.paths import ROOT
+from tools.tx import vector_text, vectors
+
+FILES = sorted((ROOT / "tests" / "vectors").glob("tx_*.txt.gz"))
+QUESTIONS = 1000  # of each file
+
+#: Worked out by hand.
+EXAMPLES = """\
+# RGBA 16, line 2: rows lie 16 bytes apart, odd ones have their halves swapped
+tile 0 0 2 2 0 0 0 0 0 0 0 0 0 0 0 0 60 60
+tmem 0 f8 01
+tmem 14 07 c0
+tmem 10 00 3f
+tmem 12 84 21
+fetch 0 0 0 = 0ff 000 000 0ff
+fetch 0 0 1 = 000 0ff 000 000
+fetch 0 2 1 = 000 000 0ff 0ff
+fetch 0 3 1 = 084 084 084 0ff
+# RGBA 32, line 1: red and green in the low half, blue and alpha in the high one
+tile 1 0 3 1 32 0 0 0 0 0 0 0 0 0 0 0 4 0
+tmem 102 12 34
+tmem 902 56 78
+fetch 1 1 0 = 012 034 056 078
+# CI 4, palette 3, nibble 5: entry 0x35
+tile 2 2 0 1 64 3 0 0 0 0 0 0 0 0 0 0 60 0
+tmem 200 05
+tmem 9a8 7c 1f 7c 1f 7c 1f 7c 1f
+mode en_tlut 1
+fetch 2 1 0 = 07b 084 07b 0ff
+mode en_tlut 0
+# I 8 from 0 to 255: a quarter of the way to the next texel; two thirds down the other triangle
+tile 3 4 1 1 128 0 0 0 3 0 0 0 3 0 0 0 28 28
+tmem 400 00 ff
+tmem 40c 00 ff
+mode sample_type 1
+sample 3 8 0 0 = 040 040 040 040
+sample 3 24 16 0 = 0bf 0bf 0bf 0bf
+# the last texel is clamped to, unfiltered
+tile 4 4 1 1 136 0 1 0 0 0 1 0 0 0 0 0 4 0
+tmem 440 10 20 30
+sample 4 30 0 0 = 01f 01f 01f 01f
+sample 4 32 0 0 = 020 020 020 020
+sample 4 2000 0 0 = 020 020 020 020
+sample 4 -1 0 0 = 010 010 010 010
+# the quotients' hardware rounding
+persp 8225 0 23754 = 0 0 11345 0
+persp 3270 0 28965 = 0 0 3699 0
+persp 1 -1 0 = 0 0 32767 32767
+"""
+
+
+@pytest.fixture(scope="module")
+def checked(tmp_path_factory) -> dict[str, vectors.File]:
+    """All files after one boot, by name; besides, the examples and a copy with wrong answers."""
+    folder = tmp_path_factory.mktemp("vectors")
+    (folder / "examples.txt").write_text(EXAMPLES)
+    lines = gzip.decompress(FILES[0].read_bytes()).decode().splitlines()
+    place = [n for n, line in enumerate(lines) if line.startswith("copy")][3]
+    question, _, answer = lines[place].partition(" = ")
+    lines[place] = f"{question} = {int(answer.split()[0], 16) ^ 1:08x} {answer.split()[1]}"
+    (folder / "wrong.txt").write_text("\n".join(lines) + "\n")
+    (folder / "plain.txt").write_bytes(gzip.decompress(FILES[0].read_bytes()))
+    paths = [*FILES, *sorted(folder.glob("*.txt"))]
+    return {file.path.name: file for file in vectors.check(paths)}
+
+
+def test_the_reference_data_is_there() -> None:
+    """Each kind, some twice."""
+    assert [path.name.removesuffix(".txt.gz") for path in FILES] == [
+        "tx_copy", "tx_copy_any", "tx_load", "tx_load_any", "tx_lod2", "tx_persp", "tx_sample",
+        "tx_sample_any", "tx_yuv"]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_every_answer_is_exact(path: Path, checked) -> None:
+    """No number that counts differs."""
+    file = checked[path.name]
+    assert len(file.questions) == QUESTIONS
+    assert not file.wrong, "\n".join([*vectors.report(file), f"again: scripts/tmap vectors {path}"])
+
+
+def test_examples_worked_out_by_hand(checked) -> None:
+    """Addresses, formats, filter, clamp, divide."""
+    assert not checked["examples.txt"].wrong, "\n".join(vectors.report(checked["examples.txt"]))
+
+
+def test_a_wrong_answer_is_noticed(checked) -> None:
+    """It alone, told with its line, what was asked, expected and found; unpacked files do."""
+    assert not checked["plain.txt"].wrong
+    file = checked["wrong.txt"]
+    right = {line.number: line for line in vector_text.read(FILES[0])}
+    (line, found), = file.wrong
+    assert found[1:] == tuple(v - (1 << 32) if v >> 31 else v
+                              for v in right[line.number].expected[1:])
+    count, shown = vectors.report(file)
+    assert count.endswith("wrong.txt: 999 right, 1 wrong")
+    assert shown == (f"  line {line.number}: {vectors.asked(line)}: expected "
+                     f"{line.expected[0]:08x} {line.expected[1]:08x}, found "
+                     f"{right[line.number].expected[0]:08x} {line.expected[1]:08x}")
+
+
+def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
+    """One good and one bad file in one call: status 1, a line for each file at least."""
+    good, bad = tmp_path / "good.txt", tmp_path / "bad.txt"
+    good.write_text("persp 1 1 32767 = 0 0 1 1\n")
+    bad.write_text("persp 1 1 32767 = 0 0 1 1\n" + "persp 1 1 32767 = 0 0 2 1\n" * 7)
+    assert tmap.main(["vectors", str(good)]) == 0
+    assert capsys.readouterr().out == f"{good}: 1 right, 0 wrong\n"
+    assert tmap.main(["vectors", str(good), str(bad)]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[:2] == [f"{good}: 1 right, 0 wrong", f"{bad}: 1 right, 7 wrong"]
+    assert lines[2].startswith("  line 2: persp 1 1 32767: expected ")
+    assert len(lines) == 2 + vectors.SHOWN + 1 and lines[-1] == "  and 2 more"
+
+
+@pytest.mark.parametrize(("text", "line", "words"), [
+    ("tmemhash = 0\nsing 1 2\n", 2, "there is no command 'sing'"),
+    ("sample 0 1 2 = 0 0 0 0\n", 1, "4 arguments expected, 3 found"),
+    ("sample 0 1 2 0\n", 1, "an answer of 4 numbers expected, 0 found"),
+    ("fetch 0 1 x = 0 0 0 0\n", 1, "'x' is not a decimal number"),
+    ("tmemhash = 0\nmode sample_tape 1\n", 2, "'sample_tape'"),
+    ("mode sample_type 2\ntmemhash = 0\n", 1, "sample_type: 2 is not within 0 to 1"),
+    ("tile 8 0 2 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n", 1, "n: 8 is not within 0 to 7"),
+    ("tile 0 0 2 1 512 0 0 0 0 0 0 0 0 0 0 0 0 0\n", 1, "tmem: 512 is not within 0 to 511"),
+    ("tmem fff 1 2\n", 1, "2 bytes from fff on are not within 1000 bytes"),
+    ("rdram fffffe 1\n", 1, "not within 100000 bytes"),
+    ("tmem 0 100\n", 1, "a byte: 256 is not within 0 to 255"),
+    ("tmemrand 99999999999\n", 1, "does not fit into 32 bits"),
+    ("regs 0 0 0 0\npix 0 0 0 0 0 0 = 0\n", 1, "there is no command 'regs'"),
+])
+def test_bad_lines(text: str, line: int, words: str, tmp_path) -> None:
+    """One line that names file and line; nothing is run."""
+    path = tmp_path / "bad.txt"
+    path.write_text(text)
+    with pytest.raises(UserError) as error:
+        vectors.check([path])
+    assert str(error.value).startswith(f"{path}:{line}: ") and words in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_bad_files(tmp_path, capsys) -> None:
+    """Cut off, missing, without a question: one line each, status 2."""
+    cut, empty = tmp_path / "cut.txt.gz", tmp_path / "empty.txt"
+    cut.write_bytes(FILES[0].read_bytes()[:5000])
+    empty.write_text("# nothing\ntmemrand 1\n")
+    for path, words in ((cut, "end-of-stream"), (empty, "asks nothing"),
+                        (tmp_path / "none.txt", "No such file")):
+        assert tmap.main(["vectors", str(FILES[0]), str(path)]) == 2
+        out, err = capsys.readouterr()
+        assert out == "" and err.startswith(f"tmap: {path}: ") and words in err
+        assert err.count("\n") == 1
+
+
+def operations(*longs: int, count: int = 1) -> bytes:
+    """A file of questions out of raw longs, its checksum right."""
+    made = vectors.Operations()
+    made.longs, made.count = list(longs), count
+    return made.file()
+
+
+def test_the_program_refuses_bad_files() -> None:
+    """One line and return code 20 for each; nothing is run."""
+    good = vectors.Operations()
+    good.add("HASH")
+    codes = good.codes
+    mode, tmem, fetch, call, end = (codes[f"VECTOR_{name}"] << 16 for name in (
+        "MODE", "TMEM", "FETCH", "CALL", "CODES"))
+    files = {
+        "is empty": [b""],
+        "size": [good.file()[:20], good.file()[:-4], good.file() + bytes(4)],
+        "magic": [b"TCEV" + good.file()[4:]],
+        "version": [good.file()[:4] + bytes(4) + good.file()[8:]],
+        "checksum": [good.file()[:-1] + b"\1"],
+        "operation 0": [operations(end), operations(fetch | 2, 0, 0), operations(fetch | 3, 0, 0),
+                        operations(mode | 2, 12, 0), operations(mode | 2, 1 << 31, 0),
+                        operations(tmem | 0), operations(tmem | 2, 4096, 0),
+                        operations(tmem | 2, 0xFFFFFFFF, 0), operations(call | 1, 8)],
+        "operation 1": [operations(fetch | 3, 0, 0, 0, count=2)],
+    }
+    cases = [(words, data) for words, several in files.items() for data in several]
+    with emulator.workspace() as folder:
+        results = emulator.run_many([f"vectors q{n} a{n}" for n in range(len(cases))],
+                                    {f"q{n}": data for n, (_, data) in enumerate(cases)},
+                                    "a1200-fast", folder)
+        for n, ((words, _), done) in enumerate(zip(cases, results)):
+            assert done.code == 20, (n, words, done.output)
+            assert done.output.count("\n") == 1 and done.output.startswith(f"q{n}: "), done.output
+            assert done.output.endswith(f"{words}\n"), (n, words, done.output)
+            assert not (done.directory / f"a{n}").exists()

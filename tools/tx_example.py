@@ -1,0 +1,91 @@
+"""What the examples of the texture engine's passes are made of: numbers as bytes, random input."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+EDGES_16 = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)
+
+
+@dataclass
+class Example:
+    """One call: bytes in and out, and the struct of constants, or a table that is them.
+
+    ``blocks`` are what its fields point at, ``more`` what they point at and is written.
+    ``stride``: bytes from pixel to pixel where a word of each is written alone.
+    """
+
+    kernel: str
+    source: bytes
+    expected: bytes
+    count: int
+    struct: str = ""
+    values: dict[str, int] = field(default_factory=dict)
+    blocks: dict[str, bytes] = field(default_factory=dict)
+    more: dict[str, bytes] = field(default_factory=dict)
+    table: bytes = b""
+    stride: int = 0
+
+    def image(self, before: bytes) -> bytes:
+        """The output as it must be, from what its memory held."""
+        if not self.stride:
+            return self.expected
+        out = np.frombuffer(before, np.uint8).reshape(self.count, self.stride).copy()
+        out[:, :2] = np.frombuffer(self.expected, np.uint8).reshape(self.count, 2)
+        return out.tobytes()
+
+    @property
+    def size(self) -> int:
+        """Bytes of the output's memory."""
+        return self.count * self.stride or len(self.expected)
+
+
+def longs(values) -> bytes:
+    """Numbers modulo 2^32, big-endian."""
+    return (np.asarray(values).astype(np.int64) & 0xFFFFFFFF).astype(">u4").tobytes()
+
+
+def words(values) -> bytes:
+    """Numbers modulo 2^16, big-endian."""
+    return (np.asarray(values).astype(np.int64) & 0xFFFF).astype(">u2").tobytes()
+
+
+def signed(values, bits: int) -> np.ndarray:
+    """The low bits as a signed number."""
+    values = np.asarray(values, np.int64) & (1 << bits) - 1
+    return values - (values >> bits - 1 << bits)
+
+
+def pixels(channels: np.ndarray) -> bytes:
+    """Channels [n][4] as R G B A bytes."""
+    return channels.astype(np.uint8).tobytes()
+
+
+def coordinates(rng, count: int) -> np.ndarray:
+    """s and t, [count][2], 0 to 65,535: edges and any."""
+    some = rng.integers(0, 1 << 16, (count, 2))
+    edge = rng.choice(EDGES_16, (count, 2))
+    return np.where(rng.random((count, 2)) < 0.2, edge, some)
+
+
+def pairs(st: np.ndarray) -> bytes:
+    """s:t longs."""
+    return longs((st[:, 0] & 0xFFFF) << 16 | st[:, 1] & 0xFFFF)
+
+
+def walked(start, step, count: int) -> np.ndarray:
+    """Iterators at each pixel, modulo 2^32 as signed numbers, [count][len(start)]."""
+    n = np.arange(count, dtype=np.int64)[:, None]
+    return signed(np.asarray(start, np.int64) + n * np.asarray(step, np.int64), 32)
+
+
+def any_texels(rng, count: int) -> np.ndarray:
+    """Texels [count][4]: noise, and extremes."""
+    some = rng.integers(0, 256, (count, 4))
+    return np.where(rng.random((count, 4)) < 0.3, rng.choice((0, 255), (count, 4)), some)
+
+
+def packed(texels: np.ndarray) -> bytes:
+    """5/5/5/1 words of texels [n][4]."""
+    r, g, b, a = texels.reshape(-1, 4).astype(np.int64).T
+    return words((r >> 3) << 11 | (g >> 3) << 6 | (b >> 3) << 1 | a >> 7)
