@@ -17,6 +17,7 @@ from tools.scene_units import state_at
 
 SEED = int(os.environ.get("TX_SEED", "1"))
 COUNT = int(os.environ.get("TX_COUNT", "100"))
+BOOT = 100  # polygons: the tiles that engines keep decoded fill memory
 PIXELS = ("rgba5551", "rgba8888")
 
 
@@ -50,29 +51,30 @@ def test_the_polygons_differ() -> None:
     assert set(read) >= {frozenset({0}), frozenset({0, 1}), frozenset()}
     assert len({astuple(t.s) for each in cases for t in each.tiles}) > 100
     drawn = [len(np.unique(model.render(made, n))) for n in range(len(cases))]
-    assert sum(n > 1 for n in drawn) > 0.8 * len(cases)
+    assert sum(n > 2 for n in drawn) > 0.8 * len(cases)
     assert sum(n > 9 for n in drawn) > len(cases) / 3
 
 
 @pytest.mark.parametrize("pixels", PIXELS)
 @pytest.mark.parametrize("off", [None, "all"])
 def test_frames_are_the_models(pixels: str, off: str | None) -> None:
-    """Each polygon in a frame of its own, all in one boot: with the rules of lowering, without."""
+    """Each polygon in a frame of its own, many in a boot: with the rules of lowering, without."""
     alone = os.environ.get("TX_CASE")
     first = 0 if off is None else COUNT  # other polygons
     many = COUNT if off is None else COUNT // 4
     numbers = [int(alone)] if alone else list(range(first, first + many))
-    cases = [case(SEED, number) for number in numbers]
-    made = scene(cases, SEED, pixels)
-    done = run.render(made, "a1200-fast", "addx", off)
-    wrong = []
-    for frame, (number, each, found) in enumerate(zip(numbers, cases, done.frames)):
-        expected = model.render(made, frame)
-        if not np.array_equal(found, expected):
-            wrong.append(explain(SEED, number, pixels, each, expected, found))
-    assert not wrong, f"{len(wrong)} of {len(cases)} polygons are wrong; the first:\n{wrong[0]}"
+    wrong, rules, spans = [], set(), set()
+    for k in range(0, len(numbers), BOOT):
+        cases = [case(SEED, number) for number in numbers[k:k + BOOT]]
+        made = scene(cases, SEED, pixels)
+        done = run.render(made, "a1200-fast", "addx", off)
+        rules |= {rule for material in done.executed for rule in material["rules"]}
+        spans |= set(run.total(done.figures)["spans"])
+        for frame, (number, each, found) in enumerate(zip(numbers[k:], cases, done.frames)):
+            expected = model.render(made, frame)
+            if not np.array_equal(found, expected):
+                wrong.append(explain(SEED, number, pixels, each, expected, found))
+    assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
     if off is None and not alone:
-        spans = run.total(done.figures)["spans"]
-        assert len(spans) > 2, f"polygons that plain mappers draw too, not {spans} only"
-        rules = {rule for material in done.executed for rule in material["rules"]}
-        assert rules >= {"tx_flat", "tx_plain", "equal_shades", "constant_w"}, rules
+        assert rules >= {"tx_flat", "tx_plain", "tx_passes", "equal_shades", "constant_w"}, rules
+        assert {"tx_pixels", "tx_passes"} < spans, spans

@@ -185,7 +185,8 @@ def case(seed: int, number: int) -> Case:
 
 
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
-    """The cases as a scene: one a frame, each by its own engine."""
+    """The cases as a scene: one a frame, each by its own engine; and a dot in a corner, so that
+    no frame has one colour only."""
     rng = np.random.default_rng(seed)
     texels = rng.integers(0, 256, DRAM_BYTES, np.uint8)
     materials, objects, corners, units, lists, words = [], [], [], [], [], []
@@ -196,7 +197,11 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
         units.append([n, 1])
         lists.append([len(words), len(each.words)])
         words += each.words
-    return Scene(WIDTH, HEIGHT, len(cases), FORMATS[pixels].flat([(16, 32, 48)])[0],
-                 np.zeros((256, 3), np.uint8), [], materials, objects, np.array(corners, np.int64),
-                 np.array([IDENTITY], np.int64), pixels, units=np.array(units), lists=np.array(lists),
+    ground, dot = FORMATS[pixels].flat([(16, 32, 48), (240, 24, 24)])
+    materials.append(Material(colour=dot))
+    objects.append(Object(len(cases), len(corners), 3, 0, len(cases), 0))
+    corners += [(x * ONE, y * ONE, 0, 0, 0, ONE) for x, y in ((0, 0), (2, 0), (0, 2))]
+    return Scene(WIDTH, HEIGHT, len(cases), ground, np.zeros((256, 3), np.uint8), [], materials,
+                 objects, np.array(corners, np.int64), np.array([IDENTITY] * len(cases), np.int64),
+                 pixels, units=np.array(units), lists=np.array(lists),
                  words=np.array(words, np.int64), dram=texels.tobytes())
