@@ -120,6 +120,7 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
     plain->mapper = MAPPER_AFFINE;
     plain->gradients = GRADIENTS_PLANE;
     plain->start = START_SUBTEXEL;
+    plain->whole = 1;           /* s and t are planes to the last bit */
     plain->perspective = PERSPECTIVE_NONE;
     plain->whole = 1;
     plain->map = &unit->page.map;

@@ -1,0 +1,207 @@
+"""Random polygons of texture engines: modes, tiles and vertices, each a frame of a scene."""
+
+import random
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tools.model import FAR
+from tools.pixel_formats import FORMATS
+from tools.scene_file import IDENTITY, Material, Object, Scene
+from tools.tx.state import CI, LEGAL, RGBA, TMEM_WORDS, YUV, Axis, Tile
+from tools.tx.words import CONVERTS, DETAILS, FILTERS, List, Wrap
+from tools.tx.opcodes import SET_COMBINE
+
+WIDTH, HEIGHT = 48, 32
+ONE = 65536
+HALF = TMEM_WORDS // 2
+REACH = 1024 * ONE
+W_MAX = 1 << 30
+DRAM_BYTES = 4096 + 512  # all of TMEM, and a TLUT
+KINDS = ("any",) * 8 + ("plain",) * 3 + ("flat",)
+#: Codes of colour's inputs A, B, C, D that there are, and alpha's.
+RGB_CODES = ([0, 1, 1, 2, 2, 3, 4, 5, 6, 15], [0, 1, 1, 2, 3, 4, 5, 7, 15],
+             [0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 13, 14, 15, 31], [0, 1, 2, 3, 4, 5, 6, 7])
+ALPHA_CODES = (list(range(8)),) * 4
+#: What one pixel does not differ from the next in.
+CONSTANT_CODES = ([3, 5, 6, 15], [3, 5, 7, 15], [3, 5, 10, 12, 14, 15, 31], [3, 5, 6, 7])
+CONSTANT_ALPHA_CODES = ([3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7])
+PASS = (15, 15, 31)  # nothing, to which D is added
+
+
+@dataclass
+class Case:
+    """One polygon and the engine that draws it; ``vertices``: (x, y, s, t, shade, w), 16.16."""
+
+    words: list[tuple[int, int]]
+    vertices: list[tuple]
+    edges: str
+    clip: str
+    tiles: list[Tile]
+    modes: dict = field(default_factory=dict)
+
+
+def shown(axis: Axis) -> int:
+    """Columns or rows that an axis can show."""
+    inside = (axis.high >> 2) - (axis.low >> 2) + 1
+    if not axis.mask:
+        return inside
+    return min(inside, 1 << axis.mask) if axis.clamp else 1 << axis.mask
+
+
+def fits(tile: Tile, low_only: bool) -> bool:
+    """Whether all that a tile can show lies in TMEM."""
+    columns, rows = shown(tile.s), shown(tile.t)
+    if min(columns, rows) < 1 or columns > 1024 or rows > 256:
+        return False
+    if any((axis.clamp or not axis.mask) and axis.high >> 2 < axis.low >> 2
+           for axis in (tile.s, tile.t)):
+        return False
+    per_word = 16 if tile.size == 0 else 8 if tile.size == 1 or tile.format == YUV else 4
+    end = tile.tmem + (rows - 1) * tile.line - (-columns // per_word)
+    split = tile.format == YUV or (tile.format, tile.size) == (RGBA, 3)
+    return end <= (HALF if split or low_only else TMEM_WORDS)
+
+
+def axis(rng: random.Random, plain: bool) -> Axis:
+    """Any way to go on beyond the edges, ``plain`` without a shift."""
+    low = rng.choice((0, 0, 4 * rng.randrange(64), rng.randrange(256)))
+    high = low + rng.choice((0, 3, 28, 60, 124, rng.randrange(200)))
+    return Axis(rng.randrange(2), rng.randrange(2), rng.choice((0, 1, 2, 3, 4, 5, 5, 6)),
+                0 if plain else rng.choice((0, 0, 0, 0, 1, 2, 3, 5, 10, 11, 14, 15)), low, high)
+
+
+def tile(rng: random.Random, tlut: bool, plain: bool) -> Tile:
+    """A tile that may be drawn."""
+    pairs = sorted(pair for pair in LEGAL if (pair[0] == CI) == tlut)
+    while True:
+        form, size = rng.choice(pairs)
+        made = Tile(form, size, rng.choice((0, 1, 2, 4, 8, rng.randrange(32))),
+                    rng.choice((0, rng.randrange(TMEM_WORDS))), rng.randrange(16),
+                    axis(rng, plain), axis(rng, plain))
+        if fits(made, tlut):
+            return made
+
+
+def cycle_codes(rng: random.Random, kind: str) -> list[list[int]]:
+    """Inputs of colour and alpha of one cycle: all random, the texel as it is or multiplied by
+    a constant, or constants."""
+    if kind == "texel":
+        return [[*PASS, 1], [7, 7, 7, 1]]
+    if kind == "plain":
+        return [[1, 15, rng.choice((3, 4, 5, 14)), rng.choice((3, 7))], [1, 7, 3, 7]]
+    tables = (CONSTANT_CODES, CONSTANT_ALPHA_CODES) if kind == "flat" else (RGB_CODES, ALPHA_CODES)
+    return [[rng.choice(codes) for codes in table] for table in tables]
+
+
+def combine_word(cycles: list[list[list[int]]]) -> tuple[int, int]:
+    """Hi and lo of a set combine."""
+    ((a0, b0, c0, d0), (p0, q0, r0, u0)), ((a1, b1, c1, d1), (p1, q1, r1, u1)) = cycles
+    return (a0 << 20 | c0 << 15 | p0 << 12 | r0 << 9 | a1 << 5 | c1,
+            b0 << 28 | b1 << 24 | p1 << 21 | r1 << 18 | d0 << 15 | q0 << 12 | u0 << 9
+            | d1 << 6 | q1 << 3 | u1)
+
+
+def modes(rng: random.Random, words: List, kind: str) -> dict:
+    """Sets modes; those that the plain mappers may draw, or any, by ``KINDS``."""
+    colour = [rng.randrange(256) for _ in range(8)]
+    chosen = {"cycles": rng.choice(("one", "two")), "perspective": rng.randrange(2),
+              "detail": rng.choice(list(DETAILS)), "lod": rng.randrange(2),
+              "filter": rng.choice(list(FILTERS)), "convert": rng.choice(list(CONVERTS)),
+              "max level": rng.randrange(8), "tile": rng.randrange(8),
+              "lowest level": rng.randrange(32), "fraction": rng.randrange(256)}
+    if rng.randrange(3):
+        chosen["convert"] = "filter"
+    if kind == "plain":
+        chosen |= {"cycles": "one", "perspective": 0, "lod": 0, "filter": "point"}
+    words.cycle_type(chosen["cycles"])
+    words.texture_perspective(bool(chosen["perspective"]))
+    words.texture_detail(chosen["detail"])
+    words.texture_lod(bool(chosen["lod"]))
+    words.texture_filter(chosen["filter"])
+    words.texture_convert(chosen["convert"])
+    words.set_convert(*(rng.randrange(-256, 256) for _ in range(6)))
+    words.prim_colour(chosen["lowest level"], chosen["fraction"], tuple(colour[:4]))
+    words.env_colour(tuple(colour[4:]))
+    words.texture(chosen["max level"], chosen["tile"])
+    usual = ("any", "any", "texel") if kind == "any" else (kind, kind, "texel")[:2 + (kind == "plain")]
+    cycles = [cycle_codes(rng, rng.choice(usual)) for _ in range(2)]
+    if chosen["cycles"] == "one":
+        cycles[0] = cycles[1]
+    words.add(SET_COMBINE, *combine_word(cycles))
+    return chosen | {"combine": cycles}
+
+
+def vertices(rng: random.Random, steady: bool) -> list[tuple]:
+    """Corners round a middle, some of them beyond the frame; ``steady``: a w for all."""
+    count = rng.choice((3, 3, 4, 4, 5, 7))
+    x0, y0 = rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)
+    size = rng.choice((rng.uniform(2, 12), rng.uniform(12, 40), rng.uniform(40, 300)))
+    turn = rng.choice((0.125, 0.125, rng.random()))
+    angles = sorted((turn + (k + rng.uniform(0, 0.6)) / count) % 1 for k in range(count))
+    if count == 4 and rng.randrange(2):
+        angles = [turn + k / 4 for k in range(4)]
+    texels = rng.choice((rng.uniform(0, 8), rng.uniform(8, 80), rng.uniform(80, 300), 500))
+    s0, t0 = (rng.choice((0, rng.uniform(-40, 40), rng.uniform(-500, 500))) for _ in range(2))
+    deepest = rng.choice((1.5, 4, 40, 2000))
+    base = rng.choice((1, 1, rng.uniform(0.1, 300)))
+    same = rng.randrange(255 * ONE) if rng.randrange(3) == 0 else None
+    out = []
+    for angle in angles:
+        c = np.exp(2j * np.pi * angle)
+        x, y = x0 + size * c.real, y0 + size * c.imag
+        flat = rng.randrange(3) == 0
+        s = s0 + texels * (c.real if flat else rng.uniform(-1, 1))
+        t = t0 + texels * (c.imag if flat else rng.uniform(-1, 1))
+        w = base * (1 if steady else deepest ** rng.random())
+        out.append((*(max(-FAR, min(round(v * ONE), FAR - 1)) for v in (x, y)),
+                    *(max(-REACH, min(round(v * ONE), REACH - 1)) for v in (s, t)),
+                    same if same is not None else rng.randrange(256 * ONE),
+                    min(round(w * ONE), W_MAX)))
+    if rng.randrange(4) == 0:
+        out = [(x & -ONE, y & -ONE, s & -ONE, t & -ONE, *rest) for x, y, s, t, *rest in out]
+    return out
+
+
+def case(seed: int, number: int) -> Case:
+    """A polygon by its seed and number alone."""
+    rng = random.Random(f"{seed}, {number}")
+    words, kind, tlut = List(), rng.choice(KINDS), rng.randrange(4) == 0
+    words.set_texture_image(RGBA, 2, 1, 0)
+    words.set_tile(7, RGBA, 2, 0, 0)
+    words.load_block(7, 0, 0, 2047, 0)
+    if tlut:
+        words.load_tlut_pal256(4096)
+        words.texture_lut(rng.choice(("rgba16", "ia16")))
+    found = modes(rng, words, kind)
+    tiles = [tile(rng, tlut, kind == "plain") for _ in range(8)]
+    for n, each in enumerate(tiles):
+        wraps = (Wrap(a.clamp, a.mirror, a.mask, a.shift) for a in (each.s, each.t))
+        words.set_tile(n, each.format, each.size, each.line, each.tmem, each.palette, *wraps)
+        words.set_tile_size(n, each.s.low, each.t.low, each.s.high, each.t.high)
+    steady = rng.randrange(4) == 0
+    return Case(words.words, vertices(rng, steady), rng.choice(("subpixel", "exact")),
+                rng.choice(("scissor", "vertices")), tiles, found | {"tlut": tlut})
+
+
+def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
+    """The cases as a scene: one a frame, each by its own engine; and a dot in a corner, so that
+    no frame has one colour only."""
+    rng = np.random.default_rng(seed)
+    texels = rng.integers(0, 256, DRAM_BYTES, np.uint8)
+    materials, objects, corners, units, lists, words = [], [], [], [], [], []
+    for n, each in enumerate(cases):
+        materials.append(Material("unit", each.edges, clip=each.clip, unit=n))
+        objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
+        corners += each.vertices
+        units.append([n, 1])
+        lists.append([len(words), len(each.words)])
+        words += each.words
+    ground, dot = FORMATS[pixels].flat([(16, 32, 48), (240, 24, 24)])
+    materials.append(Material(colour=dot))
+    objects.append(Object(len(cases), len(corners), 3, 0, len(cases), 0))
+    corners += [(x * ONE, y * ONE, 0, 0, 0, ONE) for x, y in ((0, 0), (2, 0), (0, 2))]
+    return Scene(WIDTH, HEIGHT, len(cases), ground, np.zeros((256, 3), np.uint8), [], materials,
+                 objects, np.array(corners, np.int64), np.array([IDENTITY] * len(cases), np.int64),
+                 pixels, units=np.array(units), lists=np.array(lists),
+                 words=np.array(words, np.int64), dram=texels.tobytes())
