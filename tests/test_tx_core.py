@@ -269,7 +269,7 @@ def test_every_result_has_its_text() -> None:
              "TLUT_ROWS": "TLUT load over more than one row",
              "SPLIT_HIGH": "low part of RGBA 32 or YUV texels in the high half of TMEM",
              "NO_LOAD_SYNC": "no load sync", "NO_TILE_SYNC": "no tile sync",
-             "NO_PIPE_SYNC": "no pipe sync", "DECODE_YUV": "YUV tile cannot be decoded"}
+             "NO_PIPE_SYNC": "no pipe sync"}
     guest = Guest()
     for name in RESULTS:
         guest.ask("RESULT_TEXT", result(name), numbers=64)

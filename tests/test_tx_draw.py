@@ -171,16 +171,15 @@ def test_tiles_are_decoded_anew_only_after_a_change() -> None:
 
 
 def test_tiles_that_cannot_be_decoded() -> None:
-    """Larger than anything TMEM holds, and YUV; what was decoded before is unharmed."""
+    """Larger than anything TMEM holds; what was decoded before is unharmed."""
     guest = Guest()
-    tile = TILES["wrapped RGBA 16"]
     largest = (I, BITS_4, 4, 0, 0, 0, 1, 6, 0, 0, 1, 7, 0, 0, 0, 0, 0)
     beyond = (*largest[:7], 7, *largest[8:])
-    for tile, quads in ((largest, 1), (beyond, 0), (largest, 1), ((YUV, BITS_16, *tile[2:]), 0)):
+    for tile, quads in ((largest, 1), (beyond, 0), (largest, 1)):
         guest.do("TILE", 0, *tile)
         guest.ask("DECODE", 0, quads, numbers=5)
     names = [(result_name(answer[0]), answer[3]) for answer in guest.run()]
-    assert names == [("DONE", 1), ("DECODE_TOO_LARGE", 0), ("DONE", 1), ("DECODE_YUV", 0)]
+    assert names == [("DONE", 1), ("DECODE_TOO_LARGE", 0), ("DONE", 1)]
 
 
 #: Colour codes of both cycles and alpha's, (a, b, c, d) each, for the four units.

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import tx_examples_divide as depth
 from . import tx_examples_sample as sample
+from . import tx_examples_yuv as yuv
 from .tx_example import Example, any_texels, longs, pixels, signed, walked, words
 
 
@@ -92,15 +93,16 @@ def combine(rng, count: int) -> Example:
 MAKERS: dict[str, Callable[..., Example]] = {
     "tx_walk": sample.walk, "tx_threepoint": sample.threepoint,
     "tx_threepoint_16": sample.threepoint_16, "tx_average": sample.average,
-    "tx_point": sample.point, "tx_point_16": sample.point_16, "tx_store_16": sample.store_16,
-    "tx_divide": depth.divide, "tx_divide_inside": depth.divide_inside, "tx_tile": sample.tiled,
-    "tx_tile_plain": sample.tiled_plain, "tx_lerp": lerp, "tx_modulate": modulate,
-    "tx_map": mapped, "tx_widen": widen, "tx_combiner": combine, "tx_narrow": narrow, "tx_shade": shade, "tx_copy_row": copy_row,
+    "tx_point": sample.point, "tx_store_16": sample.store_16, "tx_divide": depth.divide,
+    "tx_tile": sample.tiled, "tx_tile_plain": sample.tiled_plain, "tx_lerp": lerp,
+    "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen, "tx_combiner": combine,
+    "tx_narrow": narrow, "tx_shade": shade, "tx_copy_row": copy_row,
+    "tx_chroma": yuv.halved, "tx_convert": yuv.convert,
+    "tx_convert_wide": yuv.convert_wide, "tx_matrix": yuv.matrix,
     "tx_lod": depth.lod, "tx_lod_apart": depth.lod_apart, "tx_quads": sample.quads,
     "tx_reciprocals": depth.reciprocal_table, "tx_levels": depth.levels,
 }
 #: Tables, made by C alone.
-IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels")
+IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels", "tx_matrix")
 #: Another form, or other input, of a pass: beside it there is no C.
-FORMS = {"tx_divide_inside": "tx_divide_inside", "tx_tile_plain": "tx_tile",
-         "tx_lod_apart": "tx_lod", "tx_copy_row": "tx_copy_row"}
+FORMS = {"tx_tile_plain": "tx_tile", "tx_lod_apart": "tx_lod", "tx_copy_row": "tx_copy_row"}

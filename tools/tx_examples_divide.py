@@ -52,19 +52,15 @@ def any_iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
     return start, step
 
 
-def divide(rng, count: int, kernel: str = "tx_divide") -> Example:
+def divide(rng, count: int) -> Example:
     start, step = any_iterators(rng, count)
-    if kernel == "tx_divide_inside" or count == 256:
+    if count == 256:
         ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
         start, step = ends[0], (ends[1] - ends[0]) // count
     st = [[in_range(divided(int(c), int(w))[0]) for c in (s, t)]
           for s, t, w in walked(start, step, count) >> 16]
-    return Example(kernel, longs(start), pairs(np.array(st)), count, "tx_division",
+    return Example("tx_divide", longs(start), pairs(np.array(st)), count, "tx_division",
                    dict(zip("stw", step)), {"reciprocals": reciprocals()})
-
-
-def divide_inside(rng, count: int) -> Example:
-    return divide(rng, count, "tx_divide_inside")
 
 
 def reciprocal_table(rng, count: int) -> Example:

@@ -115,13 +115,6 @@ def point(rng, count: int) -> Example:
                    *ground.decoded())
 
 
-def point_16(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), tile(rng, False)
-    struct, values, _ = ground.decoded()
-    return Example("tx_point_16", pairs(st), packed(ground.corners(*st.T)[:, 0]), count,
-                   struct, values, {"texels": packed(ground.texels)})
-
-
 def store_16(rng, count: int) -> Example:
     texels = any_texels(rng, count)
     return Example("tx_store_16", pixels(texels), packed(texels), count)

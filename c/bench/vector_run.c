@@ -253,7 +253,7 @@ static void decode(const int32 *values)
     struct tx_kept *tile = &kept[values[0] & 7];
     int32 made;
 
-    answer(tx_decode(&tx, values[0], values[1], tile, &made));
+    answer(tx_decode(&tx, values[0], (enum tx_quads)values[1], tile, &made));
     answer(tile->decoded.columns_bits);
     answer(tile->decoded.rows_bits);
     answer(made);

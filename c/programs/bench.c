@@ -40,12 +40,13 @@ static const struct kernel c_kernels[] = {
     {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
     TX_PASS(tx_walk_c), TX_PASS(tx_threepoint_c), TX_PASS(tx_average_c),
-    TX_PASS(tx_point_c), TX_PASS(tx_point_16_c), TX_PASS(tx_store_16_c),
+    TX_PASS(tx_point_c), TX_PASS(tx_store_16_c),
     TX_PASS(tx_divide_c), TX_PASS(tx_tile_c), TX_PASS(tx_lerp_c),
     TX_PASS(tx_quads_c), TX_PASS(tx_reciprocals_c),
     TX_PASS(tx_modulate_c), TX_PASS(tx_map_c), TX_PASS(tx_widen_c),
     TX_PASS(tx_combiner_c), TX_PASS(tx_narrow_c), TX_PASS(tx_lod_c), TX_PASS(tx_levels_c),
-    TX_PASS(tx_threepoint_16_c), TX_PASS(tx_shade_c),
+    TX_PASS(tx_threepoint_16_c), TX_PASS(tx_shade_c), TX_PASS(tx_chroma_c),
+    TX_PASS(tx_convert_c), TX_PASS(tx_convert_wide_c), TX_PASS(tx_matrix_c),
     {0, 0}
 };
 

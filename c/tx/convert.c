@@ -1,5 +1,6 @@
 /* Colour conversion: YUV to RGB by K0 to K3. */
 #include "tx/bits.h"
+#include "tx/passes.h"
 #include "tx/texel.h"
 
 void tx_convert_texel(const struct tx *tx, const struct tx_colour *yuv, struct tx_colour *out)
@@ -11,4 +12,17 @@ void tx_convert_texel(const struct tx *tx, const struct tx_colour *yuv, struct t
     out->g = (int16)tx_signed_9(y + (((2 * k[1] + 1) * u + (2 * k[2] + 1) * v + 128) >> 8));
     out->b = (int16)tx_signed_9(y + (((2 * k[3] + 1) * u + 128) >> 8));
     out->a = (int16)tx_signed_9(y);
+}
+
+void tx_matrix_make(struct tx_matrix *matrix, const int16 *k)
+{
+    for (int32 i = 0; i < 256; i++) {
+        const int32 chroma = i - 128;
+
+        matrix->u[i].green = 256 * ((2 * k[1] + 1) * chroma + 128);
+        matrix->u[i].other = (int16)(((2 * k[3] + 1) * chroma + 128) >> 8);
+        matrix->v[i].green = 256 * ((2 * k[2] + 1) * chroma);
+        matrix->v[i].other = (int16)(((2 * k[0] + 1) * chroma + 128) >> 8);
+        matrix->u[i].spare = matrix->v[i].spare = 0;
+    }
 }

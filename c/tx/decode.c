@@ -2,8 +2,8 @@
 
 #include "system/system.h"
 
-/* One column of a decoded tile: its texel and the next one's, and which decoded column that
-   is, or -1. */
+/* One column of a decoded tile: its texel and the one's beside it in quads, and which decoded
+   column that is, or -1. */
 struct column {
     int16 index, next, next_at;
 };
@@ -26,17 +26,18 @@ static uint32 bits_of(const struct tx_axis *axis)
     return axis->mask && period < bits ? period : bits;
 }
 
-static void list_columns(const struct tx_axis *axis, int32 count)
+/* reach: steps to the texel beside. */
+static void list_columns(const struct tx_axis *axis, int32 count, int32 reach)
 {
     struct tx_place place;
 
     for (int32 k = 0; k < count; k++) {
         tx_place_column(axis, (uint32)k, &place);
         columns[k].index = (int16)place.index;
-        columns[k].next = (int16)(place.index + place.step);
+        columns[k].next = (int16)(place.index + reach * place.step);
     }
     for (int32 k = 0; k < count; k++) {
-        const int32 beside = k + 1 < count ? k + 1 : 0;
+        const int32 beside = (k + reach) & (count - 1);
 
         columns[k].next_at = (int16)(columns[beside].index == columns[k].next ? beside : -1);
     }
@@ -57,6 +58,10 @@ static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s,
     struct tx_colour texel;
 
     tx_fetch(tx, tile, s, row, 0, &texel);
+    if (tile->format == TX_YUV) {
+        texel.r += 128;
+        texel.g += 128;
+    }
     return (uint32)texel.r << 24 | (uint32)texel.g << 16 | (uint32)texel.b << 8 | (uint32)texel.a;
 }
 
@@ -125,13 +130,13 @@ void tx_tile_key_find(struct tx_tile_key *key, const struct tx_tile *tile)
     key->t = axis_key(&tile->t);
 }
 
-static int32 holds(const struct tx *tx, const struct tx_tile_key *key, int32 quads,
+static int32 holds(const struct tx *tx, const struct tx_tile_key *key, enum tx_quads quads,
                    const struct tx_kept *kept)
 {
     return kept->tx == tx && kept->key.tile == key->tile && kept->key.s == key->s
         && kept->key.t == key->t && kept->tmem_generation == tx->tmem_generation
         && kept->tlut == tx->modes.tlut && kept->tlut_type == tx->modes.tlut_type
-        && (!quads || kept->decoded.quads);
+        && (quads == TX_QUADS_NONE || kept->kind == quads);
 }
 
 /* Memory for so many texels and quads: *kept holds nothing until they are made. */
@@ -155,8 +160,8 @@ static int32 make_room(struct tx_kept *kept, uint32 texels, int32 quads)
     return 1;
 }
 
-enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_kept *kept,
-                         int32 *made)
+enum tx_result tx_decode(const struct tx *tx, int32 n, enum tx_quads quads,
+                         struct tx_kept *kept, int32 *made)
 {
     const struct tx_tile *tile = &tx->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
@@ -168,25 +173,24 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_ke
         *made = 0;
     if (holds(tx, &key, quads, kept))
         return TX_DONE;
-    if (tile->format == TX_YUV)
-        return TX_DECODE_YUV;
     if (columns_bits + rows_bits > TX_DECODE_BITS)
         return TX_DECODE_TOO_LARGE;
-    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads))
+    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != TX_QUADS_NONE))
         return TX_NO_MEMORY;
-    list_columns(&tile->s, 1 << columns_bits);
+    list_columns(&tile->s, 1 << columns_bits, quads == TX_QUADS_CHROMA ? 2 : 1);
     decode_texels(tx, tile, 1 << columns_bits, 1 << rows_bits, kept->texels);
-    if (quads)
+    if (quads != TX_QUADS_NONE)
         for (int32 j = 0; j < 1 << rows_bits; j++)
             decode_quads(tx, tile, 1 << columns_bits, j, 1 << rows_bits, kept);
     decoded->texels = kept->texels;
-    decoded->quads = quads ? kept->quads : 0;
+    decoded->quads = quads != TX_QUADS_NONE ? kept->quads : 0;
     decoded->columns_bits = (uint16)columns_bits;
     decoded->rows_bits = (uint16)rows_bits;
     decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
     decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
     kept->tx = tx;
     kept->key = key;
+    kept->kind = (uint8)quads;
     kept->tmem_generation = tx->tmem_generation;
     kept->tlut = tx->modes.tlut;
     kept->tlut_type = tx->modes.tlut_type;

@@ -10,6 +10,10 @@ enum tx_decode_constants {
                                    mirrored; 128 KB of texels, 2 MB of quads */
 };
 
+/* Which texels a decoded tile's quads hold beside each one: none are made, the next ones, or in s
+   those after the next ones: chroma of YUV, of which two texels have the same. */
+enum tx_quads { TX_QUADS_NONE, TX_QUADS_NEXT, TX_QUADS_CHROMA };
+
 /* What a tile's texels depend on beside TMEM and TLUT modes. Where it begins is no part of it,
    unless it clamps: relative coordinates know that. */
 struct tx_tile_key {
@@ -25,7 +29,8 @@ struct tx_kept {
     struct tx_tile_key key;
     uint32 tmem_generation;
     uint8 tlut, tlut_type;      /* of the modes, only these matter */
-    uint8 spare[2];
+    uint8 kind;                 /* enum tx_quads */
+    uint8 spare;
     uint32 *texels;
     struct tx_quad *quads;
     uint32 texels_room, quads_room;     /* elements */
@@ -37,8 +42,9 @@ uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t);
 /* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
    whether anything was done. Memory is the system's and kept for the next time; a larger tile
    takes new memory, and what it had stays taken until the program ends. Colours are tx_fetch's;
-   of a TLUT entry's four copies only the first counts (loads make them equal). Not for YUV. */
-enum tx_result tx_decode(const struct tx *tx, int32 n, int32 quads, struct tx_kept *kept,
-                         int32 *made);
+   of a TLUT entry's four copies only the first counts (loads make them equal). YUV texels have
+   U + 128 and V + 128 for R and G, Y for B and A; filters leave that as it is. */
+enum tx_result tx_decode(const struct tx *tx, int32 n, enum tx_quads quads,
+                         struct tx_kept *kept, int32 *made);
 
 #endif

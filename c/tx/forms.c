@@ -115,7 +115,9 @@ void tx_form_find(struct tx_form *form, const struct tx *tx)
         /* A sharpened blend may leave 0 to 255 between the cycles. */
         find_second(form, tx, 1, TX_CODE_COMBINED);
     } else {
-        form->any = 1;
+        form->first = TX_FIRST_TEXEL;
+        form->swapped = 1;
+        find_second(form, tx, 1, TX_CODE_TEXEL0);
     }
 }
 

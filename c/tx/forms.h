@@ -16,7 +16,7 @@ struct tx_form {
     uint8 any;                  /* 1: none of these: the cycles as they stand */
     uint8 first, second;
     uint8 cycle;                /* whose codes the second part is */
-    uint8 swapped;              /* a blend of texel 1 towards texel 0 */
+    uint8 swapped;              /* texel 1 alone, or a blend of it towards texel 0 */
     int16 fraction;             /* a blend by a constant; -1: by the level's */
 };
 

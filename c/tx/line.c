@@ -4,22 +4,37 @@
 
 static uint32 coordinates[SCENE_SIDE_MAX];
 struct tx_blending tx_line_blendings[SCENE_SIDE_MAX];
-static uint32 texels1[SCENE_SIDE_MAX], shades[SCENE_SIDE_MAX];
+static uint32 relative[SCENE_SIDE_MAX], texels1[SCENE_SIDE_MAX], shades[SCENE_SIDE_MAX];
+static struct tx_yuv_line yuv[2];
 
 /* A run of pixels of the same tiles. */
 struct run {
     int32 first, count, tile0, tile1;
 };
 
+/* Coordinates relative to a tile. */
+static const uint32 *relate(const struct tx_sampling *from, const uint32 *at, int32 count)
+{
+    if (!from->relative)
+        return at;
+    from->relative(at, relative, &from->axes, count);
+    return relative;
+}
+
 static void sample(const struct tx_sampling *from, const uint32 *at, uint32 *texels, int32 count)
 {
-    static uint32 relative[SCENE_SIDE_MAX];
+    from->sample(relate(from, at, count), texels, from->tile, count);
+}
 
-    if (from->relative) {
-        from->relative(at, relative, &from->axes, count);
-        at = relative;
-    }
-    from->sample(at, texels, from->tile, count);
+static void sample_yuv(const struct tx_sampling *from, const uint32 *at, uint32 *luma,
+                       uint32 *chroma, int32 count)
+{
+    at = relate(from, at, count);
+    from->sample(at, luma, from->tile, count);
+    if (!from->chroma)
+        return;
+    tx_chroma(at, relative, 0, count);
+    from->sample(relative, chroma, from->chroma, count);
 }
 
 static const int16 *fractions_of(const struct tx_plan *plan, int32 first)
@@ -76,6 +91,34 @@ static void find_texels(const struct tx_plan *plan, uint32 *texels, int32 count)
     }
 }
 
+static void find_yuv(const struct tx_plan *plan, int32 count)
+{
+    struct run run;
+
+    for (run.first = 0; run.first < count; run.first += run.count) {
+        find_run(plan, &run, count);
+        for (int32 i = 0; i < 2; i++)
+            if (plan->yuv.sampled[i])
+                sample_yuv(&plan->tiles[i ? run.tile1 : run.tile0], coordinates + run.first,
+                           yuv[i].luma + run.first, yuv[i].chroma + run.first, run.count);
+    }
+}
+
+/* Texels that are pixels. */
+static void draw_direct(const struct tx_plan *plan, uint16 *pixels, int32 count)
+{
+    struct run run;
+
+    for (run.first = 0; run.first < count; run.first += run.count) {
+        const struct tx_sampling *from;
+
+        find_run(plan, &run, count);
+        from = &plan->tiles[plan->form.swapped ? run.tile1 : run.tile0];
+        tx_threepoint_16(relate(from, coordinates + run.first, run.count), pixels + run.first,
+                         from->tile, run.count);
+    }
+}
+
 static void find_shades(const struct tx_planes *planes, int32 x, int32 y, int32 count)
 {
     const struct tx_plane *of = planes->of;
@@ -108,16 +151,21 @@ static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *co
 {
     static struct tx_wide wide[3][SCENE_SIDE_MAX];
     struct tx_places places;
+    const int32 has_second = plan->yuv.on ? plan->yuv.needed[1] : plan->second_texel;
 
-    tx_widen(texels, wide[0], 0, count);
-    if (plan->second_texel)
+    for (int32 i = 0; i < 2; i++)
+        if (plan->yuv.on && plan->yuv.needed[i])
+            tx_yuv_widen(plan, yuv, i, wide[i], count);
+    if (!plan->yuv.on)
+        tx_widen(texels, wide[0], 0, count);
+    if (!plan->yuv.on && plan->second_texel)
         tx_widen(texels1, wide[1], 0, count);
     if (plan->planes->shaded)
         tx_widen(shades, wide[2], 0, count);
     else
         tx_widen(&plan->shade, wide[2], 0, 1);
     places.texel0 = wide[0];
-    places.texel1 = plan->second_texel ? wide[1] : wide[0];
+    places.texel1 = wide[has_second];
     places.shade = wide[2];
     places.shade_step = plan->planes->shaded ? (int32)sizeof **wide : 0;
     places.fraction = &tx_line_blendings->fraction;
@@ -146,11 +194,20 @@ void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x
     uint32 *texels = second ? room : colours;
 
     find_coordinates(plan, x, y, count);
-    find_texels(plan, texels, count);
+    if (frame->pixel_bytes == 2 && plan->is_direct) {
+        draw_direct(plan, (uint16 *)pixels, count);
+        return;
+    }
+    if (plan->yuv.on)
+        find_yuv(plan, count);
+    else
+        find_texels(plan, texels, count);
     if (plan->planes->shaded)
         find_shades(plan->planes, x, y, count);
     if (plan->form.any)
         combine(plan, texels, colours, count);
+    else if (plan->yuv.on)
+        tx_yuv_colours(plan, yuv, colours, count);
     else if (plan->form.second == TX_SECOND_MODULATE)
         modulate(plan, texels, colours, count);
     else if (plan->form.second == TX_SECOND_TABLES)

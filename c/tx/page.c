@@ -157,14 +157,15 @@ static void make_page(uint8 *page, struct making *m)
     }
 }
 
-/* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. */
+/* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. YUV's are
+   signed. */
 static const struct tx_decoded *find_decoded(struct tx_unit *unit, int32 tile)
 {
     const struct tx *tx = &unit->tx;
     int32 made;
 
-    if (tx->modes.cycle == TX_COPY || !tx->modes.filter0
-        || tx_decode(tx, tile, 0, &unit->tiles[tile], &made) != TX_DONE)
+    if (tx->modes.cycle == TX_COPY || !tx->modes.filter0 || tx->tiles[tile].format == TX_YUV
+        || tx_decode(tx, tile, TX_QUADS_NONE, &unit->tiles[tile], &made) != TX_DONE)
         return 0;
     return &unit->tiles[tile].decoded;
 }

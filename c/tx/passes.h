@@ -82,6 +82,25 @@ struct tx_wide {
     int16 channels[4];
 };
 
+/* What U or V add to Y: green in 1/65536, as the two are added before that is rounded; blue or
+   red, rounded. */
+struct tx_addend {
+    int32 green;
+    int16 spare, other;
+};
+
+/* By U + 128 and V + 128; of K0 to K3. */
+struct tx_matrix {
+    struct tx_addend u[256], v[256];
+};
+
+/* From YUV to R G B A = Y. */
+struct tx_yuv_conversion {
+    const uint32 *chroma;       /* texels: U + 128, V + 128, any, any */
+    const struct tx_matrix *matrix;
+    const uint32 *colours;      /* R G B A by the low 9 bits of each: 512; tx_convert */
+};
+
 /* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
    constant. Each is the channel's own word of a tx_wide, alpha's, or a single word. */
 struct tx_combination {
@@ -122,6 +141,8 @@ struct tx_lod_steps {
 /* Of a page: longs, a multiple of 32. */
 void tx_copy_row(const uint32 *row, uint32 *to, int32 longs);
 
+/* k: K0 to K3. */
+void tx_matrix_make(struct tx_matrix *matrix, const int16 *k);
 void tx_levels_make(struct tx_levels *levels, const struct tx_level_modes *modes);
 void tx_divide_table_make(uint32 *reciprocals);
 void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
@@ -132,11 +153,8 @@ void tx_threepoint_16(const void *coordinates, void *pixels, const void *decoded
                       int32 count);
 void tx_average(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tx_point(const void *coordinates, void *texels, const void *decoded, int32 count);
-void tx_point_16(const void *coordinates, void *pixels, const void *decoded, int32 count);
 void tx_store_16(const void *texels, void *pixels, const void *nothing, int32 count);
 void tx_divide(const void *iterators, void *coordinates, const void *division, int32 count);
-void tx_divide_inside(const void *iterators, void *coordinates, const void *division,
-                      int32 count);
 void tx_tile(const void *coordinates, void *relative, const void *axes, int32 count);
 void tx_lerp(const void *texels, void *blended, const void *blend, int32 count);
 void tx_shade(const void *shades, void *colours, const void *steps, int32 count);
@@ -145,6 +163,9 @@ void tx_map(const void *texels, void *mapped, const void *tables, int32 count);
 void tx_widen(const void *texels, void *wide, const void *nothing, int32 count);
 void tx_combiner(const void *nothing, void *results, const void *combination, int32 count);
 void tx_narrow(const void *wide, void *texels, const void *nothing, int32 count);
+void tx_chroma(const void *coordinates, void *halved, const void *nothing, int32 count);
+void tx_convert(const void *luma, void *colours, const void *conversion, int32 count);
+void tx_convert_wide(const void *luma, void *wide, const void *conversion, int32 count);
 void tx_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
 
 #endif

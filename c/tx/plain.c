@@ -100,21 +100,6 @@ void tx_point_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_point_16_c(const struct tx_call *call)
-{
-    const struct tx_decoded *tile = call->constants;
-    const uint16 *texels = (const uint16 *)tile->texels;
-    const uint32 *in = call->in;
-    uint16 *out = call->out;
-    int32 count = call->count;
-
-    do {
-        const uint32 s = *in >> 16, t = *in++ & 0xffff;
-
-        *out++ = texels[(t & tile->mask_t) >> 5 << tile->columns_bits | (s & tile->mask_s) >> 5];
-    } while (--count > 0);
-}
-
 void tx_store_16_c(const struct tx_call *call)
 {
     const uint32 *in = call->in;

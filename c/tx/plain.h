@@ -17,7 +17,6 @@ void tx_threepoint_c(const struct tx_call *call);
 void tx_threepoint_16_c(const struct tx_call *call);
 void tx_average_c(const struct tx_call *call);
 void tx_point_c(const struct tx_call *call);
-void tx_point_16_c(const struct tx_call *call);
 void tx_store_16_c(const struct tx_call *call);
 void tx_divide_c(const struct tx_call *call);
 void tx_tile_c(const struct tx_call *call);
@@ -29,12 +28,18 @@ void tx_widen_c(const struct tx_call *call);
 void tx_combiner_c(const struct tx_call *call);
 void tx_narrow_c(const struct tx_call *call);
 void tx_lod_c(const struct tx_call *call);
+void tx_chroma_c(const struct tx_call *call);
+void tx_convert_c(const struct tx_call *call);
+void tx_convert_wide_c(const struct tx_call *call);
 
 /* tx_quad_make of the four texels in, R G B A. */
 void tx_quads_c(const struct tx_call *call);
 
 /* tx_divide_table_make. */
 void tx_reciprocals_c(const struct tx_call *call);
+
+/* tx_matrix_make of the numbers in. */
+void tx_matrix_c(const struct tx_call *call);
 
 /* tx_levels_make of the modes that the constants are. */
 void tx_levels_c(const struct tx_call *call);

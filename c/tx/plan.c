@@ -21,11 +21,15 @@ static int32 find_sampling(struct tx_sampling *sampling, struct tx_unit *unit, i
 {
     const struct tx *tx = &unit->tx;
     const struct tx_tile *tile = &tx->tiles[n];
+    const int32 is_apart = tile->format == TX_YUV && tx->modes.quad;
     int32 made;
 
-    if (tx_decode(tx, n, tx->modes.quad, &unit->tiles[n], &made) != TX_DONE)
+    if (tx_decode(tx, n, tx->modes.quad ? TX_QUADS_NEXT : TX_QUADS_NONE, &unit->tiles[n], &made)
+        != TX_DONE
+        || (is_apart && tx_decode(tx, n, TX_QUADS_CHROMA, &unit->chroma[n], &made) != TX_DONE))
         return 0;
     sampling->tile = &unit->tiles[n].decoded;
+    sampling->chroma = is_apart ? &unit->chroma[n].decoded : 0;
     sampling->sample = !tx->modes.quad ? tx_point : tx->modes.mid ? tx_average : tx_threepoint;
     sampling->relative = needs_tile_pass(&tile->s) || needs_tile_pass(&tile->t) ? tx_tile : 0;
     find_axis(&sampling->axes.s, &tile->s);
@@ -33,12 +37,34 @@ static int32 find_sampling(struct tx_sampling *sampling, struct tx_unit *unit, i
     return 1;
 }
 
-static int32 find_samplings(struct tx_plan *plan, const struct tx *tx)
+/* Which of both texels are needed; 0: their modes, or YUV among others, have no passes. */
+static int32 find_rgb(struct tx_plan *plan, uint32 used, uint32 inputs)
 {
-    const uint32 used = tx_tiles_used(tx);
+    const struct tx *tx = &plan->unit->tx;
+    const struct tx_form *form = &plan->form;
+    const int32 is_one = !form->any && form->first == TX_FIRST_TEXEL;
 
-    if (!tx->modes.filter0 || (plan->second_texel && !tx->modes.filter1))
+    plan->second_texel = !is_one && inputs & TX_INPUT_TEXEL1;
+    for (int32 n = 0; n < TX_TILES; n++)
+        if (used >> n & 1 && tx->tiles[n].format == TX_YUV)
+            return 0;
+    if ((plan->second_texel || (is_one && form->swapped))
+        && (!tx->modes.filter1 || tx->modes.convert_one))
         return 0;
+    return tx->modes.filter0;
+}
+
+static int32 find_samplings(struct tx_plan *plan, uint32 inputs)
+{
+    const struct tx *tx = &plan->unit->tx;
+    uint32 used = tx_tiles_used(tx);
+
+    plan->yuv.on = tx->tiles[tx->primitive_tile & 7].format == TX_YUV;
+    if (!(plan->yuv.on ? tx_yuv_find(plan, inputs) : find_rgb(plan, used, inputs)))
+        return 0;
+    if (plan->yuv.on && !plan->levels)
+        used = (uint32)plan->yuv.sampled[0] << plan->tile0
+            | (uint32)plan->yuv.sampled[1] << plan->tile1;
     for (int32 n = 0; n < TX_TILES; n++)
         if (used >> n & 1 && !find_sampling(&plan->tiles[n], plan->unit, n))
             return 0;
@@ -155,9 +181,12 @@ int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, struct tx
     plan->levels = tx->modes.lod || needs->inputs & TX_INPUT_LOD_FRACTION;
     plan->tile0 = tx->primitive_tile;
     plan->tile1 = (tx->primitive_tile + 1) & 7;
-    plan->second_texel = (needs->inputs & TX_INPUT_TEXEL1) != 0;
     plan->shade = packed(&needs->shade);
     tx_form_find(&plan->form, tx);
-    return find_samplings(plan, tx) && find_coordinates(plan)
-        && (plan->form.any || plan->form.second != TX_SECOND_TABLES || find_tables(plan));
+    if (!find_samplings(plan, needs->inputs) || !find_coordinates(plan))
+        return 0;
+    plan->is_direct = !plan->yuv.on && !plan->form.any && plan->form.first == TX_FIRST_TEXEL
+        && plan->form.second == TX_SECOND_NOTHING && tx->modes.quad && !tx->modes.mid;
+    return plan->yuv.on || plan->form.any || plan->form.second != TX_SECOND_TABLES
+        || find_tables(plan);
 }

@@ -2,6 +2,7 @@
 #ifndef TX_PLAN_H
 #define TX_PLAN_H
 
+#include "scene/scene_file.h"
 #include "tx/forms.h"
 #include "tx/lower.h"
 #include "tx/planes.h"
@@ -14,6 +15,21 @@ struct tx_sampling {
     struct tx_axes axes;
     tx_pass *sample;
     const struct tx_decoded *tile;
+    const struct tx_decoded *chroma;    /* YUV's where it is sampled apart, or 0 */
+};
+
+/* How the two texels of YUV tiles come about. */
+struct tx_yuv {
+    int32 on;
+    uint8 needed[2], converted[2];      /* of texel 0 and 1: 1 where they are */
+    uint8 tile[2];              /* whose sample each is: T0's (0) or T1's */
+    uint8 sampled[2];           /* of T0 and T1 */
+    struct tx_yuv_conversion conversion;    /* but for its chroma */
+};
+
+/* A line's samples of one tile: luma, the last byte of each, and chroma, the first two. */
+struct tx_yuv_line {
+    uint32 luma[SCENE_SIDE_MAX], chroma[SCENE_SIDE_MAX];
 };
 
 struct tx_plan {
@@ -32,12 +48,26 @@ struct tx_plan {
     struct tx_form form;
     uint32 shade;               /* R G B A, where it is the same everywhere */
     const uint8 *tables;        /* TX_SECOND_TABLES: 256 of R, G, B, A each */
+    struct tx_yuv yuv;
+    int32 is_direct;            /* texels are the colours, and a pass makes 16-bit pixels */
 };
 
 /* Finds the passes for a polygon; 0: there are none for these modes or tiles, or memory is
    short. */
 int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, struct tx_unit *unit,
                    const struct tx_planes *planes);
+
+/* yuv.c. What is special about YUV tiles; 0: there are no passes. plan->form may become less
+   special. */
+int32 tx_yuv_find(struct tx_plan *plan, uint32 inputs);
+
+/* yuv.c. The one texel that the form is of, to colours. from: of T0 and T1. */
+void tx_yuv_colours(const struct tx_plan *plan, const struct tx_yuv_line *from, uint32 *colours,
+                    int32 count);
+
+/* yuv.c. Texel 0 or 1 as an input of the combiner. */
+void tx_yuv_widen(const struct tx_plan *plan, const struct tx_yuv_line *from, int32 texel,
+                  struct tx_wide *wide, int32 count);
 
 /* line.c: of the line being drawn. */
 extern struct tx_blending tx_line_blendings[];

@@ -31,8 +31,7 @@ const char *tx_result_text(enum tx_result result)
         "no pipe sync",
         "no room in the list",
         "not enough memory",
-        "tile is too large to be decoded",
-        "YUV tile cannot be decoded"
+        "tile is too large to be decoded"
     };
 
     return (uint32)result < TX_RESULTS ? texts[result] : "unknown result";

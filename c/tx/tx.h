@@ -79,7 +79,6 @@ enum tx_result {
     TX_LIST_FULL,               /* calls.h: no room for the words */
     TX_NO_MEMORY,               /* decode.h */
     TX_DECODE_TOO_LARGE,        /* its limit: TX_DECODE_BITS */
-    TX_DECODE_YUV,
     TX_RESULTS
 };
 

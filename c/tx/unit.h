@@ -16,6 +16,12 @@ struct tx_page {
     uint32 key[TX_PAGE_KEY];    /* what it was made from */
 };
 
+/* What YUV texels become: see tx_yuv_conversion. */
+struct tx_yuv_tables {
+    struct tx_matrix matrix;
+    uint32 colours[512];
+};
+
 struct tx_unit {
     struct tx tx;
     enum tx_result result;      /* why the last polygon was refused */
@@ -25,8 +31,11 @@ struct tx_unit {
     uint8 *tables;              /* of tables_made, another; or 0 */
     uint32 tables_made;
     uint32 judged;              /* generations of tiles and modes that can be drawn with */
+    struct tx_yuv_tables *yuv;  /* of yuv_made, another; or 0 */
+    uint32 yuv_made;
     struct tx_page page;
     struct tx_kept tiles[TX_TILES];     /* decoded for the passes */
+    struct tx_kept chroma[TX_TILES];    /* the same with quads for YUV's chroma */
 };
 
 /* A unit with its engine as tx_init leaves it. */

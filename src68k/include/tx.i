@@ -82,88 +82,29 @@ tx_rounds macro
         lsr.l   #3,d7
         endm
 
-; Point sampling: texels of size \1, l or w, \2 bytes each.
-tx_sample macro
-        movem.l d2-d7/a2-a3,-(sp)
-        tx_rounds
-        move.l  tx_decoded_mask_s(a2),d4        ; and mask_t
-        move.w  tx_decoded_columns_bits(a2),d5
-        movea.l tx_decoded_texels(a2),a2
-        lsl.l   #2,d6
-        lea     .pixels(pc,d6.l),a3
-        jmp     (a3,d6.l*4)
-.pixels rept    8
-        move.l  (a0)+,d0                ; 20 bytes
-        moveq   #0,d2
-        and.l   d4,d0
-        move.w  d0,d2
-        lsl.l   d5,d2
-        swap    d0
-        or.w    d0,d2
-        lsr.l   #5,d2
-        move.\1 (a2,d2.l*\2),(a1)+
-        endr
-        dbra    d7,.pixels
-        movem.l (sp)+,d2-d7/a2-a3
-        rts
-        endm
-
-; Perspective: see tx_divide. \1: anything where w and the results are to be checked.
-; s * 65536 * reciprocal: the upper half of the product is the quotient.
-tx_divide_line macro
-        save_all
-        move.l  d0,d7
-        movem.l (a0),d0-d2
-        movem.l (a2),d3-d5
-        movea.l d3,a4
-        movea.l d4,a5
-        movea.l d5,a6
-        movea.l tx_division_reciprocals(a2),a3
-        lea     (a1,d7.l*4),a0
-.pixels move.l  d2,d3
-        swap    d3
-        ifnb    \1
-        tst.w   d3
-        ble.s   .bad
-        endc
-        move.l  (a3,d3.w*4),d3
-        move.l  d0,d4
-        clr.w   d4
-        muls.l  d3,d5:d4
-        move.l  d1,d4
-        clr.w   d4
-        muls.l  d3,d6:d4
-        ifnb    \1
-        movea.w d5,a2
-        cmpa.l  d5,a2
-        bne.s   .far_s
-.s      movea.w d6,a2
-        cmpa.l  d6,a2
-        bne.s   .far_t
-.t
-        endc
-        swap    d5
-        move.w  d6,d5
-.write  move.l  d5,(a1)+
-        add.l   a4,d0
-        add.l   a5,d1
-        add.l   a6,d2
-        cmpa.l  a0,a1
-        bne.s   .pixels
-        return_all
-        ifnb    \1
-.bad    move.l  #$7fff7fff,d5
-        bra.s   .write
-.far_s  tx_nearest d5
-        bra.s   .s
-.far_t  tx_nearest d6
-        bra.s   .t
-        endc
-        endm
-
 ; The word of \1 that is nearest to the long.
 tx_nearest macro
         add.l   \1,\1
         subx.w  \1,\1                   ; -1 below 0
         eori.w  #$7fff,\1
+        endm
+
+; Of the pixel at a0 and (chroma) a3: d0 = Y, d1-d3 = R, G, B, words; only their lower 9 bits
+; are right. In: a4, a5 the tables of U and V, d6 = 255, the upper words of d0 and d1 any.
+tx_converted macro
+        move.w  (a3),d1
+        addq.l  #4,a3
+        move.w  d1,d0
+        lsr.w   #8,d0                   ; U
+        and.w   d6,d1                   ; V
+        move.l  tx_addend_green(a4,d0.w*8),d2
+        move.w  tx_addend_other(a4,d0.w*8),d3
+        add.l   tx_addend_green(a5,d1.w*8),d2
+        move.w  tx_addend_other(a5,d1.w*8),d1
+        move.l  (a0)+,d0
+        swap    d2
+        and.w   d6,d0                   ; Y
+        add.w   d0,d1
+        add.w   d0,d2
+        add.w   d0,d3
         endm
