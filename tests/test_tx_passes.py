@@ -16,6 +16,8 @@ SHADE = '{ rgb = [["0", "0", "0", "combined"], ["texel0", "environment", "shade"
 FILTERED = 'cycles = 2, convert = "filter, convert", combine = ["pass", "convert"]'
 BOTH = '{ rgb = [["texel0", "k4", "texel1", "texel1"], ["texel0", "combined", "k5", "texel1"]], ' \
     'alpha = [["texel0", "0", "texel1", "0"], ["texel0", "texel1", "0", "combined"]] }'
+SWAPPED = '{ rgb = [["texel0", "texel1", "primitive.a", "texel1"], ["0", "0", "0", "combined"]], ' \
+    'alpha = [["texel0", "texel1", "primitive", "texel1"], ["0", "0", "0", "combined"]] }'
 WILD = "k = [255, -256, -256, 255, -200, 255]"
 
 
@@ -61,6 +63,14 @@ ENGINES = {
                       f"tiles = [{{ {RGBA}, levels = 4 }}]", 1),
     "direct texel 1": ('cycles = 2, filter = "bilerp", combine = ["pass", "decal"], '
                        + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "any": (f'cycles = 2, filter = "bilerp", combine = {BOTH}, '
+            + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "any, shade": (f'cycles = 2, combine = {SHADE}, perspective = true, '
+                   + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "product": ('cycles = 2, filter = "bilerp", combine = ["modulate primitive", "pass"], '
+                'primitive = "#c0f04080", ' + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "swapped blend": (f'cycles = 2, filter = "bilerp", combine = {SWAPPED}, '
+                      'primitive = "#c0f04060", ' + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
     "tables of texel 1": ('cycles = 2, filter = "average", combine = ["pass", "modulate primitive"]'
                           ', primitive = "#80c040f0", ' + tiles(RGBA, RGBA + ", t.shift = 1"), 1),
 }

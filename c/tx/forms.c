@@ -85,13 +85,13 @@ static int32 blend_fraction(const struct tx *tx, const struct tx_input *rgb,
 static int32 find_blend(struct tx_form *form, const struct tx *tx)
 {
     const struct tx_input *rgb = tx->combine.rgb, *alpha = tx->combine.alpha;
-    const int32 fraction = blend_fraction(tx, rgb, alpha);
+    const int32 fraction = blend_fraction(tx, rgb, alpha), swapped = rgb->a == TX_CODE_TEXEL0;
 
-    form->swapped = rgb->a == TX_CODE_TEXEL0;
-    if (rgb->a != (form->swapped ? TX_CODE_TEXEL0 : TX_CODE_TEXEL1)
-        || rgb->b != (form->swapped ? TX_CODE_TEXEL1 : TX_CODE_TEXEL0) || rgb->d != rgb->b
+    if (rgb->a != (swapped ? TX_CODE_TEXEL0 : TX_CODE_TEXEL1)
+        || rgb->b != (swapped ? TX_CODE_TEXEL1 : TX_CODE_TEXEL0) || rgb->d != rgb->b
         || alpha->a != rgb->a || alpha->b != rgb->b || alpha->d != rgb->b || fraction < -1)
         return 0;
+    form->swapped = (uint8)swapped;
     form->fraction = (int16)fraction;
     form->first = TX_FIRST_BLEND;
     return 1;
@@ -115,8 +115,8 @@ void tx_form_find(struct tx_form *form, const struct tx *tx)
         find_second(form, tx, 1, TX_CODE_COMBINED);
     } else {
         form->first = TX_FIRST_TEXEL;
-        form->swapped = 1;
         find_second(form, tx, 1, TX_CODE_TEXEL0);
+        form->swapped = !form->any;
     }
 }
 
