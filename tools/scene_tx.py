@@ -199,7 +199,7 @@ def check(tx: dict, where: str) -> None:
     if len(tx["combine"]) > tx["cycles"]:
         fail(f"{where}.combine", 'has two cycles: "cycles" must be 2')
     if len(tx["combine"]) < tx["cycles"]:
-        tx["combine"].append(PRESETS["pass"])
+        tx["combine"] = [*tx["combine"], PRESETS["pass"]]
     if tx["cycles"] == 1:
         if tx["lod"] or "lod fraction" in inputs_of(tx):
             fail(f"{where}.{'lod' if tx['lod'] else 'combine'}",

@@ -116,8 +116,8 @@ void tx_form_find(struct tx_form *form, const struct tx *tx)
         find_second(form, tx, 1, TX_CODE_COMBINED);
     } else {
         form->first = TX_FIRST_TEXEL;
-        form->swapped = 1;
         find_second(form, tx, 1, TX_CODE_TEXEL0);
+        form->swapped = !form->any;
     }
 }
 

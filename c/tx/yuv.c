@@ -91,7 +91,7 @@ int32 tx_yuv_find(struct tx_plan *plan, uint32 inputs)
 
 /* Of one texel. */
 static struct tx_yuv_conversion conversion_of(const struct tx_plan *plan,
-                                          const struct tx_yuv_line *from)
+                                              const struct tx_yuv_line *from)
 {
     struct tx_yuv_conversion conversion = plan->yuv.conversion;
 

@@ -1,0 +1,121 @@
+"""Which polygons of a texture engine are drawn by passes, and that these are the model's: YUV in
+its modes, texels straight into 16-bit pixels, the second cycle's texel alone."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import model, run
+from tools.scene import compile_scene
+
+COLUMNS, SIDE, GAP = 5, 22, 26
+YUV = 'image = "noise.png", format = "yuv16", width = 16, height = 16'
+RGBA = 'image = "noise.png", format = "rgba16", width = 16, height = 16'
+SHADE = '{ rgb = [["0", "0", "0", "combined"], ["texel0", "environment", "shade", "texel1"]], ' \
+    'alpha = [["0", "0", "0", "combined"], ["texel0", "0", "shade", "0"]] }'
+FILTERED = 'cycles = 2, convert = "filter, convert", combine = ["pass", "convert"]'
+BOTH = '{ rgb = [["texel0", "k4", "texel1", "texel1"], ["texel0", "combined", "k5", "texel1"]], ' \
+    'alpha = [["texel0", "0", "texel1", "0"], ["texel0", "texel1", "0", "combined"]] }'
+SWAPPED = '{ rgb = [["texel0", "texel1", "primitive.a", "texel1"], ["0", "0", "0", "combined"]], ' \
+    'alpha = [["texel0", "texel1", "primitive", "texel1"], ["0", "0", "0", "combined"]] }'
+WILD = "k = [255, -256, -256, 255, -200, 255]"
+
+
+def tiles(tile: str, other: str | None = None) -> str:
+    """Two tiles, the second one the same."""
+    return f"tiles = [{{ {tile} }}, {{ {other or tile} }}]"
+
+
+#: Name to engine, and what it is to be drawn by.
+ENGINES = {
+    "point": ('perspective = true, convert = "convert", combine = "convert", ' + tiles(YUV), 1),
+    "wild": (f'perspective = true, convert = "convert", combine = "convert", {WILD}, '
+             + tiles(YUV), 1),
+    "bilerp": (f'{FILTERED}, filter = "bilerp", ' + tiles(YUV), 1),
+    "bilerp wild": (f'{FILTERED}, filter = "bilerp", perspective = true, {WILD}, ' + tiles(YUV), 1),
+    "average": (f'{FILTERED}, filter = "average", ' + tiles(YUV), 1),
+    "clamp": (f'{FILTERED}, filter = "bilerp", '
+              + tiles(YUV + ', s = { wrap = "clamp", low = 2.5, high = 12 }, t.wrap = "clamp"'), 1),
+    "clamp, even": (f'{FILTERED}, filter = "average", '
+                    + tiles(YUV + ', s = { wrap = "clamp", high = 11 }, t.wrap = "mirror"'), 1),
+    "shift": (f'{FILTERED}, filter = "bilerp", '
+              + tiles(YUV + ", s = { shift = 1, low = 3 }, t.shift = 15"), 1),
+    "mirror": (f'{FILTERED}, filter = "bilerp", ' + tiles(YUV + ', s.wrap = "mirror"'), 0),
+    "mirror, point": (f"{FILTERED}, perspective = true, " + tiles(YUV + ', s.wrap = "mirror"'), 1),
+    "filter": (f'filter = "bilerp", combine = "decal", {WILD}, ' + tiles(YUV), 1),
+    "corner": ('filter = "bilerp", convert = "convert", combine = "convert", ' + tiles(YUV), 0),
+    "convert both": (f'cycles = 2, convert = "convert", combine = {BOTH}, {WILD}, '
+                     + tiles(YUV, YUV + ", s.shift = 1"), 1),
+    "filter both": (f'cycles = 2, filter = "bilerp", combine = {BOTH}, '
+                    + tiles(YUV, YUV + ", s.shift = 1"), 1),
+    "filter, convert both": (f'cycles = 2, filter = "average", convert = "filter, convert", '
+                             f"combine = {BOTH}, {WILD}, " + tiles(YUV), 1),
+    "mix": ('cycles = 2, filter = "bilerp", combine = "mix", primitive_lod_fraction = 77, '
+            + tiles(YUV, YUV + ", t.shift = 1"), 1),
+    "shade": (f'cycles = 2, filter = "bilerp", convert = "filter, convert", combine = {SHADE}, '
+              f"{WILD}, " + tiles(YUV), 1),
+    "levels": (f'{FILTERED}, filter = "bilerp", lod = true, '
+               f"tiles = [{{ {YUV}, levels = 2 }}]", 1),
+    "beside RGBA": (f"{FILTERED}, perspective = true, " + tiles(YUV, RGBA), 0),
+    "converted RGBA": ('perspective = true, convert = "convert", ' + tiles(RGBA), 0),
+    "direct": ('filter = "bilerp", perspective = true, ' + tiles(RGBA), 1),
+    "direct levels": ('cycles = 2, filter = "bilerp", lod = true, perspective = true, '
+                      f"tiles = [{{ {RGBA}, levels = 4 }}]", 1),
+    "direct texel 1": ('cycles = 2, filter = "bilerp", combine = ["pass", "decal"], '
+                       + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "any": (f'cycles = 2, filter = "bilerp", combine = {BOTH}, '
+            + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "any, shade": (f'cycles = 2, combine = {SHADE}, perspective = true, '
+                   + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "product": ('cycles = 2, filter = "bilerp", combine = ["modulate primitive", "pass"], '
+                'primitive = "#c0f04080", ' + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "swapped blend": (f'cycles = 2, filter = "bilerp", combine = {SWAPPED}, '
+                      'primitive = "#c0f04060", ' + tiles(RGBA, RGBA + ", s.shift = 1"), 1),
+    "tables of texel 1": ('cycles = 2, filter = "average", combine = ["pass", "modulate primitive"]'
+                          ', primitive = "#80c040f0", ' + tiles(RGBA, RGBA + ", t.shift = 1"), 1),
+}
+
+
+def corners(n: int, tx: str) -> str:
+    """Vertices of the engine's triangle, with w and shade where it reads them."""
+    left, top = 3 + GAP * (n % COLUMNS), 2 + GAP * (n // COLUMNS)
+    rows = [[left + 0.3, top, -5.3, 3.1], [left + SIDE, top + 1.6, 22.4, -7.7],
+            [left + 4.2, top + SIDE, 21.9, 38.2]]
+    for row, w, shade in zip(rows, (1, 1.5, 2.1), (255, 30, 128)):
+        row += [w] * ("perspective" in tx) + [shade] * ("shade" in tx)
+    return f"vertices = {rows}"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A directory with noise, 16x16."""
+    path = tmp_path_factory.mktemp("passes")
+    noise = np.random.default_rng(9).integers(0, 256, (16, 16, 3), np.uint8)
+    Image.fromarray(noise).save(path / "noise.png")
+    return path
+
+
+@pytest.mark.parametrize("pixels", ["rgba5551", "rgba8888"])
+def test_passes_are_the_models(folder, pixels):
+    """One frame of all engines: each triangle is the model's, drawn as it is to be."""
+    lines = -(-len(ENGINES) // COLUMNS)
+    text = (f'width = {GAP * COLUMNS + 6}\nheight = {GAP * lines + 4}\nframes = 1\n'
+            f'format = "{pixels}"\nbackground = "#102030"\n[materials]\n')
+    text += "".join(f'm{n} = {{ tx = {{ {tx} }} }}\n' for n, (tx, _) in enumerate(ENGINES.values()))
+    for n, (tx, _) in enumerate(ENGINES.values()):
+        text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, tx)}\n'
+    (folder / f"{pixels}.toml").write_text(text)
+    scene = compile_scene(folder / f"{pixels}.toml")
+    done = run.render(scene, "a1200-fast", "addx")
+    expected = model.render(scene, 0)
+    for n, (name, (_, by_passes)) in enumerate(ENGINES.items()):
+        left, top = GAP * (n % COLUMNS), GAP * (n // COLUMNS)
+        part = np.s_[top:top + GAP, left:left + GAP]
+        wrong = np.argwhere(done.frames[0][part] != expected[part])
+        assert not len(wrong), (
+            f"{name}: {len(wrong)} pixels are not the model's; the first, "
+            f"({left + wrong[0][1]}, {top + wrong[0][0]}), is "
+            f"{done.frames[0][part][tuple(wrong[0])]:#x}, not {expected[part][tuple(wrong[0])]:#x}")
+        assert len(np.unique(expected[part])) > 20, f"{name}: hardly any colours"
+        spans = list(done.executed[n]["spans"])
+        assert spans == [("tx_pixels", "tx_passes")[by_passes]], f"{name}: drawn by {spans}"
