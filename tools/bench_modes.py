@@ -63,13 +63,14 @@ def shown(mode: Mode) -> tuple[list[np.ndarray], int]:
     return [model.render(scene, EMPTY), first, first], made.pixels
 
 
-def measure(machine: str, names: list[str]) -> dict[str, list[dict]]:
-    """Rows "modes" and "first frames" of modes, all in one boot; ``names``: of modes."""
+def measure(machine: str, names: list[str], plain: bool = True) -> dict[str, list[dict]]:
+    """Rows "modes" and "first_frames" of modes, all in one boot; ``names``: of modes; ``plain``:
+    with those in plain C, on PLAIN_MACHINE."""
     modes = [EVERY[name] for name in names]
     if not modes:
         return {"modes": [], "first_frames": []}
     boot, chip = MACHINES[machine]
-    ways = {"": modes} | ({PLAIN_END: modes} if machine == PLAIN_MACHINE else {})
+    ways = {"": modes} | ({PLAIN_END: modes} if plain and machine == PLAIN_MACHINE else {})
     asked = [(mode, end) for end, some in ways.items() for mode in some]
     drawn = fuzz.draw([(scene_of(mode), f"addx{chip}{PLAIN if end else ''}")
                        for mode, end in asked], boot)

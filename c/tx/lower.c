@@ -102,6 +102,7 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
     plain->gradients = GRADIENTS_PLANE;
     plain->start = START_SUBTEXEL;
     plain->perspective = PERSPECTIVE_NONE;
+    plain->whole = 1;
     plain->map = &unit->page.map;
     *vertices = relative_vertices(s, &unit->tx.tiles[tile]);
     return 1;
