@@ -6,6 +6,7 @@ The texels are those in TMEM: what a format leaves of a picture is no error of a
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,31 +15,46 @@ from .bench_modes import FIRST, HEIGHT, KINDS, WIDTH, scene_of
 from .scene_units import state_at
 from .tx import ideal
 from .tx.pixels import picture
-from .tx.polygon import SETTINGS, Prepared, Vertex, prepare
+from .tx.polygon import SETTINGS, Vertex, prepare
+from .tx.state import State
 from .tx_modes import EVERY, Mode
 
 
-def shades(vertices: list[Vertex], at: Prepared) -> np.ndarray:
+class Pixels(NamedTuple):
+    """A mode's polygon on a picture: its engine, vertices and pixels."""
+
+    state: State
+    vertices: list[Vertex]
+    surface: ideal.Surface
+    x: np.ndarray
+    y: np.ndarray
+
+
+def pixels_of(mode: Mode, kind: str) -> Pixels:
+    """What is drawn of a mode; ``kind``: of bench_modes.KINDS."""
+    scene = scene_of(mode, kind)
+    state = state_at(scene, 0, FIRST)
+    vertices = [Vertex(x, y, s, t, w, shade=shade) for x, y, s, t, shade, w in mode.vertices]
+    settings = replace(SETTINGS, edges=scene.materials[0].edges)
+    at = prepare(state, np.zeros((HEIGHT, WIDTH), np.uint32), vertices, settings).at
+    return Pixels(state, vertices, ideal.Surface(vertices, bool(state.modes.perspective)),
+                  at.x, at.y)
+
+
+def shades(on: Pixels) -> np.ndarray:
     """The exact opaque greys at the pixels, float64 [n, 4]."""
-    flat = [v._replace(s=v.shade, t=0) for v in vertices]
-    grey = ideal.Surface(flat, False).at(at.at.x, at.at.y)[0].value
+    flat = [v._replace(s=v.shade, t=0) for v in on.vertices]
+    grey = ideal.Surface(flat, False).at(on.x, on.y)[0].value
     return np.stack([grey, grey, grey, np.full_like(grey, 255)], -1)
 
 
 @cache
 def error_of(mode: Mode, kind: str) -> ideal.Error:
-    """What a mode is off on a picture, R, G and B as the frame has them; ``kind``: of
-    bench_modes.KINDS."""
-    scene = scene_of(mode, kind)
-    state = state_at(scene, 0, FIRST)
-    vertices = [Vertex(x, y, s, t, w, shade=shade) for x, y, s, t, shade, w in mode.vertices]
-    settings = replace(SETTINGS, edges=scene.materials[0].edges)
-    prepared = prepare(state, np.zeros((HEIGHT, WIDTH), np.uint32), vertices, settings)
-    x, y = prepared.at.x, prepared.at.y
-    drawn = picture(model.render(scene, FIRST))[y, x]
-    surface = ideal.Surface(vertices, bool(state.modes.perspective))
-    found = ideal.texels(state, surface, x, y, mode.filter)
-    return ideal.error(drawn, ideal.combined(state, found, shades(vertices, prepared)))
+    """What a mode is off on a picture, R, G and B as the frame has them."""
+    on = pixels_of(mode, kind)
+    drawn = picture(model.render(scene_of(mode, kind), FIRST))[on.y, on.x]
+    found = ideal.texels(on.state, on.surface, on.x, on.y, mode.filter)
+    return ideal.error(drawn, ideal.combined(on.state, found, shades(on)))
 
 
 def cells(mode: Mode) -> list[str]:

@@ -17,8 +17,8 @@ SQUARE = ((20, 16), (65, 16), (65, 61), (20, 61))
 SHADES = (60.5, 140.2, 250.7, 120.1)
 LEVEL = (1, 1, 1, 1)  # depths without perspective
 
-#: Corners by name: points, s and t, depths. What "far" shows goes from 1/3 of a texel a pixel to
-#: 14, and from "near" no further than the second level.
+#: Corners by name: points, s and t, depths. "far" goes from a third of a texel a pixel to 12 of
+#: them, "near" to 2.
 POLYGONS = {
     "turned": (TRIANGLE, ((3.2, 4.1), (54, 20.3), (12.4, 51.7)), LEVEL),
     "inside": (TRIANGLE, ((3.2, 2.1), (28.7, 9.3), (10.4, 28.9)), LEVEL),
@@ -27,7 +27,7 @@ POLYGONS = {
     "between": (SQUARE, tuple((x - 12.5, y - 8.5) for x, y in SQUARE), LEVEL),
     "deep": (TRIANGLE, ((3.2, 4.1), (74, 26.3), (16.4, 70.7)), (1, 2.2, 3.1)),
     "near": (TRIANGLE, ((3.2, 4.1), (44, 16.3), (14.4, 50.7)), (1, 2.2, 3.1)),
-    "far": (TRIANGLE, ((3.2, 4.1), (414, 66.3), (36.4, 330.7)), (1, 6.2, 8.1)),
+    "far": (TRIANGLE, ((3.2, 4.1), (144, 26.3), (16.4, 120.7)), (1, 6.2, 8.1)),
 }
 
 
