@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from tools import bench, bench_rules, bench_scenes, contracts
+from tools import bench, bench_modes, bench_rules, bench_scenes, contracts, readme_tx, tx_modes
 from tools.paths import BASELINE, ROOT, SCENES
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
@@ -84,6 +84,27 @@ def test_every_rule_of_lowering_saves_cycles(found) -> None:
             on, off = (figures[f"rule_{case.name}{end}", machine]
                        for end in ("", bench_rules.WITHOUT))
             assert on < 0.995 * off, (case.name, machine, on, off)
+
+
+def test_every_mode_of_the_texture_engine_has_rows(found) -> None:
+    """On all machines, and in plain C in fast RAM; a first frame costs more."""
+    figures = readme_tx.figures_of(found)
+    machines = set(bench.CONDITIONS)
+    assert figures.keys() == {
+        (name, machine) for mode in tx_modes.EVERY
+        for name, some in ((bench_modes.ROW + mode, machines),
+                           (bench_modes.FIRST_ROW + mode, machines),
+                           (bench_modes.ROW + mode + bench_modes.PLAIN_END, {"a1200-fast"}))
+        for machine in some}
+    for (name, _), cycles in figures.items():
+        assert cycles > 0, name
+
+
+def test_modes_are_thrice_as_fast_as_plain_c(found) -> None:
+    """All but filtered YUV, which is drawn in C."""
+    figures = readme_tx.figures_of(found)
+    for mode in tx_modes.EVERY.keys() - {"yuv_filter"}:
+        assert readme_tx.ratio(figures, mode) >= 3, mode
 
 
 def test_a_moved_figure_is_noticed(baseline) -> None:

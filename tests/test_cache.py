@@ -119,6 +119,8 @@ def test_sources_are_all_that_is_imported() -> None:
     assert {"bench", "bench_cases", "emulator", "model", "paths"} <= names
     assert not names & {"report", "report_page", "readme", "choose"}
     assert "hard_report" in {path.stem for path in cache.sources("accuracy")}
+    assert {"tx/state.py", "tx/ideal.py", "fixed.py"} <= {
+        str(path.relative_to(cache.ROOT / "tools")) for path in cache.sources("accuracy")}
 
 
 def test_scene_files_are_those_it_names() -> None:

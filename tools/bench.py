@@ -12,7 +12,7 @@ from pathlib import Path
 
 import matplotlib
 
-from . import bench_cases, bench_rules, bench_scenes, provenance
+from . import bench_cases, bench_modes, bench_rules, bench_scenes, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .kernels import Case, call
@@ -29,9 +29,10 @@ TICKS = 5000
 ROUGH_CYCLES_PER_UNIT = 20
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
-         "frames": "cycles_per_frame", "rules": "cycles_per_polygon"}
+         "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
+         "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
 #: Kinds that depend on the C compiler.
-IN_C = ("frames", "rules")
+IN_C = ("frames", "rules", "modes", "first_frames")
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 
 
@@ -41,8 +42,8 @@ def repeats(units: int) -> int:
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine by kind: in pixels, lines, points, frames, and polygons with and without a
-    rule of lowering."""
+    """Rows of one machine by kind: in pixels, lines, points, frames, polygons with and without a
+    rule of lowering, and modes of the texture engine."""
     boot, chip = CONDITIONS[machine]
     kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
              "points": bench_cases.point_rows(chip)}
@@ -54,6 +55,8 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
     whole = {"frames": frames, "rules": bench_rules.measure(
         machine, [f"rule_{case.name}" for case in bench_rules.CASES
                   if fnmatch.fnmatch(f"rule_{case.name}", only)])}
+    whole |= bench_modes.measure(machine, [name for name in bench_modes.EVERY if fnmatch.fnmatch(
+        f"{bench_modes.ROW}{name}", only)])
     if not rows:
         return {kind: [] for kind in kinds} | whole
     for row in rows:
@@ -79,7 +82,7 @@ def key(row: dict) -> tuple:
 
 
 def cycles(row: dict) -> float:
-    """Cycles a pixel, a line, a point, a frame or a polygon."""
+    """Cycles a pixel, a line, a point, a frame or a polygon, or of a first frame."""
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
@@ -158,6 +161,10 @@ def write(found: dict, out: Path) -> None:
     text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
     text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
         + table(found["rules"], machines)
+    text += "\nThe texture engine's modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
+        + table(found["modes"], machines)
+    text += "\nCycles that the first frame costs more: tables, tiles decoded:\n\n" \
+        + table(found["first_frames"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
     (out / "bench.md").write_text(text)

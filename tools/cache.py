@@ -36,12 +36,15 @@ def digest(path: Path) -> str:
 
 
 @functools.cache
-def imports(text: str) -> list[str]:
-    """The modules of the tools that a source text imports, inside functions too."""
+def imports(text: str, package: str = "") -> list[str]:
+    """What may be the modules of the tools that a source text imports, inside functions too: their
+    paths, as "tx/state". ``package``: the text's own, as "tx"."""
     names = []
     for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.ImportFrom) and node.level == 1:
-            names += [node.module] if node.module else [alias.name for alias in node.names]
+        if isinstance(node, ast.ImportFrom) and node.level:
+            parts = [package if node.level == 1 else "", *(node.module or "").split(".")]
+            base = [part for part in parts if part]
+            names += ["/".join(base), *("/".join([*base, alias.name]) for alias in node.names)]
     return names
 
 
@@ -51,10 +54,10 @@ def sources(module: str) -> list[Path]:
     while names:
         name = names.pop()
         path = ROOT / "tools" / f"{name}.py"
-        if name in found or not path.exists():
+        if name in found or not path.is_file():
             continue
         found[name] = path
-        names += imports(path.read_text())
+        names += imports(path.read_text(), name.rpartition("/")[0])
     return [found[name] for name in sorted(found)]
 
 

@@ -8,7 +8,8 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import bench, bench_effects, bench_rules, bench_scenes, emulator, palette, polys, run, scene, scene_file
+from . import (bench, bench_effects, bench_rules, bench_scenes, emulator, palette, polys,
+               readme_tx, run, scene, scene_file)
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -188,6 +189,8 @@ def with_tables(text: str) -> str:
     text = with_table(text, "meshes", mesh_table(measured))
     text = with_table(text, "scenes", scenes_table(measured))
     text = with_table(text, "rules", rules_table(measured))
+    text = with_table(text, "texture engine modes", readme_tx.modes_table(measured))
+    text = with_table(text, "texture engine formats", readme_tx.formats_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
     text = with_table(text, "perspective", perspective_table(measured, accuracy))

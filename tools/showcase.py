@@ -1,7 +1,8 @@
 """The scenes of effects and depth, drawn on the emulated machine: animations, cycles, error.
 
 Errors are taken against the exact curve where a material has a perspective, and against the
-exact plane elsewhere, over every ERROR_STEP-th frame.
+exact plane elsewhere, over every ERROR_STEP-th frame; those of texture engines are their modes'
+(tools.tx_errors).
 """
 
 from dataclasses import dataclass
@@ -43,7 +44,7 @@ def errors_of(scene: Scene) -> Errors:
             settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
             texels = scene.textures[m.texture].texels.shape if m.texture >= 0 else (256, 256)
             adapted = model.adapt(vertices, settings, max(texels))
-            if m.mapper == "flat" or not has_ideal(adapted, settings):
+            if m.mapper in ("flat", "unit") or not has_ideal(adapted, settings):
                 continue
             polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
             exact = ideal.Picture([v[:4] for v in adapted], *size)
@@ -73,10 +74,10 @@ def table(shown: list[Shown], machine: str) -> str:
              "| largest error, texels | rms | spans |", "|---|--:|--:|--:|--:|--:|--:|---|"]
     for each in shown:
         t, e = each.totals, each.errors
-        rms = (e.squares / max(e.pixels, 1)) ** 0.5
+        errors = f"{e.worst:.4f} | {(e.squares / e.pixels) ** 0.5:.4f}" if e.pixels else " | "
         lines.append(f"| {each.name} | {each.frames} | {t['polygons'] / each.frames:,.0f} "
                      f"| {t['cycles'] / each.frames:,.0f} | {t['cycles_per_pixel']:.1f} "
-                     f"| {e.worst:.4f} | {rms:.4f} | {', '.join(t['spans'])} |")
+                     f"| {errors} | {', '.join(t['spans'])} |")
     return "\n".join(lines)
 
 

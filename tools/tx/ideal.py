@@ -13,8 +13,9 @@ import numpy as np
 from ..errors import UserError
 from ..ideal import corners
 from ..ideal_perspective import Curve
+from .combiner import ALPHA, ALPHA_NAMES, RGB, RGB_NAMES, names
 from .polygon import Vertex
-from .state import Axis, State
+from .state import TWO_CYCLES, YUV, Axis, State
 from .texels import fetch
 
 UNIT = 65536
@@ -104,40 +105,127 @@ def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
     return np.where(index < period, index, 2 * period - 1 - index)
 
 
-def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) -> np.ndarray:
-    """Colours [n, 4], float64 0..255, of tile ``number``; ``how``: one of FILTERS. Not of YUV."""
-    if how not in FILTERS:
-        raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
-    tile = state.tiles[number & 7]
-    (s0, s1, fs), (t0, t1, ft) = placed(tile.s, s), placed(tile.t, t)
-    c00 = fetch(state, tile, s0, t0).astype(np.float64)
-    if how == "point":
-        return c00
-    c10, c01, c11 = (fetch(state, tile, a, b) for a, b in ((s1, t0), (s0, t1), (s1, t1)))
-    fs, ft = fs[:, None], ft[:, None]
-    if how == "bilinear":
-        upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
-        return upper + ft * (lower - upper)
+def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
+    """Texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle that
+    holds the pixel."""
+    (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
                     c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
 
 
-def levels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> np.ndarray:
-    """Colours [n, 4] between two levels of the state's tiles, from its first on: with n whole
-    doublings in the distance to the next pixel, tiles n and n + 1 in the ratio of the rest.
-    No detail, no sharpening: nearer than 1 texel a pixel it is the first tile's colour."""
-    s, t = surface.at(x, y)
-    lod = np.maximum(surface.distance(x, y), 1)
+def bilinear(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
+    """The same by fractions of the square."""
+    (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
+    upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
+    return upper + ft * (lower - upper)
+
+
+def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) -> np.ndarray:
+    """Colours [n, 4], float64 0..255, of tile ``number``; ``how``: one of FILTERS. Of a YUV tile
+    U, V (signed), Y, Y, before the last pair of texels: a pair shares its chroma, which is
+    filtered from pair to pair."""
+    if how not in FILTERS:
+        raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
+    tile = state.tiles[number & 7]
+    (s0, s1, fs), (t0, t1, ft) = placed(tile.s, s), placed(tile.t, t)
+    if how == "point":
+        return fetch(state, tile, s0, t0).astype(np.float64)
+    weigh = three_point if how == "three-point" else bilinear
+    found = weigh([fetch(state, tile, a, b) for b in (t0, t1) for a in (s0, s1)], fs, ft)
+    if tile.format == YUV:
+        pair = s0 & ~1
+        corners = [fetch(state, tile, a, b) for b in (t0, t1) for a in (pair, pair + 2)]
+        found[:, :2] = weigh(corners, (fs + (s0 & 1)) / 2, ft)[:, :2]
+    return found
+
+
+def converted(k: list[int], texel: np.ndarray) -> np.ndarray:
+    """R, G, B, Y of U, V, Y, any: [n, 4]; ``k``: K0.. as the convert word has them."""
+    u, v, y = (texel[:, n] for n in range(3))
+    k0, k1, k2, k3 = ((2 * c + 1) / 256 for c in k[:4])
+    return np.stack([y + k0 * v, y + k1 * u + k2 * v, y + k3 * u, y], -1)
+
+
+class Texels(NamedTuple):
+    """What the combiner has of pixels: two colours [n, 4] and how far the level of detail is from
+    the first to the second [n]; below 0 the first is sharpened."""
+
+    texel0: np.ndarray
+    texel1: np.ndarray
+    fraction: np.ndarray
+
+
+def pairs(state: State, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Tiles from the first on and the fraction between them, [n] each, of distances to the next
+    pixel. With n whole doublings it is levels n and n + 1 in the ratio of the rest. Nearer than a
+    texel a pixel it is the first level alone; with detail, the detail tile before it and the first
+    level; with sharpening, the first level and the second, the fraction below 0."""
+    modes, near = state.modes, distance < 1
+    lod = np.maximum(distance, 1)
     level = np.minimum(np.floor(np.log2(lod)).astype(np.int64), state.max_level)
-    rest = np.where(level == state.max_level, 0, lod / (1 << level) - 1)[:, None]
-    colours = np.zeros((np.size(x), 4))
-    for n in np.unique(level).tolist():
-        here = level == n
-        at = [Coordinate(c.index[here], c.fraction[here]) for c in (s, t)]
-        near, far = (sample(state, state.primitive_tile + min(n + k, state.max_level), *at, how)
-                     for k in range(2))
-        colours[here] = near + rest[here] * (far - near)
-    return colours
+    rest = np.where(level == state.max_level, 0, lod / (1 << level) - 1)
+    close = np.maximum(distance, state.min_level / 32)
+    if modes.detail:
+        return level + ~near, np.minimum(level + 1, state.max_level) + ~near, \
+            np.where(near, close, rest)
+    if modes.sharpen:
+        rest = np.where(near, close - 1, rest)
+    return level, np.minimum(level + 1, state.max_level), rest
+
+
+def texels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> Texels:
+    """What the combiner has at pixels [n]; ``how``: one of FILTERS."""
+    s, t = surface.at(x, y)
+    zero = np.zeros(np.size(x), np.int64)
+    first, second, fraction = zero, zero + 1, zero * 1.0
+    if state.modes.lod:
+        first, second, fraction = pairs(state, surface.distance(x, y))
+    near, far = np.zeros((2, zero.size, 4))
+    for number in np.unique([first, second]).tolist():
+        for found, numbers in ((near, first), (far, second)):
+            here = numbers == number
+            at = [Coordinate(c.index[here], c.fraction[here]) for c in (s, t)]
+            found[here] = sample(state, state.primitive_tile + number, *at, how)
+    if not state.modes.filter0:
+        near = converted(state.k, near)
+    if not state.modes.filter1:
+        far = converted(state.k, near if state.modes.convert_one else far)
+    return Texels(near, far, fraction)
+
+
+def levels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> np.ndarray:
+    """Colours [n, 4] between two levels of the state's tiles, from its first on."""
+    near, far, rest = texels(state, surface, x, y, how)
+    return near + rest[:, None] * (far - near)
+
+
+def combined(state: State, found: Texels, shade: np.ndarray) -> np.ndarray:
+    """Colours [n, 4], 0..255, that the combiner is meant to make: as factors colours are of 255,
+    fractions and K5 of 256. ``shade``: [n, 4]."""
+    result = np.zeros_like(found.texel0)
+    two = state.modes.cycle == TWO_CYCLES
+    for cycle in range(1 - two, 2):
+        second = two and cycle == 1
+        values = {"combined": result, "shade": shade,
+                  "texel0": found.texel1 if second else found.texel0,
+                  "texel1": found.texel0 if second or not two else found.texel1,
+                  "primitive": np.array(state.primitive), "one": np.full(4, 255),
+                  "environment": np.array(state.environment), "k4": np.full(4, state.k[4])}
+        factors = {"lod fraction": found.fraction[:, None], "k5": state.k[5] / 256,
+                   "primitive lod fraction": state.primitive_fraction / 256}
+        parts = []
+        for inputs, table, channels in ((state.combine.rgb[cycle], RGB_NAMES, RGB),
+                                        (state.combine.alpha[cycle], ALPHA_NAMES, ALPHA)):
+            def value(name: str | None, channels=channels):
+                base, dot, _ = (name or "").partition(".")
+                return values[base][..., ALPHA if dot else channels] if base in values else 0
+
+            a, b, c, d = names(inputs, table)
+            factor = factors[c] if c in factors else value(c) / 255
+            made = (value(a) - value(b)) * factor + value(d)
+            parts.append(np.broadcast_to(made, (len(shade), channels.stop - channels.start)))
+        result = np.concatenate(parts, -1)
+    return np.clip(result, 0, 255)
 
 
 class Error(NamedTuple):

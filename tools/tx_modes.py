@@ -1,0 +1,134 @@
+"""Modes and formats of the texture engine that are priced: a material and a polygon each.
+
+Materials are what a scene's TOML says of them (tools.scene_tx); polygons have some 2,000 pixels.
+"""
+
+from copy import deepcopy
+from dataclasses import dataclass, field
+
+from . import scene_tx
+
+PICTURE, OTHER = "picture.png", "other.png"  # what tiles show
+SIDE = 32  # texels of a picture
+
+#: x and y of a triangle turned off the axes, and of a square.
+TRIANGLE = ((20.3, 10.6), (90.9, 33.8), (43.6, 75.0))
+SQUARE = ((20, 16), (65, 16), (65, 61), (20, 61))
+SHADES = (60.5, 140.2, 250.7, 120.1)
+LEVEL = (1, 1, 1, 1)  # depths without perspective
+
+#: Corners by name: points, s and t, depths. "far" goes from a third of a texel a pixel to 12 of
+#: them, "near" to 2.
+POLYGONS = {
+    "turned": (TRIANGLE, ((3.2, 4.1), (54, 20.3), (12.4, 51.7)), LEVEL),
+    "inside": (TRIANGLE, ((3.2, 2.1), (28.7, 9.3), (10.4, 28.9)), LEVEL),
+    "outside": (TRIANGLE, ((-9.2, -6.1), (86, 10.3), (31.4, 57.7)), LEVEL),
+    "upright": (SQUARE, tuple((x - 13, y - 9) for x, y in SQUARE), LEVEL),
+    "between": (SQUARE, tuple((x - 12.5, y - 8.5) for x, y in SQUARE), LEVEL),
+    "deep": (TRIANGLE, ((3.2, 4.1), (74, 26.3), (16.4, 70.7)), (1, 2.2, 3.1)),
+    "near": (TRIANGLE, ((3.2, 4.1), (44, 16.3), (14.4, 50.7)), (1, 2.2, 3.1)),
+    "far": (TRIANGLE, ((3.2, 4.1), (144, 26.3), (16.4, 120.7)), (1, 6.2, 8.1)),
+}
+
+
+@dataclass(frozen=True)
+class Mode:
+    """What is drawn. ``filter``: of tools.tx.ideal.FILTERS, what it is meant to be."""
+
+    name: str
+    title: str
+    tx: dict = field(hash=False)
+    polygon: str = "turned"
+    filter: str = "point"
+    pixels: str = "rgba8888"
+    is_format: bool = False  # a texel format's, in the table of those
+
+    @property
+    def vertices(self) -> list[tuple[int, ...]]:
+        """x, y, s, t, shade, w; 16.16."""
+        points, texels, depths = POLYGONS[self.polygon]
+        return [tuple(round(c * 65536) for c in (*point, *st, shade, w))
+                for point, st, shade, w in zip(points, texels, SHADES, depths)]
+
+    def material(self) -> dict:
+        """The checked content of its ``tx``, every default filled in."""
+        where = f"mode {self.name}"
+        made = scene_tx.schema()(deepcopy(self.tx), where)
+        scene_tx.check(made, where)
+        return made
+
+
+def tile(form: str = "rgba16", **more) -> dict:
+    """A tile of SIDE x SIDE texels."""
+    return {"image": PICTURE, "format": form, **more}
+
+
+def of(*tiles: dict, **more) -> dict:
+    """A material of tiles, or of a plain one."""
+    return {"tiles": list(tiles or (tile(),)), **more}
+
+
+FILTERED = {"filter": "bilerp"}
+DEEP = {"perspective": True}
+LEVELS = {"cycles": 2, "lod": True, "combine": "trilinear", **FILTERED, **DEEP}
+MIPMAP = tile(levels=6)
+CLAMPED = {"s": {"wrap": "clamp"}, "t": {"wrap": "clamp"}}
+YUV = tile("yuv16", **CLAMPED)
+FOLDED = tile(s={"wrap": "mirror and clamp", "mask": 5, "high": 63},
+              t={"wrap": "mirror", "mask": 4, "low": 4.5, "high": 19})
+THREE = "three-point"
+
+MODES = (
+    Mode("copy", "point, upright, a texel a pixel", of(), "upright"),
+    Mode("point", "point", of()),
+    Mode("point_shift", "point, of a shifted tile", of(tile(s={"shift": 1}, t={"shift": 15}))),
+    Mode("point_perspective", "point, perspective", of(**DEEP), "deep"),
+    Mode("threepoint", "three-point", of(**FILTERED), filter=THREE),
+    Mode("threepoint_perspective", "three-point, perspective", of(**FILTERED, **DEEP), "deep",
+         THREE),
+    Mode("average", "average of four", of(filter="average"), "between", "bilinear"),
+    Mode("wrap", "three-point, mirrored, clamped, masked", of(FOLDED, **FILTERED), "outside",
+         THREE),
+    Mode("trilinear", "trilinear: level of detail, perspective", of(MIPMAP, **LEVELS), "far",
+         THREE),
+    Mode("trilinear_shade", "the same, times shade", of(MIPMAP, **LEVELS | {
+        "combine": ["trilinear", "modulate again"]}), "far", THREE),
+    Mode("sharpen", "trilinear, sharpened", of(MIPMAP, **LEVELS, detail="sharpen"), "near", THREE),
+    Mode("detail", "trilinear with a detail tile", of(
+        tile(image=OTHER, width=16, height=16, s={"shift": 14}, t={"shift": 14}), MIPMAP,
+        **LEVELS, detail="detail", min_level=8), "near", THREE),
+    Mode("modulate_shade", "three-point, times shade", of(**FILTERED, combine="modulate"),
+         filter=THREE),
+    Mode("modulate_primitive", "three-point, times a constant", of(
+        **FILTERED, combine="modulate primitive", primitive="#e0a060"), filter=THREE),
+    Mode("blend", "two tiles, blended by a constant", of(
+        tile(), tile(image=OTHER), **FILTERED, cycles=2, combine="mix",
+        primitive_lod_fraction=96), filter=THREE),
+    Mode("general", "two tiles multiplied: any other combination", of(
+        tile(), tile(image=OTHER), **FILTERED, cycles=2, combine="interference"), filter=THREE),
+    Mode("yuv_point", "YUV: point, converted", of(YUV, convert="convert", combine="convert"),
+         "inside"),
+    Mode("yuv_filter", "YUV: three-point, then converted", of(
+        YUV, YUV, **FILTERED, cycles=2, convert="filter, convert", combine=["pass", "convert"]),
+         "inside", THREE),
+    Mode("copy_16", "frame of 16 bits: point, upright, a texel a pixel", of(), "upright",
+         pixels="rgba5551"),
+    Mode("point_16", "frame of 16 bits: point", of(), pixels="rgba5551"),
+    Mode("threepoint_16", "frame of 16 bits: three-point", of(**FILTERED), filter=THREE,
+         pixels="rgba5551"),
+    Mode("trilinear_16", "frame of 16 bits: trilinear", of(MIPMAP, **LEVELS), "far", THREE,
+         "rgba5551"),
+)
+
+#: Texel format to its modes: point sampled and three-point filtered.
+FORMATS = {"rgba16": ("point", "threepoint")} | {
+    form: (f"point_{form}", f"threepoint_{form}")
+    for form in ("rgba32", "ci4", "ci8", "ia4", "ia8", "ia16", "i4", "i8")} | {
+    "yuv16": ("yuv_point", "yuv_filter")}
+
+OF_FORMATS = tuple(
+    Mode(name, f"{form}, {how}", of(tile(form), **more), filter=how, is_format=True)
+    for form, names in FORMATS.items() if form not in ("rgba16", "yuv16")
+    for name, how, more in zip(names, ("point", THREE), ({}, FILTERED)))
+
+EVERY = {mode.name: mode for mode in (*MODES, *OF_FORMATS)}
