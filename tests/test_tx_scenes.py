@@ -6,7 +6,7 @@ from PIL import Image
 
 from tools import model, run, scene_file, scene_units
 from tools.errors import UserError
-from tools.paths import SCENES
+from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
 from tools.scene_tx import TEXELS
 from tools.tx import images
@@ -282,6 +282,20 @@ def test_refused_besides(folder, kinds, message):
     with pytest.raises(UserError) as caught:
         make(folder, ONE, **kinds)
     assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
+
+
+def test_the_readmes_example(folder):
+    """It compiles, and what it says of vertices is right."""
+    text = (ROOT / "README.md").read_text()
+    example = text[text.index("### The N64 texture engine"):].split("```")[1].removeprefix("toml")
+    example = example.replace("tx/pavement.png", "noise.png")
+    corners = [[0, 0, 0, 0, 4, 0], [64, 0, 90, 0, 4, 255], [64, 48, 90, 90, 1, 255]]
+    (folder / "scene.toml").write_text(
+        HEAD.format(frames=2, pixels="").replace('format = ""', "") + example
+        + f'[[objects]]\nmaterial = "floor"\nvertices = {corners}\n')
+    scene = compile_scene(folder / "scene.toml")
+    frames = [model.render(scene, number) for number in range(2)]
+    assert len(np.unique(frames[0])) > 100 and (frames[0] != frames[1]).any()
 
 
 def test_vertices_have_what_the_engine_takes(folder):

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, longs
+from .hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
 from .objects import Section
 from .parts import Part, Program
 
@@ -48,7 +48,8 @@ class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
     def __init__(self, program: Program, fixed: dict[Section, int]):
-        """``fixed``: the sections whose places matter, and where the full renderer has them."""
+        """``fixed``: the sections whose places matter, and where the full renderer has them.
+        A program that is whole keeps the linker's order, in which relative addresses fit."""
         self.program = program
         self.at: dict[Section, int] = {}
         parts = list(program.parts.values())
@@ -63,7 +64,9 @@ class Layout:
             first = fixed[group[0].section]
             self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
         rest = [p for p in rest if p not in held]
-        for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes)):
+        order = {section: n for n, section in enumerate(program.sections)}
+        for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes if program.trace
+                                                else order.get(p.section, 0))):
             step = 2 if part.section.code and not part.timed else part.section.align
             self.put([part], [0], 0, step)
         self.bss = 0
@@ -134,13 +137,13 @@ class Layout:
         sizes = [len(image) // 4] + [(self.bss + 3) // 4] * bool(self.bss)
         out = longs(HUNK_HEADER, 0, len(sizes), 0, len(sizes) - 1, *sizes)
         out += longs(HUNK_CODE, sizes[0]) + image
-        table = b""
-        for hunk, offsets in enumerate(places):
-            if offsets:
-                table += np.array([len(offsets), hunk, *sorted(offsets)], ">u2").tobytes()
-        if table:
-            table += bytes(2)
-            out += longs(HUNK_RELOC32SHORT) + table + bytes(-len(table) % 4)
+        rows = [[len(offsets), hunk, *sorted(offsets)]
+                for hunk, offsets in enumerate(places) if offsets]
+        short = all(row[-1] < 1 << 16 for row in rows)
+        if rows:
+            table = np.array([*sum(rows, []), 0], ">u2" if short else ">u4").tobytes()
+            out += longs(HUNK_RELOC32SHORT if short else HUNK_RELOC32)
+            out += table + bytes(-len(table) % 4)
         out += longs(HUNK_END)
         if self.bss:
             out += longs(HUNK_BSS, sizes[1], HUNK_END)

@@ -99,7 +99,7 @@ class Program:
     def __init__(self, sections: list[Section], aliases: dict[str, str],
                  trace: dict[Section, tuple[list[int], int]] | None):
         """``trace``: executed offsets of a section, and timed as in Part; None: all is whole."""
-        self.aliases, self.trace = aliases, trace
+        self.aliases, self.trace, self.sections = aliases, trace, sections
         self.symbols: dict[str, tuple[Section, int]] = {}
         for section in sections:
             for name, offset in section.symbols.items():

@@ -148,7 +148,7 @@ struct material {
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
     uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: u's lowest bit counts even
                                    where v wraps in a line, for 2 cycles a pixel there */
-    uint8 spare;
+    uint8 spare[3];
     uint16 number;              /* which of the drawing's counts are its */
     fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
                                    the setting's own bound: 0 to TOLERANCE_MAX */

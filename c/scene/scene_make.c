@@ -103,7 +103,7 @@ static int32 make_materials(struct scene *scene)
         to->start = (uint8)from->start;
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
-        to->whole = to->spare = 0;
+        to->whole = 0;
         to->number = (uint16)i;
         to->tolerance = from->tolerance;
         to->colour = from->colour;

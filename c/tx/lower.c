@@ -122,7 +122,6 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
     plain->start = START_SUBTEXEL;
     plain->whole = 1;           /* s and t are planes to the last bit */
     plain->perspective = PERSPECTIVE_NONE;
-    plain->whole = 1;
     plain->map = &unit->page.map;
     *vertices = page_vertices(s, page_origin(s, &s->given->s, &tile->s, &columns),
                               page_origin(s, &s->given->t, &tile->t, &rows));
