@@ -124,7 +124,7 @@ def modes(rng: random.Random, words: List, kind: str) -> dict:
     words.prim_colour(chosen["lowest level"], chosen["fraction"], tuple(colour[:4]))
     words.env_colour(tuple(colour[4:]))
     words.texture(chosen["max level"], chosen["tile"])
-    usual = ("any", "any", "texel") if kind == "any" else (kind, kind, "texel")[:2 + (kind == "plain")]
+    usual = (kind, kind) if kind == "flat" else (kind, kind, "texel")
     cycles = [cycle_codes(rng, rng.choice(usual)) for _ in range(2)]
     if chosen["cycles"] == "one":
         cycles[0] = cycles[1]
