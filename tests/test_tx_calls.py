@@ -138,7 +138,8 @@ def test_calls_and_tools_write_the_same_words() -> None:
         found = words_of(answer)
         assert all(hi >> 30 == 3 for hi, _ in found), (name, text(found))
         assert [(hi & ANY, lo) for hi, lo in found] == words, (
-            f"{name}{tuple(arguments)}: the call writes {text(found)}, the tools {text(words)}")
+            f"{name}{tuple(arguments)}: the call writes {text(found)}, the tools {text(words)}; "
+            "again: .deps/venv/bin/python -m pytest tests/test_tx_calls.py")
 
 
 def test_calls_and_tools_set_the_same_modes() -> None:

@@ -151,15 +151,18 @@ static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *co
 {
     static struct tx_wide wide[3][SCENE_SIDE_MAX];
     struct tx_places places;
-    const int32 has_second = plan->yuv.on ? plan->yuv.needed[1] : plan->second_texel;
+    int32 has_second = plan->second_texel;
 
-    for (int32 i = 0; i < 2; i++)
-        if (plan->yuv.on && plan->yuv.needed[i])
-            tx_yuv_widen(plan, yuv, i, wide[i], count);
-    if (!plan->yuv.on)
+    if (plan->yuv.on) {
+        has_second = plan->yuv.needed[1];
+        for (int32 i = 0; i < 2; i++)
+            if (plan->yuv.needed[i])
+                tx_yuv_widen(plan, yuv, i, wide[i], count);
+    } else {
         tx_widen(texels, wide[0], 0, count);
-    if (!plan->yuv.on && plan->second_texel)
-        tx_widen(texels1, wide[1], 0, count);
+        if (has_second)
+            tx_widen(texels1, wide[1], 0, count);
+    }
     if (plan->planes->shaded)
         tx_widen(shades, wide[2], 0, count);
     else
