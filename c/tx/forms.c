@@ -263,10 +263,9 @@ void tx_combine_cycle(const struct tx *tx, const struct tx_places *at, int32 cyc
     }
 }
 
-void tx_combine_line(const struct tx *tx, const struct tx_places *at, uint32 *colours,
-                     int32 count)
+void tx_combine_line(const struct tx *tx, const struct tx_places *at,
+                     struct tx_wide (*results)[SCENE_SIDE_MAX], uint32 *colours, int32 count)
 {
-    static struct tx_wide results[2][SCENE_SIDE_MAX];
     struct tx_places places = *at;
 
     if (tx->modes.cycle == TX_TWO_CYCLES) {

@@ -2,6 +2,7 @@
 #ifndef TX_FORMS_H
 #define TX_FORMS_H
 
+#include "scene/scene_file.h"
 #include "tx/pixel.h"
 
 /* What is made of the texels, and then of that. */
@@ -34,8 +35,8 @@ struct tx_places {
 void tx_combine_cycle(const struct tx *tx, const struct tx_places *at, int32 cycle,
                       struct tx_wide *results, int32 count);
 
-/* All cycles: combined is not looked at. */
-void tx_combine_line(const struct tx *tx, const struct tx_places *at, uint32 *colours,
-                     int32 count);
+/* All cycles: combined is not looked at. results: room for two lines. */
+void tx_combine_line(const struct tx *tx, const struct tx_places *at,
+                     struct tx_wide (*results)[SCENE_SIDE_MAX], uint32 *colours, int32 count);
 
 #endif

@@ -1,11 +1,27 @@
 /* A line of a polygon, pass by pass. */
+#include "system/system.h"
 #include "tx/pixels.h"
 #include "tx/plan.h"
 
-static uint32 coordinates[SCENE_SIDE_MAX];
-struct tx_blending tx_line_blendings[SCENE_SIDE_MAX];
-static uint32 relative[SCENE_SIDE_MAX], texels1[SCENE_SIDE_MAX], shades[SCENE_SIDE_MAX];
-static struct tx_yuv_line yuv[2];
+/* What stands between the passes of a line. */
+struct work {
+    uint32 coordinates[SCENE_SIDE_MAX], relative[SCENE_SIDE_MAX];
+    struct tx_blending blendings[SCENE_SIDE_MAX];
+    uint32 texels0[SCENE_SIDE_MAX], texels1[SCENE_SIDE_MAX];
+    uint32 shades[SCENE_SIDE_MAX], colours[SCENE_SIDE_MAX];
+    struct tx_yuv_line yuv[2];
+    struct tx_wide wide[3][SCENE_SIDE_MAX];     /* texel 0, texel 1, shade */
+    struct tx_wide results[2][SCENE_SIDE_MAX];  /* of both cycles */
+};
+
+static struct work *work;
+
+struct tx_blending *tx_line_ready(void)
+{
+    if (!work && !mem_alloc(&work, sizeof *work, MEMORY_ANY))
+        work = 0;
+    return work ? work->blendings : 0;
+}
 
 /* A run of pixels of the same tiles. */
 struct run {
@@ -17,8 +33,8 @@ static const uint32 *relate(const struct tx_sampling *from, const uint32 *at, in
 {
     if (!from->relative)
         return at;
-    from->relative(at, relative, &from->axes, count);
-    return relative;
+    from->relative(at, work->relative, &from->axes, count);
+    return work->relative;
 }
 
 static void sample(const struct tx_sampling *from, const uint32 *at, uint32 *texels, int32 count)
@@ -33,21 +49,21 @@ static void sample_yuv(const struct tx_sampling *from, const uint32 *at, uint32 
     from->sample(at, luma, from->tile, count);
     if (!from->chroma)
         return;
-    tx_chroma(at, relative, 0, count);
-    from->sample(relative, chroma, from->chroma, count);
+    tx_chroma(at, work->relative, 0, count);
+    from->sample(work->relative, chroma, from->chroma, count);
 }
 
 static const int16 *fractions_of(const struct tx_plan *plan, int32 first)
 {
-    return plan->form.fraction < 0 ? &tx_line_blendings[first].fraction : &plan->form.fraction;
+    return plan->form.fraction < 0 ? &work->blendings[first].fraction : &plan->form.fraction;
 }
 
 /* Texels of one tile; where the blend is of that and itself it is left out. */
 static void sample_run(const struct tx_plan *plan, const struct run *run, uint32 *texels)
 {
     const struct tx_form *form = &plan->form;
-    const uint32 *at = coordinates + run->first;
-    uint32 *other = texels1 + run->first;
+    const uint32 *at = work->coordinates + run->first;
+    uint32 *other = work->texels1 + run->first;
     struct tx_blend blend;
 
     texels += run->first;
@@ -59,14 +75,14 @@ static void sample_run(const struct tx_plan *plan, const struct run *run, uint32
         return;
     blend.other = other;
     blend.fractions = fractions_of(plan, run->first);
-    blend.fraction_step = form->fraction < 0 ? (int32)sizeof *tx_line_blendings : 0;
+    blend.fraction_step = form->fraction < 0 ? (int32)sizeof *work->blendings : 0;
     tx_lerp(texels, texels, &blend, run->count);
 }
 
 /* The next pixels that have the same tiles. */
 static void find_run(const struct tx_plan *plan, struct run *run, int32 end)
 {
-    const struct tx_blending *from = &tx_line_blendings[run->first];
+    const struct tx_blending *from = &work->blendings[run->first];
 
     run->count = end - run->first;
     run->tile0 = plan->tile0;
@@ -99,8 +115,8 @@ static void find_yuv(const struct tx_plan *plan, int32 count)
         find_run(plan, &run, count);
         for (int32 i = 0; i < 2; i++)
             if (plan->yuv.sampled[i])
-                sample_yuv(&plan->tiles[i ? run.tile1 : run.tile0], coordinates + run.first,
-                           yuv[i].luma + run.first, yuv[i].chroma + run.first, run.count);
+                sample_yuv(&plan->tiles[i ? run.tile1 : run.tile0], work->coordinates + run.first,
+                           work->yuv[i].luma + run.first, work->yuv[i].chroma + run.first, run.count);
     }
 }
 
@@ -114,7 +130,7 @@ static void draw_direct(const struct tx_plan *plan, uint16 *pixels, int32 count)
 
         find_run(plan, &run, count);
         from = &plan->tiles[plan->form.swapped ? run.tile1 : run.tile0];
-        tx_threepoint_16(relate(from, coordinates + run.first, run.count), pixels + run.first,
+        tx_threepoint_16(relate(from, work->coordinates + run.first, run.count), pixels + run.first,
                          from->tile, run.count);
     }
 }
@@ -132,7 +148,7 @@ static void find_shades(const struct tx_planes *planes, int32 x, int32 y, int32 
     steps.g = (int32)of[TX_GREEN].dx;
     steps.b = (int32)of[TX_BLUE].dx;
     steps.a = (int32)of[TX_ALPHA].dx;
-    tx_shade(&start, shades, &steps, count);
+    tx_shade(&start, work->shades, &steps, count);
 }
 
 static void modulate(const struct tx_plan *plan, const uint32 *texels, uint32 *colours,
@@ -140,8 +156,8 @@ static void modulate(const struct tx_plan *plan, const uint32 *texels, uint32 *c
 {
     struct tx_modulation by;
 
-    by.other = plan->planes->shaded ? shades : &plan->shade;
-    by.step = plan->planes->shaded ? (int32)sizeof *shades : 0;
+    by.other = plan->planes->shaded ? work->shades : &plan->shade;
+    by.step = plan->planes->shaded ? (int32)sizeof *work->shades : 0;
     tx_modulate(texels, colours, &by, count);
 }
 
@@ -149,7 +165,7 @@ static void modulate(const struct tx_plan *plan, const uint32 *texels, uint32 *c
 static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *colours,
                     int32 count)
 {
-    static struct tx_wide wide[3][SCENE_SIDE_MAX];
+    struct tx_wide (*wide)[SCENE_SIDE_MAX] = work->wide;
     struct tx_places places;
     int32 has_second = plan->second_texel;
 
@@ -157,23 +173,23 @@ static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *co
         has_second = plan->yuv.needed[1];
         for (int32 i = 0; i < 2; i++)
             if (plan->yuv.needed[i])
-                tx_yuv_widen(plan, yuv, i, wide[i], count);
+                tx_yuv_widen(plan, work->yuv, i, wide[i], count);
     } else {
         tx_widen(texels, wide[0], 0, count);
         if (has_second)
-            tx_widen(texels1, wide[1], 0, count);
+            tx_widen(work->texels1, wide[1], 0, count);
     }
     if (plan->planes->shaded)
-        tx_widen(shades, wide[2], 0, count);
+        tx_widen(work->shades, wide[2], 0, count);
     else
         tx_widen(&plan->shade, wide[2], 0, 1);
     places.texel0 = wide[0];
     places.texel1 = wide[has_second];
     places.shade = wide[2];
     places.shade_step = plan->planes->shaded ? (int32)sizeof **wide : 0;
-    places.fraction = &tx_line_blendings->fraction;
-    places.fraction_step = sizeof *tx_line_blendings;
-    tx_combine_line(&plan->unit->tx, &places, colours, count);
+    places.fraction = &work->blendings->fraction;
+    places.fraction_step = sizeof *work->blendings;
+    tx_combine_line(&plan->unit->tx, &places, work->results, colours, count);
 }
 
 static void find_coordinates(const struct tx_plan *plan, int32 x, int32 y, int32 count)
@@ -184,17 +200,16 @@ static void find_coordinates(const struct tx_plan *plan, int32 x, int32 y, int32
     at.s = (int32)tx_plane_at(planes, TX_S, x, y);
     at.t = (int32)tx_plane_at(planes, TX_T, x, y);
     at.w = (int32)tx_plane_at(planes, TX_W, x, y);
-    plan->coordinates(&at, coordinates, &plan->steps, count);
+    plan->coordinates(&at, work->coordinates, &plan->steps, count);
 }
 
 void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
                   int32 count)
 {
-    static uint32 room[SCENE_SIDE_MAX], made[SCENE_SIDE_MAX];
     uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
-    uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : made;
+    uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
     int32 second = plan->form.any || plan->form.second != TX_SECOND_NOTHING;
-    uint32 *texels = second ? room : colours;
+    uint32 *texels = second ? work->texels0 : colours;
 
     find_coordinates(plan, x, y, count);
     if (frame->pixel_bytes == 2 && plan->is_direct) {
@@ -210,7 +225,7 @@ void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x
     if (plan->form.any)
         combine(plan, texels, colours, count);
     else if (plan->yuv.on)
-        tx_yuv_colours(plan, yuv, colours, count);
+        tx_yuv_colours(plan, work->yuv, colours, count);
     else if (plan->form.second == TX_SECOND_MODULATE)
         modulate(plan, texels, colours, count);
     else if (plan->form.second == TX_SECOND_TABLES)

@@ -69,8 +69,9 @@ void tx_yuv_colours(const struct tx_plan *plan, const struct tx_yuv_line *from, 
 void tx_yuv_widen(const struct tx_plan *plan, const struct tx_yuv_line *from, int32 texel,
                   struct tx_wide *wide, int32 count);
 
-/* line.c: of the line being drawn. */
-extern struct tx_blending tx_line_blendings[];
+/* line.c. The memory that lines are drawn in, made when it is first asked for: where blendings
+   of levels go. 0: there is none. */
+struct tx_blending *tx_line_ready(void);
 
 /* line.c. Draws pixels x to x + count - 1 of line y. */
 void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
