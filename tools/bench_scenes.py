@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 
 from . import fuzz, model
-from .emulator import CYCLES_PER_TICK, STALL_SECONDS
+from .emulator import CYCLES_PER_TICK, PATIENT_SECONDS
 from .errors import UserError
 from .paths import SCENES
 from .scene import compile_scene
@@ -19,7 +19,6 @@ from .scene_file import Scene
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
          "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv")
 FRAMES = 4
-PATIENCE = 10 * STALL_SECONDS  # scenes are silent while they are drawn, tx_yuv for a minute
 #: Conditions of the bench that a program can be run under.
 MACHINES = ("a1200", "a1200-fast")
 
@@ -63,7 +62,7 @@ def measure(machine: str, names: list[str]) -> list[dict]:
         return []
     rows = []
     drawn = fuzz.draw([(shown(name)[0], "addx") for name in names], machine,
-                      patience=PATIENCE)
+                      patience=PATIENT_SECONDS)
     for name, digests in zip(names, drawn):
         for number, (frame, digest) in enumerate(zip(shown(name)[1], digests, strict=True)):
             if not fuzz.is_models(frame, digest):

@@ -50,6 +50,8 @@ OPTIONS = {
 #: Host seconds without a byte of output before a run counts as hung. A boot
 #: takes about 1 s and the guest's own watchdog bites within 3 s.
 STALL_SECONDS = 20.0
+#: The same where texture engines draw: a frame alone may take that long.
+PATIENT_SECONDS = 10 * STALL_SECONDS
 CYCLES_PER_TICK = 20  # CPU cycles in one tick of the E-clock, by which guests measure
 VERSION = "3.1.66"  # the cycle figures in this tree are those of this version
 

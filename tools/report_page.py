@@ -145,6 +145,8 @@ def page(found: Found, pictures: Path) -> str:
         whole=readme.scenes_table(measured), tx_modes=readme_tx.modes_table(measured),
         tx_formats=readme_tx.formats_table(measured),
         bench_source=Source(all_machines, measured),
+        modes_source=Source(all_machines, measured, "DMA and interrupts off; what the first frame "
+                            "makes is there but in its own column"),
         frames_source=Source("a1200, a1200-fast", measured,
                              "DMA and interrupts off; the screen cleared"),
         ranks={kind: peers.ranked(kind, measured) for kind in peers.PUBLISHED},

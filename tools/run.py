@@ -126,8 +126,10 @@ def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Ren
                    disable=not sys.stderr.isatty()) as bar):
         task = bar.add_task(f"rendering on {machine}", total=scene.frames)
         done = emulator.run(
-            "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""), {SCENE_NAME: write(scene)}, machine,
-            directory, lambda output: bar.update(task, completed=output.count("\n")))
+            "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""),
+            {SCENE_NAME: write(scene)}, machine, directory,
+            lambda output: bar.update(task, completed=output.count("\n")),
+            patience=emulator.PATIENT_SECONDS if len(scene.units) else None)
         if done.code:
             raise UserError(f"render: return code {done.code}; "
                             + emulator.last_words(done.output))
