@@ -112,11 +112,11 @@ def test_passes_are_the_models(folder, pixels):
         left, top = GAP * (n % COLUMNS), GAP * (n // COLUMNS)
         part = np.s_[top:top + GAP, left:left + GAP]
         wrong = np.argwhere(done.frames[0][part] != expected[part])
+        text = "".join(f"; ({left + x}, {top + y}) is {done.frames[0][part][y, x]:#x}, not "
+                       f"{expected[part][y, x]:#x}" for y, x in wrong[:1])
         assert not len(wrong), (
-            f"{name}: {len(wrong)} pixels are not the model's; the first, "
-            f"({left + wrong[0][1]}, {top + wrong[0][0]}), is "
-            f"{done.frames[0][part][tuple(wrong[0])]:#x}, not {expected[part][tuple(wrong[0])]:#x}; "
-            f"again: .deps/venv/bin/python -m pytest tests/test_tx_passes.py -k {pixels}")
+            f"{name}: {len(wrong)} pixels are not the model's{text}; again: "
+            f".deps/venv/bin/python -m pytest tests/test_tx_passes.py -k {pixels}")
         assert len(np.unique(expected[part])) > 20, f"{name}: hardly any colours"
         spans = list(done.executed[n]["spans"])
         assert spans == [("tx_pixels", "tx_passes")[by_passes]], f"{name}: drawn by {spans}"
