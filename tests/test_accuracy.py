@@ -173,7 +173,7 @@ def test_errors_of_hand_made_renderers(name: str) -> None:
 def test_every_mapper_is_shown() -> None:
     """By a polygon in the picture of mappers; those with texture by a mark in the plot."""
     shown = scene.compile_scene(SCENES / "mappers.toml")
-    assert {shown.materials[obj.material].mapper for obj in shown.objects} == set(scene_file.MAPPER_LAYOUT)
+    assert {shown.materials[obj.material].mapper for obj in shown.objects} == set(scene_file.MAPPERS[1])
     assert {mapper for mapper, kept in scene_file.MAPPER_LAYOUT.items() if kept} <= set(
         accuracy_pictures.MARKS)
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges, paths
+from tools import fuzz, fuzz_shrink, hard_cases, model_edges, paths, scene_file
 from tools.__main__ import main
 from tools.errors import UserError
 
@@ -24,7 +24,7 @@ def test_a_fixed_slice_holds() -> None:
     assert not found.failed, {n: f.text for n, f in found.failed.items()}
     assert found.polygons == COUNT and found.drawn > COUNT / 2 and found.refused > COUNT / 100
     assert found.judged > COUNT / 3 and found.coverage_errors["exact"] == 0
-    assert set(found.worst) == set(fuzz_polygons.MAPPER_LAYOUT)
+    assert set(found.worst) == set(scene_file.MAPPERS[1])
 
 
 def test_digests_are_those_of_the_dumps() -> None:

@@ -132,7 +132,7 @@ def test_every_family_is_there() -> None:
         "horizons", "near_planes", "ratios", "grazing", "hardly_deep", "constant_depths", "one_apart",
         "deep_slivers", "deep_sizes", "far_textures", "constant_texels", "vanishing", "in_space"}
     assert min(families.values()) >= 5
-    assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPER_LAYOUT)
+    assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPERS[1])
 
 
 def test_vertices_are_what_the_format_takes() -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from .errors import UserError
 from .paths import BUILD, ROOT
 from .pixel_formats import FORMATS
-from .scene_file import MAPPER_LAYOUT
+from .scene_file import MAPPERS
 
 FORMS = ("addx", "swap", "c")
 
@@ -215,7 +215,7 @@ def parser() -> Parser:
                          help="how many pixels in a million may be on an edge's wrong side (any)")
     command.add_argument("--depth", action="store_true",
                          help="polygons with depth, whose texture is seen in perspective")
-    command.add_argument("--mapper", choices=tuple(MAPPER_LAYOUT),
+    command.add_argument("--mapper", choices=MAPPERS[1],
                          help="this mapper alone (affine, generated, tiled or columns)")
     command.add_argument("--data", type=Path, metavar="FILE",
                          help="an accuracy.json, as make accuracy writes it (the committed baseline)")

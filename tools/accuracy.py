@@ -18,7 +18,7 @@ from .errors import UserError
 from .model import Settings
 from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Scene, Texture,
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, SETTINGS, Material, Object, Scene, Texture,
                          write)
 
 MACHINES = ("a1200", "a1200-fast")
@@ -41,7 +41,7 @@ def combinations() -> list[Settings]:
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
              for e in ("integer", "subpixel", "exact")]
-    return made + [settings for mapper in MAPPER_LAYOUT if mapper not in ("flat", "affine")
+    return made + [settings for mapper in MAPPERS[1] if mapper not in ("flat", "affine")
                    for settings in usual(mapper)]
 
 
