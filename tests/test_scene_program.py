@@ -49,7 +49,7 @@ centre = [30, 24]
 turns = 0.4
 """
 #: A program's file without maps, bytes, by gcc: the figure reached and 2 %.
-MOST = {"triangle": 10_180}
+MOST = {"triangle": 12_080}
 
 
 @pytest.fixture(scope="module")
@@ -120,6 +120,12 @@ def test_flat_polygon(folder, tmp_path, capsys):
     assert {"span_fill", "edge_flat"} <= inside
     assert not {name for name in inside if name.startswith("span_")} - {"span_fill"}
     assert not inside & {"edge_addx", "texturing_plane", "mesh_transform"}
+
+
+def test_texture_units_are_refused(tmp_path, capsys):
+    """One line, and nothing made."""
+    assert main(["scene-program", str(SCENES / "tx_wall.toml"), "-o", str(tmp_path / "out")]) == 2
+    assert "texture units" in capsys.readouterr().err and not (tmp_path / "out").exists()
 
 
 def test_wrong_frame_is_refused():

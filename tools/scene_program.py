@@ -180,6 +180,8 @@ def command(path: Path, out: Path, machine: str) -> int:
     if not re.fullmatch(r"[A-Za-z0-9_-]{1,30}", name):
         raise UserError(f"{path}: its name is not from 1 to 30 letters, digits, _ and -, "
                         "as the program's shall be")
+    if len(scene.units):
+        raise UserError(f"{path}: materials: a program of one scene cannot hold texture units yet")
     sections = load_sections(scene)
     scene_file = write(scene)
     with emulator.workspace() as folder:
