@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tools import fuzz, fuzz_shrink, hard_cases, model_edges, paths, scene_file
+from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges, paths, scene_file
 from tools.__main__ import main
 from tools.errors import UserError
 
