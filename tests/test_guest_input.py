@@ -53,7 +53,7 @@ def every_mapper() -> Scene:
              "margins": (256, 256), "light": (256, 64)}
     scene.textures = [Texture(np.zeros((height, width), np.uint8), layout)
                       for layout, (width, height) in sizes.items()]
-    mappers = list(scene_file.MAPPER_LAYOUT)
+    mappers = list(scene_file.MAPPERS[1])
     scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
                        for n, mapper in enumerate(mappers[:7])]
     scene.materials += [Material("lit", texture=0, light=5),
