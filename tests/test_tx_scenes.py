@@ -287,7 +287,7 @@ def test_refused_besides(folder, kinds, message):
 def test_the_readmes_example(folder):
     """It compiles, and what it says of vertices is right."""
     text = (ROOT / "README.md").read_text()
-    example = text[text.index("### The N64 texture engine"):].split("```")[1].removeprefix("toml")
+    example = text[text.index("## The N64 texture engine"):].split("```")[1].removeprefix("toml")
     example = example.replace("tx/pavement.png", "noise.png")
     corners = [[0, 0, 0, 0, 4, 0], [64, 0, 90, 0, 4, 255], [64, 48, 90, 90, 1, 255]]
     (folder / "scene.toml").write_text(
