@@ -110,7 +110,8 @@ def test_ideal_is_defined_for_convex_polygons_only() -> None:
 
 
 def test_random_polygons_have_all_that_is_promised() -> None:
-    """Every setting and mapper but units (test_tx_polygons), planes for what is judged, some of everything that is hard."""
+    """Every setting and mapper but units, planes for what is judged, some of everything that is
+    hard."""
     some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
     for kind, names in fuzz_polygons.SETTINGS.items():
         assert {getattr(p.settings, kind) for p in some} == set(names) - {"unit"}
