@@ -102,7 +102,8 @@ static const struct tx_levels *find_levels(struct tx_unit *unit)
     return unit->levels;
 }
 
-/* Of tiles without levels only the planes' x steps count; in one-cycle mode y's do not. */
+/* Without perspective w stays 0x7fff, by which a divide changes nothing. In one-cycle mode the
+   pixel below does not count. */
 static int32 find_lod(struct tx_plan *plan)
 {
     const struct tx_plane *of = plan->planes->of;
