@@ -20,6 +20,7 @@ ILLEGAL = bytes.fromhex("4afc")
 SYSTEM = ("amiga", "system", "programs")
 VBCC_CODE = "CODE"  # the name of its sections, one a file
 STOP = "left_out"  # what a pointer to a routine leads to that is never called
+TABLE = "_table"  # how symbols of code end that are no routines'
 
 
 @dataclass(eq=False)
@@ -148,7 +149,8 @@ class Program:
         if self.trace is None or is_whole(target) or target is self.stop:
             return target, offset
         executed, _ = self.trace.get(target, ([], 0))
-        if offset in executed or (executed and offset not in target.symbols.values()):
+        routines = {o for name, o in target.symbols.items() if not name.endswith(TABLE)}
+        if offset in executed or (executed and offset not in routines):
             return target, offset
         if target.name == VBCC_CODE and not part.is_table(relocation.offset):
             return target, offset

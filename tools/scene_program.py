@@ -24,7 +24,8 @@ from .scene_file import Scene, ordered, write
 
 #: What calls the first calls the second: short memory ends the program with a line.
 ALIASES = {"_mem_alloc": "_mem_need"}
-TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait"}
+TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait",
+          "_clock_start": "_trace_start"}
 FLAGS = "trace.flags"
 TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed, more than once so
 RENDER_LINK = BUILD / "obj" / "render.link"
@@ -180,8 +181,6 @@ def command(path: Path, out: Path, machine: str) -> int:
     if not re.fullmatch(r"[A-Za-z0-9_-]{1,30}", name):
         raise UserError(f"{path}: its name is not from 1 to 30 letters, digits, _ and -, "
                         "as the program's shall be")
-    if len(scene.units):
-        raise UserError(f"{path}: materials: a program of one scene cannot hold texture units yet")
     sections = load_sections(scene)
     scene_file = write(scene)
     with emulator.workspace() as folder:

@@ -6,11 +6,13 @@
 
         xref    _main
         xref    _file_save
+        xref    clock_start
         xref    start
         xref    sys_base
         xref    quiet
 
 TRACE_WORDS             equ     65536   ; of code: 128 KB
+TRACE_LIMIT             equ     65535   ; in 92 ms: all that the timer can count
 TRACED                  equ     0       ; bits
 TRACED_QUIET            equ     1
 TRACED_AGAIN            equ     2
@@ -94,6 +96,22 @@ trace_step:                             ; the stacked PC: the next instruction
 ; place by for ever.
         routine trace_wait
         rts
+
+;==============================================================================
+; trace_start - what clock_start is while instructions are noted: the longest limit
+;
+; in:      d0  int32  limit before the watchdog bites, which is not looked at
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  CIA-B timers A and B
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine trace_start,d0
+        move.l  #TRACE_LIMIT,d0
+        bra     clock_start
 
         section .bss.trace,bss
 old_trace       ds.l    1

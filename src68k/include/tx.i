@@ -1,9 +1,9 @@
 ; What the passes over a line's pixels share (structs: c/tx/passes.h).
 
-; The texels of relative coordinates by the parts of tx_weights, through the table \1: see
+; The texels of relative coordinates by the parts of tx_weights that the table \1 names: see
 ; tx_threepoint. \2: what writes a texel, \3: d7 for it.
 tx_filter macro
-        xref    tx_weights,\1
+        xref    \1
         save_all
         lea     (a0,d0.l*4),a3
         move.l  a3,-(sp)
@@ -13,7 +13,6 @@ tx_filter macro
         move.l  #\3,d7
         move.l  #$001f001f,d4
         lea     \1,a5
-        lea     tx_weights,a6
         lea     .weighed(pc),a3
         bra.s   .coordinates
 .weighed
@@ -33,7 +32,7 @@ tx_filter macro
         or.w    d3,d1                   ; fs << 5 | ft
         move.w  (a5,d1.w*2),d1
         lea     (a4,d2.l*2),a2
-        jmp     (a6,d1.w)
+        jmp     (a5,d1.w)
 .done   addq.l  #4,sp
         return_all
         endm
