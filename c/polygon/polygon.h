@@ -159,6 +159,7 @@ struct material {
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
     polygon_routine *draw;      /* what meshes and scenes call for it */
     struct tx_unit *unit;       /* MAPPER_UNIT */
+    uint32 spare_long;          /* 48 bytes: an index is multiplied by two additions and a shift */
 };
 
 /* How polygons are drawn, whatever they are. */

@@ -62,7 +62,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
 
     for (; first < end; first++, object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
-        const struct material *material = &scene->drawn[object->material];
+        const struct material *material;
         const struct vertex *vertices;
         enum polygon_result result;
 
@@ -70,6 +70,7 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
             continue;
         vertices = place(room, &scene->vertices[object->vertex], object->vertices,
                          &scene->poses[object->pose + age]);
+        material = &scene->drawn[object->material];
         result = material->draw(frame, vertices, (int32)object->vertices, material, drawing);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
