@@ -6,6 +6,7 @@ another out of the cache; the holes of what is left out take what is not timed, 
 apart from it by as much as the processor fetches ahead.
 """
 
+import random
 from pathlib import Path
 
 import numpy as np
@@ -47,8 +48,9 @@ def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]
 class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
-    def __init__(self, program: Program, fixed: dict[Section, int]):
-        """``fixed``: the sections whose places matter, and where the full renderer has them.
+    def __init__(self, program: Program, fixed: dict[Section, int], order: int = 0):
+        """``fixed``: the sections whose places matter, and where the full renderer has them;
+        ``order``: 0, or another order in which they are placed, by which holes differ.
         A program that is whole keeps the linker's order, in which relative addresses fit."""
         self.program = program
         self.at: dict[Section, int] = {}
@@ -60,13 +62,16 @@ class Layout:
         rest = [p for p in parts if not p.section.bss and p is not entry]
         held = [p for p in rest if p.section in fixed]
         self.put([entry], [0], 0, CACHE)
-        for group in neighbours(held, fixed):
+        groups = neighbours(held, fixed)
+        if order:
+            random.Random(order).shuffle(groups)
+        for group in groups:
             first = fixed[group[0].section]
             self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
         rest = [p for p in rest if p not in held]
-        order = {section: n for n, section in enumerate(program.sections)}
+        linked = {section: n for n, section in enumerate(program.sections)}
         for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes if program.trace
-                                                else order.get(p.section, 0))):
+                                                else linked.get(p.section, 0))):
             step = 2 if part.section.code and not part.timed else part.section.align
             self.put([part], [0], 0, step)
         self.bss = 0

@@ -33,6 +33,7 @@ LINKED = re.compile(r"^ (\S+)\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ (\S+\.o)$", re.M)
 
 TRACE_PATIENCE = 10 * emulator.STALL_SECONDS  # instructions take some 30 times as long
 JITTER = 1  # ticks: so much do the full renderer's own times differ when it is repeated
+ORDERS = 8  # in which a layout's parts are placed: some 100 bytes of 10,000 are won
 ROUTINES = 12  # that are listed
 
 
@@ -115,12 +116,15 @@ def compare(full: Run, own: Run, name: str) -> None:
 
 
 def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout]:
-    """The program by what lies as in the full renderer: nothing, what repeats, all; the
-    smallest first."""
-    made = [Layout(program, {p.section: places[p.section] for p in program.parts.values()
-                             if p.timed >= least and p.section in places})
-            for least in (3, 2, 1)]
-    return sorted(made, key=lambda layout: len(layout.hunks()))
+    """The program by what lies as in the full renderer: nothing, what repeats, all; each in the
+    best of some orders, the smallest first."""
+    made = []
+    for least in (3, 2, 1):
+        fixed = {p.section: places[p.section] for p in program.parts.values()
+                 if p.timed >= least and p.section in places}
+        made.append(min((Layout(program, fixed, order) for order in range(ORDERS if fixed else 1)),
+                        key=lambda layout: layout.size))
+    return sorted(made, key=lambda layout: layout.size)
 
 
 def fit(program: Program, places: dict[objects.Section, int], full: Run, name: str,

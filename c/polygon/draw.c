@@ -131,7 +131,7 @@ static enum polygon_result set_texturing(struct setup *s)
 /* The table of lines as a kind of span needs it. */
 static void make_lines(struct setup *s, enum span_kind kind)
 {
-    const struct kind_routines *routines = &kind_routines[kind];
+    const struct line_routines *routines = &line_routines[kind_lines[kind]];
 
     outline_lines(s, s->material->edges == EDGES_EXACT ? routines->exact_edges : routines->edges,
                   routines->scissor);
@@ -153,7 +153,7 @@ static void set_ramps(struct setup *s)
     plan.right = right;
     plan.steps = steps;
     plan.truncated = s->material->start == START_TRUNCATED;
-    plan.packed = kind_routines[s->kind].edges == edge_addx || s->kind == SPAN_AFFINE_SCANLINE;
+    plan.packed = kind_lines[s->kind] == LINES_ADDX || s->kind == SPAN_AFFINE_SCANLINE;
     edge_ramp(&plan);
     s->span.steps = steps;
 }
@@ -189,7 +189,7 @@ static void draw_each_line(struct setup *s)
         line->dvdx = line->steps[i].dvdx;
         if (line->lines->last >= line->lines->left) {
             hold_lines(s);
-            kind_routines[s->kind].span(line);
+            kind_spans[s->kind](line);
         }
         line->row += line->pitch;
     }
@@ -236,7 +236,7 @@ static void draw_affine(struct setup *s)
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(s);
     else
-        kind_routines[s->kind].span(&s->span);
+        kind_spans[s->kind](&s->span);
 }
 
 /* A quick question: where it does, the polygon may lie outside the frame as a whole. */

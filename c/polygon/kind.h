@@ -5,15 +5,22 @@
 #include "polygon/polygon.h"
 #include "span/scanline.h"
 
+typedef void span_routine(const struct span_plan *plan);
 typedef void edge_routine(const struct edge_plan *plan);
 
-struct kind_routines {
+/* How lines hold u and v, or nothing: what spans read, and edges write. */
+enum line_form { LINES_FLAT, LINES_ADDX, LINES_SWAP, LINES_PLAIN, LINE_FORMS };
+
+struct line_routines {
     edge_routine *edges, *exact_edges;
     void (*scissor)(const struct scissor_plan *plan);
-    void (*span)(const struct span_plan *plan);
 };
 
-/* In the order of enum span_kind; none for a perspective. */
-extern const struct kind_routines kind_routines[SPAN_KINDS];
+extern const struct line_routines line_routines[LINE_FORMS];
+
+/* In the order of enum span_kind; none for those that polygon_draw does not know. Tables apart,
+   so that a program of one scene holds a byte of a kind that it does not need. */
+extern span_routine *const kind_spans[SPAN_KINDS];
+extern const uint8 kind_lines[SPAN_KINDS];      /* enum line_form */
 
 #endif
