@@ -63,26 +63,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         ; Two loops, each of which fits the cache. First q:
         ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
         ; d6 n  d7 scale
-.line   moveq   #0,d7
-        moveq   #0,d6
-        move.w  scanline_left(a0),d7
-        move.w  scanline_last(a0),d6
-        move.w  d7,reciprocal_line_left(a1)
-        sub.w   d7,d6
-        move.w  d6,reciprocal_line_n(a1)
-        bmi     .next
-        sub.l   a4,d7
-        ends_q
-        move.l  d2,d4
-        move.l  d3,d5
-        cmp.l   d4,d5
-        ble.s   .sorted
-        exg     d4,d5
-.sorted cmp.l   perspective_plan_q_low(a5),d5
-        blt     .other
-        bfffo   d4{0:32},d7
-        cmp.w   #RECIPROCAL_FURTHEST,d7
-        bhi     .other
+.line   ends_sorted reciprocal_line,RECIPROCAL_FURTHEST
         lsl.l   d7,d2
         lsl.l   d7,d3
         lsl.l   d7,d4

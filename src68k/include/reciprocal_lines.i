@@ -1,4 +1,4 @@
-; The parts of reciprocal_lines: they use its registers, its labels and its stack.
+; The parts of reciprocal_lines and logarithm_lines: they use their registers, labels and stack.
 
 ; d3 and d2 = q of the line's first pixel, d7 from the planes' own, and of its last, d6
 ; further. Uses d0-d1/d4-d5/d7.
@@ -16,6 +16,33 @@ ends_q  macro
         add.l   d4,d2
         add.l   d1,d5
         addx.l  d3,d2
+        endm
+
+; A line's left and n, into the struct \1 at a1, and q at its ends: d3 of the first pixel, d2 of
+; the last, d4 the larger, d5 the smaller, d7 the zeros above d4, d6 n. On to .next where it has no
+; pixel, to .other where an end is too near or has more than \2 zeros.
+ends_sorted macro
+        moveq   #0,d7
+        moveq   #0,d6
+        move.w  scanline_left(a0),d7
+        move.w  scanline_last(a0),d6
+        move.w  d7,\1_left(a1)
+        sub.w   d7,d6
+        move.w  d6,\1_n(a1)
+        bmi     .next
+        sub.l   a4,d7
+        ends_q
+        move.l  d2,d4
+        move.l  d3,d5
+        cmp.l   d4,d5
+        ble.s   .sorted\@
+        exg     d4,d5
+.sorted\@
+        cmp.l   perspective_plan_q_low(a5),d5
+        blt     .other
+        bfffo   d4{0:32},d7
+        cmp.w   #\2,d7
+        bhi     .other
         endm
 
 ; \1 times 3/2, V where it does not fit. \2: lsr or asr. Uses \3.
