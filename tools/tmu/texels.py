@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..colours import five
 from .state import (A8, AI44, AI88, AP88, ARGB1555, ARGB4444, ARGB8332, AYIQ8422, FIRST_WIDE, I8,
                     LEVELS, P8, RGB332, RGB565, SIDE, YIQ422, Modes, Ncc, Unit)
 
@@ -38,12 +39,6 @@ def level_bases(modes: Modes) -> list[int]:
     for level in range(LEVELS - 1):
         bases.append(bases[-1] + owns(modes, level) * level_bytes(modes, level))
     return bases
-
-
-def five(x: np.ndarray) -> np.ndarray:
-    """The low 5 bits as 8."""
-    x = x & 31
-    return x << 3 | x >> 2
 
 
 def six(x: np.ndarray) -> np.ndarray:
