@@ -277,6 +277,7 @@ def test_level_of_detail():
     assert level_of_detail(Modes(), start, np.array(1 << 29), x, y) == 0x200
     assert level_of_detail(Modes(perspective=1), start, np.array(1 << 29), x, y) == 0x300
     assert level_of_detail(Modes(perspective=1), start, np.array(-1 << 29), x, y) == 0x300
+    assert level_of_detail(Modes(perspective=1), start, np.array(0), x, y) == 0x200
     assert base(0, 0, 3, -4) == base(0, 0, 5, 0) == base(5, 0, 1, 1)
     most = -1 << 31
     assert base(most, most, 0, 0) == 256 * 13 + 128 and base(0, 0, 0, 0) == LEAST

@@ -26,7 +26,8 @@ def base(dsdx: np.ndarray, dtdx: np.ndarray, dsdy: np.ndarray, dtdy: np.ndarray)
 
 def level_of_detail(modes: Modes, start: np.ndarray, w: np.ndarray, x: np.ndarray,
                     y: np.ndarray) -> np.ndarray:
-    """The level of pixels (x, y), 8.8, from their polygons' ``start`` on."""
+    """The level of pixels (x, y), 8.8, from their polygons' ``start`` on. W counts by its size:
+    reference data have it below 0 and agree. Where W is 0, which they lack, it does not count."""
     lod = np.asarray(start, np.int64)
     if modes.perspective:
         size = np.abs(w)
