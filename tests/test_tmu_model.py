@@ -1,6 +1,7 @@
 """The texture unit's model: reference data, and hand-made examples of each rule."""
 
 from dataclasses import replace
+from math import log2 as log2_of
 
 import numpy as np
 import pytest
@@ -30,13 +31,24 @@ QUOTIENT_ERROR = 2.0**-17 + 2.0**-20
 ONE = 1 << 18  # of 14.18
 
 
+def rounded_up(question: Question) -> bool:
+    """Whether the model's level, before bias and limits, lies above the exact one, in 1/256."""
+    a, b, c, d = question.gradients
+    exact = 128 * log2_of(max(a * a + b * b, c * c + d * d)) - 18 * 256
+    found = question.point.base
+    if question.unit.modes.perspective:
+        exact -= 256 * (log2_of(abs(question.point.w)) - 30)
+        found -= int(log2(np.array(abs(question.point.w)))) - 30 * 256
+    return 0 < found - exact < 1
+
+
 def explanation(question: Question) -> str:
     """Why the reference's colour is another one, or nothing."""
     unit, point, want = question.unit, question.point, question.line.expected[0]
     s, t, w = (np.array(c) for c in point[:3])
     lod = level_of_detail(unit.modes, point.base, w, np.array(point.x), np.array(point.y))
     s, t = coordinates(unit.modes, s, t, w)
-    if packed(shaded(unit, s, t, lod - 1, question.other)) == want:
+    if packed(shaded(unit, s, t, lod - 1, question.other)) == want and rounded_up(question):
         return "level"
     if unit.modes.perspective:
         larger = 1 + np.linspace(0, QUOTIENT_ERROR, 4096)

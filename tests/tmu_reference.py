@@ -16,18 +16,19 @@ FOLDER = Path(__file__).parent / "vectors"
 
 
 class Question(NamedTuple):
-    """A pixel that was asked for: the unit as it stood, and what it was to be."""
+    """A pixel that was asked for: the unit and the gradients as they stood, and the answer."""
 
     line: Line
     unit: Unit
     point: Point
     other: np.ndarray
+    gradients: tuple[int, ...]
     answer: int
 
 
 def questions(path: Path, fraction_bits: int):
     """The questions of a file, answered by the model, one after another."""
-    unit, start = Unit(), 0
+    unit, gradients = Unit(), (0, 0, 0, 0)
     for line in vector_text.read(path):
         values = line.arguments
         if line.command == "texrand":
@@ -39,12 +40,13 @@ def questions(path: Path, fraction_bits: int):
         elif line.command == "regs":
             unit.modes = modes_of(*values, fraction_bits)
         elif line.command == "grad":
-            start = int(base(*values))
+            gradients = values
         else:
             s, t, w, colour, x, y = values
-            point, other = Point(s, t, w, start, x, y), unpacked(colour)
+            point, other = Point(s, t, w, int(base(*gradients)), x, y), unpacked(colour)
             now = Unit(unit.modes, unit.memory, unit.palette, unit.ncc)
-            yield Question(line, now, point, other, int(packed(pixel(now, point, other))))
+            answer = int(packed(pixel(now, point, other)))
+            yield Question(line, now, point, other, gradients, answer)
 
 
 def only(level: int, linear: int, **others) -> Modes:
