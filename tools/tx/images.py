@@ -9,17 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from PIL import Image
 
 from .. import images
+from ..colours import OPAQUE, intensity, quantised, reduced
 from ..errors import UserError
+from ..mipmap import halved, rounded
 from .filters import convert
 from .state import CI, FORMATS, IA, LEGAL, RGBA, YUV, I
 from .texels import grey, ia16, rgba16
 
 CONSTANTS = (175, -43, -89, 222, 114, 42)  # K0..K5 that convert video's YUV
 CI4_PALETTES = 16
-OPAQUE = 128  # alpha from which one bit is set
 
 
 @dataclass(frozen=True)
@@ -41,18 +41,6 @@ class Texture:
 def read(reference: str, folder: Path, where: str, width: int, height: int) -> np.ndarray:
     """A picture of the size from a PNG or JPEG, as tools.images finds and cuts it."""
     return images.load(reference, folder, where, width, height, "RGBA")
-
-
-def quantised(channel: np.ndarray, bits: int) -> np.ndarray:
-    """0..255 as the nearest of 2^bits values, int64."""
-    top = (1 << bits) - 1
-    return (channel.astype(np.int64) * top + 127) // 255
-
-
-def intensity(picture: np.ndarray) -> np.ndarray:
-    """Brightness 0..255 with video's weights, int64 [height, width]."""
-    r, g, b = (picture[..., k].astype(np.int64) for k in range(3))
-    return (299 * r + 587 * g + 114 * b + 500) // 1000
 
 
 def to_rgba16(picture: np.ndarray) -> np.ndarray:
@@ -79,14 +67,6 @@ def alignment(form: int, size: int) -> int:
 def padded(picture: np.ndarray, unit: int) -> np.ndarray:
     """Rows up to a multiple of ``unit`` texels, by their last ones."""
     return np.pad(picture, ((0, 0), (0, -picture.shape[1] % unit), (0, 0)), "edge")
-
-
-def reduced(colours: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """(indices [n], palette [at most count, 3]) of colours [n, 3], uint8, by Pillow."""
-    image = Image.fromarray(np.ascontiguousarray(colours[None])).quantize(
-        count, Image.Quantize.MEDIANCUT, kmeans=4, dither=Image.Dither.NONE)
-    palette = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
-    return np.asarray(image, np.int64)[0], palette[:count]
 
 
 def palette_of(picture: np.ndarray, count: int, ia: bool) -> tuple[np.ndarray, np.ndarray]:
@@ -214,9 +194,5 @@ def chain(picture: np.ndarray, levels: int) -> list[np.ndarray]:
         height, width = pictures[-1].shape[:2]
         if any(side > 1 and side & 1 for side in (width, height)):
             raise UserError(f"mip map: a level of {width} x {height} texels has no half")
-        down, across = min(height, 2), min(width, 2)
-        blocks = pictures[-1].reshape(height // down, down, width // across, across, 4)
-        count = down * across
-        sums = blocks.astype(np.int64).sum((1, 3))
-        pictures.append(((sums + count // 2) // count).astype(np.uint8))
+        pictures.append(rounded(halved(pictures[-1].astype(np.float64))))
     return pictures

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..colours import five
 from .state import CI, IA, RGBA, YUV, State, Tile
 
 LOW = 0x7FF  # bytes of TMEM's lower half
@@ -15,12 +16,6 @@ def rows_of(tile: Tile, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def half_word(tmem: np.ndarray, at: np.ndarray) -> np.ndarray:
     """16 bits at even addresses."""
     return tmem[at].astype(np.int64) << 8 | tmem[at + 1]
-
-
-def five(x: np.ndarray) -> np.ndarray:
-    """5 bits as 8."""
-    x = x & 31
-    return x << 3 | x >> 2
 
 
 def rgba16(value: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ State persists from line to line: whoever runs the lines keeps it.
 
 import gzip
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -89,15 +89,16 @@ def modes(texts: list[str], place: str) -> tuple[tuple[str, int], ...]:
     return tuple(zip(texts[::2], integers(texts[1::2], (DECIMAL,) * (len(texts) // 2), place)))
 
 
-def parse_line(text: str, number: int, place: str) -> Line:
-    """One line that holds a command."""
+def parse_line(text: str, number: int, place: str,
+               shapes: Mapping[str, Shape] = SHAPES) -> Line:
+    """One line that holds a command of ``shapes``; only the N64's know ``mode``."""
     question, equals, answer = text.partition(" = ")
     command, *texts = question.split()
-    if command == "mode":
+    if command == "mode" and shapes is SHAPES:
         if equals:
             raise UserError(f"{place}: mode has no answer")
         return Line(number, command, modes(texts, place), ())
-    shape = SHAPES.get(command)
+    shape = shapes.get(command)
     if shape is None:
         raise UserError(f"{place}: there is no command {command!r}")
     bases = shape.bases
@@ -114,7 +115,7 @@ def parse_line(text: str, number: int, place: str) -> Line:
                 integers(answers, shape.answers, place))
 
 
-def read(path: str | Path) -> Iterator[Line]:
+def read(path: str | Path, shapes: Mapping[str, Shape] = SHAPES) -> Iterator[Line]:
     """The commands of a file in order; UserError names the file and the line."""
     path = Path(path)
     try:
@@ -126,7 +127,7 @@ def read(path: str | Path) -> Iterator[Line]:
         raise UserError(f"{path}: not ASCII text") from None
     for number, line in enumerate(text.splitlines(), 1):
         if line.strip() and not line.startswith("#"):
-            yield parse_line(line, number, f"{path}:{number}")
+            yield parse_line(line, number, f"{path}:{number}", shapes)
 
 
 def xorshift_step(x: int) -> int:

@@ -1,0 +1,335 @@
+"""The texture unit's model: reference data, and hand-made examples of each rule."""
+
+from dataclasses import replace
+from math import log2 as log2_of
+
+import numpy as np
+import pytest
+from tmu_reference import FOLDER, Question, only, questions
+
+from tools.errors import UserError
+from tools.tmu.chain import shaded
+from tools.tmu.coordinates import coordinates, nearest, quotient, taps
+from tools.tmu.filters import filters_linearly, sample
+from tools.tmu.lod import DITHER, LEAST, base, chosen, level_of_detail
+from tools.tmu.logarithm import log2
+from tools.tmu.registers import modes_of, ncc_of, words_of, words_of_ncc
+from tools.tmu.state import (AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination, Modes, Ncc,
+                             Unit, packed)
+from tools.tmu.texels import decoded, level_bases, level_size
+from tools.tmu.vector_text import random_ncc, random_palette, read
+
+AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_model.py"
+#: File to bits of its filter's weights, and how many answers the model does not share, by
+#: whether a pixel was drawn with perspective.
+FILES = {"tmu_combine": (4, {0: 2, 1: 2}), "tmu_decal": (4, {0: 0, 1: 0}),
+         "tmu_fixedlod": (4, {0: 0, 1: 2}), "tmu2_decal": (8, {0: 0, 1: 5})}
+#: The reference's quotients are too large by up to this part: its reciprocal comes from a table
+#: of 512 entries between which it interpolates by 8 bits, so that of W's 1 + 9 + 8 leading bits
+#: the rest is cut off, up to 2^-17; a chord of 1 / x over 1/512 lies up to 2^-20 above it.
+QUOTIENT_ERROR = 2.0**-17 + 2.0**-20
+ONE = 1 << 18  # of 14.18
+
+
+def rounded_up(question: Question) -> bool:
+    """Whether the model's level, before bias and limits, lies above the exact one, in 1/256."""
+    a, b, c, d = question.gradients
+    exact = 128 * log2_of(max(a * a + b * b, c * c + d * d)) - 18 * 256
+    found = question.point.base
+    if question.unit.modes.perspective:
+        exact -= 256 * (log2_of(abs(question.point.w)) - 30)
+        found -= int(log2(np.array(abs(question.point.w)))) - 30 * 256
+    return 0 < found - exact < 1
+
+
+def explanation(question: Question) -> str:
+    """Why the reference's colour is another one, or nothing."""
+    unit, point, want = question.unit, question.point, question.line.expected[0]
+    s, t, w = (np.array(c) for c in point[:3])
+    lod = level_of_detail(unit.modes, point.base, w, np.array(point.x), np.array(point.y))
+    s, t = coordinates(unit.modes, s, t, w)
+    if packed(shaded(unit, s, t, lod - 1, question.other)) == want and rounded_up(question):
+        return "level"
+    if unit.modes.perspective:
+        larger = 1 + np.linspace(0, QUOTIENT_ERROR, 4096)
+        s, t = (np.floor(c * larger).astype(np.int64) for c in (s, t))
+        if (packed(shaded(unit, s, t, np.full(s.shape, lod), question.other)) == want).any():
+            return "quotient"
+    return ""
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_agrees_with_reference_data(name):
+    """All but few answers; those are level differences of 1/256, which the reference rounds
+    down where it should round up, or the error of its reciprocal."""
+    bits, differing = FILES[name]
+    asked = list(questions(FOLDER / f"{name}.txt.gz", bits))
+    wrong = [q for q in asked if q.answer != q.line.expected[0]]
+    strange = [q for q in wrong if not explanation(q)]
+    shown = "\n".join(f"{name}.txt.gz:{q.line.number}: {q.line.arguments}: expected "
+                      f"{q.line.expected[0]:08x}, the model gives {q.answer:08x}"
+                      for q in strange[:3])
+    assert len(asked) == 1000 and not strange, (
+        f"{len(strange)} of {len(asked)} differ for no known reason:\n{shown}\n{AGAIN}")
+    for perspective, most in differing.items():
+        count = sum(q.unit.modes.perspective == perspective for q in wrong)
+        assert count == most, (f"{name}.txt.gz: {most} other answers expected with perspective "
+                               f"{perspective}, {count} found\n{AGAIN}")
+        if not perspective:
+            assert all(explanation(q) == "level" for q in wrong
+                       if not q.unit.modes.perspective), AGAIN
+
+
+@pytest.mark.parametrize("text, message", [
+    ("regs 1 2 3", "regs: 4 arguments expected, 3 found"),
+    ("pix 1 2 3 4 5 6", "an answer of 1 numbers expected, 0 found"),
+    ("tmemrand 5", "no command 'tmemrand'"), ("mode detail 1", "no command 'mode'"),
+    ("grad 1 2 3 f", "'f' is not a decimal number")])
+def test_bad_text(text, message, tmp_path):
+    path = tmp_path / "x.txt"
+    path.write_text(f"texrand 1\n{text}\n")
+    with pytest.raises(UserError, match="x.txt:2: .*" + message):
+        list(read(path))
+
+
+def test_registers():
+    """Every field by itself, and there and back."""
+    modes = modes_of(0x40000001 | 10 << 8 | 0x2A << 12 | 0x111 << 21, 1 | 31 << 6 | 63 << 12
+                     | 1 << 18 | 3 << 21, 200 | 32 << 8 | 7 << 14, 3, 4)
+    assert modes == Modes(
+        perspective=1, trilinear=1, format=10, lod_min=1, lod_max=31, lod_bias=-1, odd=1, aspect=3,
+        detail_max=200, detail_bias=-32, detail_scale=7, base=24,
+        rgb=Combination(sub_local=1, mselect=2, reverse=1),
+        alpha=Combination(zero_other=1, mselect=4, invert=1))
+    random = np.random.default_rng(3)
+    for mode, lod, detail, start in random.integers(0, 1 << 32, (500, 4)).tolist():
+        words = (mode & 0x7FFFF0FF | int(random.choice(list(FORMATS))) << 8, lod & 0x7FFFFF,
+                 detail & 0x1FFFF, start & 0x7FFFF)
+        assert words_of(modes_of(*words, 4)) == words
+    with pytest.raises(UserError, match="format 7"):
+        modes_of(7 << 8, 0, 0, 0, 4)
+
+
+def test_tables_of_ncc():
+    words = np.arange(12, dtype=np.int64)
+    words[0], words[4], words[11] = 0x44332211, 0x1FF << 18 | 0x100 << 9 | 0xFF, 5 << 18
+    table = ncc_of(words)
+    assert list(table.y[:5]) == [0x11, 0x22, 0x33, 0x44, 1]
+    assert list(table.i[0]) == [-1, -256, 255] and list(table.q[3]) == [5, 0, 0]
+    for seed in range(1, 9):
+        for made in random_ncc(seed):
+            assert (ncc_of(words_of_ncc(made)).i == made.i).all()
+            again = words_of_ncc(ncc_of(words_of_ncc(made)))
+            assert (again == words_of_ncc(made)).all()
+
+
+@pytest.mark.parametrize("form, value, want", [
+    (0, 0b101_110_01, (182, 219, 85, 255)), (0, 0b111_000_11, (255, 0, 255, 255)),
+    (2, 0x5A, (0x5A,) * 4), (3, 0x5A, (0x5A, 0x5A, 0x5A, 255)), (4, 0x2C, (204, 204, 204, 34)),
+    (5, 9, (10, 11, 12, 255)), (8, 0x77_E3, (255, 0, 255, 0x77)), (9, 0x80_00, (7, 0, 255, 128)),
+    (1, 0x00, (7, 0, 255, 255)), (1, 0x11, (255, 250, 249, 255)),
+    (10, 0b10001_100001_00100, (140, 134, 33, 255)), (10, 0xFFFF, (255,) * 4),
+    (11, 0x8000 | 1 << 10 | 30 << 5 | 2, (8, 247, 16, 255)), (11, 0x7C00, (255, 0, 0, 0)),
+    (12, 0x4F0A, (255, 0, 170, 68)), (13, 0x1234, (0x34, 0x34, 0x34, 0x12)),
+    (14, 0x2109, (10, 11, 12, 0x21))])
+def test_formats(form, value, want):
+    palette = np.arange(768).reshape(256, 3) % 256 - np.array([17, 17, 17])
+    table = Ncc()
+    table.y[0], table.y[1] = 7, 250
+    table.i[0] = 0, -100, 250
+    table.q[0], table.q[1] = (0, 0, 5), (200, 100, -251)
+    assert tuple(decoded(form, np.array(value), palette, table)) == want
+
+
+@pytest.mark.parametrize("modes, want", [
+    # whole, 1 byte; odd levels only; even ones of 2 bytes, 8:1, where small levels take 4 texels
+    (Modes(format=I8), [0, 65536, 81920, 86016, 87040, 87296, 87360, 87376, 87380]),
+    (Modes(format=I8, split=1, odd=1), [0, 0, 16384, 16384, 17408, 17408, 17472, 17472, 17476]),
+    (Modes(split=1, aspect=3, wide=1, base=8),
+     [8, 8 + 16384, 8 + 16384, 8 + 17408, 8 + 17408, 8 + 17472, 8 + 17472, 8 + 17480, 8 + 17480])])
+def test_places_of_levels(modes, want):
+    assert level_bases(modes) == want
+
+
+def test_sizes_of_levels():
+    for aspect in range(4):
+        for wide in (0, 1):
+            for level in range(9):
+                size = level_size(Modes(aspect=aspect, wide=wide), level)
+                want = 256 >> level, max(256 // 2**aspect >> level, 1)
+                assert size == (want if wide else want[::-1])
+
+
+def numbered(modes: Modes) -> Unit:
+    """A unit whose 16-bit texels hold their own places in memory."""
+    memory = np.arange(UNIT_MEMORY // 2).astype("<u2").view(np.uint8)
+    return Unit(replace(modes, format=AI88), memory)
+
+
+def places(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray) -> np.ndarray:
+    """Which of a numbered unit's texels is shown."""
+    found = sample(unit, s, t, lod)
+    return found[..., 3] << 8 | found[..., 0]
+
+
+#: Glide's table for square maps: side, texel's width, first and last centre.
+SQUARE = [(256, 1, .5, 255.5), (128, 2, 1, 255), (64, 4, 2, 254), (32, 8, 4, 252),
+          (16, 16, 8, 248), (8, 32, 16, 240), (4, 64, 32, 224), (2, 128, 64, 192),
+          (1, 256, 128, 128)]
+
+
+@pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
+@pytest.mark.parametrize("side, texel, first, last", SQUARE)
+def test_glide_table_of_square_maps(side, texel, first, last, linear, bits):
+    """Both texels, and what lies 256 beside them, where the map is repeated."""
+    level = SQUARE.index((side, texel, first, last))
+    assert texel == 1 << level and first == 128 / side
+    unit = numbered(only(level, linear, fraction_bits=bits))
+    start = level_bases(unit.modes)[level] // 2
+    for centre, want in ((first, 0), (last, side * side - 1)):
+        for moved in (-256, 0, 256):
+            c = np.array(int((centre + moved) * ONE))
+            assert places(unit, c, c, np.array(256 * level)) == start + want & 0xFFFF, AGAIN
+
+
+@pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
+@pytest.mark.parametrize("wide", [0, 1])
+@pytest.mark.parametrize("aspect", range(4))
+def test_all_texel_centres(aspect, wide, linear, bits):
+    """Of every level of every aspect: at (i + 1/2) 2^n texel i alone is shown. The longer side
+    ends at 256, the shorter at 256 >> aspect; where a side has one texel any coordinate will do,
+    so that its middle is also that of the side's range."""
+    for level in range(9):
+        unit = numbered(only(level, linear, aspect=aspect, wide=wide, fraction_bits=bits))
+        width, height = level_size(unit.modes, level)
+        start = level_bases(unit.modes)[level] // 2
+        j, i = np.mgrid[:height, :width]
+        want = start + j * width + i & 0xFFFF
+        s, t = ((2 * c + 1) * (ONE << level) // 2 for c in (i, j))
+        lod = np.full(i.shape, 256 * level)
+        for moved in (0, 256 * ONE, -512 * ONE):
+            assert (places(unit, s + moved, t, lod) == want).all(), AGAIN
+            assert (places(unit, s, t + moved, lod) == want).all(), AGAIN
+        longer, shorter = (s, t) if wide else (t, s)
+        assert longer.max() + (ONE << level) // 2 == 256 * ONE
+        if 256 >> aspect >= 1 << level:
+            assert shorter.max() + (ONE << level) // 2 == (256 >> aspect) * ONE
+        else:
+            shorter[:] = (256 >> aspect) * ONE // 2
+            assert (places(unit, s, t, lod) == want).all(), AGAIN
+
+
+def test_filter_positions():
+    """64 x 64: s = 2.0 is the first texel's centre, s = 0 lies half way to the last one."""
+    modes = Modes()
+    assert nearest(modes, np.array(524288), np.array(2), 0) == 0
+    assert taps(modes, np.array(524288), np.array(2), 0) == (0, 1, 0)
+    assert taps(modes, np.array(0), np.array(2), 0) == (63, 0, 8)
+    assert taps(replace(modes, clamp_s=1), np.array(0), np.array(2), 0) == (0, 0, 8)
+    assert taps(replace(modes, clamp_t=1), np.array(255 * ONE), np.array(2), 1) == (63, 63, 4)
+    assert taps(replace(modes, fraction_bits=8), np.array(0), np.array(2), 0) == (63, 0, 128)
+
+
+@pytest.mark.parametrize("bits", [4, 8])
+def test_bilinear_weights(bits):
+    """Of two colours only, at a fraction of a texel: weights add up to 1, cut off."""
+    unit = Unit(only(0, 1, format=I8, fraction_bits=bits), np.zeros(UNIT_MEMORY, np.uint8))
+    unit.memory[1] = unit.memory[256] = 255
+    one = 1 << bits
+    fs, ft = np.meshgrid(np.arange(one), np.arange(one))
+    s, t = (ONE // 2 + f * (ONE >> bits) for f in (fs, ft))
+    found = sample(unit, s, t, np.zeros(fs.shape, np.int64))[..., 0]
+    assert (found == 255 * (fs * (one - ft) + (one - fs) * ft) // one**2).all()
+    unit.memory[:] = 255
+    assert (sample(unit, s, t, np.zeros(fs.shape, np.int64)) == 255).all()
+
+
+def test_quotient_is_exact():
+    random = np.random.default_rng(1)
+    c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
+    w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
+    c[:4], w[:4] = (-1 << 31, -1 << 31, 5, 7), (-1, 1, 0, -ONE_W)
+    want = [max(-1 << 31, min((1 << 31) - 1, (a << 30) // b)) if b else 0
+            for a, b in zip(c.tolist(), w.tolist())]
+    assert quotient(c, w).tolist() == want
+    assert want[:4] == [(1 << 31) - 1, -1 << 31, 0, -7]
+
+
+def test_negative_w():
+    point = (np.array([ONE]), np.array([2 * ONE]), np.array([-ONE_W]))
+    for perspective, want in ((0, (1, 2)), (1, (-1, -2))):
+        modes = Modes(perspective=perspective)
+        assert coordinates(modes, *point) == tuple(c * ONE for c in want)
+        assert coordinates(replace(modes, clamp_negative_w=1), *point) == (0, 0)
+
+
+def exact_log2(x: int, steps: int) -> int:
+    """round(steps * log2(x)) by the size of a power: with 2^(k - 1/2) <= x^steps < 2^(k + 1/2)
+    the square of that has 2k or 2k + 1 bits."""
+    return (x ** (2 * steps)).bit_length() // 2
+
+
+@pytest.mark.parametrize("steps", [128, 256])
+def test_logarithm(steps):
+    """Small numbers, numbers around powers of two, and around all steps between two."""
+    numbers = {*range(1, 600), *((1 << n) + d for n in range(2, 64) for d in (-1, 0, 1)),
+               (1 << 64) - 1}
+    for k in range(steps):
+        edge = round(2 ** (40 + (k + .5) / steps))
+        numbers |= {edge + d for d in range(-2, 3)}
+    numbers = sorted(numbers)
+    assert log2(np.array(numbers, np.uint64), steps).tolist() \
+        == [exact_log2(x, steps) for x in numbers]
+
+
+def test_level_of_detail():
+    start = base(4 * ONE, 0, 0, 0)
+    assert start == 0x200
+    x = y = np.array(0)
+    assert level_of_detail(Modes(), start, np.array(1 << 29), x, y) == 0x200
+    assert level_of_detail(Modes(perspective=1), start, np.array(1 << 29), x, y) == 0x300
+    assert level_of_detail(Modes(perspective=1), start, np.array(-1 << 29), x, y) == 0x300
+    assert level_of_detail(Modes(perspective=1), start, np.array(0), x, y) == 0x200
+    assert base(0, 0, 3, -4) == base(0, 0, 5, 0) == base(5, 0, 1, 1)
+    most = -1 << 31
+    assert base(most, most, 0, 0) == 256 * 13 + 128 and base(0, 0, 0, 0) == LEAST
+    bias = Modes(lod_bias=-6, lod_min=1)
+    assert level_of_detail(bias, start, np.array(ONE_W), x, y) == 0x80
+    assert level_of_detail(bias, base(ONE, 0, 0, 0), np.array(ONE_W), x, y) == 0x40
+    assert level_of_detail(Modes(lod_max=63), np.array(0xF00), np.array(ONE_W), x, y) == 0x800
+
+
+def test_dither_of_levels():
+    y, x = np.mgrid[:8, :8]
+    lod = level_of_detail(Modes(dither=1), np.array(0x100), np.array(ONE_W), x, y)
+    assert sorted(set((lod - 0x100).ravel())) == list(range(0, 256, 16))
+    assert (lod[:4, :4] == lod[4:, 4:]).all() and (lod[:4, :4] - 0x100 == 16 * DITHER).all()
+    assert abs(DITHER[::2].mean() - DITHER[1::2].mean()) <= 4
+
+
+def test_levels_of_split_maps():
+    lod = np.arange(0, 0x801, 0x80)
+    assert list(chosen(Modes(), lod)) == [n // 2 for n in range(17)]
+    even, odd = (list(chosen(Modes(split=1, odd=k), lod)[::2]) for k in (0, 1))
+    assert even == [0, 2, 2, 4, 4, 6, 6, 8, 8] and odd == [1, 1, 3, 3, 5, 5, 7, 7, 8]
+    whole = Modes(trilinear=1, odd=1)
+    assert list(chosen(whole, lod)[::2]) == odd
+
+
+def test_which_filter():
+    modes = Modes(minify=1, lod_min=4)
+    assert list(filters_linearly(modes, np.array([0x100, 0x101, 0x800]))) == [False, True, True]
+    modes = Modes(magnify=1)
+    assert list(filters_linearly(modes, np.array([0, 1]))) == [True, False]
+
+
+def test_memory_is_a_ring():
+    """Addresses count modulo the memory's size."""
+    unit = numbered(only(0, 0, base=UNIT_MEMORY - 8))
+    s = np.arange(8) * ONE
+    assert list(places(unit, s, s * 0, s * 0)) == [n & 0xFFFF for n in (*range(-4, 0), 0, 1, 2, 3)]
+
+
+def test_random_palette():
+    assert random_palette(1549107668).shape == (256, 3)
+    assert list(random_palette(1)[0]) == [(270369 >> k & 255) for k in (16, 8, 0)]
