@@ -1,0 +1,1 @@
+"""The Glide texture unit."""
