@@ -62,7 +62,7 @@ def pairs(texts: list[str], names: tuple[str, ...], place: str) -> tuple[tuple[s
         raise UserError(f"{place}: pairs of name and value expected")
     for name in texts[::2]:
         if name not in names:
-            raise UserError(f"{place}: {name!r} is not one of its names")
+            raise UserError(f"{place}: there is no {name!r}")
     return tuple(zip(texts[::2], integers(texts[1::2], (DECIMAL,) * (len(texts) // 2), place)))
 
 

@@ -77,7 +77,8 @@ enum tmu_result vector_tmu_call(struct tmu *tmu, uint32 number, const int32 *val
         a[i] = i < count ? (uint32)values[i] : 0;
     *own = 0;
     switch (number) {
-    case VECTOR_TMU_CALL_INIT: return tmu_init(tmu, tmu->memory, a[0]);
+    case VECTOR_TMU_CALL_INIT:
+        return a[0] > VECTOR_TMU_BYTES ? TMU_BAD_MEMORY : tmu_init(tmu, tmu->memory, a[0]);
     case VECTOR_TMU_CALL_MEMORY_REQUIRED:
         set_texture(&texture, &a[1]);
         return tmu_memory_required(a[0], &texture, own);

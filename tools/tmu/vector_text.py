@@ -1,7 +1,9 @@
 """Reference data of Glide's texture unit: its commands, and the program's operations."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
+from .. import vector_text
 from ..errors import UserError
 from ..vector_file import M32, Operations
 from ..vector_text import DECIMAL, HEX, Line, Shape, check_longs
@@ -42,6 +44,11 @@ def check_registers(words: tuple[int, ...], place: str) -> None:
     for name, factor in (("rgb", mode >> 14 & 7), ("alpha", mode >> 23 & 7)):
         if factor not in FACTORS:
             raise UserError(f"{place}: textureMode: {name}: there is no factor {factor}")
+
+
+def read(path: str | Path) -> Iterator[Line]:
+    """The lines of a file."""
+    return vector_text.read(path, SHAPES)
 
 
 class TmuLines:

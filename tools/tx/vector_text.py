@@ -1,8 +1,9 @@
 """Reference data of the N64's texture engine: its commands, and the program's operations."""
 
+from collections.abc import Iterator
 from pathlib import Path
 
-from .. import layout
+from .. import layout, vector_text
 from ..errors import UserError
 from ..vector_file import M32, Operations
 from ..vector_text import DECIMAL, HEX, Line, Shape, check_longs, check_range
@@ -52,6 +53,11 @@ OPERATIONS = {
     "tmem": "TMEM", "rdram": "DRAM", "tile": "TILE", "convert": "CONVERT", "rdp": "WORDS",
     "tmemhash": "HASH", "fetch": "FETCH", "sample": "SAMPLE", "sample2": "SAMPLE_BOTH",
     "persp": "DIVIDE", "pix2": "PIXEL", "copy": "COPY"}
+
+
+def read(path: str | Path) -> Iterator[Line]:
+    """The lines of a file."""
+    return vector_text.read(path, SHAPES)
 
 
 class TxLines:
