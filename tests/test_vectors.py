@@ -36,8 +36,8 @@ def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
     assert lines[2].startswith("  line 2: persp 1 1 32767: expected ")
     assert lines[2 + vectors.SHOWN] == "  and 2 more"
     assert lines[3 + vectors.SHOWN:] == [
-        f"{unit}: 0 right, 1 wrong; without perspective 0 right, 1 wrong; with perspective 0 right, "
-        "0 wrong", "  line 2: pix 0 0 1 0 0 0: expected ff0100ab, found ff000000"]
+        f"{unit}: 0 right, 1 wrong; without perspective 0 right, 1 wrong; with perspective "
+        "0 right, 0 wrong", "  line 2: pix 0 0 1 0 0 0: expected ff0100ab, found ff000000"]
 
 
 @pytest.mark.parametrize(("engine", "kinds", "wrong", "passes"), [

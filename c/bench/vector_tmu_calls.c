@@ -18,6 +18,15 @@ static void set_texture(struct tmu_texture *to, const uint32 *from)
     to->format = from[3];
 }
 
+/* A whole map's, or none if there is no such map. */
+static void fill_texels(uint8 *texels, const struct tmu_texture *texture, uint32 seed)
+{
+    uint32 bytes;
+
+    if (tmu_memory_required(TMU_BOTH, texture, &bytes) == TMU_DONE)
+        vector_fill(texels, bytes, seed);
+}
+
 static uint32 sum_of_ncc(const struct tmu_ncc *values)
 {
     uint32 place = 0, sum = 0;
@@ -87,15 +96,15 @@ enum tmu_result vector_tmu_call(struct tmu *tmu, uint32 number, const int32 *val
         return tmu_source(tmu, a[0], a[1], &texture);
     case VECTOR_TMU_CALL_DOWNLOAD:
         set_texture(&texture, &a[2]);
-        vector_fill(texels, VECTOR_TEXELS_BYTES, a[6]);
+        fill_texels(texels, &texture, a[6]);
         return tmu_download(tmu, a[0], a[1], &texture, texels);
     case VECTOR_TMU_CALL_DOWNLOAD_LEVEL:
         set_texture(&texture, &a[2]);
-        vector_fill(texels, VECTOR_TEXELS_BYTES, a[7]);
+        fill_texels(texels, &texture, a[7]);
         return tmu_download_level(tmu, a[0], a[1], &texture, a[6], texels);
     case VECTOR_TMU_CALL_DOWNLOAD_ROWS:
         set_texture(&texture, &a[2]);
-        vector_fill(texels, VECTOR_TEXELS_BYTES, a[9]);
+        fill_texels(texels, &texture, a[9]);
         return tmu_download_rows(tmu, a[0], a[1], &texture, a[6], a[7], a[8], texels);
     case VECTOR_TMU_CALL_PALETTE: return call_palette(tmu, a, own);
     case VECTOR_TMU_CALL_NCC: return call_ncc(tmu, a, 0, own);
