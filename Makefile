@@ -46,8 +46,9 @@ SCENE_OBJECT := $(C_OUT)/programs/scene.o
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
-WEIGHTS := $(ASM_OUT)/gen/tx_weights.o
-OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WEIGHTS) $(C_OBJECTS)
+# Tables and code that a tool of the same name writes.
+WRITTEN := tx_weights tmu_logarithms
+OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
@@ -170,9 +171,9 @@ build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/h
 build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tools.contracts src68k build/gen
 
-build/gen/tx_weights.s: tools/tx_weights.py | setup
+$(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/%.py | setup
 	@mkdir -p $(@D)
-	@$(PYTHON) -m tools.tx_weights $@
+	@$(PYTHON) -m tools.$* $@
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

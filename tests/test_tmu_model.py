@@ -1,7 +1,6 @@
 """The texture unit's model: reference data, and hand-made examples of each rule."""
 
 from dataclasses import replace
-from math import log2 as log2_of
 
 import numpy as np
 import pytest

@@ -15,7 +15,8 @@ from tools.tx.misuse import Misuse
 from tools.tx.state import (CI, RGBA, TWO_CYCLES, YUV, Axis, Combine, Image, Inputs, State,
                             Tile)
 from tools.tx.texels import entries, fetch
-from tools.tx.vector_text import parse_line, read, xorshift, xorshift_step
+from tools.tx.vector_text import SHAPES, read
+from tools.vector_text import parse_line, xorshift, xorshift_step
 
 AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tx_model.py"
 FILES = sorted(FOLDER.glob("tx_*.txt.gz"))
@@ -39,14 +40,14 @@ def test_agrees_with_reference_data(path):
     ("sample 0 1 2 3", "an answer of 4 numbers expected, 0 found"),
     ("tmemrand 5 = 6", "an answer of 0 numbers expected, 1 found"),
     ("rdp 12345678", "2 arguments expected, 1 found"),
-    ("mode zoom 1", "no mode 'zoom'"),
+    ("mode zoom 1", "mode: there is no 'zoom'"),
     ("paint 1", "no command 'paint'"),
     ("tmemrand x", "'x' is not a decimal number"),
     ("tmemhash = g", "'g' is not a hexadecimal number"),
 ])
 def test_bad_text(text, message):
     with pytest.raises(UserError, match="^file:7: .*" + message):
-        parse_line(text, 7, "file:7")
+        parse_line(text, 7, SHAPES, "file:7")
 
 
 def test_unreadable_files(tmp_path):

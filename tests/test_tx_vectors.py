@@ -5,11 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from tools import __main__ as tmap
-from tools import emulator
-from tools.errors import UserError
+from tools import vectors
 from tools.paths import ROOT
-from tools.tx import vector_text, vectors
+from tools.tx import vector_text
 
 FILES = sorted((ROOT / "tests" / "vectors").glob("tx_*.txt.gz"))
 QUESTIONS = 1000  # of each file
@@ -99,7 +97,7 @@ def test_a_wrong_answer_is_noticed(checked) -> None:
     assert not checked["plain.txt"].wrong
     file = checked["wrong.txt"]
     right = {line.number: line for line in vector_text.read(FILES[0])}
-    (line, found), = file.wrong
+    (_, line, found), = file.wrong
     assert found[1:] == tuple(v - (1 << 32) if v >> 31 else v
                               for v in right[line.number].expected[1:])
     count, shown = vectors.report(file)
@@ -107,93 +105,3 @@ def test_a_wrong_answer_is_noticed(checked) -> None:
     assert shown == (f"  line {line.number}: {vectors.asked(line)}: expected "
                      f"{line.expected[0]:08x} {line.expected[1]:08x}, found "
                      f"{right[line.number].expected[0]:08x} {line.expected[1]:08x}")
-
-
-def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
-    """One good and one bad file in one call: status 1, a line for each file at least."""
-    good, bad = tmp_path / "good.txt", tmp_path / "bad.txt"
-    good.write_text("persp 1 1 32767 = 0 0 1 1\n")
-    bad.write_text("persp 1 1 32767 = 0 0 1 1\n" + "persp 1 1 32767 = 0 0 2 1\n" * 7)
-    assert tmap.main(["vectors", str(good)]) == 0
-    assert capsys.readouterr().out == f"{good}: 1 right, 0 wrong\n"
-    assert tmap.main(["vectors", str(good), str(bad)]) == 1
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[:2] == [f"{good}: 1 right, 0 wrong", f"{bad}: 1 right, 7 wrong"]
-    assert lines[2].startswith("  line 2: persp 1 1 32767: expected ")
-    assert len(lines) == 2 + vectors.SHOWN + 1 and lines[-1] == "  and 2 more"
-
-
-@pytest.mark.parametrize(("text", "line", "words"), [
-    ("tmemhash = 0\nsing 1 2\n", 2, "there is no command 'sing'"),
-    ("sample 0 1 2 = 0 0 0 0\n", 1, "4 arguments expected, 3 found"),
-    ("sample 0 1 2 0\n", 1, "an answer of 4 numbers expected, 0 found"),
-    ("fetch 0 1 x = 0 0 0 0\n", 1, "'x' is not a decimal number"),
-    ("tmemhash = 0\nmode sample_tape 1\n", 2, "'sample_tape'"),
-    ("mode sample_type 2\ntmemhash = 0\n", 1, "sample_type: 2 is not within 0 to 1"),
-    ("tile 8 0 2 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n", 1, "n: 8 is not within 0 to 7"),
-    ("tile 0 0 2 1 512 0 0 0 0 0 0 0 0 0 0 0 0 0\n", 1, "tmem: 512 is not within 0 to 511"),
-    ("tmem fff 1 2\n", 1, "2 bytes from fff on are not within 1000 bytes"),
-    ("rdram fffffe 1\n", 1, "not within 100000 bytes"),
-    ("tmem 0 100\n", 1, "a byte: 256 is not within 0 to 255"),
-    ("tmemrand 99999999999\n", 1, "does not fit into 32 bits"),
-    ("regs 0 0 0 0\npix 0 0 0 0 0 0 = 0\n", 1, "there is no command 'regs'"),
-])
-def test_bad_lines(text: str, line: int, words: str, tmp_path) -> None:
-    """One line that names file and line; nothing is run."""
-    path = tmp_path / "bad.txt"
-    path.write_text(text)
-    with pytest.raises(UserError) as error:
-        vectors.check([path])
-    assert str(error.value).startswith(f"{path}:{line}: ") and words in str(error.value)
-    assert "\n" not in str(error.value)
-
-
-def test_bad_files(tmp_path, capsys) -> None:
-    """Cut off, missing, without a question: one line each, status 2."""
-    cut, empty = tmp_path / "cut.txt.gz", tmp_path / "empty.txt"
-    cut.write_bytes(FILES[0].read_bytes()[:5000])
-    empty.write_text("# nothing\ntmemrand 1\n")
-    for path, words in ((cut, "end-of-stream"), (empty, "asks nothing"),
-                        (tmp_path / "none.txt", "No such file")):
-        assert tmap.main(["vectors", str(FILES[0]), str(path)]) == 2
-        out, err = capsys.readouterr()
-        assert out == "" and err.startswith(f"tmap: {path}: ") and words in err
-        assert err.count("\n") == 1
-
-
-def operations(*longs: int, count: int = 1) -> bytes:
-    """A file of questions out of raw longs, its checksum right."""
-    made = vectors.Operations()
-    made.longs, made.count = list(longs), count
-    return made.file()
-
-
-def test_the_program_refuses_bad_files() -> None:
-    """One line and return code 20 for each; nothing is run."""
-    good = vectors.Operations()
-    good.add("HASH")
-    codes = good.codes
-    mode, tmem, fetch, call, end = (codes[f"VECTOR_{name}"] << 16 for name in (
-        "MODE", "TMEM", "FETCH", "CALL", "CODES"))
-    files = {
-        "is empty": [b""],
-        "size": [good.file()[:20], good.file()[:-4], good.file() + bytes(4)],
-        "magic": [b"TCEV" + good.file()[4:]],
-        "version": [good.file()[:4] + bytes(4) + good.file()[8:]],
-        "checksum": [good.file()[:-1] + b"\1"],
-        "operation 0": [operations(end), operations(fetch | 2, 0, 0), operations(fetch | 3, 0, 0),
-                        operations(mode | 2, 12, 0), operations(mode | 2, 1 << 31, 0),
-                        operations(tmem | 0), operations(tmem | 2, 4096, 0),
-                        operations(tmem | 2, 0xFFFFFFFF, 0), operations(call | 1, 8)],
-        "operation 1": [operations(fetch | 3, 0, 0, 0, count=2)],
-    }
-    cases = [(words, data) for words, several in files.items() for data in several]
-    with emulator.workspace() as folder:
-        results = emulator.run_many([f"vectors q{n} a{n}" for n in range(len(cases))],
-                                    {f"q{n}": data for n, (_, data) in enumerate(cases)},
-                                    "a1200-fast", folder)
-        for n, ((words, _), done) in enumerate(zip(cases, results)):
-            assert done.code == 20, (n, words, done.output)
-            assert done.output.count("\n") == 1 and done.output.startswith(f"q{n}: "), done.output
-            assert done.output.endswith(f"{words}\n"), (n, words, done.output)
-            assert not (done.directory / f"a{n}").exists()

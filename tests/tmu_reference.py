@@ -10,7 +10,7 @@ from tools.tmu.chain import Point, pixel
 from tools.tmu.lod import base
 from tools.tmu.registers import modes_of
 from tools.tmu.state import Modes, Unit, packed, unpacked
-from tools.tx.vector_text import Line
+from tools.vector_text import Line
 
 FOLDER = Path(__file__).parent / "vectors"
 

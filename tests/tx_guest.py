@@ -1,7 +1,8 @@
 """Command words by hand, and the guest's texture engine asked step by step."""
 
+import vector_guest
+
 from tools import layout
-from tools.tx import vectors
 
 RGBA, YUV, CI, IA, I = range(5)
 BITS_4, BITS_8, BITS_16, BITS_32 = range(4)
@@ -51,37 +52,12 @@ def texture(max_level: int, first: int) -> Words:
     return 0xD7 << 24 | max_level << 11 | first << 8 | 2, 0xFFFFFFFF
 
 
-class Guest:
-    """Operations and their answers: ``ask`` returns a number by which the answer is found
-    after ``run``, one boot for all."""
-
-    def __init__(self) -> None:
-        self.operations = vectors.Operations()
-        self.lengths: list[int] = []
-        self.answers: list[list[int]] = []
-
-    def do(self, name: str, *values: int) -> None:
-        """An operation without an answer."""
-        self.operations.add(name, *values)
-
-    def ask(self, name: str, *values: int, numbers: int) -> int:
-        """An operation whose answer has so many numbers."""
-        self.operations.add(name, *values)
-        self.lengths.append(numbers)
-        return len(self.lengths) - 1
+class Guest(vector_guest.Guest):
+    """Asks the N64's texture engine."""
 
     def words(self, *words: Words) -> int:
         """Runs a display list; its answer is (result, command)."""
         return self.ask("LIST", *(half for pair in words for half in pair), numbers=2)
-
-    def run(self) -> list[list[int]]:
-        """Asks; all answers in order."""
-        found = vectors.ask(self.operations).tolist()
-        assert len(found) == sum(self.lengths), (len(found), sum(self.lengths))
-        for length in self.lengths:
-            self.answers.append(found[:length])
-            del found[:length]
-        return self.answers
 
 
 def result(name: str) -> int:

@@ -11,7 +11,8 @@ from tools.tx.filters import sample
 from tools.tx.lod import Gradients, level
 from tools.tx.state import Axis, State, Tile
 from tools.tx.texels import fetch
-from tools.tx.vector_text import Line, read, xorshift
+from tools.tx.vector_text import read
+from tools.vector_text import Line, xorshift
 
 FOLDER = Path(__file__).parent / "vectors"
 DRAM_BYTES = 1 << 20

@@ -106,9 +106,9 @@ def diff(args: argparse.Namespace) -> int:
 
 
 def vectors(args: argparse.Namespace) -> int:
-    """Holds the texture engine to reference data."""
+    """Holds the texture engines to reference data."""
     build_programs()
-    from .tx import vectors as tool
+    from . import vectors as tool
     return tool.command(args.files, args.machine)
 
 
@@ -188,10 +188,12 @@ def parser() -> Parser:
     command.add_argument("--keep", metavar="NAME",
                          help="add the smallest failing polygon to the hard cases")
 
-    command = add(vectors, "Ask the texture engine the questions of reference data: 0 all right, "
-                  "1 some wrong.")
+    command = add(vectors, "Ask the texture engines the questions of reference data: 0 all right "
+                  "(Glide's: up to 2 of 1,000 may differ, 5 with perspective), 1 too many wrong.")
     command.add_argument("files", type=Path, nargs="+", metavar="FILE",
-                         help="text, gzipped or not; all are run in one boot")
+                         help="text, gzipped or not, for the N64's engine or Glide's, as its "
+                         "commands say; a name that begins with tmu2: filter weights of 8 bits, "
+                         "as in Voodoo 2; all are run in one boot")
     command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
 
     command = add(to_map, "Write a PNG or JPEG as a texture map in memory layout.")

@@ -1,4 +1,4 @@
-/* Questions to the texture engine, and its answers: what the program vectors reads and
+/* Questions to the texture engines, and their answers: what the program vectors reads and
    writes. Big-endian longs, offsets from the file's start. This header is the only
    definition: the host reads it from the compiler's debug information. */
 #ifndef VECTOR_FILE_H
@@ -10,6 +10,8 @@ enum vector_constants {
     VECTOR_MAGIC = 0x56454354,  /* "VECT" */
     VECTOR_VERSION = 1,
     VECTOR_DRAM_BYTES = 0x100000,
+    VECTOR_TMU_BYTES = 0x40000, /* of each texture unit */
+    VECTOR_TEXELS_BYTES = 0x2aab0,      /* 256x256 texels of 16 bits and all smaller levels */
     VECTOR_RANDOM_FROM = 0x1000,        /* what VECTOR_DRAM_RANDOM fills */
     VECTOR_RANDOM_END = 0x9000,
     VECTOR_CALL_PAIRS = 8,      /* words of one call, at most */
@@ -29,7 +31,7 @@ struct vector_operation {
     uint16 code, longs;
 };
 
-/* In brackets the longs; behind = the answers. Colours are 4 longs R G B A. */
+/* The longs; behind = the answers. Colours are 4 longs R G B A. */
 enum vector_code {
     VECTOR_RESET,               /* a new texture engine, unchecked; DRAM is 0 */
     VECTOR_TMEM_RANDOM,         /* seed */
@@ -64,6 +66,26 @@ enum vector_code {
                                    whether it was made anew, texels' address */
     VECTOR_RESULT_TEXT,         /* enum tx_result = VECTOR_TEXT_BYTES characters, or 0, each */
     VECTOR_DECODED,             /* tile, s, t (s10.5) = texel, quad's result or 0 */
+    /* Glide's texture units. What changes a unit changes the one that was chosen. */
+    VECTOR_TMU_RESET,           /* bits of weights: new units, the first chosen; memory is 0 */
+    VECTOR_TMU_CHOOSE,          /* unit */
+    VECTOR_TMU_RANDOM,          /* seed: memory, each long's lowest byte first */
+    VECTOR_TMU_PALETTE_RANDOM,  /* seed */
+    VECTOR_TMU_NCC_RANDOM,      /* seed: the registers of both tables */
+    VECTOR_TMU_REGISTERS,       /* the four */
+    VECTOR_TMU_GRADIENTS,       /* of s and t: by x, by y */
+    VECTOR_TMU_PIXEL,           /* s, t, w, other, x, y = A R G B */
+    VECTOR_TMU_CHAIN,           /* units, which have their own points, s, t, w of each of two, x, y
+                                   = A R G B */
+    VECTOR_TMU_CALL,            /* enum vector_tmu_call, its arguments
+                                   = enum tmu_result, the four registers, a call's own answer */
+    VECTOR_TMU_GENERATIONS,     /* = those of memory, tables, modes */
+    VECTOR_TMU_BYTES_OF,        /* address, bytes / 4 = longs, big-endian */
+    VECTOR_TMU_SUM,             /* level = of its texels, each times twice its number plus one */
+    VECTOR_TMU_QUOTIENT,        /* s, w = s / w */
+    VECTOR_TMU_LOGARITHM,       /* upper, lower long = 8.8 */
+    VECTOR_TMU_LOD,             /* 4 gradients = 8.8 */
+    VECTOR_TMU_RESULT_TEXT,     /* enum tmu_result = VECTOR_TEXT_BYTES characters, or 0, each */
     VECTOR_CODES
 };
 
@@ -98,6 +120,35 @@ enum vector_call {
     VECTOR_CALL_PIPE_SYNC,
     VECTOR_CALL_FULL_SYNC,
     VECTOR_CALLS
+};
+
+/* The calls of tmu/tmu.h, whose arguments come in their order. Where a call takes a struct
+   tmu_texture its fields come one by one. Where it takes texels, a seed: they are the random longs
+   that follow it. */
+enum vector_tmu_call {
+    VECTOR_TMU_CALL_INIT,               /* bytes; the memory is the unit's */
+    VECTOR_TMU_CALL_MEMORY_REQUIRED,    /* own answer: the bytes */
+    VECTOR_TMU_CALL_SOURCE,
+    VECTOR_TMU_CALL_DOWNLOAD,
+    VECTOR_TMU_CALL_DOWNLOAD_LEVEL,
+    VECTOR_TMU_CALL_DOWNLOAD_ROWS,
+    VECTOR_TMU_CALL_PALETTE,            /* first, last, entries; own answer: sum of all, as of
+                                           texels */
+    VECTOR_TMU_CALL_NCC,                /* table, Y, I, Q; own answer: such a sum of its values */
+    VECTOR_TMU_CALL_NCC_REGISTERS,      /* table, registers; own answer the same */
+    VECTOR_TMU_CALL_NCC_SELECT,
+    VECTOR_TMU_CALL_FILTER,
+    VECTOR_TMU_CALL_FRACTION_BITS,
+    VECTOR_TMU_CALL_CLAMP,
+    VECTOR_TMU_CALL_MIPMAP,
+    VECTOR_TMU_CALL_BLEND_LEVELS,
+    VECTOR_TMU_CALL_LOD_BIAS,
+    VECTOR_TMU_CALL_DETAIL,
+    VECTOR_TMU_CALL_COMBINE,
+    VECTOR_TMU_CALL_PERSPECTIVE,
+    VECTOR_TMU_CALL_REGISTERS,
+    VECTOR_TMU_CALL_CHAIN,              /* tmu_chain_init, tmu_chain_hints: units, own */
+    VECTOR_TMU_CALLS
 };
 
 #endif

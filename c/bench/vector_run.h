@@ -4,14 +4,8 @@
 
 #include "compiler.h"
 
-/* A texture engine that writes its answers into an open file; prints a line and returns 0 if
-   there is no memory for it. */
-int32 vectors_open(int32 file);
-
-/* Does one operation (enum vector_code); its longs must be as many as it wants. */
-void vectors_run(uint32 code, const int32 *values, uint32 count);
-
-/* Writes the answers that are still kept; prints a line and returns 0 if any could not be. */
-int32 vectors_flush(void);
+/* Does one operation (enum vector_code); its longs must be as many as it wants. Its engine gets
+   its memory with its first one; where there is too little, prints a line and returns 0. */
+int32 vectors_run(uint32 code, const int32 *values, uint32 count);
 
 #endif

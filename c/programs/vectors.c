@@ -1,7 +1,8 @@
-/* vectors - asks the texture engine what a file says, and writes its answers.
+/* vectors - asks the texture engines what a file says, and writes their answers.
 
    vectors QUESTIONS ANSWERS
    prints a line before every REPORTED-th operation. */
+#include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
 #include "system/file.h"
@@ -15,7 +16,8 @@
 /* Longs of each operation. */
 static const uint16 longs_of[VECTOR_CODES] = {
     0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
-    2, 1, 3
+    2, 1, 3,
+    1, 1, 1, 1, 1, 4, 4, 6, 10, ANY, 0, 2, 1, 2, 2, 4, 1
 };
 
 static int32 in_memory(const struct vector_operation *operation, const int32 *values)
@@ -39,6 +41,8 @@ static int32 usable_operation(const struct vector_operation *operation, uint32 l
                 || (uint32)values[0] < sizeof(struct tx_modes));
     if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
         return operation->longs && in_memory(operation, values);
+    if (operation->code == VECTOR_TMU_CALL)
+        return operation->longs >= 1;
     return operation->code != VECTOR_CALL || operation->longs >= 2;
 }
 
@@ -88,10 +92,11 @@ static int32 run_all(const uint8 *data)
             text_number((int32)i);
             text_print();
         }
-        vectors_run(operation->code, values, operation->longs);
+        if (!vectors_run(operation->code, values, operation->longs))
+            return 0;
         operation = (const struct vector_operation *)(values + operation->longs);
     }
-    return vectors_flush();
+    return vector_answers_flush();
 }
 
 int main(void)
@@ -115,7 +120,8 @@ int main(void)
         text_refuse((const char *)args[ANSWERS], "cannot be created");
         return RETURN_FAIL;
     }
-    done = vectors_open(results) && run_all(data);
+    vector_answers_open(results);
+    done = run_all(data);
     file_close(results);
     return done ? RETURN_OK : RETURN_FAIL;
 }

@@ -1,4 +1,4 @@
-#include "bench/vector_calls.h"
+#include "bench/vector_tx_calls.h"
 
 #include "bench/vector_file.h"
 
@@ -57,8 +57,8 @@ static enum tx_result call_combine(struct tx_list *list, const uint32 *a)
     return tx_combine_mode(list, &combine);
 }
 
-enum tx_result vector_call(struct tx_list *list, uint32 number, const int32 *values,
-                           uint32 count)
+enum tx_result vector_tx_call(struct tx_list *list, uint32 number, const int32 *values,
+                              uint32 count)
 {
     uint32 a[ARGUMENTS];
     struct tx_texture texture;

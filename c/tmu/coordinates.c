@@ -1,0 +1,56 @@
+#include "tmu/pixel.h"
+#include "tmu/wide.h"
+
+/* 2^32 / w where bit 31 of w is set: 23 bits, on the line between two of the entries
+   2^31 / (512 + i), rounded down, i = 0 to 512. */
+static uint32 reciprocal(uint32 w)
+{
+    const uint32 i = w >> 22 & 511, part = w >> 14 & 255;
+    const uint32 from = 0x80000000u / (512 + i), to = 0x80000000u / (513 + i);
+
+    return ((from << 8) - (from - to) * part) >> 8;
+}
+
+/* The number shifted right, negative: left; rounded up where that is the wanted sign's down. */
+static int32 cut(struct number64 number, int32 shift, int32 negative)
+{
+    const struct number64 below = {0, shift > 0 && negative ? (1u << shift) - 1 : 0};
+    const uint32 limit = negative ? 0x80000000u : 0x7fffffff;
+    uint32 value;
+
+    number = tmu_sum(number, below);
+    if (shift < 0) {
+        number.hi = number.hi << -shift | number.lo >> (32 + shift);
+        number.lo <<= -shift;
+    } else if (shift > 0) {
+        number.lo = number.lo >> shift | number.hi << (32 - shift);
+        number.hi >>= shift;
+    }
+    value = number.hi || number.lo > limit ? limit : number.lo;
+    return (int32)(negative ? 0 - value : value);
+}
+
+int32 tmu_quotient(int32 s, int32 w)
+{
+    uint32 normal = tmu_magnitude(w);
+    int32 shift = 23;
+
+    if (!w)
+        return 0;
+    for (; !(normal >> 31); normal <<= 1)
+        shift--;
+    return cut(tmu_product(tmu_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
+}
+
+void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s, int32 *t)
+{
+    if (tmu->modes.clamp_negative_w && point->w < 0) {
+        *s = *t = 0;
+    } else if (tmu->modes.perspective) {
+        *s = tmu_quotient(point->s, point->w);
+        *t = tmu_quotient(point->t, point->w);
+    } else {
+        *s = point->s;
+        *t = point->t;
+    }
+}

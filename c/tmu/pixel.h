@@ -1,0 +1,74 @@
+/* A pixel of a texture unit, part by part, and of units in a row. */
+#ifndef TMU_PIXEL_H
+#define TMU_PIXEL_H
+
+#include "tmu/tmu.h"
+
+/* What is iterated for a pixel. */
+struct tmu_point {
+    int32 s, t;                 /* 14.18; under perspective s/w and t/w */
+    int32 w;                    /* 1/w, 2.30 */
+    int32 lod;                  /* tmu_lod_base of the polygon */
+    int32 x, y;                 /* its place in the frame, for the LOD's dither alone */
+};
+
+struct tmu_lod {
+    int32 value;                /* 8.8 */
+    uint8 level;                /* that is drawn from */
+    uint8 odd;                  /* 1: the level that the value stands for is */
+    uint8 filter;               /* enum tmu_filtering */
+};
+
+struct tmu_level {
+    uint32 address, columns, rows;
+};
+
+/* Units in a row. */
+struct tmu_chain {
+    struct tmu *units[2];       /* 0 is nearest the pixel, the last has nothing upstream */
+    uint32 count;
+    uint32 own;                 /* bit n: unit n has points of its own, or else unit 0's */
+};
+
+/* coordinates.c: point->s * 2^30 / point->w, and of t; what does not fit is the least or the
+   greatest number. The quotient as texture units find it: through a reciprocal of w that lies
+   on a straight line between two of 513 entries. w = 0: 0. */
+void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s, int32 *t);
+int32 tmu_quotient(int32 s, int32 w);
+
+/* logarithm.c: 256 log2 of a number of 64 bits, not 0, rounded to the nearest; bits below its
+   32 highest do not count. */
+int32 tmu_logarithm(uint32 hi, uint32 lo);
+
+/* lod.c: the polygon's LOD, of gradients a pixel (14.18), and the pixel's. */
+int32 tmu_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy);
+void tmu_find_lod(const struct tmu *tmu, const struct tmu_point *point, struct tmu_lod *lod);
+
+/* levels.c: a level's place and size; whether the modes' map has it. */
+void tmu_find_level(const struct tmu_modes *modes, uint32 level, struct tmu_level *to);
+int32 tmu_holds(const struct tmu_modes *modes, uint32 level);
+
+/* Bytes in memory of the levels before this one that the map has. */
+uint32 tmu_level_offset(const struct tmu_modes *modes, uint32 level);
+
+/* texel.c: texel (i, j), inside the level, as A R G B. */
+uint32 tmu_texel(const struct tmu *tmu, const struct tmu_level *level, uint32 i, uint32 j);
+
+/* filter.c: the unit's own colour at s, t (14.18). */
+uint32 tmu_sample(const struct tmu *tmu, const struct tmu_lod *lod, int32 s, int32 t);
+
+/* combine.c: A R G B of the unit's own colour and of the one from upstream. */
+uint32 tmu_combine_pixel(const struct tmu *tmu, const struct tmu_lod *lod, uint32 local,
+                         uint32 other);
+
+/* pixel.c: all of it. */
+uint32 tmu_pixel(const struct tmu *tmu, const struct tmu_point *point, uint32 other);
+
+/* chain.c: units in a row, none of them with points of its own; then which have. */
+enum tmu_result tmu_chain_init(struct tmu_chain *chain, struct tmu *const *units, uint32 count);
+enum tmu_result tmu_chain_hints(struct tmu_chain *chain, uint32 own);
+
+/* A point for each unit; those that are not its own are not looked at. */
+uint32 tmu_chain_pixel(const struct tmu_chain *chain, const struct tmu_point *points);
+
+#endif

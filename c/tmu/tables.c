@@ -1,0 +1,68 @@
+/* Palette and NCC tables. */
+#include "tmu/tmu.h"
+
+enum tmu_result tmu_palette(struct tmu *tmu, uint32 first, uint32 last, const uint32 *entries)
+{
+    if (first > last || last >= TMU_ENTRIES)
+        return TMU_BAD_ENTRIES;
+    for (; first <= last; first++)
+        tmu->palette[first] = *entries++ & 0xffffff;
+    tmu->table_generation++;
+    return TMU_DONE;
+}
+
+enum tmu_result tmu_ncc(struct tmu *tmu, uint32 table, const struct tmu_ncc *values)
+{
+    struct tmu_ncc *to = &tmu->ncc[table & 1];
+
+    if (table >= TMU_NCC_TABLES)
+        return TMU_BAD_NCC_TABLE;
+    for (int32 n = 0; n < 4; n++)
+        for (int32 c = 0; c < 3; c++)
+            if (values->i[n][c] < -256 || values->i[n][c] > 255
+                || values->q[n][c] < -256 || values->q[n][c] > 255)
+                return TMU_BAD_NCC_VALUE;
+    /* Struct by struct, a compiler would call memcpy. */
+    for (int32 n = 0; n < 16; n++)
+        to->y[n] = values->y[n];
+    for (int32 n = 0; n < 4; n++)
+        for (int32 c = 0; c < 3; c++) {
+            to->i[n][c] = values->i[n][c];
+            to->q[n][c] = values->q[n][c];
+        }
+    tmu->table_generation++;
+    return TMU_DONE;
+}
+
+static void unpack(uint32 word, int16 *channels)
+{
+    for (uint32 c = 0; c < 3; c++) {
+        const uint32 value = word >> (18 - 9 * c) & 0x1ff;
+
+        channels[c] = (int16)((int32)(value ^ 0x100) - 0x100);
+    }
+}
+
+enum tmu_result tmu_ncc_registers(struct tmu *tmu, uint32 table, const uint32 *registers)
+{
+    struct tmu_ncc values;
+
+    for (uint32 n = 0; n < 16; n++)
+        values.y[n] = (uint8)(registers[n >> 2] >> (n & 3) * 8);
+    for (uint32 n = 0; n < 4; n++) {
+        unpack(registers[4 + n], values.i[n]);
+        unpack(registers[8 + n], values.q[n]);
+    }
+    return tmu_ncc(tmu, table, &values);
+}
+
+enum tmu_result tmu_ncc_select(struct tmu *tmu, uint32 table)
+{
+    struct tmu_modes modes = tmu->modes;
+
+    if (table >= TMU_NCC_TABLES)
+        return TMU_BAD_NCC_TABLE;
+    modes.ncc_table = (uint8)table;
+    tmu_set_modes(tmu, &modes);
+    return TMU_DONE;
+}

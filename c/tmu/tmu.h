@@ -1,0 +1,231 @@
+/* Glide's texture unit (TMU): its state, and the calls and registers that change it.
+
+   A unit is a value with a texture memory of its own; a program may have as many as it likes.
+   Coordinates s and t run from 0 to 256 along a map's longer side. Formats: 14.18 and 2.30 are
+   signed, 32 bits; LOD is 8.8, signed: 0.0 is one texel of level 0 a pixel, 1.0 two.
+   Levels: n = 0 is 256 texels long, each of the next half as long, 8 a single texel.
+   Memory holds what the PC's bus sees: texels of 16 bits are little-endian there. Whoever calls
+   keeps them in the 68020's own order. */
+#ifndef TMU_H
+#define TMU_H
+
+#include "compiler.h"
+
+enum tmu_format {
+    TMU_RGB332, TMU_YIQ422, TMU_A8, TMU_I8, TMU_AI44, TMU_P8,
+    TMU_ARGB8332 = 8,           /* 16 bits from here on */
+    TMU_AYIQ8422, TMU_RGB565, TMU_ARGB1555, TMU_ARGB4444, TMU_AI88, TMU_AP88,
+    TMU_FORMATS
+};
+
+/* Columns x rows. */
+enum tmu_aspect {
+    TMU_8X1, TMU_4X1, TMU_2X1, TMU_1X1, TMU_1X2, TMU_1X4, TMU_1X8, TMU_ASPECTS
+};
+
+/* Which of a map's levels a unit holds: bit 0 even, bit 1 odd ones. */
+enum tmu_levels { TMU_EVEN = 1, TMU_ODD = 2, TMU_BOTH = 3 };
+
+enum tmu_filtering { TMU_POINT, TMU_BILINEAR };
+enum tmu_wrapping { TMU_WRAP, TMU_CLAMP };
+enum tmu_mipmapping { TMU_MIPMAP_OFF, TMU_NEAREST, TMU_NEAREST_DITHER };
+
+/* What a unit makes of other, the colour from upstream, and local, its own; m is the factor. */
+enum tmu_function {
+    TMU_ZERO,
+    TMU_LOCAL,
+    TMU_LOCAL_ALPHA,
+    TMU_SCALE_OTHER,                            /* other m */
+    TMU_SCALE_OTHER_ADD_LOCAL,
+    TMU_SCALE_OTHER_ADD_LOCAL_ALPHA,
+    TMU_SCALE_OTHER_MINUS_LOCAL,                /* (other - local) m */
+    TMU_BLEND,                                  /* (other - local) m + local */
+    TMU_BLEND_ADD_LOCAL_ALPHA,                  /* (other - local) m + local alpha */
+    TMU_BLEND_LOCAL,                            /* local - local m */
+    TMU_BLEND_LOCAL_ADD_LOCAL_ALPHA,            /* local alpha - local m */
+    TMU_FUNCTIONS
+};
+
+enum tmu_factor {
+    TMU_FACTOR_ZERO,
+    TMU_FACTOR_LOCAL,                           /* the same channel of local */
+    TMU_FACTOR_OTHER_ALPHA,
+    TMU_FACTOR_LOCAL_ALPHA,
+    TMU_FACTOR_DETAIL,
+    TMU_FACTOR_LOD_FRACTION,
+    TMU_FACTOR_ONE = 8,                         /* one minus what is 8 less, from here on */
+    TMU_FACTOR_ONE_MINUS_LOCAL,
+    TMU_FACTOR_ONE_MINUS_OTHER_ALPHA,
+    TMU_FACTOR_ONE_MINUS_LOCAL_ALPHA,
+    TMU_FACTOR_ONE_MINUS_DETAIL,
+    TMU_FACTOR_ONE_MINUS_LOD_FRACTION
+};
+
+enum tmu_constants {
+    TMU_LEVEL_LAST = 8,
+    TMU_LEVEL_TEXELS = 4,       /* the least room of a level */
+    TMU_START_ALIGN = 8,
+    TMU_ENTRIES = 256,          /* of the palette */
+    TMU_NCC_TABLES = 2,
+    TMU_NCC_REGISTERS = 12,     /* of a table */
+    TMU_LOD_LEAST = -32768,     /* of gradients that are all 0: below whatever can be added */
+    TMU_LOD_MOST = 32767,       /* of 1/w = 0, which is infinitely far away */
+    TMU_UNITS = 2               /* in a row */
+};
+
+/* What came of a call. All but TMU_DONE: nothing was changed. */
+enum tmu_result {
+    TMU_DONE,
+    TMU_BAD_MEMORY,             /* its size is no power of two of at least 8 */
+    TMU_BAD_START,              /* no multiple of TMU_START_ALIGN */
+    TMU_OUTSIDE_MEMORY,         /* the map goes beyond its end */
+    TMU_BAD_LEVEL,              /* above 8 */
+    TMU_BAD_LEVEL_ORDER,        /* the smallest one is larger than the largest */
+    TMU_BAD_LEVELS,             /* not one of enum tmu_levels */
+    TMU_NO_LEVEL,               /* none of the map's is even, or odd */
+    TMU_LEVEL_NOT_HELD,         /* the map does not have it, or not in this unit */
+    TMU_BAD_ROWS,               /* the last before the first, or not in the level */
+    TMU_BAD_ASPECT,
+    TMU_BAD_FORMAT,
+    TMU_BAD_ENTRIES,            /* of the palette: as TMU_BAD_ROWS */
+    TMU_BAD_NCC_TABLE,
+    TMU_BAD_NCC_VALUE,          /* not -256 to 255 */
+    TMU_BAD_FILTER,
+    TMU_BAD_WRAPPING,
+    TMU_BAD_MIPMAP,
+    TMU_BAD_LOD_BIAS,           /* not -8.0 to 7.75 */
+    TMU_BAD_DETAIL_BIAS,        /* not -32 to 31 */
+    TMU_BAD_DETAIL_SCALE,       /* above 7 */
+    TMU_BAD_DETAIL_MAX,         /* above 255 */
+    TMU_BAD_FUNCTION,
+    TMU_BAD_FACTOR,
+    TMU_BAD_FLAG,               /* neither 0 nor 1 */
+    TMU_BAD_FRACTION_BITS,      /* neither 4 nor 8 */
+    TMU_BAD_REGISTER,           /* bits that are set stand for nothing a unit has */
+    TMU_BAD_UNITS,              /* none, or more than there can be */
+    TMU_RESULTS
+};
+
+struct tmu_combination {
+    uint8 zero_other, sub_local;
+    uint8 mselect;              /* 0 none, 1 local, 2 other alpha, 3 local alpha, 4 detail, 5 LOD */
+    uint8 reverse;              /* 0: the factor is inverted */
+    uint8 add_local, add_alpha_local, invert;
+};
+
+/* A field for each setting of the registers textureMode, tLOD, tDetail and texBaseAddr. */
+struct tmu_modes {
+    uint8 perspective, minify, magnify;         /* filters: enum tmu_filtering */
+    uint8 clamp_negative_w, dither, ncc_table;
+    uint8 clamp_s, clamp_t, format;
+    struct tmu_combination rgb, alpha;
+    uint8 trilinear;
+    uint8 lod_min, lod_max;     /* 4.2, unsigned */
+    int8 lod_bias;              /* s4.2 */
+    uint8 odd, split;           /* split: only odd levels, or only even ones, are there */
+    uint8 wide, aspect;         /* wide: s is the longer side; the other is longer >> aspect */
+    uint8 detail_max;
+    int8 detail_bias;
+    uint8 detail_scale;
+    uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
+    uint8 spare;
+    uint32 base;                /* bytes: where level 0 would start */
+};
+
+/* A byte yyyyiiqq stands for y[yyyy] + i[ii] + q[qq], each channel cut to 0 to 255. */
+struct tmu_ncc {
+    uint8 y[16];
+    int16 i[4][3], q[4][3];     /* R G B: -256 to 255 */
+};
+
+struct tmu {
+    struct tmu_modes modes;
+    uint8 *memory;
+    uint32 memory_bytes;        /* a power of two; addresses count modulo it */
+    uint32 palette[256];        /* 00RRGGBB */
+    struct tmu_ncc ncc[2];
+    /* Each grows with every change of what it stands for: who keeps something that was made
+       from it compares. */
+    uint32 memory_generation, table_generation, mode_generation;
+    uint8 largest, smallest;    /* levels of the map that is drawn from */
+    uint8 mipmap;               /* enum tmu_mipmapping */
+    uint8 spare;
+};
+
+/* A map for tmu_source and the downloads. */
+struct tmu_texture {
+    uint32 largest, smallest;   /* levels: 0-8 */
+    uint32 aspect, format;      /* enum tmu_aspect, enum tmu_format */
+};
+
+/* All 0 but: magnified and minified to points, the unit's colour is its texel, mipmaps are on,
+   weights have 4 bits. The memory is left as it is. */
+enum tmu_result tmu_init(struct tmu *tmu, uint8 *memory, uint32 bytes);
+
+/* Bytes that a map's levels take from a start address on, a multiple of TMU_START_ALIGN. */
+enum tmu_result tmu_memory_required(uint32 levels, const struct tmu_texture *texture,
+                                    uint32 *bytes);
+
+/* The map to draw from. levels: which of its levels lie in memory from start on. A unit that
+   does not hold a level draws from the next smaller one, so that has to be there too. */
+enum tmu_result tmu_source(struct tmu *tmu, uint32 start, uint32 levels,
+                           const struct tmu_texture *texture);
+
+/* Copies texels to memory: all levels that levels names, out of all from the largest to the
+   smallest, one behind the other; one level; some of its rows, of which the texels are. Texels
+   are uint8 or uint16, row by row, without gaps. */
+enum tmu_result tmu_download(struct tmu *tmu, uint32 start, uint32 levels,
+                             const struct tmu_texture *texture, const void *texels);
+enum tmu_result tmu_download_level(struct tmu *tmu, uint32 start, uint32 levels,
+                                   const struct tmu_texture *texture, uint32 level,
+                                   const void *texels);
+enum tmu_result tmu_download_rows(struct tmu *tmu, uint32 start, uint32 levels,
+                                  const struct tmu_texture *texture, uint32 level,
+                                  uint32 first, uint32 last, const void *texels);
+
+/* Entries 00RRGGBB, the first to the last of them. */
+enum tmu_result tmu_palette(struct tmu *tmu, uint32 first, uint32 last, const uint32 *entries);
+
+/* One of the two tables, as values or as its 12 registers: 4 of Y, each 4 bytes, lowest first;
+   4 of I and 4 of Q: R 26:18, G 17:9, B 8:0. tmu_ncc_select: the table that texels go by. */
+enum tmu_result tmu_ncc(struct tmu *tmu, uint32 table, const struct tmu_ncc *values);
+enum tmu_result tmu_ncc_registers(struct tmu *tmu, uint32 table, const uint32 *registers);
+enum tmu_result tmu_ncc_select(struct tmu *tmu, uint32 table);
+
+enum tmu_result tmu_filter(struct tmu *tmu, uint32 minify, uint32 magnify);
+enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits);
+enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t);
+
+/* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */
+enum tmu_result tmu_mipmap(struct tmu *tmu, uint32 mode, uint32 lod_blend);
+
+/* Which levels of a whole map trilinear filtering draws: even or odd ones, for a pass each. */
+enum tmu_result tmu_blend_levels(struct tmu *tmu, uint32 levels);
+
+/* 16.16, -8.0 to 7.75. As Glide stores it: an eighth more, then cut to quarters towards 0. */
+enum tmu_result tmu_lod_bias(struct tmu *tmu, fix16 bias);
+
+/* The detail factor: (bias - LOD) << scale, from 0 to max / 256. */
+enum tmu_result tmu_detail(struct tmu *tmu, int32 bias, uint32 scale, uint32 max);
+
+/* Functions and factors of colour and alpha; inverted if the flag is 1. */
+enum tmu_result tmu_combine(struct tmu *tmu, uint32 rgb_function, uint32 rgb_factor,
+                            uint32 alpha_function, uint32 alpha_factor, uint32 invert_rgb,
+                            uint32 invert_alpha);
+
+/* Whether s and t are divided by w; and whether both are 0 where w is negative. */
+enum tmu_result tmu_perspective(struct tmu *tmu, uint32 on, uint32 clamp_negative_w);
+
+/* The modes by their registers: textureMode, tLOD, tDetail, texBaseAddr. Bit 31 of textureMode,
+   about downloads alone, is left out. tmu_mipmap still goes by the last tmu_source. */
+enum tmu_result tmu_registers(struct tmu *tmu, uint32 mode, uint32 lod, uint32 detail,
+                              uint32 base);
+void tmu_registers_of(const struct tmu *tmu, uint32 *registers);
+
+/* A line's text for a result, as "no such format". */
+const char *tmu_result_text(enum tmu_result result);
+
+/* modes.c: the unit's modes become these; what grew tells whether any is new. */
+void tmu_set_modes(struct tmu *tmu, const struct tmu_modes *modes);
+
+#endif

@@ -1,0 +1,33 @@
+"""The guest's texture engines asked step by step."""
+
+from tools import vector_file
+
+
+class Guest:
+    """Operations and their answers: ``ask`` returns a number by which the answer is found
+    after ``run``, one boot for all."""
+
+    def __init__(self) -> None:
+        self.operations = vector_file.Operations()
+        self.lengths: list[int] = []
+        self.answers: list[list[int]] = []
+
+    def do(self, name: str, *values: int) -> None:
+        """An operation without an answer."""
+        self.operations.add(name, *values)
+
+    def ask(self, name: str, *values: int, numbers: int) -> int:
+        """An operation whose answer has so many numbers."""
+        self.operations.add(name, *values)
+        self.lengths.append(numbers)
+        return len(self.lengths) - 1
+
+    def run(self) -> list[list[int]]:
+        """Asks; all answers in order."""
+        found = vector_file.ask(self.operations).tolist()
+        assert len(found) == sum(self.lengths), (len(found), sum(self.lengths))
+        at = 0
+        for length in self.lengths:
+            self.answers.append(found[at:at + length])
+            at += length
+        return self.answers
