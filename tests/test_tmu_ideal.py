@@ -9,7 +9,7 @@ import pytest
 from tools.errors import UserError
 from tools.tmu import combine, ideal
 from tools.tmu.chain import Point, chain_pixel
-from tools.tmu.coordinates import coordinates
+from tools.tmu.coordinates import TOO_LARGE, coordinates
 from tools.tmu.filters import sample
 from tools.tmu.functions import FACTORS, FUNCTIONS, trilinear_pair
 from tools.tmu.functions import combine as combine_by
@@ -137,12 +137,14 @@ def test_bilinear_samples(bits, clamp):
 
 def test_perspective():
     """Iterated numbers are rounded by half a unit each, so that s is off by half of one of s/w and
-    s times half of one of 1/w, over the rounded 1/w; and the quotient is cut."""
+    s times half of one of 1/w, over the rounded 1/w; the quotient is off by its reciprocal, and
+    cut."""
     shares = [share(FAR, int(x) * N, int(y) * N) for x, y in zip(X, Y)]
     iterated = [np.array([round(three[k]) for three in shares]) for k in range(3)]
     drawn = coordinates(Modes(perspective=1), *iterated)
     for found, exact in zip(drawn, Surface(FAR, True).at(X, Y)):
         most = (0.5 / ONE + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE
+        most += (abs(exact.value) + most) * TOO_LARGE
         assert (abs(found / ONE - exact.value) <= most + ROUNDING).all(), AGAIN
 
 

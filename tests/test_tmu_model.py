@@ -1,6 +1,8 @@
 """The texture unit's model: reference data, and hand-made examples of each rule."""
 
 from dataclasses import replace
+from fractions import Fraction
+from math import floor
 
 import numpy as np
 import pytest
@@ -8,7 +10,7 @@ from tmu_reference import FOLDER, Question, only, questions
 
 from tools.errors import UserError
 from tools.tmu.chain import shaded
-from tools.tmu.coordinates import coordinates, nearest, quotient, taps
+from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, taps
 from tools.tmu.filters import filters_linearly, sample
 from tools.tmu.lod import DITHER, LEAST, base, chosen, level_of_detail
 from tools.tmu.logarithm import log2
@@ -19,42 +21,20 @@ from tools.tmu.texels import decoded, level_bases, level_size
 from tools.tmu.vector_text import random_ncc, random_palette, read
 
 AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_model.py"
-#: File to bits of its filter's weights, and how many answers the model does not share.
-FILES = {"tmu_combine": (4, 1), "tmu_decal": (4, 0), "tmu_fixedlod": (4, 2), "tmu2_decal": (8, 5)}
-#: The reference's quotients are too large by up to this part: its reciprocal comes from a table
-#: of 512 entries between which it interpolates by 8 bits, so that of W's 1 + 9 + 8 leading bits
-#: the rest is cut off, up to 2^-17; a chord of 1 / x over 1/512 lies up to 2^-20 above it.
-QUOTIENT_ERROR = 2.0**-17 + 2.0**-20
+#: File to bits of its filter's weights.
+FILES = {"tmu_combine": 4, "tmu_decal": 4, "tmu_fixedlod": 4, "tmu2_decal": 8}
 ONE = 1 << 18  # of 14.18
-
-
-def is_the_quotients(question: Question) -> bool:
-    """Whether the reference's colour is another one for its reciprocal's error alone."""
-    unit, point, want = question.unit, question.point, question.line.expected[0]
-    s, t, w = (np.array(c) for c in point[:3])
-    if not unit.modes.perspective:
-        return False
-    lod = level_of_detail(unit.modes, point.base, w, np.array(point.x), np.array(point.y))
-    s, t = coordinates(unit.modes, s, t, w)
-    larger = 1 + np.linspace(0, QUOTIENT_ERROR, 4096)
-    s, t = (np.floor(c * larger).astype(np.int64) for c in (s, t))
-    return bool((packed(shaded(unit, s, t, np.full(s.shape, lod), question.other)) == want).any())
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_agrees_with_reference_data(name):
-    """All but few answers, which have perspective: there the reference's reciprocal is not exact."""
-    bits, most = FILES[name]
-    asked = list(questions(FOLDER / f"{name}.txt.gz", bits))
+    """Every answer, though with perspective some might differ."""
+    asked = list(questions(FOLDER / f"{name}.txt.gz", FILES[name]))
     wrong = [q for q in asked if q.answer != q.line.expected[0]]
-    strange = [q for q in wrong if not is_the_quotients(q)]
     shown = "\n".join(f"{name}.txt.gz:{q.line.number}: {q.line.arguments}: expected "
                       f"{q.line.expected[0]:08x}, the model gives {q.answer:08x}"
-                      for q in strange[:3])
-    assert len(asked) == 1000 and not strange, (
-        f"{len(strange)} of {len(asked)} differ for no known reason:\n{shown}\n{AGAIN}")
-    assert len(wrong) == most, (f"{name}.txt.gz: {most} other answers expected, {len(wrong)} "
-                                f"found\n{AGAIN}")
+                      for q in wrong[:3])
+    assert len(asked) == 1000 and not wrong, f"{len(wrong)} differ:\n{shown}\n{AGAIN}"
 
 
 @pytest.mark.parametrize("text, message", [
@@ -221,15 +201,20 @@ def test_bilinear_weights(bits):
     assert (sample(unit, s, t, np.zeros(fs.shape, np.int64)) == 255).all()
 
 
-def test_quotient_is_exact():
+def test_quotient():
+    """Within its bounds of the exact one; exact for powers of two."""
     random = np.random.default_rng(1)
     c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     c[:4], w[:4] = (-1 << 31, -1 << 31, 5, 7), (-1, 1, 0, -ONE_W)
-    want = [max(-1 << 31, min((1 << 31) - 1, (a << 30) // b)) if b else 0
-            for a, b in zip(c.tolist(), w.tolist())]
-    assert quotient(c, w).tolist() == want
-    assert want[:4] == [(1 << 31) - 1, -1 << 31, 0, -7]
+    least, most = -1 << 31, (1 << 31) - 1
+    for a, b, found in zip(c.tolist(), w.tolist(), quotient(c, w).tolist()):
+        exact = Fraction(a << 30, b) if b else Fraction(0)
+        ends = [exact * (1 + part) for part in (Fraction(TOO_LARGE), -Fraction(TOO_SMALL))]
+        low, high = (max(least, min(floor(end), most)) for end in sorted(ends))
+        assert low <= found <= high, (a, b)
+        if b and abs(b) & abs(b) - 1 == 0:
+            assert found == max(least, min(floor(exact), most)), (a, b)
 
 
 def test_negative_w():

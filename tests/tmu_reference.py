@@ -16,13 +16,12 @@ FOLDER = Path(__file__).parent / "vectors"
 
 
 class Question(NamedTuple):
-    """A pixel that was asked for: the unit and the gradients as they stood, and the answer."""
+    """A pixel that was asked for: the unit as it stood, and the answer."""
 
     line: Line
     unit: Unit
     point: Point
     other: np.ndarray
-    gradients: tuple[int, ...]
     answer: int
 
 
@@ -46,7 +45,7 @@ def questions(path: Path, fraction_bits: int):
             point, other = Point(s, t, w, int(base(*gradients)), x, y), unpacked(colour)
             now = Unit(unit.modes, unit.memory, unit.palette, unit.ncc)
             answer = int(packed(pixel(now, point, other)))
-            yield Question(line, now, point, other, gradients, answer)
+            yield Question(line, now, point, other, answer)
 
 
 def only(level: int, linear: int, **others) -> Modes:
