@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import mesh_cases
-from tools import layout, maps, scene_file, scene_meshes
+from tools import layout, maps, scene_file, scene_meshes, scene_units
 from tools.errors import UserError
 from tools.pixel_formats import FORMATS
 from tools.scene_file import Material, Object, Scene, Texture
@@ -147,6 +147,8 @@ def test_names_are_the_headers():
         numbers = [constants[f"{kind}_{name}".upper()] for name in names]
         last = constants["MAP_LAYOUTS" if kind == "map" else f"{kind}_KINDS".upper()]
         assert numbers == list(range(last)), kind
+    assert constants["UNIT_PRIMITIVES"] == len(scene_units.PRIMITIVES)
+    assert [constants[f"UNIT_{name.upper()}"] for name in scene_units.PRIMITIVES] == [0, 1, 2, 3]
 
 
 def test_orders_are_the_headers():
