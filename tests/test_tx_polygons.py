@@ -65,7 +65,7 @@ def check_rectangles(cases: list[Case]) -> None:
     assert ((edges[:, :2] < 0).sum(0) > 1).all()
     assert ((edges[:, 2:] > (WIDTH, HEIGHT)).sum(0) > 1).all()
     steps = [each.vertices[1][2:4] for each in found]
-    assert {min(step, key=abs) < 0 for step in steps} == {False, True}
+    assert any(min(step) < 0 for step in steps)
     assert any(dsdx == 1024 for dsdx, _ in steps) and any(dsdx & 1023 for dsdx, _ in steps)
     copies = [each for each in found if each.modes["cycles"] == "copy"]
     assert {each.vertices[1][2] == 4096 for each in copies} == {False, True}

@@ -126,7 +126,7 @@ static enum polygon_result draw_first_level(const struct frame *frame,
     enum polygon_result result;
     uint8 max_level = tx->max_level;
 
-    if (!tx->modes.lod || !max_level)
+    if (!max_level || !(tx->modes.lod || tx->inputs & TX_INPUT_LOD_FRACTION))
         return draw_polygon(frame, r, r->dsdx, material, drawing);
     tx->max_level = 0;
     tx->mode_generation++;
