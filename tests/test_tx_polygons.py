@@ -1,4 +1,5 @@
-"""Random polygons and rectangles of texture engines: every frame of the guest is the model's, bit for bit.
+"""Random polygons and rectangles of texture engines: every frame of the guest is the model's, bit
+for bit.
 
 TX_SEED and TX_COUNT choose others; TX_CASE draws one of them alone.
 """

@@ -1,11 +1,13 @@
 """Rectangles and colours of scenes with texture engines: what TOML may say, and what it becomes."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
 from test_tx_scenes import HEAD, ONE, SQUARE, TILE, make, scene_of
 
-from tools import model, scene_file
+from tools import emulator, model, scene_file
 from tools.errors import UserError
 from tools.paths import ROOT
 from tools.scene import compile_scene, parse
@@ -74,7 +76,8 @@ def test_colours_of_corners(folder):
         0xFF0000FF, 0x00FF0080, 0x0000FFFF]
     corner = shown(scene)[1, 2].astype(int)  # near the red one
     assert corner[1] < 40 and corner[2] < 40
-    same = shown(make(folder, SHADED, CORNERS + "\n" + "colours = ['#ffffff', '#ffffff', '#ffffff']"))
+    white = "colours = ['#ffffff', '#ffffff', '#ffffff']"
+    same = shown(make(folder, SHADED, f"{CORNERS}\n{white}"))
     grey = shown(make(folder, SHADED, CORNERS.replace("]]", ", 255]]").replace("], ", ", 255], ")))
     assert np.array_equal(same, grey)
     round_ = make(folder, SHADED, "sides = 3\nradius = 20\n" + COLOURS)
@@ -100,7 +103,8 @@ def rectangle(more: str = "", box: str = BOX) -> str:
 
 @pytest.mark.parametrize("tx, obj, message", [
     (ONE, rectangle(box="rectangle = [4, 6, 4, 22]"), "objects[0].rectangle: is empty: "),
-    (ONE, rectangle(box="rectangle = [4, 6, 8]"), "objects[0].rectangle: must have 4 entries, not 3"),
+    (ONE, rectangle(box="rectangle = [4, 6, 8]"),
+     "objects[0].rectangle: must have 4 entries, not 3"),
     (ONE, rectangle(box="rectangle = [4, 6, 8.5, 9]"),
      "objects[0].rectangle[2]: must be a whole number"),
     (ONE, rectangle("angle = 90"), "objects[0].angle: a texture rectangle is neither turned nor "),
@@ -112,15 +116,18 @@ def rectangle(more: str = "", box: str = BOX) -> str:
     (ONE, rectangle("step = [1, 32]"), "objects[0].step[1]: must be from -32 to 31.999"),
     (ONE, rectangle("texel = [1020, 0]"),
      "objects[0].step: s is not from -1,024 to 1,023.97 texels"),
-    (ONE, rectangle("step = [1, 30]", "rectangle = [0, 0, 9, 40]"), "objects[0].step: t is not from"),
+    (ONE, rectangle("step = [1, 30]", "rectangle = [0, 0, 9, 40]"),
+     "objects[0].step: t is not from"),
     (ONE, rectangle("colours = ['#ffffff']"), "objects[0].colours: unknown field; known are "),
     ("perspective = true, " + ONE, rectangle(),
      "objects[0].rectangle: material 'it' has perspective, but a texture rectangle no depth"),
     (SHADED, rectangle(),
      "objects[0].rectangle: material 'it' reads shade, which a texture rectangle has not"),
     (COPY, rectangle("flip = true"), "objects[0].flip: copy mode does not flip"),
-    (COPY, rectangle("step = [8, 1]"), "objects[0].step[0]: copy mode's must be less than 8 texels"),
-    (COPY, SQUARE, "objects[0].material: 'it' is in copy mode, which draws texture rectangles only"),
+    (COPY, rectangle("step = [8, 1]"),
+     "objects[0].step[0]: copy mode's must be less than 8 texels"),
+    (COPY, SQUARE,
+     "objects[0].material: 'it' is in copy mode, which draws texture rectangles only"),
     (ONE, CORNERS + "\n" + COLOURS, "objects[0].colours: material 'it' reads no shade"),
     (SHADED, CORNERS + "\ncolours = ['#ffffff']", "objects[0].colours: must have 3 entries, not 1"),
     (SHADED, CORNERS + "\n" + COLOURS.replace("ff00", "fg00"),
@@ -154,7 +161,7 @@ def test_refused_by_other_scenes(folder):
     for obj, field in ((BOX, "rectangle"), (CORNERS + "\n" + COLOURS, "colours")):
         text = scene_of("", obj).replace("tx = {  }", 'colour = "#ffffff"')
         (folder / "scene.toml").write_text(text)
-        with pytest.raises(UserError, match=rf"objects\[0\].{field}: material 'it' has no texture "):
+        with pytest.raises(UserError, match=rf"objects\[0\].{field}: material 'it' has no text"):
             compile_scene(folder / "scene.toml")
 
 
@@ -166,3 +173,33 @@ def test_the_readmes_example(folder):
                                        + example.replace("tx/letter.png", "noise.png"))
     frames = [shown(compile_scene(folder / "scene.toml"), number) for number in range(2)]
     assert np.array_equal(frames[0][8:40, 8:54], frames[1][8:40, 10:56])
+
+
+def test_the_guest_refuses_what_the_compiler_does(folder):
+    """A scene file whose rectangles an engine does not draw: one line that says why."""
+    good = make(folder, ONE, BOX)
+    deep = make(folder, "perspective = true, " + ONE, CORNERS.replace("]]", ", 1]]").replace(
+        "], ", ", 1], "))
+    shaded = make(folder, SHADED, CORNERS + "\n" + COLOURS)
+    copied = make(folder, COPY, BOX, pixels="rgba5551")
+    far = good.vertices.copy()
+    far[0, 2] = 1020 << 5
+    flipped = [replace(good.materials[0], primitive="flipped")]
+    parts = {"materials": good.materials, "objects": good.objects, "vertices": good.vertices,
+             "poses": good.poses}
+    cycle = "cycle type does not draw this"
+    scenes = {
+        "deep": (replace(deep, **parts), "texture rectangle in perspective or with shade"),
+        "shaded": (replace(shaded, **parts), "texture rectangle in perspective or with shade"),
+        "far": (replace(good, vertices=far), "texture coordinate is not within -1024 to 1023.97"),
+        "copy32": (replace(copied, format="rgba8888"), cycle),
+        "flip": (replace(copied, materials=flipped), cycle),
+        "polygon": (replace(copied, materials=deep.materials, objects=deep.objects,
+                            vertices=deep.vertices, poses=deep.poses), cycle)}
+    files = {name: scene_file.write(scene) for name, (scene, _) in scenes.items()}
+    found = emulator.run_many([f"render {name} FRAMES 1" for name in files], files, "a1200",
+                              folder / "run")
+    for (name, (_, why)), result in zip(scenes.items(), found, strict=True):
+        said = result.output.splitlines()
+        assert f"render: not all could be drawn: {why}" in said, f"{name}: {result.output}"
+        assert result.code == 5, f"{name}: {result.code}"

@@ -22,7 +22,8 @@ W_MAX = 1 << 30
 DRAM_BYTES = 4096 + 512  # all of TMEM, and a TLUT
 KINDS = ("any",) * 8 + ("plain",) * 3 + ("flat",)
 #: What is drawn: of scene_units.PRIMITIVES, or rectangles in copy mode.
-SHAPES = ("polygons",) * 9 + ("coloured",) * 3 + ("rectangles",) * 2 + ("flipped",) * 2 + ("copies",) * 4
+SHAPES = (("polygons",) * 9 + ("coloured",) * 3 + ("rectangles",) * 2 + ("flipped",) * 2
+          + ("copies",) * 4)
 STEPS = (1024, 1024, 1024, 512, 2048, -1024, 0, 1023, 1025)  # of rectangles, s5.10
 #: Codes of colour's inputs A, B, C, D that there are, and alpha's.
 RGB_CODES = ([0, 1, 1, 2, 2, 3, 4, 5, 6, 15], [0, 1, 1, 2, 3, 4, 5, 7, 15],

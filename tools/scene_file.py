@@ -261,8 +261,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
-         m.light, m.tolerance, m.unit,
-         scene_units.PRIMITIVES.index(m.primitive)]
+         m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive)]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]

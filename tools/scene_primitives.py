@@ -1,4 +1,4 @@
-"""What texture engines draw besides polygons with shades: colours at corners, texture rectangles."""
+"""What texture engines draw besides shaded polygons: colours at corners, texture rectangles."""
 
 import copy
 

@@ -82,10 +82,9 @@ struct scene_material {
 enum unit_primitive {
     UNIT_POLYGONS,              /* shade is an opaque grey */
     UNIT_COLOURED,              /* polygons; shade is the vertex's R G B A, a byte each */
-    UNIT_RECTANGLES,            /* texture rectangles: two vertices, left and top of the first, right
-                                   and bottom of the second in whole pixels; s and t of the first
-                                   are s10.5, at the upper left pixel, of the second the steps,
-                                   s5.10: tx/rectangle.h */
+    UNIT_RECTANGLES,            /* two vertices in whole pixels: left and top, right and bottom; s
+                                   and t of the first are s10.5, at the upper left pixel, of the
+                                   second the steps, s5.10: tx/rectangle.h */
     UNIT_FLIPPED,               /* the same, s downwards and t to the right */
     UNIT_PRIMITIVES
 };

@@ -44,20 +44,21 @@ int32 scene_make_units(struct scene *scene, int32 kind)
     return 1;
 }
 
-static enum polygon_result draw_rectangle(const struct frame *frame, const struct vertex *v,
-                                          int32 flip, const struct material *material,
+static enum polygon_result draw_rectangle(const struct frame *frame, const struct vertex *first,
+                                          const struct vertex *last, int32 flip,
+                                          const struct material *material,
                                           const struct drawing *drawing)
 {
     struct tx_rectangle rectangle;
 
-    rectangle.left = v[0].x >> 16;
-    rectangle.top = v[0].y >> 16;
-    rectangle.right = v[1].x >> 16;
-    rectangle.bottom = v[1].y >> 16;
-    rectangle.s = v[0].s;
-    rectangle.t = v[0].t;
-    rectangle.dsdx = v[1].s;
-    rectangle.dtdy = v[1].t;
+    rectangle.left = first->x >> 16;
+    rectangle.top = first->y >> 16;
+    rectangle.right = last->x >> 16;
+    rectangle.bottom = last->y >> 16;
+    rectangle.s = first->s;
+    rectangle.t = first->t;
+    rectangle.dsdx = last->s;
+    rectangle.dtdy = last->t;
     rectangle.flip = flip;
     return tx_rectangle_draw(frame, &rectangle, material, drawing);
 }
@@ -66,16 +67,14 @@ static enum polygon_result draw_upright(const struct frame *frame, const struct 
                                         int32 count, const struct material *material,
                                         const struct drawing *drawing)
 {
-    (void)count;
-    return draw_rectangle(frame, vertices, 0, material, drawing);
+    return draw_rectangle(frame, vertices, &vertices[count - 1], 0, material, drawing);
 }
 
 static enum polygon_result draw_flipped(const struct frame *frame, const struct vertex *vertices,
                                         int32 count, const struct material *material,
                                         const struct drawing *drawing)
 {
-    (void)count;
-    return draw_rectangle(frame, vertices, 1, material, drawing);
+    return draw_rectangle(frame, vertices, &vertices[count - 1], 1, material, drawing);
 }
 
 polygon_routine *scene_unit_routine(uint32 primitive)

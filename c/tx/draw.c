@@ -99,7 +99,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     struct tx_plan plan;
     int32 passes;
 
-    if (unit->tx.modes.cycle == TX_COPY)        /* of rectangles alone */
+    if (unit->tx.modes.cycle == TX_COPY)        /* not by a page */
         return tx_refused(unit, TX_CYCLE_TYPE);
     s->vertices = tx_planes_vertices(s->given, s->count);
     result = outline_find(s);
@@ -174,10 +174,19 @@ static enum polygon_result draw(const struct frame *frame, const struct vertex *
     return result;
 }
 
+enum polygon_result tx_polygon_copy(const struct frame *frame, const struct vertex *vertices,
+                                    int32 count, const struct material *material,
+                                    const struct drawing *drawing)
+{
+    return draw(frame, vertices, 0, count, material, drawing);
+}
+
 enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                     int32 count, const struct material *material,
                                     const struct drawing *drawing)
 {
+    if (material->unit->tx.modes.cycle == TX_COPY)
+        return tx_refused(material->unit, TX_CYCLE_TYPE);
     return draw(frame, vertices, 0, count, material, drawing);
 }
 
@@ -188,6 +197,8 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
 {
     static uint32 colours[POLYGON_VERTICES_MAX];
 
+    if (material->unit->tx.modes.cycle == TX_COPY)
+        return tx_refused(material->unit, TX_CYCLE_TYPE);
     for (int32 i = 0; i < count && i < POLYGON_VERTICES_MAX; i++)
         colours[i] = (uint32)vertices[i].shade;
     return draw(frame, vertices, colours, count, material, drawing);

@@ -23,7 +23,7 @@ static void find_corners(struct vertex *v, const struct tx_rectangle *r, int32 d
         v->y = (r->top + down) * 65536;
         v->s = corner(r->s, dsdx, r->flip ? down : right);
         v->t = corner(r->t, r->dtdy, r->flip ? right : down);
-        v->shade = 0;
+        v->shade = 0;           /* R G B A */
         v->w = 65536;
     }
 }
@@ -69,10 +69,12 @@ static enum polygon_result draw_polygon(const struct frame *frame,
                                         const struct material *material,
                                         const struct drawing *drawing)
 {
+    int32 copy = material->unit->tx.modes.cycle == TX_COPY;
+    polygon_routine *draw = copy ? tx_polygon_copy : tx_polygon_draw_coloured;
     struct vertex corners[4];
 
     find_corners(corners, r, dsdx);
-    return tx_polygon_draw_coloured(frame, corners, 4, material, drawing);
+    return draw(frame, corners, 4, material, drawing);
 }
 
 static void count_copied(const struct frame *frame, const struct tx_rectangle *r,
@@ -90,7 +92,7 @@ static void count_copied(const struct frame *frame, const struct tx_rectangle *r
     counts->pixels[SPAN_TX_PIXELS] += (uint32)((right - left) * (bottom - top));
 }
 
-/* By the plain mappers where they do: only then is a polygon drawn in copy mode. */
+/* By the plain mappers where they do. */
 static enum polygon_result draw_copy(const struct frame *frame, const struct tx_rectangle *r,
                                      const struct material *material,
                                      const struct drawing *drawing)

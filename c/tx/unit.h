@@ -54,4 +54,8 @@ polygon_routine tx_polygon_draw;
    Above it is a grey, 16.16, whose alpha is 255. */
 polygon_routine tx_polygon_draw_coloured;
 
+/* A rectangle's corners in copy mode, where the plain mappers draw it: a texel a pixel. Otherwise
+   it is refused with TX_CYCLE_TYPE, as polygons are. */
+polygon_routine tx_polygon_copy;
+
 #endif
