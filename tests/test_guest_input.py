@@ -101,7 +101,8 @@ def changed(data: bytes, at: int, value: int, header: str, summed: str) -> bytes
     out = bytearray(data)
     out[at:at + 4] = (value & M32).to_bytes(4, "big")
     if at >= start:
-        out[place:place + 4] = zlib.crc32(out[start:]).to_bytes(4, "big")
+        total = kernels.checksum if header == "plan_header" else zlib.crc32
+        out[place:place + 4] = total(out[start:]).to_bytes(4, "big")
     return bytes(out)
 
 

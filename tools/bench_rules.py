@@ -119,23 +119,25 @@ def textures(pixels: str) -> list[Texture]:
     return [Texture(page), Texture(light, "light"), Texture(page[:70, :90].copy(), "linear")]
 
 
-def scene_of(cases, copies: int = 1) -> Scene:
-    """An empty frame, then one for each case of a format, drawn so many times in the same place."""
+def scene_of(cases, copies: int = 1, counted: Case | None = None) -> Scene:
+    """An empty frame, then one for each case of a format, drawn so many times in the same place;
+    where one is ``counted``, the others are drawn once."""
     pixels = cases[0].pixels
     materials = list(dict.fromkeys(case.material for case in cases))
     vertices = [vertex for case in cases for vertex in case.vertices]
     objects = [Object(materials.index(case.material), 3 * k, 3, 0, 1, k + 1)
-               for k, case in enumerate(cases) for _ in range(copies)]
+               for k, case in enumerate(cases)
+               for _ in range(copies if counted in (None, case) else 1)]
     palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, palette, textures(pixels), materials,
                  objects, np.array(vertices), np.array([IDENTITY]), pixels)
 
 
 @cache
-def shown(pixels: str) -> tuple[Scene, list[np.ndarray]]:
-    """The scene of a format's cases and the model's pictures of it."""
-    scene = scene_of(BY_PIXELS[pixels], COPIES)
-    return scene, [model.render(scene, number) for number in range(scene.frames)]
+def shown(pixels: str) -> list[np.ndarray]:
+    """The model's pictures of the scene of a format's cases; copies change nothing."""
+    scene = scene_of(BY_PIXELS[pixels])
+    return [model.render(scene, number) for number in range(scene.frames)]
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
@@ -150,9 +152,10 @@ def measure_format(machine: str, names: list[str], pixels: str) -> list[dict]:
     if not cases:
         return []
     boot, chip = MACHINES[machine]
-    scene, pictures = shown(pixels)
-    ways = [""] + [f" OFF {case.rule}" for case in cases]
-    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way in ways], boot)
+    pictures = shown(pixels)
+    ways = {"": scene_of(every, COPIES)} | {
+        f" OFF {case.rule}": scene_of(every, COPIES, case) for case in cases}
+    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way, scene in ways.items()], boot)
     for way, digests in zip(ways, drawn):
         for number, (picture, digest) in enumerate(zip(pictures, digests, strict=True)):
             if not fuzz.is_models(picture, digest):

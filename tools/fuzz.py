@@ -84,7 +84,7 @@ def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
                             machine, directory)
-        found = np.fromfile(done.directory / "frame_000.chunky", np.uint8)
+        found = np.fromfile(done.directory / "frame_000.chunky", this.pixel.dtype.newbyteorder(">"))
     return found.reshape(this.height, this.width)
 
 
@@ -99,11 +99,11 @@ class Fault:
 def digest_of(frame: np.ndarray) -> tuple[int, int]:
     """The fields sum and hash of struct frame_digest."""
     data = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
-    longs, factor = np.frombuffer(data, ">u4").tolist(), layout.load().constants["FRAME_HASH"]
-    found = 0
-    for four in longs:
-        found = ((found << 16 | found >> 16) ^ four) * factor & 0xFFFFFFFF
-    return sum(longs) & 0xFFFFFFFF, found
+    longs, factor = np.frombuffer(data, ">u4"), layout.load().constants["FRAME_HASH"]
+    changes, found = np.flatnonzero(np.diff(longs, prepend=longs.dtype.type(0))), 0
+    for four, left in zip(longs[changes].tolist(), (len(longs) - changes).tolist()):
+        found = (((found << 16 | found >> 16) ^ four) * factor + left) & 0xFFFFFFFF
+    return int(longs.sum(dtype=np.uint64)) & 0xFFFFFFFF, found
 
 
 def is_models(frame: np.ndarray, digest) -> bool:

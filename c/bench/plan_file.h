@@ -9,7 +9,7 @@
 
 enum plan_constants {
     PLAN_MAGIC = 0x504c414e,    /* "PLAN" */
-    PLAN_VERSION = 1,
+    PLAN_VERSION = 2,
     PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
     ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
 };
@@ -17,7 +17,9 @@ enum plan_constants {
 struct plan_header {
     uint32 magic, version;
     uint32 size;                /* of the whole file, bytes */
-    uint32 checksum;            /* CRC-32 of the file from `cases` on */
+    uint32 checksum;            /* of the file from `cases` on: the sum of all longwords, the last
+                                   one once, the one before thrice, and so on by odd numbers, so
+                                   that one longword that differs always shows */
     uint32 cases, cases_at;
 };
 

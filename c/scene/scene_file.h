@@ -180,8 +180,10 @@ struct scene_view {
 };
 
 /* One frame in the file that `render ... DIGEST name` writes instead of dumps: the sum of its
-   longwords, and their hash. Each of them is exclusive-ored to the hash, halves exchanged, and
-   that multiplied by FRAME_HASH. */
+   longwords, which one that differs always changes, and a hash of all that are not equal to the one
+   before (to 0, the first) and of their places: such a longword is exclusive-ored to the hash,
+   halves exchanged, that is multiplied by FRAME_HASH, and to it is added how many longwords there
+   are from it to the frame's end, itself too. */
 enum {
     FRAME_HASH = 0x2c9277b5     /* 8 n + 5: odd, its bits mixed */
 };
