@@ -147,11 +147,6 @@ static void decode_quads(const struct making *m, int32 j, struct tx_quad *quads)
     }
 }
 
-uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t)
-{
-    return from->texels[(t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5];
-}
-
 static uint32 axis_key(const struct tx_axis *axis)
 {
     const uint32 clamps = axis->clamp || !axis->mask;

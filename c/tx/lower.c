@@ -47,7 +47,7 @@ int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s)
 static int32 is_within(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
                        const struct tx_window *window)
 {
-    fix16 low = (axis->low << 14) + window->first * 65536 + TX_PAGE_MARGIN * 65536;
+    fix16 low = (axis->low << 14) + (window->first + window->least + TX_PAGE_MARGIN) * 65536;
     fix16 high = low + (MAP_PAGE_SIDE - 2 * TX_PAGE_MARGIN) * 65536;
 
     if (window->period)
@@ -70,7 +70,7 @@ static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const
     return (copy ? s->frame->pixel_bytes == 2
                  : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
         && !needs->divided
-        && tx_page_window(&tile->s, copy, columns) && tx_page_window(&tile->t, copy, rows)
+        && tx_page_windows(tile, copy, columns, rows)
         && is_within(s, &s->given->s, &tile->s, columns)
         && is_within(s, &s->given->t, &tile->t, rows);
 }
@@ -90,7 +90,7 @@ static fix16 page_origin(const struct setup *s, const fix16 *value, const struct
         least = *value < least ? *value : least;
         most = *value > most ? *value : most;
     }
-    middle = (least >> 1) + (most >> 1) - origin - MAP_PAGE_SIDE / 2 * 65536;
+    middle = (least >> 1) + (most >> 1) - origin - (window->least + MAP_PAGE_SIDE / 2) * 65536;
     return origin + ((middle + (period >> 1)) & -period);
 }
 
@@ -106,15 +106,37 @@ static const struct vertex *page_vertices(const struct setup *s, fix16 s_origin,
     return moved;
 }
 
+/* Rows of the page that a polygon shows; all of them where it goes beyond. */
+static void find_rows(const struct setup *s, fix16 t_origin, int32 *first, int32 *last)
+{
+    fix16 least = s->given->t, most = least;
+
+    for (int32 i = 1; i < s->count; i++) {
+        least = s->given[i].t < least ? s->given[i].t : least;
+        most = s->given[i].t > most ? s->given[i].t : most;
+    }
+    *first = ((least - t_origin) >> 16) - TX_PAGE_MARGIN;
+    *last = ((most - t_origin) >> 16) + TX_PAGE_MARGIN;
+    if (*first < -MAP_PAGE_SIDE / 2 || *last >= MAP_PAGE_SIDE / 2) {
+        *first = -MAP_PAGE_SIDE / 2;
+        *last = MAP_PAGE_SIDE / 2 - 1;
+    }
+}
+
 int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx_unit *unit,
                         struct material *plain, const struct vertex **vertices)
 {
-    int32 number = unit->tx.primitive_tile;
-    const struct tx_tile *tile = &unit->tx.tiles[number];
+    const struct tx_tile *tile = &unit->tx.tiles[unit->tx.primitive_tile];
     struct tx_window columns, rows;
+    fix16 s_origin, t_origin;
+    int32 first, last;
 
-    if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx, &columns, &rows)
-                 && tx_page_make(unit, number, s->frame->pixel_bytes, &needs->shade)))
+    if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx, &columns, &rows)))
+        return 0;
+    s_origin = page_origin(s, &s->given->s, &tile->s, &columns);
+    t_origin = page_origin(s, &s->given->t, &tile->t, &rows);
+    find_rows(s, t_origin, &first, &last);
+    if (!tx_page_make(unit, needs, s->frame->pixel_bytes, first, last))
         return 0;
     *plain = *s->material;
     plain->mapper = MAPPER_AFFINE;
@@ -123,7 +145,6 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
     plain->whole = 1;           /* s and t are planes to the last bit */
     plain->perspective = PERSPECTIVE_NONE;
     plain->map = &unit->page.map;
-    *vertices = page_vertices(s, page_origin(s, &s->given->s, &tile->s, &columns),
-                              page_origin(s, &s->given->t, &tile->t, &rows));
+    *vertices = page_vertices(s, s_origin, t_origin);
     return 1;
 }

@@ -14,6 +14,7 @@ struct tx_page {
     uint8 *texels;              /* memory for it, */
     int32 bytes;                /* and how much */
     uint32 key[TX_PAGE_KEY];    /* what it was made from */
+    int32 from, end;            /* its rows that are made: from to end - 1 */
 };
 
 /* What YUV texels become: see tx_yuv_conversion. */
