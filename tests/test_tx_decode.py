@@ -4,7 +4,8 @@ import random
 from collections.abc import Iterator
 
 import pytest
-from tx_guest import BITS_4, BITS_8, BITS_16, BITS_32, CI, IA, RGBA, YUV, Guest, I, modes, result_name
+from tx_guest import (BITS_4, BITS_8, BITS_16, BITS_32, CI, IA, RGBA, YUV, Guest, I, modes,
+                      result_name)
 
 AGAIN = "again: .deps/venv/bin/python -m pytest -q tests/test_tx_decode.py"
 NEXT, CHROMA = 1, 2  # quads
