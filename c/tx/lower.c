@@ -106,18 +106,54 @@ static const struct vertex *page_vertices(const struct setup *s, fix16 s_origin,
     return moved;
 }
 
-/* Rows of the page that a polygon shows; all of them where it goes beyond. */
+static fix16 extent(const fix16 *value, int32 count, fix16 *least)
+{
+    fix16 most = *value;
+
+    *least = *value;
+    for (int32 i = 1; i < count; i++) {
+        value += sizeof(struct vertex) / sizeof *value;
+        *least = *value < *least ? *value : *least;
+        most = *value > most ? *value : most;
+    }
+    return most - *least;
+}
+
+static int32 is_parallelogram(const struct vertex *v)
+{
+    return v[0].x + v[2].x == v[1].x + v[3].x && v[0].y + v[2].y == v[1].y + v[3].y
+        && v[0].t + v[2].t == v[1].t + v[3].t;
+}
+
+/* Whether t of each pixel is less than a texel beyond the vertices': it is one plane over all of
+   them, and changes by 32 texels a pixel at most where edges are off by 1/64 of one. The area is
+   in 1/256 pixel, from corners in 1/16. */
+static int32 keeps_range(const struct setup *s, fix16 range)
+{
+    const struct vertex *v = s->given;
+    fix16 least, width, height;
+    int32 side, area;
+
+    if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
+        return 0;
+    width = extent(&v->x, s->count, &least);
+    height = extent(&v->y, s->count, &least);
+    side = ((width > height ? width : height) >> 16) + 1;
+    if (width < 0 || height < 0 || side > 1024)
+        return 0;
+    area = ((v[1].x - v[0].x) >> 12) * ((v[2].y - v[0].y) >> 12)
+        - ((v[2].x - v[0].x) >> 12) * ((v[1].y - v[0].y) >> 12);
+    return (area < 0 ? -area : area) >= 16 * side * ((range >> 16) + 5);
+}
+
+/* Rows of the page that a polygon shows; all of them where they are not known. */
 static void find_rows(const struct setup *s, fix16 t_origin, int32 *first, int32 *last)
 {
-    fix16 least = s->given->t, most = least;
+    fix16 least, range = extent(&s->given->t, s->count, &least);
 
-    for (int32 i = 1; i < s->count; i++) {
-        least = s->given[i].t < least ? s->given[i].t : least;
-        most = s->given[i].t > most ? s->given[i].t : most;
-    }
     *first = ((least - t_origin) >> 16) - TX_PAGE_MARGIN;
-    *last = ((most - t_origin) >> 16) + TX_PAGE_MARGIN;
-    if (*first < -MAP_PAGE_SIDE / 2 || *last >= MAP_PAGE_SIDE / 2) {
+    *last = ((least + range - t_origin) >> 16) + TX_PAGE_MARGIN;
+    if (*first < -MAP_PAGE_SIDE / 2 || *last >= MAP_PAGE_SIDE / 2 || !keeps_range(s, range)) {
         *first = -MAP_PAGE_SIDE / 2;
         *last = MAP_PAGE_SIDE / 2 - 1;
     }
