@@ -232,7 +232,11 @@ static void draw_part(const struct tx_plan *plan, const struct frame *frame, int
 void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
                   int32 count)
 {
-    for (; count > TX_LINE_PIXELS; count -= TX_LINE_PIXELS, x += TX_LINE_PIXELS)
-        draw_part(plan, frame, x, y, TX_LINE_PIXELS);
-    draw_part(plan, frame, x, y, count);
+    do {
+        const int32 part = count < TX_LINE_PIXELS ? count : TX_LINE_PIXELS;
+
+        draw_part(plan, frame, x, y, part);
+        x += part;
+        count -= part;
+    } while (count > 0);
 }

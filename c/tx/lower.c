@@ -147,15 +147,16 @@ static int32 keeps_range(const struct setup *s, fix16 range)
 }
 
 /* Rows of the page that a polygon shows; all of them where they are not known. */
-static void find_rows(const struct setup *s, fix16 t_origin, int32 *first, int32 *last)
+static void find_rows(const struct setup *s, fix16 t_origin, int32 least_row, int32 *first,
+                      int32 *last)
 {
     fix16 least, range = extent(&s->given->t, s->count, &least);
 
     *first = ((least - t_origin) >> 16) - TX_PAGE_MARGIN;
     *last = ((least + range - t_origin) >> 16) + TX_PAGE_MARGIN;
-    if (*first < -MAP_PAGE_SIDE / 2 || *last >= MAP_PAGE_SIDE / 2 || !keeps_range(s, range)) {
-        *first = -MAP_PAGE_SIDE / 2;
-        *last = MAP_PAGE_SIDE / 2 - 1;
+    if (*first < least_row || *last >= least_row + MAP_PAGE_SIDE || !keeps_range(s, range)) {
+        *first = least_row;
+        *last = least_row + MAP_PAGE_SIDE - 1;
     }
 }
 
@@ -171,7 +172,7 @@ int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx
         return 0;
     s_origin = page_origin(s, &s->given->s, &tile->s, &columns);
     t_origin = page_origin(s, &s->given->t, &tile->t, &rows);
-    find_rows(s, t_origin, &first, &last);
+    find_rows(s, t_origin, rows.least, &first, &last);
     if (!tx_page_make(unit, needs, s->frame->pixel_bytes, first, last))
         return 0;
     *plain = *s->material;

@@ -4,7 +4,9 @@
 #include "tx/pixels.h"
 #include "tx/plan.h"
 
-enum { SIDE = MAP_PAGE_SIDE, PAGE_ROWS_LEAST = 32 };
+/* Polygons have their middle at row 64: small ones leave neither rows 0 to 127, which lie one
+   behind the other, nor those that there is memory for. */
+enum { SIDE = MAP_PAGE_SIDE, MIDDLE = 64, HALF_LEAST = 16 };
 
 static int32 period(const struct tx_axis *axis)
 {
@@ -44,7 +46,7 @@ int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *
                       struct tx_window *rows)
 {
     columns->least = 0;
-    rows->least = -SIDE / 2;
+    rows->least = MIDDLE - SIDE / 2;
     return find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows);
 }
 
@@ -55,7 +57,7 @@ struct making {
     const struct tx_axis *s, *t;
     struct tx_window columns, rows;
     int32 from, count;          /* columns that are drawn; the others repeat them or the edges */
-    struct frame frame;         /* the page, row 0 */
+    struct frame frame;         /* the page, row 0; rows 128 on lie before it, as in MAP_PAGE */
     struct tx_planes planes;
     struct tx_plan plan;
     int32 has_plan;
@@ -136,7 +138,7 @@ static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 fr
 
 static uint8 *row_of(const struct making *m, int32 v)
 {
-    return m->frame.pixels + v * m->frame.pitch;
+    return m->frame.pixels + (int8)v * m->frame.pitch;
 }
 
 static void make_row(struct making *m, int32 v)
@@ -148,7 +150,7 @@ static void make_row(struct making *m, int32 v)
     if (m->unit->tx.modes.cycle == TX_COPY)
         copy_texels(m, (uint16 *)row, t);
     else
-        draw_texels(m, v, t);
+        draw_texels(m, (int8)v, t);
     if (m->columns.period && m->count < SIDE)
         tx_copy_row((const uint32 *)row, (uint32 *)(row + used), (m->frame.pitch - used) / 4);
     fill(row, bytes, 0, m->from, m->from);
@@ -172,6 +174,12 @@ static void find_row(struct making *m, int32 v, int32 from, int32 end)
         make_row(m, v);
 }
 
+/* That there is memory for. */
+static int32 first_row(const struct tx_page *page)
+{
+    return page->half < SIDE / 2 ? MIDDLE - page->half : -SIDE / 2;
+}
+
 static void make_rows(struct making *m, int32 first, int32 last)
 {
     struct tx_page *page = &m->unit->page;
@@ -183,7 +191,8 @@ static void make_rows(struct making *m, int32 first, int32 last)
     tx_page_windows(&tx->tiles[tx->primitive_tile], copy, &m->columns, &m->rows);
     m->frame.pixel_bytes = page->map.texel_bytes;
     m->frame.pitch = SIDE * m->frame.pixel_bytes;
-    m->frame.pixels = page->texels + page->bytes / 2;
+    m->frame.pixels = page->texels - first_row(page) * m->frame.pitch;
+    page->map.texels = m->frame.pixels;
     find_columns(m);
     find_planes(m);
     m->has_plan = !copy && tx_plan_find(&m->plan, m->needs, m->unit, &m->planes);
@@ -219,18 +228,19 @@ static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_byte
     key[9] = (uint32)shade->b << 16 | (uint32)shade->a;
 }
 
-/* Memory for rows, as many before row 0 as from there on: those that were made are gone where it
-   is new. What was taken before stays taken until the program ends. */
+/* Memory for rows: those that were made are gone where it is new. What was taken before stays
+   taken until the program ends. */
 static int32 page_room(struct tx_unit *unit, int32 pitch, int32 first, int32 last)
 {
     struct tx_page *page = &unit->page;
-    int32 half = PAGE_ROWS_LEAST / 2;
+    int32 half = page->half > HALF_LEAST ? page->half : HALF_LEAST;
 
-    while (-first > half || last >= half)
+    while (half < SIDE / 2 && (first < MIDDLE - half || last >= MIDDLE + half))
         half *= 2;
-    if (page->bytes >= 2 * half * pitch)
+    if (half == page->half && page->bytes >= 2 * half * pitch)
         return 1;
     page->from = page->end = 0;
+    page->half = half;
     page->bytes = mem_alloc(&page->texels, 2 * half * pitch, unit->memory) ? 2 * half * pitch : 0;
     return page->bytes > 0;
 }
@@ -253,7 +263,6 @@ int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pix
         return 1;
     if (!page_room(unit, SIDE * pixel_bytes, first, last))
         return 0;
-    page->map.texels = page->texels + page->bytes / 2;
     page->map.width = page->map.height = SIDE;
     page->map.scale = 65536;
     page->map.layout = MAP_PAGE;

@@ -13,7 +13,7 @@ enum tx_page_constants {
    least on. An axis that repeats within a page goes on for ever, one that clamps ends with the
    page. */
 struct tx_window {
-    int32 least;                /* of columns 0, of rows -128 */
+    int32 least;                /* of columns 0, of rows -64 */
     int32 first;                /* texels */
     int32 period;               /* texels; 0: it clamps */
 };
@@ -22,7 +22,7 @@ struct tx_window {
 int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *columns,
                       struct tx_window *rows);
 
-/* Makes rows first to last (-128 to 127) of the unit's page fit its first tile, their colours being
+/* Makes rows first to last (-64 to 191) of the unit's page fit its first tile, their colours being
    what the combiner makes of texel 0 and constants, or in copy mode the texels; nothing is done
    where they still do. 0: there is no memory. */
 int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pixel_bytes,
