@@ -3,8 +3,6 @@
 #include "polygon/lower.h"
 #include "polygon/math.h"
 
-#define W_ONE 0x7fff0000        /* the greatest w: 1.0 */
-
 static struct vertex corners[POLYGON_VERTICES_MAX];
 
 const struct vertex *tx_planes_vertices(const struct vertex *vertices, int32 count)
@@ -50,9 +48,9 @@ static void find_divided(struct tx_planes *planes, const struct setup *s)
     struct tx_plane none;
 
     for (int32 i = 0; i < s->count; i++) {
-        w[i] = mul_div(W_ONE, least, s->given[i].w);
-        corners[i].s = mul_div((fix16)((uint32)s->given[i].s << 5), w[i], W_ONE);
-        corners[i].t = mul_div((fix16)((uint32)s->given[i].t << 5), w[i], W_ONE);
+        w[i] = mul_div(TX_W_ONE, least, s->given[i].w);
+        corners[i].s = mul_div((fix16)((uint32)s->given[i].s << 5), w[i], TX_W_ONE);
+        corners[i].t = mul_div((fix16)((uint32)s->given[i].t << 5), w[i], TX_W_ONE);
     }
     find_pair(planes, s, &planes->of[TX_S], &planes->of[TX_T], 0);
     for (int32 i = 0; i < s->count; i++) {
@@ -69,7 +67,7 @@ static void find_plain(struct tx_planes *planes, const struct setup *s)
         corners[i].t = s->given[i].t;
     }
     find_pair(planes, s, &planes->of[TX_S], &planes->of[TX_T], 5);
-    planes->of[TX_W].at = W_ONE;
+    planes->of[TX_W].at = TX_W_ONE;
     planes->of[TX_W].dx = planes->of[TX_W].dy = 0;
 }
 

@@ -7,6 +7,8 @@
 
 enum tx_interpolant { TX_S, TX_T, TX_W, TX_RED, TX_GREEN, TX_BLUE, TX_ALPHA, TX_INTERPOLANTS };
 
+#define TX_W_ONE 0x7fff0000     /* the greatest w: 1.0 */
+
 /* s15.16 modulo 2^32: the value at pixel (i, j) of the planes, a pixel's and a line's step. */
 struct tx_plane {
     uint32 at, dx, dy;

@@ -12,8 +12,9 @@ enum { TX_PAGE_KEY = 10 };
 struct tx_page {
     struct map map;
     uint8 *texels;              /* memory for it, */
-    int32 bytes;                /* and how much */
+    int32 bytes, half;          /* how much, and for how many rows on either side of row 64 */
     uint32 key[TX_PAGE_KEY];    /* what it was made from */
+    int32 from, end;            /* its rows that are made: from to end - 1 */
 };
 
 /* What YUV texels become: see tx_yuv_conversion. */
