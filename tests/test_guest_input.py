@@ -213,6 +213,49 @@ def wrong_meshes() -> list[tuple[bytes, int, int, str]]:
     return out
 
 
+def with_engine(scene: Scene) -> Scene:
+    """The scene in 16-bit pixels, with a texture engine whose list has one word."""
+    scene.format, scene.textures, scene.background = "rgba5551", [], 0
+    scene.units, scene.lists = np.array([[0, 1]]), np.array([[0, 1]])
+    scene.words = np.zeros((1, 2), np.int64)
+    return scene
+
+
+def wrong_primitives() -> list[tuple[bytes, int, int, str]]:
+    """As wrong_mappers, for what objects of texture engines are."""
+    kinds = ("rectangles", "coloured")
+    engines = [Material("unit", unit=0, primitive=kind) for kind in kinds]
+    made, boxes = with_engine(example(0)), with_engine(mesh_cases.boxes(1))
+    made.materials = [*engines, Material()]
+    made.vertices, made.poses = np.full((6, 6), 65536), np.array([scene_file.IDENTITY] * 4)
+    made.vertices[:, 2:4] = 7
+    made.objects = [Object(0, 0, 2, 0, 3, 0), Object(1, 2, 3, 0, 3, 0)]
+    boxes.materials = [Material()] * 6 + engines[1:]
+    out = []
+
+    def entry(scene, table, index, field, *values, said=None):
+        source, struct = scene_file.write(scene), SHAPES.struct(scene_file.TABLES[table])
+        at = SHAPES.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
+        out.extend((source, at + struct.fields[field]["offset"], value,
+                    said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
+
+    entry(made, "materials", 0, "primitive", 4, M32)
+    entry(made, "materials", 2, "primitive", 1, 4)
+    entry(made, "objects", 0, "vertices", 1, 3, 65)
+    entry(made, "objects", 0, "material", 1, said="object.vertices")
+    entry(made, "objects", 1, "vertices", 2)
+    for field in "xy":
+        entry(made, "vertices", 1, field, 1, M32)
+    for field in "st":
+        entry(made, "vertices", 0, field, 32768, -32769, 2**31)
+    for field in ("xx", "xy", "yx", "yy"):
+        entry(made, "poses", 1, field, 1, 65537, 2**31, said="pose.xx, xy, yx or yy")
+    for field in ("x0", "y0"):
+        entry(made, "poses", 2, field, 1, M32, said="pose.x0 or y0")
+    entry(boxes, "instances", 0, "material", 6)
+    return out
+
+
 def bad_scenes() -> list[tuple[bytes, str]]:
     """Files and what must be said of each."""
     data, textured = (scene_file.write(example(textures)) for textures in (0, 1))
@@ -252,7 +295,7 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         cases += [(changed(source, at, value, "scene_header", "width"),
                    f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
     cases += [(changed(source, at, value, "scene_header", "width"), NOT_A_SCENE + said)
-              for source, at, value, said in wrong_mappers() + wrong_meshes()]
+              for source, at, value, said in wrong_mappers() + wrong_meshes() + wrong_primitives()]
     many = mesh_cases.boxes(1)
     many.points = np.zeros((4096, 3), np.int64)
     many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]

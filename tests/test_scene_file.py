@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import mesh_cases
-from tools import layout, maps, scene_file, scene_meshes
+from tools import layout, maps, scene_file, scene_meshes, scene_units
 from tools.errors import UserError
 from tools.pixel_formats import FORMATS
 from tools.scene_file import Material, Object, Scene, Texture
@@ -147,6 +147,8 @@ def test_names_are_the_headers():
         numbers = [constants[f"{kind}_{name}".upper()] for name in names]
         last = constants["MAP_LAYOUTS" if kind == "map" else f"{kind}_KINDS".upper()]
         assert numbers == list(range(last)), kind
+    assert constants["UNIT_PRIMITIVES"] == len(scene_units.PRIMITIVES)
+    assert [constants[f"UNIT_{name.upper()}"] for name in scene_units.PRIMITIVES] == [0, 1, 2, 3]
 
 
 def test_orders_are_the_headers():
@@ -175,7 +177,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\6"
+    assert data[:8] == b"TMAP\0\0\0\7"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[176:180] == b"\0" + scene.palette[0].tobytes()
@@ -241,7 +243,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x6 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x7 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -286,6 +288,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_material", "unit", 0, "materials[0].unit: 0 is not from -1 to -1"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
     ("scene_material", "light", 0, "materials[0].light: 0 is not from -1 to -1"),
+    ("scene_material", "primitive", 1,
+     "materials[0].primitive: 'coloured' is not for mapper 'flat'"),
+    ("scene_material", "primitive", 4, "materials[0].primitive: 4 is not from 0 to 3"),
     ("scene_material", "edges", 3, "materials[0].edges: 3 is not from 0 to 2"),
     ("scene_material", "gradients", 3, "materials[0].gradients: 3 is not from 0 to 2"),
     ("scene_material", "start", 2, "materials[0].start: 2 is not from 0 to 1"),

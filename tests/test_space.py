@@ -303,7 +303,7 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[0].uvs: must have 1 entries, one a face, or one for all; not 2"),
     (changed("uvs = [[[0, 128]", "uvs = [[[0, 99999]"), None, "objects[0].uvs[0][0][1]: must be from"),
     (GOOD[:GOOD.index("[[objects]]")] + '[[objects]]\nmaterial = "red"\n', None,
-     "objects[0]: needs exactly one of sides, vertices, mesh, points"),
+     "objects[0]: needs exactly one of sides, vertices, rectangle, mesh, points"),
 ])
 def test_refused(folder, text, prepare, message):
     if prepare:

@@ -11,7 +11,7 @@ from tools.scene import compile_scene
 from tools.scene_tx import TEXELS
 from tools.tx import images
 
-NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv")
+NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv", "tx_rectangles")
 MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
 
 HEAD = """\

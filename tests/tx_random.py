@@ -1,4 +1,5 @@
-"""Random polygons of texture engines: modes, tiles and vertices, each a frame of a scene."""
+"""Random polygons and rectangles of texture engines: modes, tiles and vertices, each a frame of a
+scene."""
 
 import random
 from dataclasses import dataclass, field
@@ -8,6 +9,7 @@ import numpy as np
 from tools.model import FAR
 from tools.pixel_formats import FORMATS
 from tools.scene_file import IDENTITY, Material, Object, Scene
+from tools.scene_units import RECTANGLES, rectangle_ends
 from tools.tx.state import CI, LEGAL, RGBA, TMEM_WORDS, YUV, Axis, Tile
 from tools.tx.words import CONVERTS, DETAILS, FILTERS, List, Wrap
 from tools.tx.opcodes import SET_COMBINE
@@ -19,6 +21,10 @@ REACH = 1024 * ONE
 W_MAX = 1 << 30
 DRAM_BYTES = 4096 + 512  # all of TMEM, and a TLUT
 KINDS = ("any",) * 8 + ("plain",) * 3 + ("flat",)
+#: What is drawn: of scene_units.PRIMITIVES, or rectangles in copy mode.
+SHAPES = (("polygons",) * 9 + ("coloured",) * 3 + ("rectangles",) * 2 + ("flipped",) * 2
+          + ("copies",) * 4)
+STEPS = (1024, 1024, 1024, 512, 2048, -1024, 0, 1023, 1025)  # of rectangles, s5.10
 #: Codes of colour's inputs A, B, C, D that there are, and alpha's.
 RGB_CODES = ([0, 1, 1, 2, 2, 3, 4, 5, 6, 15], [0, 1, 1, 2, 3, 4, 5, 7, 15],
              [0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 13, 14, 15, 31], [0, 1, 2, 3, 4, 5, 6, 7])
@@ -31,13 +37,15 @@ PASS = (15, 15, 31)  # nothing, to which D is added
 
 @dataclass
 class Case:
-    """One polygon and the engine that draws it; ``vertices``: (x, y, s, t, shade, w), 16.16."""
+    """One polygon or rectangle and the engine that draws it; ``vertices``: (x, y, s, t, shade, w),
+    as a scene's."""
 
     words: list[tuple[int, int]]
     vertices: list[tuple]
     edges: str
     clip: str
     tiles: list[Tile]
+    primitive: str = "polygons"
     modes: dict = field(default_factory=dict)
 
 
@@ -71,9 +79,10 @@ def axis(rng: random.Random, plain: bool) -> Axis:
                 0 if plain else rng.choice((0, 0, 0, 0, 1, 2, 3, 5, 10, 11, 14, 15)), low, high)
 
 
-def tile(rng: random.Random, tlut: bool, plain: bool) -> Tile:
-    """A tile that may be drawn."""
-    pairs = sorted(pair for pair in LEGAL if (pair[0] == CI) == tlut)
+def tile(rng: random.Random, tlut: bool, plain: bool, copies: bool) -> Tile:
+    """A tile that may be drawn, or copied."""
+    pairs = sorted(pair for pair in LEGAL if (pair[0] == CI) == tlut
+                   and (tlut or not copies or (pair[1] == 2 and pair[0] != YUV)))
     while True:
         form, size = rng.choice(pairs)
         made = Tile(form, size, rng.choice((0, 1, 2, 4, 8, rng.randrange(32))),
@@ -102,7 +111,13 @@ def combine_word(cycles: list[list[list[int]]]) -> tuple[int, int]:
             | d1 << 6 | q1 << 3 | u1)
 
 
-def modes(rng: random.Random, words: List, kind: str) -> dict:
+def without_shade(cycle: list[list[int]]) -> list[list[int]]:
+    """A cycle's inputs, the environment where shade was."""
+    (a, b, c, d), alpha = ([5 if code == 4 else code for code in codes] for codes in cycle)
+    return [[a, b, 12 if c == 11 else c, d], alpha]
+
+
+def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
     """Sets modes; those that the plain mappers may draw, or any, by ``KINDS``."""
     colour = [rng.randrange(256) for _ in range(8)]
     chosen = {"cycles": rng.choice(("one", "two")), "perspective": rng.randrange(2),
@@ -114,6 +129,11 @@ def modes(rng: random.Random, words: List, kind: str) -> dict:
         chosen["convert"] = "filter"
     if kind == "plain":
         chosen |= {"cycles": "one", "perspective": 0, "lod": 0, "filter": "point"}
+    is_rectangle = shape not in ("polygons", "coloured")
+    if is_rectangle:
+        chosen["perspective"] = 0
+    if shape == "copies":
+        chosen["cycles"] = "copy"
     words.cycle_type(chosen["cycles"])
     words.texture_perspective(bool(chosen["perspective"]))
     words.texture_detail(chosen["detail"])
@@ -126,6 +146,8 @@ def modes(rng: random.Random, words: List, kind: str) -> dict:
     words.texture(chosen["max level"], chosen["tile"])
     usual = (kind, kind) if kind == "flat" else (kind, kind, "texel")
     cycles = [cycle_codes(rng, rng.choice(usual)) for _ in range(2)]
+    if is_rectangle:
+        cycles = [without_shade(cycle) for cycle in cycles]
     if chosen["cycles"] == "one":
         cycles[0] = cycles[1]
     words.add(SET_COMBINE, *combine_word(cycles))
@@ -163,25 +185,77 @@ def vertices(rng: random.Random, steady: bool) -> list[tuple]:
     return out
 
 
-def case(seed: int, number: int) -> Case:
-    """A polygon by its seed and number alone."""
+def axis_steps(rng: random.Random, pixels: int, many: int, four: bool) -> tuple[int, int]:
+    """Start (s10.5) and step (s5.10) of a coordinate that stays where it may over so many pixels,
+    ``many`` of them a step; ``four``: mostly four texels a step."""
+    while True:
+        start = rng.choice((0, 32 * rng.randrange(-64, 64), rng.randrange(-1600, 1600),
+                            rng.randrange(-1 << 15, 1 << 15)))
+        step = rng.choice(STEPS + (rng.randrange(-4096, 4096), rng.randrange(-1 << 15, 1 << 15)))
+        if four:
+            step = rng.choice((4096,) * 9 + (4 * step, 4 * step))
+        (*_, first, _), (*_, last, _) = rectangle_ends((0, 0, pixels, 1), (start, 0), (step, 0),
+                                                       many == 4, False)
+        if (-1 << 15 <= step < 1 << 15 and -REACH <= min(first, last) <= max(first, last) < REACH
+                and abs(last - first) < REACH):
+            return start, step
+
+
+def rectangle(rng: random.Random, shape: str) -> list[tuple]:
+    """The two vertices of a rectangle, some of it beyond the frame."""
+    spans = []
+    for side in (WIDTH, HEIGHT):
+        low = rng.choice((0, rng.randrange(side), rng.randrange(-16, side - 8)))
+        spans.append((low, low + rng.choice((side, 4 * rng.randrange(2, 9), rng.randrange(1, side),
+                                             rng.randrange(16, 200)))))
+    (left, right), (top, bottom) = spans
+    across, down = right - left, bottom - top
+    copies = shape == "copies"
+    s, dsdx = axis_steps(rng, down if shape == "flipped" else across, 4 if copies else 1, copies)
+    t, dtdy = axis_steps(rng, across if shape == "flipped" else down, 1, False)
+    return [(left * ONE, top * ONE, s, t, 0, ONE), (right * ONE, bottom * ONE, dsdx, dtdy, 0, ONE)]
+
+
+def coloured(rng: random.Random, corners: list[tuple]) -> list[tuple]:
+    """Vertices with colours instead of shades, signed as the file has them."""
+    same = rng.randbytes(4)
+    is_same = rng.randrange(3) == 0
+    return [(*v[:4], int.from_bytes(same if is_same else rng.randbytes(4), "big", signed=True),
+             v[5]) for v in corners]
+
+
+def case(seed: int, number: int, pixels: str) -> Case:
+    """A polygon or rectangle by its seed and number, for a format of frames."""
     rng = random.Random(f"{seed}, {number}")
+    shape = rng.choice(SHAPES)
+    if shape == "copies" and pixels != "rgba5551":
+        shape = "rectangles"
+    copies = shape == "copies"
     words, kind, tlut = List(), rng.choice(KINDS), rng.randrange(4) == 0
+    if copies and rng.randrange(2):
+        kind = "plain"
     words.set_texture_image(RGBA, 2, 1, 0)
     words.set_tile(7, RGBA, 2, 0, 0)
     words.load_block(7, 0, 0, 2047, 0)
     if tlut:
-        words.load_tlut_pal256(4096)
+        if not copies or rng.randrange(4):  # else the four copies of entries differ
+            words.load_tlut_pal256(4096)
         words.texture_lut(rng.choice(("rgba16", "ia16")))
-    found = modes(rng, words, kind)
-    tiles = [tile(rng, tlut, kind == "plain") for _ in range(8)]
+    found = modes(rng, words, kind, shape)
+    tiles = [tile(rng, tlut, kind == "plain", copies) for _ in range(8)]
     for n, each in enumerate(tiles):
         wraps = (Wrap(a.clamp, a.mirror, a.mask, a.shift) for a in (each.s, each.t))
         words.set_tile(n, each.format, each.size, each.line, each.tmem, each.palette, *wraps)
         words.set_tile_size(n, each.s.low, each.t.low, each.s.high, each.t.high)
-    steady = rng.randrange(4) == 0
-    return Case(words.words, vertices(rng, steady), rng.choice(("subpixel", "exact")),
-                rng.choice(("scissor", "vertices")), tiles, found | {"tlut": tlut})
+    primitive = "rectangles" if copies else shape
+    if primitive in RECTANGLES:
+        corners = rectangle(rng, shape)
+    else:
+        corners = vertices(rng, rng.randrange(4) == 0)
+    if primitive == "coloured":
+        corners = coloured(rng, corners)
+    return Case(words.words, corners, rng.choice(("subpixel", "exact")),
+                rng.choice(("scissor", "vertices")), tiles, primitive, found | {"tlut": tlut})
 
 
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
@@ -191,7 +265,8 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
     texels = rng.integers(0, 256, DRAM_BYTES, np.uint8)
     materials, objects, corners, units, lists, words = [], [], [], [], [], []
     for n, each in enumerate(cases):
-        materials.append(Material("unit", each.edges, clip=each.clip, unit=n))
+        materials.append(Material("unit", each.edges, clip=each.clip, unit=n,
+                                  primitive=each.primitive))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices
         units.append([n, 1])

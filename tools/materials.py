@@ -58,6 +58,8 @@ def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
             fail(f"{at}.{kind}", "is not for a texture engine")
     if material["edges"] == "integer":
         fail(f"{at}.edges", '"integer" is not for a texture engine')
+    if scene_tx.copies(material["tx"]) and pixel.name != scene_tx.COPY_FRAMES:
+        fail(f"{at}.tx.cycles", f'"{scene_tx.COPY}" is for scenes in {scene_tx.COPY_FRAMES}')
     scene_tx.check(material["tx"], f"{at}.tx")
 
 
@@ -174,5 +176,5 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
                  light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE),
-                 engines.get(name, -1))
+                 engines.get(name, -1), m.get("primitive", "polygons"))
         for name, m in spec["materials"].items()]

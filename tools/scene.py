@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials, scene_space, scene_tx, scene_tx_build
+from . import layout, materials, scene_primitives, scene_space, scene_tx, scene_tx_build
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
 from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, fixed, inside
@@ -45,13 +45,16 @@ def schema(limits: dict[str, int]):
         "orbit": (orbit, {"radius": [0.0, 0.0], "turns": 0.0, "phase": 0.0}),
         "angle": (number(-3600, 3600), 0.0),  # degrees
         "turns": (turns, 0.0), "scale": (scaling, [1.0, 1.0])}
+    colours = scene_primitives.colours_field(corners)
     shapes = {
         "sides": {"sides": (integer(3, corners), REQUIRED),
                   "radius": (number(0.01, far), REQUIRED),
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
                   "map_turn": (number(-360, 360), 0.0),  # degrees
-                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)} | placing,
-        "vertices": {"vertices": (rows(rows(place, 2, 6), 3, corners), REQUIRED)} | placing}
+                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)} | colours | placing,
+        "vertices": {"vertices": (rows(rows(place, 2, 6), 3, corners), REQUIRED)} | colours
+        | placing,
+        "rectangle": scene_primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)
     always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
     side = limits["SCENE_SIDE_MAX"]
@@ -110,7 +113,8 @@ def columns_of(material: dict) -> list[str]:
     if mapper == "gouraud":
         return ["shade"]
     if looks:
-        return ["s", "t", *["w"] * looks.depth, *["shade"] * looks.shade]
+        has_shade = looks.shade and not scene_primitives.is_coloured(material)
+        return ["s", "t", *["w"] * looks.depth, *["shade"] * has_shade]
     return ["s", "t"] + (["shade"] if mapper in LIT else
                          ["w"] if material["perspective"] != "none" else [])
 
@@ -142,7 +146,7 @@ def check_even(corners: list[list[float]], columns: list[int], most: float, wher
     basis = np.column_stack([points[:, :2], np.ones(len(points))])
     found = np.linalg.lstsq(basis, points[:, columns], rcond=None)[0]
     if abs(basis @ found - points[:, columns]).max() > most:
-        noun = "shades" if columns == [4] else "s and t"
+        noun = {1: "shades", 2: "s and t"}.get(len(columns), "colours")
         fail(where, f"{noun} of more than three corners must lie on one plane")
 
 
@@ -171,6 +175,9 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
         if mapper in ("gouraud", "lit_gouraud", "unit") and even:
             shades_at = at if "vertices" in spec else f"{where}.shades"
             check_even(corners, [4], UNEVEN_SHADE, shades_at)
+            if spec.get("colours"):
+                check_even([[*corner[:2], *each] for corner, each in zip(corners, spec["colours"])],
+                           [2, 3, 4, 5], UNEVEN_SHADE, f"{where}.colours")
         elif mapper == "arbitrary" and even:
             check_even(corners, [2, 3], UNEVEN, at)
     map_at = at if "vertices" in spec else f"{where}.map_radius"
@@ -228,19 +235,32 @@ def parse(path: Path) -> dict:
             fail(f"{at}.first", f"the scene ends with frame {spec['frames'] - 1}")
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
             fail(f"{at}.last", f"must be from {obj['first']} to {spec['frames'] - 1}")
+        scene_primitives.check(obj, spec["materials"][obj["material"]], at)
+    scene_primitives.place(spec)
     scene_space.check(spec, where)
     return spec
 
 
 def in_file(corners: list[list[float]], material: dict, texture: dict | None,
-            ramp: tuple[int, int] | None) -> np.ndarray:
-    """Corners as the file has them, 16.16: shades are pixels; rounding does not leave a
-    map that is not repeated."""
+            ramp: tuple[int, int] | None, colours: list[tuple] | None) -> np.ndarray:
+    """Corners as the file has them, 16.16: shades are pixels, or colours; rounding does not leave
+    a map that is not repeated."""
     made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
                   for corner in corners])
     if materials.mapper_of(material) == "arbitrary":
         made[:, 2:4] = inside(made[:, 2:4], texture)
+    if colours:
+        made[:, 4] = scene_primitives.shades_of(colours)
     return made
+
+
+def object_corners(obj: dict, material: dict, texture: dict | None, ramp: tuple[int, int] | None,
+                   where: str) -> np.ndarray:
+    """An object's vertices as the file has them, int64 [n, 6]."""
+    if scene_primitives.is_rectangle(obj):
+        return scene_primitives.corners_of(obj, material, where)
+    return in_file(corners_of(obj, material, texture, where), material, texture, ramp,
+                   obj["colours"])
 
 
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
@@ -258,13 +278,14 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
             space.place(obj, (material_number[obj["material"]], material, texture,
                               ramps.get(obj["material"])), len(objects), at)
             continue
-        corners = in_file(corners_of(obj, material, texture, at), material, texture,
-                          ramps.get(obj["material"]))
+        corners = object_corners(obj, material, texture, ramps.get(obj["material"]), at)
         last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
         lives = last - obj["first"] + 1
         if lives < 1:
             continue
         motion = fixed([pose_at(obj, age, spec["frames"]) for age in range(lives)])
+        if scene_primitives.is_rectangle(obj):
+            motion = scene_primitives.whole_pixels(motion)
         check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)
         objects.append(Object(material_number[obj["material"]], len(vertices), len(corners),
                               len(poses), lives, obj["first"]))

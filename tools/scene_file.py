@@ -47,11 +47,12 @@ class Material:
     light: int = -1  # index of a light table, or NO_TEXTURE
     tolerance: int = 0  # 16.16 texels that less perspective may cost
     unit: int = -1  # index of a texture engine, or NO_UNIT
+    primitive: str = "polygons"  # what an engine's objects are: of scene_units.PRIMITIVES
 
 
 @dataclass
 class Object:
-    """One moving polygon: indices and counts, as struct scene_object."""
+    """One moving polygon or rectangle: indices and counts, as struct scene_object."""
 
     material: int
     vertex: int
@@ -149,6 +150,9 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
         require(name, f"{where}.unit", material.unit, none, none)
+    if material.primitive not in scene_units.PRIMITIVES[:None if material.mapper == "unit" else 1]:
+        raise UserError(f"{name}: {where}.primitive: {material.primitive!r} is not for mapper "
+                        f"{material.mapper!r}")
     if material.mapper == "unit" and scene.format == "rgb565":
         raise UserError(f"{name}: {where}.mapper: 'unit' is not for rgb565")
     if material.mapper not in MAPPERS[scene.pixel.bytes]:
@@ -177,6 +181,9 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
 def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     """Refuses vertices the material cannot have: what leaves the map or the palette."""
     material = scene.materials[obj.material]
+    if material.primitive in scene_units.RECTANGLES:
+        scene_units.check_rectangle(scene.vertices[obj.vertex:obj.vertex + 2],
+                                    scene.poses[obj.pose:obj.pose + obj.poses], name, where)
     if obj.vertices > 3 and material.mapper != "flat" and material.gradients == "polygon":
         raise UserError(f"{name}: {where}.vertices: {obj.vertices}, but gradients 'polygon' "
                         "are for triangles")
@@ -216,7 +223,9 @@ def check(scene: Scene, name: str) -> None:
     for i, obj in enumerate(scene.objects):
         where = f"objects[{i}]"
         require(name, f"{where}.material", obj.material, 0, len(scene.materials) - 1)
-        require(name, f"{where}.vertices", obj.vertices, 3, limits["POLYGON_VERTICES_MAX"])
+        is_rectangle = scene.materials[obj.material].primitive in scene_units.RECTANGLES
+        require(name, f"{where}.vertices", obj.vertices,
+                *((2, 2) if is_rectangle else (3, limits["POLYGON_VERTICES_MAX"])))
         require(name, f"{where}.vertex", obj.vertex, 0, len(scene.vertices) - obj.vertices)
         require(name, f"{where}.poses", obj.poses, 1, limits["SCENE_FRAMES_MAX"])
         require(name, f"{where}.pose", obj.pose, 0, len(scene.poses) - obj.poses)
@@ -252,7 +261,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
     tables["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
-         m.light, m.tolerance, m.unit]
+         m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive)]
         for m in scene.materials]
     texels = [ordered(texture) for texture in scene.textures]
     texels = [data + bytes(-len(data) % 4) for data in texels]
@@ -322,9 +331,12 @@ def read(data: bytes, name: str) -> Scene:
             raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
         texels = part(f"{where}.at", at, width * height * texel_bytes)
         textures.append(linear(texels, width, height, LAYOUTS[kind], pixel.dtype))
-    materials = [Material(*(name_of(kind, number, name, f"materials[{i}].{kind}")
-                            for kind, number in zip(SETTINGS, row)), *row[len(SETTINGS):])
-                 for i, row in enumerate(rows["materials"].tolist())]
+    materials = []
+    for i, (*row, primitive) in enumerate(rows["materials"].tolist()):
+        require(name, f"materials[{i}].primitive", primitive, 0, len(scene_units.PRIMITIVES) - 1)
+        materials.append(Material(*(name_of(kind, number, name, f"materials[{i}].{kind}")
+                                    for kind, number in zip(SETTINGS, row)),
+                                  *row[len(SETTINGS):], scene_units.PRIMITIVES[primitive]))
     palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]

@@ -94,6 +94,9 @@ def check_look(scene, instance: Instance, name: str, where: str) -> None:
     if instance.flags & LIT:
         require(name, f"{where}.bright", instance.bright, 0, (256 << 16) - 1)
         require(name, f"{where}.dark", instance.dark, 0, instance.bright)
+    if material.primitive != "polygons":
+        raise UserError(f"{name}: {where}.material: a mesh's polygons are not "
+                        f"{material.primitive!r}")
     if material.mapper == "gouraud" and not instance.flags & LIT:
         raise UserError(f"{name}: {where}.flags: a Gouraud material needs light")
     if material.mapper != "flat" and material.gradients == "polygon":

@@ -17,6 +17,12 @@ TEXELS = {"rgba16": (RGBA, 2), "rgba32": (RGBA, 3), "yuv16": (YUV, 2), "ci4": (C
           "i8": (I, 1)}
 FRAMES = ("rgba5551", "rgba8888")  # formats of scenes that engines draw into
 WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": (1, 1)}
+COPY = "copy"  # cycle type of texture rectangles whose texels are not changed
+COPIED = ("rgba16", "ia16", "ci4", "ci8")
+COPY_FRAMES = "rgba5551"
+#: What copy mode does not do, with what stands for it.
+NOT_COPIED = {"perspective": False, "filter": "point", "convert": "filter", "lod": False,
+              "detail": "clamp"}
 TILES = 8
 REACH = 1024  # texels: s and t, and how far apart those of two corners may be
 
@@ -111,11 +117,18 @@ def tile_schema():
         "slide": (rows(number(-REACH, REACH), 2, 2), [0.0, 0.0])})
 
 
+def cycle_type(value, where):
+    """Cycles a pixel, or copy mode."""
+    if isinstance(value, str):
+        return one_of(COPY)(value, where)
+    return integer(1, 2)(value, where)
+
+
 def schema():
     """The check of a material's ``tx``."""
     black, fraction = (0, 0, 0, 255), integer(0, 255)
     return table({
-        "cycles": (integer(1, 2), 1), "combine": (combine, [PRESETS["decal"]]),
+        "cycles": (cycle_type, 1), "combine": (combine, [PRESETS["decal"]]),
         "perspective": (flag, False), "filter": (one_of(*FILTERS), "point"),
         "convert": (one_of(*CONVERTS), "filter"),
         "k": (rows(integer(-256, 255), 6, 6), [175, -43, -89, 222, 114, 42]),
@@ -125,6 +138,11 @@ def schema():
         "primitive": (colour_and_alpha, black), "environment": (colour_and_alpha, black),
         "primitive_lod_fraction": (fraction, 0), "tile": (integer(0, 7), 0),
         "tiles": (rows(tile_schema(), 1, TILES), REQUIRED)})
+
+
+def copies(tx: dict) -> bool:
+    """Whether an engine is in copy mode."""
+    return tx["cycles"] == COPY
 
 
 def inputs_of(tx: dict) -> set[str]:
@@ -194,8 +212,23 @@ def check_tiles(tx: dict, where: str) -> None:
         fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {firsts[-1] - 1}")
 
 
+def check_copy(tx: dict, where: str) -> None:
+    """Refuses what copy mode does not do."""
+    for name, plain in (NOT_COPIED | {"combine": [PRESETS["decal"]]}).items():
+        if tx[name] != plain:
+            fail(f"{where}.{name}", "is not for copy mode, which leaves texels as they are")
+    for i, tile in enumerate(tx["tiles"]):
+        if tile["format"] not in COPIED:
+            fail(f"{where}.tiles[{i}].format", f'"{tile["format"]}": copy mode is for '
+                                               + ", ".join(COPIED))
+
+
 def check(tx: dict, where: str) -> None:
     """Refuses modes and tiles that do not go together; fills in what is left out."""
+    if copies(tx):
+        check_copy(tx, where)
+        check_tiles(tx, where)
+        return
     if len(tx["combine"]) > tx["cycles"]:
         fail(f"{where}.combine", 'has two cycles: "cycles" must be 2')
     if len(tx["combine"]) < tx["cycles"]:

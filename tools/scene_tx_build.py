@@ -71,7 +71,7 @@ def moved(axis: Axis, way: float, level: int) -> int:
 
 def set_modes(words: List, tx: dict) -> None:
     """All modes, colours and constants."""
-    words.cycle_type("two" if tx["cycles"] == 2 else "one")
+    words.cycle_type({1: "one", 2: "two"}.get(tx["cycles"], tx["cycles"]))
     words.texture_perspective(tx["perspective"])
     words.texture_detail(tx["detail"])
     words.texture_lod(tx["lod"])

@@ -40,6 +40,9 @@ int32 scene_make_maps(struct scene *scene, int32 kind);
    file, materials are checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
 
+/* Whether the objects of a material are rectangles. */
+int32 scene_has_rectangles(const struct scene_material *material);
+
 /* "s" or "t" where this one leaves a map that is not repeated; else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
                               fix16 s, fix16 t);
@@ -52,6 +55,9 @@ void scene_place(struct scene *scene, const uint8 *data);
 
 /* Makes the texture engines and runs the first list of each; 0 where memory is short. */
 int32 scene_make_units(struct scene *scene, int32 kind);
+
+/* What draws an enum unit_primitive. */
+polygon_routine *scene_unit_routine(uint32 primitive);
 
 /* Runs the lists of a frame. */
 void scene_start_units(const struct scene *scene, int32 number);

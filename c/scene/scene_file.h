@@ -11,7 +11,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 6,
+    SCENE_VERSION = 7,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -75,6 +75,18 @@ struct scene_material {
     int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
     fix16 tolerance;            /* texels, 0 to TOLERANCE_MAX; 0 without a perspective */
     int32 unit;                 /* index, of MAPPER_UNIT; else NO_UNIT */
+    uint32 primitive;           /* enum unit_primitive; 0 without a unit */
+};
+
+/* What all objects of a unit's material are; of a mesh, UNIT_POLYGONS. */
+enum unit_primitive {
+    UNIT_POLYGONS,              /* shade is an opaque grey */
+    UNIT_COLOURED,              /* polygons; shade is the vertex's R G B A, a byte each */
+    UNIT_RECTANGLES,            /* two vertices in whole pixels: left and top, right and bottom; s
+                                   and t of the first are s10.5, at the upper left pixel, of the
+                                   second the steps, s5.10: tx/rectangle.h */
+    UNIT_FLIPPED,               /* the same, s downwards and t to the right */
+    UNIT_PRIMITIVES
 };
 
 /* A texture engine: display lists that are run one after the other. The first when the scene is
@@ -89,13 +101,14 @@ struct scene_list {
     uint32 word, words;         /* first, how many */
 };
 
-/* One convex polygon that moves: in frame f it is drawn with pose
+/* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose
    pose + (f - first_frame), as long as that is below poses. Objects are drawn
    in the order of the file. Its struct vertex have x and y before the pose, and for
-   MAPPER_ARBITRARY s and t inside the map. */
+   MAPPER_ARBITRARY s and t inside the map. Poses move a rectangle by whole pixels, nothing else. */
 struct scene_object {
     uint32 material;            /* index */
-    uint32 vertex, vertices;    /* first vertex, how many: 3 where gradients need it */
+    uint32 vertex, vertices;    /* first vertex, how many: 3 where gradients need it, 2 a
+                                   rectangle */
     uint32 pose, poses;         /* first pose, how many frames it lives */
     uint32 first_frame;
 };

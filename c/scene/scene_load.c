@@ -165,6 +165,8 @@ static const char *wrong_material(const struct scene *scene)
             return "material.mapper";
         if (m->mapper == MAPPER_UNIT ? (uint32)m->unit >= h->units : m->unit != NO_UNIT)
             return "material.unit";
+        if (m->primitive >= (m->mapper == MAPPER_UNIT ? UNIT_PRIMITIVES : 1))
+            return "material.primitive";
         if (m->edges >= EDGES_KINDS || (m->mapper == MAPPER_UNIT && m->edges == EDGES_INTEGER))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
@@ -209,6 +211,45 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
     return 0;
 }
 
+int32 scene_has_rectangles(const struct scene_material *material)
+{
+    return material->primitive >= UNIT_RECTANGLES;
+}
+
+static int32 is_fraction(int32 value)
+{
+    return (value & 0xffff) != 0;
+}
+
+static int32 is_short(int32 value)
+{
+    return value == (int16)value;
+}
+
+/* A rectangle's vertices and poses: whole pixels, s10.5 and s5.10; nothing turns. */
+static const char *wrong_rectangle(const struct scene *scene, const struct scene_object *object)
+{
+    const struct vertex *v = &scene->vertices[object->vertex];
+    const struct scene_pose *pose = &scene->poses[object->pose];
+
+    for (uint32 i = 0; i < 2; i++, v++) {
+        if (is_fraction(v->x))
+            return "vertex.x";
+        if (is_fraction(v->y))
+            return "vertex.y";
+        if (!is_short(v->s))
+            return "vertex.s";
+        if (!is_short(v->t))
+            return "vertex.t";
+    }
+    for (uint32 left = object->poses; left; left--, pose++)
+        if (pose->xx != 65536 || pose->yy != 65536 || pose->xy || pose->yx)
+            return "pose.xx, xy, yx or yy";
+        else if (is_fraction(pose->x0 | pose->y0))
+            return "pose.x0 or y0";
+    return 0;
+}
+
 /* Only what a mapper does not repeat: texels inside the map, shades inside the palette. */
 static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
 {
@@ -243,7 +284,8 @@ static const char *wrong_object(const struct scene *scene)
         if (o->material >= h->materials)
             return "object.material";
         m = &scene->materials[o->material];
-        if (o->vertices < 3 || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
+        if ((scene_has_rectangles(m) ? o->vertices != 2 : o->vertices < 3)
+            || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
             || o->vertices > h->vertices - o->vertex
             || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON))
             return "object.vertices";
@@ -252,6 +294,8 @@ static const char *wrong_object(const struct scene *scene)
         if (o->first_frame >= (uint32)h->frames)
             return "object.first_frame";
         wrong = wrong_vertex(scene, o);
+        if (!wrong && scene_has_rectangles(m))
+            wrong = wrong_rectangle(scene, o);
         if (wrong)
             return wrong;
     }

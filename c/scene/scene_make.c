@@ -109,7 +109,7 @@ static int32 make_materials(struct scene *scene)
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
-        to->draw = from->mapper == MAPPER_UNIT ? tx_polygon_draw : polygon_draw;
+        to->draw = from->mapper == MAPPER_UNIT ? scene_unit_routine(from->primitive) : polygon_draw;
         to->unit = from->mapper == MAPPER_UNIT ? &scene->engines[from->unit] : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];

@@ -135,7 +135,7 @@ static const char *wrong_instance(const struct scene *scene)
 
         if (o->mesh >= h->meshes)
             return "instance.mesh";
-        if (o->material >= h->materials)
+        if (o->material >= h->materials || scene->materials[o->material].primitive)
             return "instance.material";
         if (o->before < before || o->before > h->objects)
             return "instance.before";

@@ -3,6 +3,7 @@
 
 #include "system/system.h"
 #include "system/text.h"
+#include "tx/rectangle.h"
 
 const char *scene_wrong_unit(const struct scene *scene)
 {
@@ -41,6 +42,48 @@ int32 scene_make_units(struct scene *scene, int32 kind)
         run_list(scene, i, 0);
     }
     return 1;
+}
+
+static enum polygon_result draw_rectangle(const struct frame *frame, const struct vertex *first,
+                                          const struct vertex *last, int32 flip,
+                                          const struct material *material,
+                                          const struct drawing *drawing)
+{
+    struct tx_rectangle rectangle;
+
+    rectangle.left = first->x >> 16;
+    rectangle.top = first->y >> 16;
+    rectangle.right = last->x >> 16;
+    rectangle.bottom = last->y >> 16;
+    rectangle.s = first->s;
+    rectangle.t = first->t;
+    rectangle.dsdx = last->s;
+    rectangle.dtdy = last->t;
+    rectangle.flip = flip;
+    return tx_rectangle_draw(frame, &rectangle, material, drawing);
+}
+
+static enum polygon_result draw_upright(const struct frame *frame, const struct vertex *vertices,
+                                        int32 count, const struct material *material,
+                                        const struct drawing *drawing)
+{
+    return draw_rectangle(frame, vertices, &vertices[count - 1], 0, material, drawing);
+}
+
+static enum polygon_result draw_flipped(const struct frame *frame, const struct vertex *vertices,
+                                        int32 count, const struct material *material,
+                                        const struct drawing *drawing)
+{
+    return draw_rectangle(frame, vertices, &vertices[count - 1], 1, material, drawing);
+}
+
+polygon_routine *scene_unit_routine(uint32 primitive)
+{
+    static polygon_routine *const routines[UNIT_PRIMITIVES] = {
+        tx_polygon_draw, tx_polygon_draw_coloured, draw_upright, draw_flipped
+    };
+
+    return routines[primitive];
 }
 
 void scene_start_units(const struct scene *scene, int32 number)

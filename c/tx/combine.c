@@ -146,7 +146,8 @@ static uint32 cycle_inputs(const struct tx_combine *combine, int32 cycle)
     return inputs;
 }
 
-/* In one-cycle mode texel 1 is texel 0; in the second of two cycles they change places. */
+/* In one-cycle mode texel 1 is texel 0; in the second of two cycles they change places. Copy mode
+   knows no combiner. */
 void tx_find_inputs(struct tx *tx)
 {
     const uint32 both = TX_INPUT_TEXEL0 | TX_INPUT_TEXEL1;
@@ -160,5 +161,5 @@ void tx_find_inputs(struct tx *tx)
             inputs ^= both;
         inputs |= cycle_inputs(&tx->combine, 0);
     }
-    tx->inputs = inputs;
+    tx->inputs = tx->modes.cycle == TX_COPY ? TX_INPUT_TEXEL0 : inputs;
 }

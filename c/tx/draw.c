@@ -85,7 +85,7 @@ static uint32 constant_colour(const struct tx *tx, const struct tx_colour *shade
     return tx_combine_pixel(tx, &sources);
 }
 
-static enum polygon_result refused(struct tx_unit *unit, enum tx_result result)
+enum polygon_result tx_refused(struct tx_unit *unit, enum tx_result result)
 {
     unit->result = result;
     return POLYGON_REFUSED;
@@ -99,8 +99,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
     struct tx_plan plan;
     int32 passes;
 
-    if (unit->tx.modes.cycle == TX_COPY)        /* of rectangles alone */
-        return refused(unit, TX_CYCLE_TYPE);
+    if (unit->tx.modes.cycle == TX_COPY)        /* not by a page */
+        return tx_refused(unit, TX_CYCLE_TYPE);
     s->vertices = tx_planes_vertices(s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
@@ -109,7 +109,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
                   scissor_flat);
     if (!tx_planes_find(&planes, s, needs->divided,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
-        return refused(unit, TX_COORDINATE_RANGE);
+        return tx_refused(unit, TX_COORDINATE_RANGE);
     passes = APPLIES(TX_PASSES, tx_plan_find(&plan, needs, unit, &planes));
     draw_lines(s, &unit->tx, &planes, &needs->shade, passes ? &plan : 0);
     if (s->counts) {
@@ -137,11 +137,10 @@ static enum tx_result judge(struct tx_unit *unit, const struct vertex *v, int32 
     return result;
 }
 
-enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
-                                             const struct vertex *vertices,
-                                             const uint32 *colours, int32 count,
-                                             const struct material *material,
-                                             const struct drawing *drawing)
+/* colours: of the vertices, or 0: shades. */
+static enum polygon_result draw(const struct frame *frame, const struct vertex *vertices,
+                                const uint32 *colours, int32 count,
+                                const struct material *material, const struct drawing *drawing)
 {
     struct tx_unit *unit = material->unit;
     enum tx_result check;
@@ -156,7 +155,7 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
         return POLYGON_WRONG_MAP;
     check = judge(unit, vertices, count);
     if (check != TX_DONE)
-        return refused(unit, check);
+        return tx_refused(unit, check);
     s.frame = frame;
     s.material = material;
     s.off = drawing->off;
@@ -175,11 +174,34 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
     return result;
 }
 
+enum polygon_result tx_polygon_copy(const struct frame *frame, const struct vertex *vertices,
+                                    int32 count, const struct material *material,
+                                    const struct drawing *drawing)
+{
+    return draw(frame, vertices, 0, count, material, drawing);
+}
+
 enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                     int32 count, const struct material *material,
                                     const struct drawing *drawing)
 {
-    return tx_polygon_draw_coloured(frame, vertices, 0, count, material, drawing);
+    if (material->unit->tx.modes.cycle == TX_COPY)
+        return tx_refused(material->unit, TX_CYCLE_TYPE);
+    return draw(frame, vertices, 0, count, material, drawing);
+}
+
+enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
+                                             const struct vertex *vertices, int32 count,
+                                             const struct material *material,
+                                             const struct drawing *drawing)
+{
+    static uint32 colours[POLYGON_VERTICES_MAX];
+
+    if (material->unit->tx.modes.cycle == TX_COPY)
+        return tx_refused(material->unit, TX_CYCLE_TYPE);
+    for (int32 i = 0; i < count && i < POLYGON_VERTICES_MAX; i++)
+        colours[i] = (uint32)vertices[i].shade;
+    return draw(frame, vertices, colours, count, material, drawing);
 }
 
 void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)

@@ -157,6 +157,24 @@ static void make_page(uint8 *page, struct making *m)
     }
 }
 
+/* Whether the four copies of all TLUT entries are: of four pixels each reads its own. */
+static int32 copies_are_equal(const struct tx *tx)
+{
+    const uint8 *entry = &tx->tmem[TX_TMEM_BYTES / 2];
+
+    for (int32 i = 0; i < 256; i++, entry += 8)
+        for (int32 k = 0; k < 6; k++)
+            if (entry[k] != entry[k + 2])
+                return 0;
+    return 1;
+}
+
+/* Whether copy mode's four pixels are four of a page's. */
+static int32 are_alike(const struct tx *tx, int32 tile)
+{
+    return tx->modes.tlut ? copies_are_equal(tx) : tx->tiles[tile].size == TX_16;
+}
+
 /* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. YUV's are
    signed. */
 static const struct tx_decoded *find_decoded(struct tx_unit *unit, int32 tile)
@@ -221,6 +239,8 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     if (!differs)
         return 1;
     page->key[0] = ~key[0];     /* of no use until it is made */
+    if (unit->tx.modes.cycle == TX_COPY && !are_alike(&unit->tx, tile))
+        return 0;
     if (!page_room(unit, SIDE * SIDE * pixel_bytes))
         return 0;
     making.tx = &unit->tx;

@@ -19,7 +19,8 @@ struct tx_window {
 int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window);
 
 /* Makes the unit's page fit a tile, its colour being what the combiner makes of texel 0 and
-   constants, or in copy mode the texel; nothing is done where it still does. 0: there is no memory. */
+   constants, or in copy mode the texel; nothing is done where it still does. 0: there is no
+   memory, or copy mode reads more than a page has. */
 int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
                    const struct tx_colour *shade);
 

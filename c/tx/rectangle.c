@@ -3,6 +3,8 @@
    four pixels are four texels. */
 #include "tx/rectangle.h"
 
+#include "polygon/vertex.h"
+
 #define FOUR_TEXELS (4 * 1024)
 
 /* s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
@@ -21,7 +23,7 @@ static void find_corners(struct vertex *v, const struct tx_rectangle *r, int32 d
         v->y = (r->top + down) * 65536;
         v->s = corner(r->s, dsdx, r->flip ? down : right);
         v->t = corner(r->t, r->dtdy, r->flip ? right : down);
-        v->shade = 0;
+        v->shade = 0;           /* R G B A */
         v->w = 65536;
     }
 }
@@ -67,44 +69,117 @@ static enum polygon_result draw_polygon(const struct frame *frame,
                                         const struct material *material,
                                         const struct drawing *drawing)
 {
+    int32 copy = material->unit->tx.modes.cycle == TX_COPY;
+    polygon_routine *draw = copy ? tx_polygon_copy : tx_polygon_draw_coloured;
     struct vertex corners[4];
 
     find_corners(corners, r, dsdx);
-    return tx_polygon_draw(frame, corners, 4, material, drawing);
+    return draw(frame, corners, 4, material, drawing);
 }
 
-/* By the plain mappers where they do: only then is a polygon drawn in copy mode. */
+static void count_copied(const struct frame *frame, const struct tx_rectangle *r,
+                         const struct material *material, const struct drawing *drawing)
+{
+    struct draw_counts *counts = drawing->counts;
+    int32 left = r->left < 0 ? 0 : r->left, top = r->top < 0 ? 0 : r->top;
+    int32 right = r->right < frame->width ? r->right : frame->width;
+    int32 bottom = r->bottom < frame->height ? r->bottom : frame->height;
+
+    if (!counts || left >= right || top >= bottom)
+        return;
+    counts += material->number;
+    counts->polygons++;
+    counts->pixels[SPAN_TX_PIXELS] += (uint32)((right - left) * (bottom - top));
+}
+
+/* By the plain mappers where they do. */
 static enum polygon_result draw_copy(const struct frame *frame, const struct tx_rectangle *r,
                                      const struct material *material,
                                      const struct drawing *drawing)
 {
     struct tx_unit *unit = material->unit;
-    enum polygon_result result = POLYGON_REFUSED;
+    enum tx_result before = unit->result, check;
 
-    if (frame->pixel_bytes != 2)
-        return POLYGON_WRONG_MAP;
-    unit->result = TX_CYCLE_TYPE;
-    if (r->flip)
-        return POLYGON_REFUSED;
-    if (r->dsdx == FOUR_TEXELS)
-        result = draw_polygon(frame, r, r->dsdx / 4, material, drawing);
-    if (result != POLYGON_REFUSED || unit->result != TX_CYCLE_TYPE)
-        return result;
-    unit->result = tx_check_drawing(&unit->tx);
-    if (unit->result != TX_DONE)
-        return POLYGON_REFUSED;
+    if (frame->pixel_bytes != 2 || r->flip)
+        return tx_refused(unit, TX_CYCLE_TYPE);
+    if (r->dsdx == FOUR_TEXELS) {
+        enum polygon_result result = draw_polygon(frame, r, r->dsdx / 4, material, drawing);
+
+        if (result != POLYGON_REFUSED || unit->result != TX_CYCLE_TYPE)
+            return result;
+        unit->result = before;
+    }
+    check = tx_check_drawing(&unit->tx);
+    if (check != TX_DONE)
+        return tx_refused(unit, check);
     copy_lines(frame, r, &unit->tx);
+    count_copied(frame, r, material, drawing);
     tx_drawn(&unit->tx);
     return POLYGON_DRAWN;
+}
+
+/* Its command names no level: the greatest is 0. What was made of the modes is made again then. */
+static enum polygon_result draw_first_level(const struct frame *frame,
+                                            const struct tx_rectangle *r,
+                                            const struct material *material,
+                                            const struct drawing *drawing)
+{
+    struct tx *tx = &material->unit->tx;
+    enum polygon_result result;
+    uint8 max_level = tx->max_level;
+
+    if (!max_level || !(tx->modes.lod || tx->inputs & TX_INPUT_LOD_FRACTION))
+        return draw_polygon(frame, r, r->dsdx, material, drawing);
+    tx->max_level = 0;
+    tx->mode_generation++;
+    result = draw_polygon(frame, r, r->dsdx, material, drawing);
+    tx->max_level = max_level;
+    tx->mode_generation++;
+    return result;
+}
+
+static int32 is_far(int32 pixels)
+{
+    return pixels < -POLYGON_FAR || pixels >= POLYGON_FAR;
+}
+
+/* Whether a coordinate stays where polygons' may be. */
+static int32 is_in_range(int32 start, int32 step, int32 steps)
+{
+    const int32 most = 1024 * 1024;             /* texels in s5.10 */
+    int32 way = step * steps, end = start * 32;
+
+    if (way <= -most || way >= most)
+        return 0;
+    end += way;
+    return end >= -most && end < most;
+}
+
+static int32 coordinates_in_range(const struct tx_rectangle *r, int32 copy)
+{
+    int32 width = r->right - r->left, height = r->bottom - r->top;
+    int32 across = r->flip ? height : copy ? (width + 3) >> 2 : width;
+
+    return is_in_range(r->s, r->dsdx, across)
+        && is_in_range(r->t, r->dtdy, r->flip ? width : height);
 }
 
 enum polygon_result tx_rectangle_draw(const struct frame *frame, const struct tx_rectangle *r,
                                       const struct material *material,
                                       const struct drawing *drawing)
 {
+    struct tx_unit *unit = material->unit;
+    const struct tx_modes *modes = &unit->tx.modes;
+    int32 copy = modes->cycle == TX_COPY;
+
     if (r->left >= r->right || r->top >= r->bottom)
         return POLYGON_EMPTY;
-    if (material->unit->tx.modes.cycle == TX_COPY)
-        return draw_copy(frame, r, material, drawing);
-    return draw_polygon(frame, r, r->dsdx, material, drawing);
+    if (is_far(r->left) || is_far(r->top) || is_far(r->right) || is_far(r->bottom))
+        return POLYGON_OUTSIDE_RANGE;
+    if (unit->tx.checked && (modes->perspective || unit->tx.inputs & TX_INPUT_SHADE))
+        return tx_refused(unit, TX_RECTANGLE_MODES);
+    if (!coordinates_in_range(r, copy))
+        return tx_refused(unit, TX_COORDINATE_RANGE);
+    return copy ? draw_copy(frame, r, material, drawing)
+                : draw_first_level(frame, r, material, drawing);
 }

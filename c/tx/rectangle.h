@@ -11,8 +11,10 @@ struct tx_rectangle {
     int32 flip;                 /* s runs down and t to the right */
 };
 
-/* Draws one by the unit of a material; without perspective, shade 0. In copy mode the frame has 2
-   bytes a pixel, which are the texels as they are. POLYGON_REFUSED: unit->result says why. */
+/* Draws one by the unit of a material, without perspective and shade, of its tiles the first level.
+   In copy mode the frame has 2 bytes a pixel, which are the texels as they are. s and t, up to
+   where right and bottom begin, are as those of a polygon. POLYGON_REFUSED: unit->result says
+   why. */
 enum polygon_result tx_rectangle_draw(const struct frame *frame,
                                       const struct tx_rectangle *rectangle,
                                       const struct material *material,

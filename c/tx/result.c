@@ -31,7 +31,8 @@ const char *tx_result_text(enum tx_result result)
         "no pipe sync",
         "no room in the list",
         "not enough memory",
-        "tile is too large to be decoded"
+        "tile is too large to be decoded",
+        "texture rectangle in perspective or with shade"
     };
 
     return (uint32)result < TX_RESULTS ? texts[result] : "unknown result";

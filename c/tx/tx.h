@@ -79,6 +79,7 @@ enum tx_result {
     TX_LIST_FULL,               /* calls.h: no room for the words */
     TX_NO_MEMORY,               /* decode.h */
     TX_DECODE_TOO_LARGE,        /* its limit: TX_DECODE_BITS */
+    TX_RECTANGLE_MODES,         /* a rectangle in perspective or with shade: it has neither */
     TX_RESULTS
 };
 

@@ -41,18 +41,21 @@ struct tx_unit {
 /* A unit with its engine as tx_init leaves it. */
 void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory);
 
+/* POLYGON_REFUSED, for a reason that the unit keeps. */
+enum polygon_result tx_refused(struct tx_unit *unit, enum tx_result result);
+
 /* Draws a convex polygon by the unit of a material, into a frame of 2 (5/5/5/1) or 4 bytes
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
    vertices s and t are texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart.
    POLYGON_REFUSED: unit->result says why. */
 polygon_routine tx_polygon_draw;
 
-/* The same with colours for the combiner's shade: R G B A of each vertex. Without them shade
-   is grey, by the vertices' shades, its alpha 255. */
-enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
-                                             const struct vertex *vertices,
-                                             const uint32 *colours, int32 count,
-                                             const struct material *material,
-                                             const struct drawing *drawing);
+/* The same, with colours for the combiner's shade: the shade of each vertex is its R G B A.
+   Above it is a grey, 16.16, whose alpha is 255. */
+polygon_routine tx_polygon_draw_coloured;
+
+/* A rectangle's corners in copy mode, where the plain mappers draw it: a texel a pixel. Otherwise
+   it is refused with TX_CYCLE_TYPE, as polygons are. */
+polygon_routine tx_polygon_copy;
 
 #endif

@@ -190,8 +190,9 @@ def rectangle(state: State, frame: np.ndarray, box: tuple[int, int, int, int], t
     """
     left, top, right, bottom = box
     height, width = frame.shape
-    y, x = np.mgrid[max(top, 0):min(bottom, height), max(left, 0):min(right, width)]
-    y, x = y.reshape(-1), x.reshape(-1)
+    y, x = (c.reshape(-1) for c in np.meshgrid(np.arange(max(top, 0), min(bottom, height)),
+                                               np.arange(max(left, 0), min(right, width)),
+                                               indexing="ij"))
     if not x.size:
         return
     state.forbids(state.modes.perspective != 0, "rectangle perspective",
