@@ -101,7 +101,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
 
     if (unit->tx.modes.cycle == TX_COPY)        /* not by a page */
         return tx_refused(unit, TX_CYCLE_TYPE);
-    s->vertices = tx_planes_vertices(s->given, s->count);
+    s->vertices = planes_vertices(s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
         return result;
