@@ -216,8 +216,8 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     unit->tables = 0;
     unit->yuv = 0;
     unit->levels_made = unit->tables_made = unit->yuv_made = 0;
-    unit->page.texels = 0;
-    unit->page.bytes = 0;
+    unit->page.page.texels = 0;
+    unit->page.page.bytes = 0;
     for (int32 i = 0; i < TX_PAGE_KEY; i++)
         unit->page.key[i] = 0;
     for (int32 i = 0; i < TX_TILES; i++)

@@ -42,27 +42,21 @@ int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s)
     return APPLIES(TX_FLAT, !needs->inputs);
 }
 
-/* Whether every pixel's coordinate lies within the window of a page: it leaves the vertices'
-   range by less than TX_PAGE_MARGIN. */
-static int32 is_within(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
-                       const struct tx_window *window)
+/* An axis of the tile that a page can stand for. */
+static int32 find_window(const struct tx_axis *axis, int32 copy, struct page_window *to)
 {
-    fix16 low = (axis->low << 14) + window->first * 65536 + TX_PAGE_MARGIN * 65536;
-    fix16 high = low + (MAP_PAGE_SIDE - 2 * TX_PAGE_MARGIN) * 65536;
+    struct tx_window window;
 
-    if (window->period)
-        return 1;
-    for (int32 i = 0; i < s->count; i++) {
-        if (*value < low || *value >= high)
-            return 0;
-        value += sizeof(struct vertex) / sizeof *value;
-    }
+    if (!tx_page_window(axis, copy, &window))
+        return 0;
+    to->origin = (axis->low << 14) + window.first * 65536;
+    to->period = window.period * 65536;
     return 1;
 }
 
 /* Point sampling of one tile without levels, the rest constants. */
 static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx,
-                      struct tx_window *columns, struct tx_window *rows)
+                      struct page_window *columns, struct page_window *rows)
 {
     const struct tx_tile *tile = &tx->tiles[tx->primitive_tile];
     int32 copy = tx->modes.cycle == TX_COPY;
@@ -70,60 +64,20 @@ static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const
     return (copy ? s->frame->pixel_bytes == 2
                  : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
         && !needs->divided
-        && tx_page_window(&tile->s, copy, columns) && tx_page_window(&tile->t, copy, rows)
-        && is_within(s, &s->given->s, &tile->s, columns)
-        && is_within(s, &s->given->t, &tile->t, rows);
-}
-
-/* Where the page of an axis begins, in texels. It may be moved by whole periods: so that the
-   vertices are around its middle, and spans do not leave it where they need not. */
-static fix16 page_origin(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
-                         const struct tx_window *window)
-{
-    fix16 origin = (axis->low << 14) + window->first * 65536, least = *value, most = *value;
-    fix16 period = window->period * 65536, middle;
-
-    if (!period)
-        return origin;
-    for (int32 i = 1; i < s->count; i++) {
-        value += sizeof(struct vertex) / sizeof *value;
-        least = *value < least ? *value : least;
-        most = *value > most ? *value : most;
-    }
-    middle = (least >> 1) + (most >> 1) - origin - MAP_PAGE_SIDE / 2 * 65536;
-    return origin + ((middle + (period >> 1)) & -period);
-}
-
-static const struct vertex *page_vertices(const struct setup *s, fix16 s_origin, fix16 t_origin)
-{
-    static struct vertex moved[POLYGON_VERTICES_MAX];
-
-    for (int32 i = 0; i < s->count; i++) {
-        moved[i] = s->given[i];
-        moved[i].s -= s_origin;
-        moved[i].t -= t_origin;
-    }
-    return moved;
+        && find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows)
+        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows);
 }
 
 int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx_unit *unit,
                         struct material *plain, const struct vertex **vertices)
 {
-    int32 number = unit->tx.primitive_tile;
-    const struct tx_tile *tile = &unit->tx.tiles[number];
-    struct tx_window columns, rows;
+    struct page_window columns, rows;
 
     if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx, &columns, &rows)
-                 && tx_page_make(unit, number, s->frame->pixel_bytes, &needs->shade)))
+                 && tx_page_make(unit, unit->tx.primitive_tile, s->frame->pixel_bytes,
+                                 &needs->shade)))
         return 0;
-    *plain = *s->material;
-    plain->mapper = MAPPER_AFFINE;
-    plain->gradients = GRADIENTS_PLANE;
-    plain->start = START_SUBTEXEL;
-    plain->whole = 1;           /* s and t are planes to the last bit */
-    plain->perspective = PERSPECTIVE_NONE;
-    plain->map = &unit->page.map;
-    *vertices = page_vertices(s, page_origin(s, &s->given->s, &tile->s, &columns),
-                              page_origin(s, &s->given->t, &tile->t, &rows));
+    page_material(plain, s->material, &unit->page.page);
+    *vertices = page_vertices(s, &columns, &rows);
     return 1;
 }

@@ -1,6 +1,5 @@
 #include "tx/page.h"
 
-#include "system/system.h"
 #include "tx/forms.h"
 #include "tx/pixels.h"
 
@@ -212,16 +211,6 @@ static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_byte
     key[9] = (uint32)shade->b << 16 | (uint32)shade->a;
 }
 
-static int32 page_room(struct tx_unit *unit, int32 bytes)
-{
-    struct tx_page *page = &unit->page;
-
-    if (page->bytes >= bytes)
-        return 1;
-    page->bytes = mem_alloc(&page->texels, bytes, unit->memory) ? bytes : 0;
-    return page->bytes > 0;
-}
-
 int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
                    const struct tx_colour *shade)
 {
@@ -229,7 +218,6 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     static struct making making;
     struct tx_form form;
     uint32 key[TX_PAGE_KEY], differs = 0;
-    uint8 *origin;
 
     find_key(key, &unit->tx, tile, pixel_bytes, shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
@@ -241,7 +229,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     page->key[0] = ~key[0];     /* of no use until it is made */
     if (unit->tx.modes.cycle == TX_COPY && !are_alike(&unit->tx, tile))
         return 0;
-    if (!page_room(unit, SIDE * SIDE * pixel_bytes))
+    if (!page_ready(&page->page, pixel_bytes, unit->memory))
         return 0;
     making.tx = &unit->tx;
     making.tile = tile;
@@ -251,14 +239,7 @@ int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
     tx_form_find(&form, &unit->tx);
     making.is_texel = !form.any && form.first == TX_FIRST_TEXEL
         && form.second == TX_SECOND_NOTHING;
-    origin = page->texels + SIDE / 2 * SIDE * pixel_bytes;
-    make_page(origin, &making);
-    page->map.texels = origin;
-    page->map.width = page->map.height = SIDE;
-    page->map.scale = 65536;
-    page->map.layout = MAP_PAGE;
-    page->map.texel_bytes = (uint8)pixel_bytes;
-    page->map.full = page->map.dark = 0;
+    make_page((uint8 *)page->page.map.texels, &making);
     page->key[0] = key[0];
     return 1;
 }

@@ -4,10 +4,6 @@
 
 #include "tx/unit.h"
 
-enum tx_page_constants {
-    TX_PAGE_MARGIN = 1          /* texels: more than u and v of a pixel leave the vertices' range */
-};
-
 /* What an axis' page shows: column k is relative index first + k. An axis that repeats within a
    page goes on for ever, one that clamps ends with the page. */
 struct tx_window {

@@ -2,7 +2,7 @@
 #ifndef TX_UNIT_H
 #define TX_UNIT_H
 
-#include "polygon/polygon.h"
+#include "polygon/page.h"
 #include "tx/decode.h"
 #include "tx/pixel.h"
 
@@ -10,9 +10,7 @@ enum { TX_PAGE_KEY = 10 };
 
 /* A tile as the plain mappers read it: see page.h. */
 struct tx_page {
-    struct map map;
-    uint8 *texels;              /* memory for it, */
-    int32 bytes;                /* and how much */
+    struct page page;
     uint32 key[TX_PAGE_KEY];    /* what it was made from */
 };
 
