@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
-from . import images, palette, scene_tx
+from . import images, palette, scene_glide, scene_tx
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ONE, SETTINGS, Material, Texture,
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ONE, SETTINGS, UNITS, Material, Texture,
                          size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
@@ -33,6 +33,8 @@ def material_schema():
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
         "colour": {"colour": (colour, REQUIRED)},
         "tx": {"tx": (scene_tx.schema(), REQUIRED), "mapper": (one_of("unit"), "unit")},
+        "glide": {"glide": (scene_glide.schema(), REQUIRED),
+                  "mapper": (one_of("glide"), "glide")},
         "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
         settings)
 
@@ -48,16 +50,23 @@ def has_shades(material: dict) -> bool:
     return mapper_of(material) in LIT or bool(looks and looks.shade)
 
 
-def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
-    """Refuses a texture engine that does not fit its material or the scene's pixels."""
-    if pixel.name not in scene_tx.FRAMES:
-        fail(f"{at}.tx", f"a scene in {pixel.name} has no texture engine; one in "
-                         + " or ".join(scene_tx.FRAMES) + " has")
-    for kind in ("gradients", "start", "perspective"):
-        if material[kind] != getattr(Material, kind):
-            fail(f"{at}.{kind}", "is not for a texture engine")
+def check_units(material: dict, kind: str, frames: tuple[str, ...], pixel: PixelFormat,
+                at: str) -> None:
+    """Refuses texture units, in the table ``kind``, that do not fit their material or the scene's
+    pixels."""
+    if pixel.name not in frames:
+        fail(f"{at}.{kind}", f"a scene in {pixel.name} has no texture engine of this kind; one in "
+                             + " or ".join(frames) + " has")
+    for field_ in ("gradients", "start", "perspective"):
+        if material[field_] != getattr(Material, field_):
+            fail(f"{at}.{field_}", "is not for a texture engine")
     if material["edges"] == "integer":
         fail(f"{at}.edges", '"integer" is not for a texture engine')
+
+
+def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
+    """Refuses a texture engine that does not fit its material or the scene's pixels."""
+    check_units(material, "tx", scene_tx.FRAMES, pixel, at)
     if scene_tx.copies(material["tx"]) and pixel.name != scene_tx.COPY_FRAMES:
         fail(f"{at}.tx.cycles", f'"{scene_tx.COPY}" is for scenes in {scene_tx.COPY_FRAMES}')
     scene_tx.check(material["tx"], f"{at}.tx")
@@ -74,14 +83,17 @@ def check(spec: dict, where: str) -> None:
         at = join(f"{where}materials", name)
         mapper = mapper_of(material)
         drawn = MAPPERS[pixel.bytes]
-        if mapper not in drawn and mapper != "unit":
+        if mapper not in drawn and mapper not in UNITS:
             fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
                  f"a scene in {pixel.name} has flat colours and the mapper "
-                 + " or ".join(f'"{each}"' for each in drawn[1:] if each != "unit") + " only")
+                 + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
         if pixel.bytes > 1 and material["perspective"] != "none":
             fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
         if "tx" in material:
             check_tx(material, pixel, at)
+        if "glide" in material:
+            check_units(material, "glide", scene_glide.FRAMES, pixel, at)
+            scene_glide.check(material["glide"], f"{at}.glide")
         if material["perspective"] != "none" and (
                 mapper, material["gradients"], material["start"]) != (
                     "affine", "plane", "subtexel"):
@@ -145,7 +157,7 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
 def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
     """Palette, uint8 (256, 3), textures and materials; a texture once a layout. ``engines``:
-    the numbers of those that materials have."""
+    the numbers of those that materials have, or of their pipes."""
     wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]])
               for m in spec["materials"].values() if "texture" in m}
     pictures, pixel = {}, FORMATS[spec["format"]]

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import model_logarithm, model_reciprocal, scene_units
+from . import model_logarithm, model_reciprocal, scene_pipes, scene_units
 from .clip import clip, frame_window
 from .fixed import M32, ceil16, mul, signed
 from .model_edges import Edge, measure, side
@@ -26,6 +26,7 @@ from .model_spans import coordinates, pixels
 from .model_tolerance import coarser, is_flat
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
                               scanline_line)
+from .scene_textures import UNITS
 
 __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "ceil16",
            "coordinates", "draw", "prepare", "prepare_polygon", "render", "scanline_line", "set_up",
@@ -258,7 +259,7 @@ def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
                         material.perspective, material.mapper, material.tolerance)
     texture = scene.textures[material.texture].texels if material.texture >= 0 else None
     return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
-                  scene.width, scene.height, material.mapper not in ("flat", "unit"), settings,
+                  scene.width, scene.height, material.mapper not in ("flat", *UNITS), settings,
                   None if texture is None else texture.shape[::-1])
 
 
@@ -280,6 +281,9 @@ def render(scene, number: int) -> np.ndarray:
             if material.unit not in states:
                 states[material.unit] = scene_units.state_at(scene, material.unit, number)
             scene_units.draw(scene, states[material.unit], frame, material, vertices)
+            continue
+        if material.mapper == "glide":
+            scene_pipes.draw(scene, frame, material, vertices)
             continue
         polygon = prepare_polygon(scene, which, vertices)
         if polygon:

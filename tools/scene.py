@@ -11,7 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials, scene_primitives, scene_space, scene_tx, scene_tx_build
+from . import (layout, materials, scene_glide, scene_glide_build, scene_primitives, scene_space,
+               scene_tx, scene_tx_build)
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
 from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, fixed, inside
@@ -45,7 +46,7 @@ def schema(limits: dict[str, int]):
         "orbit": (orbit, {"radius": [0.0, 0.0], "turns": 0.0, "phase": 0.0}),
         "angle": (number(-3600, 3600), 0.0),  # degrees
         "turns": (turns, 0.0), "scale": (scaling, [1.0, 1.0])}
-    colours = scene_primitives.colours_field(corners)
+    colours = scene_primitives.colours_field(corners) | scene_glide.coordinates_fields(corners)
     shapes = {
         "sides": {"sides": (integer(3, corners), REQUIRED),
                   "radius": (number(0.01, far), REQUIRED),
@@ -112,6 +113,8 @@ def columns_of(material: dict) -> list[str]:
     mapper, looks = materials.mapper_of(material), scene_tx.looks(material)
     if mapper == "gouraud":
         return ["shade"]
+    if mapper == "glide":
+        return ["s", "t", *["w"] * material["glide"]["perspective"]]
     if looks:
         has_shade = looks.shade and not scene_primitives.is_coloured(material)
         return ["s", "t", *["w"] * looks.depth, *["shade"] * has_shade]
@@ -163,6 +166,8 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
             fail(f"{where}.shades", f"must have 1 to {spec['sides']} entries, "
                                     f"not {len(spec['shades'])}")
     size = (texture["width"], texture["height"]) if texture else (256, 256)
+    if mapper == "glide":
+        size = scene_glide_build.size_of(material)
     extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
     if has_shades and mapper != "lit_gouraud" and "sides" in spec and spec["shades"] is None:
         spec = spec | {"shades": [materials.SHADES - 1.0]}  # full light
@@ -185,6 +190,8 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
         check_map(corners, mapper, size, extent, map_at)
     if mapper == "unit":
         check_engine(corners, map_at)
+    if mapper == "glide":
+        scene_glide.check_range([corner[2:4] for corner in corners], map_at)
     return corners
 
 
@@ -236,6 +243,7 @@ def parse(path: Path) -> dict:
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
             fail(f"{at}.last", f"must be from {obj['first']} to {spec['frames'] - 1}")
         scene_primitives.check(obj, spec["materials"][obj["material"]], at)
+        scene_glide.check_object(obj, spec["materials"][obj["material"]], at)
     scene_primitives.place(spec)
     scene_space.check(spec, where)
     return spec
@@ -259,8 +267,9 @@ def object_corners(obj: dict, material: dict, texture: dict | None, ramp: tuple[
     """An object's vertices as the file has them, int64 [n, 6]."""
     if scene_primitives.is_rectangle(obj):
         return scene_primitives.corners_of(obj, material, where)
-    return in_file(corners_of(obj, material, texture, where), material, texture, ramp,
+    made = in_file(corners_of(obj, material, texture, where), material, texture, ramp,
                    obj["colours"])
+    return scene_glide.with_own(made, obj) if scene_glide.has_own(material) else made
 
 
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
@@ -312,10 +321,12 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     count = frames or spec["frames"]
     pixels = materials.pixels(spec)
     engines, engine_tables = scene_tx_build.build(spec, path.parent, count, where)
+    pipes, pipe_tables = scene_glide_build.build(spec, path.parent, where)
     space = scene_space.Space(spec, count, path.parent, where)
     objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
-    colours, textures, looks = materials.build(spec, pixels, engines, path.parent, where)
+    colours, textures, looks = materials.build(spec, pixels, engines | pipes,
+                                                path.parent, where)
     return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
-                 **engine_tables)
+                 **engine_tables, **pipe_tables)

@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout, scene_meshes, scene_units
+from . import layout, scene_meshes, scene_pipes, scene_units
 from .errors import UserError
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
-from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, Texture, check_texture, linear,
-                             ordered, size_fault)
+from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, UNIT_FORMATS, UNITS, Texture,
+                             check_texture, linear, ordered, size_fault)
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
@@ -20,7 +20,8 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
           "views": "scene_view", "units": "scene_unit", "lists": "scene_list",
-          "words": "tx_word"}
+          "words": "tx_word", "tmus": "scene_tmu", "pipes": "scene_pipe"}
+BYTES = ("dram", "tmu_memory")  # behind the tables, without a structure
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 #: The settings of a material by their names, and the prefix of each one's enumerators.
@@ -46,7 +47,7 @@ class Material:
     colour: int = 0  # pixel
     light: int = -1  # index of a light table, or NO_TEXTURE
     tolerance: int = 0  # 16.16 texels that less perspective may cost
-    unit: int = -1  # index of a texture engine, or NO_UNIT
+    unit: int = -1  # index of a texture engine or a pipe, or NO_UNIT
     primitive: str = "polygons"  # what an engine's objects are: of scene_units.PRIMITIVES
 
 
@@ -94,6 +95,9 @@ class Scene:
     lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
     words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)
     dram: bytes = field(default=b"", repr=False)  # what the lists load from
+    tmus: np.ndarray = field(default_factory=lambda: scene_pipes.empty("tmus"), repr=False)
+    pipes: np.ndarray = field(default_factory=lambda: scene_pipes.empty("pipes"), repr=False)
+    tmu_memory: bytes = field(default=b"", repr=False)  # of all Glide's units
 
     @property
     def pixel(self) -> PixelFormat:
@@ -144,8 +148,9 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
         raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
                         "start 'subtexel'")
     none = layout.load().constants["NO_UNIT"]
-    if material.mapper == "unit":
-        require(name, f"{where}.unit", material.unit, 0, len(scene.units) - 1)
+    if material.mapper in UNITS:
+        there = scene.units if material.mapper == "unit" else scene.pipes
+        require(name, f"{where}.unit", material.unit, 0, len(there) - 1)
         if material.edges == "integer":
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
@@ -153,8 +158,8 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
     if material.primitive not in scene_units.PRIMITIVES[:None if material.mapper == "unit" else 1]:
         raise UserError(f"{name}: {where}.primitive: {material.primitive!r} is not for mapper "
                         f"{material.mapper!r}")
-    if material.mapper == "unit" and scene.format == "rgb565":
-        raise UserError(f"{name}: {where}.mapper: 'unit' is not for rgb565")
+    if scene.pixel.bytes == 2 and scene.format != UNIT_FORMATS.get(material.mapper, scene.format):
+        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for {scene.format}")
     if material.mapper not in MAPPERS[scene.pixel.bytes]:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
                         f"{scene.pixel.bytes} bytes")
@@ -191,9 +196,12 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     if material.mapper in ("gouraud", *LIT):
         require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
         require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
-    if material.perspective != "none" or material.mapper == "unit":
+    has_own = scene_pipes.has_own(scene, material)
+    if has_own:
+        scene_pipes.check_own(corners, name, where)
+    if material.perspective != "none" or material.mapper in UNITS:
         limits = layout.load().constants
-        for w in corners[:, 5].tolist():
+        for w in corners[:len(corners) // (2 if has_own else 1), 5].tolist():
             require(name, f"{where}: w", w, limits["W_MIN"], limits["W_MAX"])
     if material.mapper == "arbitrary":
         height, width = scene.textures[material.texture].texels.shape
@@ -218,6 +226,7 @@ def check(scene: Scene, name: str) -> None:
     for i, texture in enumerate(scene.textures):
         check_texture(texture, scene.pixel, name, f"textures[{i}]")
     scene_units.check(scene, name)
+    scene_pipes.check(scene, name)
     for i, material in enumerate(scene.materials):
         check_material(scene, material, name, f"materials[{i}]")
     for i, obj in enumerate(scene.objects):
@@ -255,7 +264,8 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     palette = np.zeros((256, 4), np.uint8)
     palette[:, 1:] = scene.palette
     tables = {t: getattr(scene, t)
-              for t in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS)}
+              for t in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
+                        *scene_pipes.COLUMNS)}
     for table in RECORDS:
         fields = built.struct(TABLES[table]).fields
         tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
@@ -268,8 +278,10 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     count = {table: len(getattr(scene, table)) for table in TABLES}
     at = header.size + PALETTE_BYTES * with_palette + sum(
         count[t] * built.struct(s).size for t, s in TABLES.items())
-    dram = {"dram": len(scene.dram), "dram_at": at}
-    at += len(scene.dram)
+    blocks = {}
+    for block in BYTES:
+        blocks |= {block: len(getattr(scene, block)), f"{block}_at": at}
+        at += blocks[block]
     tables["textures"] = []
     for texture, data in zip(scene.textures, texels):
         height, width = texture.texels.shape
@@ -278,7 +290,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
         at += len(data)
     values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
                       "version": built.constants["SCENE_VERSION"]}
-    values |= dram | {f: getattr(scene, f) for f in HEADER}
+    values |= blocks | {f: getattr(scene, f) for f in HEADER}
     values["format"] = list(FORMATS).index(scene.format)
     parts = {"palette": palette.tobytes() if with_palette else b""}
     parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
@@ -286,7 +298,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     for part, data in parts.items():
         values[f"{part}_at"] = at
         at += len(data)
-    body = b"".join([*parts.values(), scene.dram, *texels])
+    body = b"".join([*parts.values(), *(getattr(scene, block) for block in BYTES), *texels])
     summed = header.fields["width"]["offset"]
     checksum = zlib.crc32(header.pack(**values, checksum=0)[summed:] + body)
     return header.pack(**values, checksum=checksum) + body
@@ -340,7 +352,8 @@ def read(data: bytes, name: str) -> Scene:
     palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]
-    rows["dram"] = part("dram_at", values["dram_at"], values["dram"])
+    for block in BYTES:
+        rows[block] = part(f"{block}_at", values[f"{block}_at"], values[block])
     scene = Scene(
         **{f: values[f] for f in HEADER}, format=pixel.name,
         **rows | {"textures": textures, "materials": materials},

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import layout
+from . import layout, scene_pipes
 from .errors import UserError
 
 #: The tables that are rows of numbers, with their columns.
@@ -94,6 +94,8 @@ def check_look(scene, instance: Instance, name: str, where: str) -> None:
     if instance.flags & LIT:
         require(name, f"{where}.bright", instance.bright, 0, (256 << 16) - 1)
         require(name, f"{where}.dark", instance.dark, 0, instance.bright)
+    if scene_pipes.has_own(scene, material):
+        raise UserError(f"{name}: {where}.material: a mesh has no coordinates for a second unit")
     if material.primitive != "polygons":
         raise UserError(f"{name}: {where}.material: a mesh's polygons are not "
                         f"{material.primitive!r}")

@@ -8,11 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import layout, materials, mesh_build, mesh_file, scene_tx_build, space
+from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
+               scene_tx_build, space)
 from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
 from .map_range import check_engine, check_map, extent_of, fixed, inside
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
+from .scene_textures import UNITS
 
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
@@ -143,8 +145,10 @@ class Space:
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
+        if mapper == "glide":
+            size = scene_glide_build.size_of(material)
         extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
-        key = repr((source, size, extent, mapper in ("arbitrary", "unit"), wishes))
+        key = repr((source, size, extent, mapper in ("arbitrary", *UNITS), wishes))
         if key not in self.asked:
             made = self.build(obj, mapper, (size, extent), wishes, where)
             if mapper == "arbitrary":
@@ -172,6 +176,9 @@ class Space:
             if mapper == "unit":
                 for face in faces:
                     check_engine(face, texels_at)
+            elif mapper == "glide":
+                for face in faces:
+                    scene_glide.check_range([corner[2:] for corner in face], texels_at)
             else:
                 check_map([corner for face in faces for corner in face], mapper, size, extent,
                           texels_at)

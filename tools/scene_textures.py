@@ -14,11 +14,14 @@ from .pixel_formats import PixelFormat
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
                  "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
-                 "lit_gouraud": "page", "unit": None}
+                 "lit_gouraud": "page", "unit": None, "glide": None}
+UNITS = ("unit", "glide")  # mappers that are texture units
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
 #: What draws pixels of so many bytes.
-MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m != "unit"),
-           2: ("flat", "affine", "columns", "unit"), 4: ("flat", "affine", "unit")}
+MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
+           2: ("flat", "affine", "columns", *UNITS), 4: ("flat", "affine", *UNITS)}
+#: The format with 2 bytes a pixel that each kind of unit draws.
+UNIT_FORMATS = {"unit": "rgba5551", "glide": "rgb565"}
 
 
 @dataclass(eq=False)

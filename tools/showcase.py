@@ -20,6 +20,7 @@ from .model_mesh import polygons_at
 from .paths import SCENES
 from .scene import compile_scene
 from .scene_file import Scene
+from .scene_textures import UNITS
 
 NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
 ERROR_STEP = 8
@@ -44,7 +45,7 @@ def errors_of(scene: Scene) -> Errors:
             settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
             texels = scene.textures[m.texture].texels.shape if m.texture >= 0 else (256, 256)
             adapted = model.adapt(vertices, settings, max(texels))
-            if m.mapper in ("flat", "unit") or not has_ideal(adapted, settings):
+            if m.mapper in ("flat", *UNITS) or not has_ideal(adapted, settings):
                 continue
             polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
             exact = ideal.Picture([v[:4] for v in adapted], *size)

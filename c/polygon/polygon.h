@@ -80,6 +80,7 @@ enum mapper {
     MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,
                                    START_SUBTEXEL */
     MAPPER_UNIT,                /* by the material's texture unit: not by polygon_draw */
+    MAPPER_GLIDE,               /* by its pipe of Glide's texture units: the same */
     MAPPER_KINDS
 };
 
@@ -96,7 +97,7 @@ enum span_kind {
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
     SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY, SPAN_AFFINE_32,
     SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
-    SPAN_TX_PASSES, SPAN_TX_PIXELS,
+    SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PIXELS,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -124,6 +125,7 @@ enum rule {
     RULE_TX_FLAT,               /* no texel reaches the combiner's result: flat */
     RULE_TX_PLAIN,              /* one tile's points and constants: an affine span of its pixels */
     RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
+    RULE_TMU_PLAIN,             /* one unit's points of one level: an affine span of its pixels */
     RULES
 };
 
@@ -159,7 +161,8 @@ struct material {
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
     polygon_routine *draw;      /* what meshes and scenes call for it */
     struct tx_unit *unit;       /* MAPPER_UNIT */
-    uint32 spare_long;          /* 48 bytes: an index is multiplied by two additions and a shift */
+    struct tmu_pipe *pipe;      /* MAPPER_GLIDE. 48 bytes: an index is multiplied by two additions
+                                   and a shift */
 };
 
 /* How polygons are drawn, whatever they are. */
@@ -170,7 +173,7 @@ struct drawing {
     struct draw_counts *counts; /* one a material, or 0; counting takes time */
 };
 
-/* By every mapper but MAPPER_UNIT. */
+/* By every mapper but MAPPER_UNIT and MAPPER_GLIDE. */
 polygon_routine polygon_draw;
 
 #endif

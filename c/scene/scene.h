@@ -5,6 +5,7 @@
 #include "mesh/mesh.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
+#include "tmu/unit.h"
 #include "tx/unit.h"
 
 struct scene {
@@ -24,12 +25,16 @@ struct scene {
     const struct scene_unit *units;
     const struct scene_list *lists;
     const struct tx_word *words;
+    const struct scene_tmu *tmus;
+    const struct scene_pipe *pipes;
     struct mesh_work work;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
     struct tx_unit *engines;    /* one a unit */
+    struct tmu *tmu;            /* one each of tmus */
+    struct tmu_pipe *pipe;      /* one each of pipes */
 };
 
 /* Puts the textures of a checked scene into memory of the kind given, each as its
@@ -71,6 +76,22 @@ int32 scene_try_units(const struct scene *scene, const char *name);
 
 /* Why the last polygon that a texture engine refused was. */
 const char *scene_why_refused(const struct scene *scene);
+
+/* scene_glide.c. The first field of tmus or pipes that is wrong, or 0; tables lie in the file. */
+const char *scene_wrong_pipe(const struct scene *scene);
+
+/* Makes Glide's texture units and their pipes; 0 where memory is short. */
+int32 scene_make_pipes(struct scene *scene, int32 kind);
+
+/* Whether the second unit of a material goes by the second half of an object's vertices; pipes are
+   checked. */
+int32 scene_has_own(const struct scene *scene, const struct scene_material *material);
+
+polygon_routine *scene_pipe_routine(const struct scene *scene,
+                                    const struct scene_material *material);
+
+/* Why a pipe refused a polygon; 0: none did. */
+const char *scene_why_pipe_refused(const struct scene *scene);
 
 /* What there is not enough memory for. */
 enum scene_memory {

@@ -7,17 +7,19 @@
 
 #include "compiler.h"
 #include "polygon/vertex.h"
+#include "tmu/tmu.h"
 #include "tx/tx.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 7,
+    SCENE_VERSION = 8,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     POLYGON_VERTICES_MAX = 64,
     NO_TEXTURE = -1,
     NO_UNIT = -1,
+    NO_TABLE = -1,
     MESH_COUNT_MAX = 4096,      /* points, normals and faces of a mesh, each */
     MESH_CORNERS_MAX = 32,      /* of a face: cutting adds some */
     MESH_REACH = 2048,          /* a mesh's points: farthest coordinate */
@@ -51,10 +53,12 @@ struct scene_header {
     uint32 textures, materials, objects, vertices, poses;       /* counts */
     uint32 points, normals, corners, faces, meshes, instances, views;
     uint32 units, lists, words, dram;           /* dram: bytes, a multiple of 8 */
+    uint32 tmus, pipes, tmu_memory;             /* tmu_memory: bytes, the same */
     uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
     uint32 textures_at, materials_at, objects_at, vertices_at, poses_at;
     uint32 points_at, normals_at, corners_at, faces_at, meshes_at, instances_at, views_at;
     uint32 units_at, lists_at, words_at, dram_at;
+    uint32 tmus_at, pipes_at, tmu_memory_at;
 };
 
 /* A map, width x height texels in the order of its layout; MAP_PAGE and MAP_MARGINS
@@ -66,15 +70,16 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine, columns or, but for PIXEL_RGB565, unit; with 4 flat, affine
-   or unit; none of these with a perspective. */
+/* With 2 bytes a pixel: flat, affine, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551 unit; with
+   4 flat, affine, glide or unit; none of these with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
     uint32 colour;              /* pixel of a flat material */
     int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
     fix16 tolerance;            /* texels, 0 to TOLERANCE_MAX; 0 without a perspective */
-    int32 unit;                 /* index, of MAPPER_UNIT; else NO_UNIT */
+    int32 unit;                 /* index: of a unit where MAPPER_UNIT, of a pipe where
+                                   MAPPER_GLIDE; else NO_UNIT */
     uint32 primitive;           /* enum unit_primitive; 0 without a unit */
 };
 
@@ -99,6 +104,24 @@ struct scene_unit {
 /* A display list: struct tx_word in the table of words. */
 struct scene_list {
     uint32 word, words;         /* first, how many */
+};
+
+/* A texture unit of Glide's: its registers (tmu/tmu.h) and its part of the file's tmu_memory, where
+   its tables lie too. */
+struct scene_tmu {
+    uint32 mode, lod, detail, base;
+    uint32 memory, bytes;       /* offset, a multiple of 4; how many: a power of two, 8 or more */
+    int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
+    int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
+    uint32 fraction_bits;       /* of filter weights: 4 or 8 */
+};
+
+/* Units in a row, the first nearest the frame. */
+struct scene_pipe {
+    uint32 tmu, tmus;           /* first, how many: 1 or 2 */
+    uint32 own;                 /* 2: the second has s, t and w of its own. An object's vertices are
+                                   twice its corners' then: the first half as always, of the second
+                                   s, t and w (not 0) count. Not for meshes */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose

@@ -83,6 +83,13 @@ static const char *wrong_header(const struct scene_header *h, uint32 bytes)
         return "words or words_at";
     if (h->dram_at < sizeof *h || h->dram & 7 || !table_inside(h->dram_at, h->dram, 1, bytes))
         return "dram or dram_at";
+    if (!table_usable(h->tmus_at, h->tmus, sizeof(struct scene_tmu), bytes))
+        return "tmus or tmus_at";
+    if (!table_usable(h->pipes_at, h->pipes, sizeof(struct scene_pipe), bytes))
+        return "pipes or pipes_at";
+    if (h->tmu_memory_at < sizeof *h || h->tmu_memory & 7
+        || !table_inside(h->tmu_memory_at, h->tmu_memory, 1, bytes))
+        return "tmu_memory or tmu_memory_at";
     return 0;
 }
 
@@ -139,12 +146,30 @@ static int32 is_lit(uint32 mapper)
     return mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD;
 }
 
-/* Whether a mapper draws pixels of so many bytes. */
-static int32 draws(uint32 mapper, int32 bytes)
+/* By texture units, of either kind. */
+static int32 is_unit(uint32 mapper)
 {
-    return bytes == 1 ? mapper != MAPPER_UNIT
-        : mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE || mapper == MAPPER_UNIT
-          || (bytes == 2 && mapper == MAPPER_COLUMNS);
+    return mapper == MAPPER_UNIT || mapper == MAPPER_GLIDE;
+}
+
+/* Whether a mapper draws pixels of a format. */
+static int32 draws(uint32 mapper, uint32 format)
+{
+    int32 bytes = scene_pixel_bytes(format);
+
+    if (is_unit(mapper))
+        return bytes == 4
+            || (bytes == 2 && format == (mapper == MAPPER_UNIT ? PIXEL_RGBA5551 : PIXEL_RGB565));
+    return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
+        || (bytes == 2 && mapper == MAPPER_COLUMNS);
+}
+
+/* Whether the material's unit is there, or it needs none and has none. */
+static int32 unit_usable(const struct scene_header *h, const struct scene_material *m)
+{
+    if (!is_unit(m->mapper))
+        return m->unit == NO_UNIT;
+    return (uint32)m->unit < (m->mapper == MAPPER_UNIT ? h->units : h->pipes);
 }
 
 static const char *wrong_material(const struct scene *scene)
@@ -152,7 +177,7 @@ static const char *wrong_material(const struct scene *scene)
     /* What each mapper wants; MAP_LAYOUTS: none. */
     static const uint8 layouts[MAPPER_KINDS] = {
         MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS,
-        MAP_PAGE, MAP_PAGE, MAP_LAYOUTS
+        MAP_PAGE, MAP_PAGE, MAP_LAYOUTS, MAP_LAYOUTS
     };
     const struct scene_header *h = scene->header;
     int32 bytes = scene_pixel_bytes(h->format);
@@ -160,14 +185,13 @@ static const char *wrong_material(const struct scene *scene)
     for (uint32 i = 0; i < h->materials; i++) {
         const struct scene_material *m = &scene->materials[i];
 
-        if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, bytes)
-            || (m->mapper == MAPPER_UNIT && h->format == PIXEL_RGB565))
+        if (m->mapper >= MAPPER_KINDS || !draws(m->mapper, h->format))
             return "material.mapper";
-        if (m->mapper == MAPPER_UNIT ? (uint32)m->unit >= h->units : m->unit != NO_UNIT)
+        if (!unit_usable(h, m))
             return "material.unit";
         if (m->primitive >= (m->mapper == MAPPER_UNIT ? UNIT_PRIMITIVES : 1))
             return "material.primitive";
-        if (m->edges >= EDGES_KINDS || (m->mapper == MAPPER_UNIT && m->edges == EDGES_INTEGER))
+        if (m->edges >= EDGES_KINDS || (is_unit(m->mapper) && m->edges == EDGES_INTEGER))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
             || (m->mapper == MAPPER_LIT_GOURAUD && m->gradients != GRADIENTS_PLANE))
@@ -250,17 +274,23 @@ static const char *wrong_rectangle(const struct scene *scene, const struct scene
     return 0;
 }
 
+static int32 depth_usable(fix16 w, int32 is_own)
+{
+    return is_own ? w && w >= -W_MAX && w <= W_MAX : w >= W_MIN && w <= W_MAX;
+}
+
 /* Only what a mapper does not repeat: texels inside the map, shades inside the palette. */
 static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
 {
     const struct scene_material *m = &scene->materials[object->material];
     const struct vertex *v = &scene->vertices[object->vertex];
+    uint32 own = scene_has_own(scene, m) ? object->vertices >> 1 : 0;
 
     for (uint32 left = object->vertices; left; left--, v++) {
         if ((m->mapper == MAPPER_GOURAUD || is_lit(m->mapper))
             && (v->shade < 0 || v->shade >= 256 << 16))
             return "vertex.shade";
-        if ((m->perspective || m->mapper == MAPPER_UNIT) && (v->w < W_MIN || v->w > W_MAX))
+        if ((m->perspective || is_unit(m->mapper)) && !depth_usable(v->w, left <= own))
             return "vertex.w";
         if (m->mapper == MAPPER_ARBITRARY) {
             const char *wrong = scene_wrong_texel(scene, m, v->s, v->t);
@@ -287,7 +317,8 @@ static const char *wrong_object(const struct scene *scene)
         if ((scene_has_rectangles(m) ? o->vertices != 2 : o->vertices < 3)
             || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
             || o->vertices > h->vertices - o->vertex
-            || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON))
+            || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON)
+            || (scene_has_own(scene, m) && (o->vertices < 6 || o->vertices & 1)))
             return "object.vertices";
         if (o->poses < 1 || o->pose > h->poses || o->poses > h->poses - o->pose)
             return "object.poses";
@@ -308,6 +339,8 @@ static const char *wrong_entry(const struct scene *scene)
 
     if (!wrong)
         wrong = scene_wrong_unit(scene);
+    if (!wrong)
+        wrong = scene_wrong_pipe(scene);
     if (!wrong)
         wrong = wrong_material(scene);
     if (!wrong)

@@ -33,6 +33,8 @@ void scene_place(struct scene *scene, const uint8 *data)
     scene->units = (const struct scene_unit *)(data + header->units_at);
     scene->lists = (const struct scene_list *)(data + header->lists_at);
     scene->words = (const struct tx_word *)(data + header->words_at);
+    scene->tmus = (const struct scene_tmu *)(data + header->tmus_at);
+    scene->pipes = (const struct scene_pipe *)(data + header->pipes_at);
 }
 
 static int32 needs_reciprocals(const struct scene_material *material)
@@ -87,6 +89,16 @@ static int32 make_logarithms(struct scene *scene)
     return 1;
 }
 
+static polygon_routine *routine_of(const struct scene *scene,
+                                   const struct scene_material *material)
+{
+    if (material->mapper == MAPPER_UNIT)
+        return scene_unit_routine(material->primitive);
+    if (material->mapper == MAPPER_GLIDE)
+        return scene_pipe_routine(scene, material);
+    return polygon_draw;
+}
+
 static int32 make_materials(struct scene *scene)
 {
     uint32 count = scene->header->materials;
@@ -109,8 +121,9 @@ static int32 make_materials(struct scene *scene)
         to->colour = from->colour;
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
-        to->draw = from->mapper == MAPPER_UNIT ? scene_unit_routine(from->primitive) : polygon_draw;
+        to->draw = routine_of(scene, from);
         to->unit = from->mapper == MAPPER_UNIT ? &scene->engines[from->unit] : 0;
+        to->pipe = from->mapper == MAPPER_GLIDE ? &scene->pipe[from->unit] : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
@@ -160,7 +173,7 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
         return SCENE_RECIPROCALS;
     if (!make_logarithms(scene))
         return SCENE_LOGARITHMS;
-    if (!scene_make_units(scene, kind))
+    if (!scene_make_units(scene, kind) || !scene_make_pipes(scene, kind))
         return SCENE_UNITS;
     if (!make_materials(scene))
         return SCENE_MATERIALS;

@@ -135,7 +135,8 @@ static const char *wrong_instance(const struct scene *scene)
 
         if (o->mesh >= h->meshes)
             return "instance.mesh";
-        if (o->material >= h->materials || scene->materials[o->material].primitive)
+        if (o->material >= h->materials || scene->materials[o->material].primitive
+            || scene_has_own(scene, &scene->materials[o->material]))
             return "instance.material";
         if (o->before < before || o->before > h->objects)
             return "instance.before";

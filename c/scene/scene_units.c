@@ -121,7 +121,10 @@ int32 scene_try_units(const struct scene *scene, const char *name)
 const char *scene_why_refused(const struct scene *scene)
 {
     enum tx_result result = TX_DONE;
+    const char *pipe = scene_why_pipe_refused(scene);
 
+    if (pipe)
+        return pipe;
     for (uint32 i = 0; i < scene->header->units; i++)
         if (scene->engines[i].result != TX_DONE)
             result = scene->engines[i].result;

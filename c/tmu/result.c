@@ -30,7 +30,10 @@ const char *tmu_result_text(enum tmu_result result)
         "flag is neither 0 nor 1",
         "weights have neither 4 nor 8 bits",
         "register has bits that mean nothing",
-        "not one or two units, or hints beyond them"
+        "not one or two units, or hints beyond them",
+        "s or t of a vertex is 8,192 or more, or of two vertices that far apart",
+        "w of a vertex is 0, or above 16,384",
+        "a unit's own coordinates are missing"
     };
 
     return (uint32)result < TMU_RESULTS ? texts[result] : "unknown result";

@@ -103,6 +103,9 @@ enum tmu_result {
     TMU_BAD_FRACTION_BITS,      /* neither 4 nor 8 */
     TMU_BAD_REGISTER,           /* bits that are set stand for nothing a unit has */
     TMU_BAD_UNITS,              /* none, or more than there can be */
+    TMU_BAD_COORDINATE,         /* s or t of a polygon: see tmu_polygon_draw */
+    TMU_BAD_W,                  /* 0, or above W_MAX */
+    TMU_NO_COORDINATES,         /* of a unit that has its own */
     TMU_RESULTS
 };
 

@@ -100,7 +100,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
 
     if (unit->tx.modes.cycle == TX_COPY)        /* not by a page */
         return tx_refused(unit, TX_CYCLE_TYPE);
-    s->vertices = tx_planes_vertices(s->given, s->count);
+    s->vertices = planes_vertices(s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
         return result;
@@ -215,8 +215,7 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     unit->tables = 0;
     unit->yuv = 0;
     unit->levels_made = unit->tables_made = unit->yuv_made = 0;
-    unit->page.texels = 0;
-    unit->page.bytes = unit->page.half = unit->page.from = unit->page.end = 0;
+    page_init(&unit->page.page);
     for (int32 i = 0; i < TX_PAGE_KEY; i++)
         unit->page.key[i] = 0;
     for (int32 i = 0; i < TX_TILES; i++)

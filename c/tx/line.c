@@ -132,7 +132,7 @@ static void draw_direct(const struct tx_plan *plan, uint16 *pixels, int32 count)
 
 static void find_shades(const struct tx_planes *planes, int32 x, int32 y, int32 count)
 {
-    const struct tx_plane *of = planes->of;
+    const struct plane *of = planes->all.of;
     struct tx_shades start, steps;
 
     start.r = (int32)tx_plane_at(planes, TX_RED, x, y);

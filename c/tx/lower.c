@@ -42,27 +42,30 @@ int32 tx_lower_to_flat(const struct tx_needs *needs, struct setup *s)
     return APPLIES(TX_FLAT, !needs->inputs);
 }
 
-/* Whether every pixel's coordinate lies within the window of a page: it leaves the vertices'
-   range by less than TX_PAGE_MARGIN. */
-static int32 is_within(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
-                       const struct tx_window *window)
+static void set_window(const struct tx_axis *axis, const struct tx_window *from,
+                       struct page_window *to)
 {
-    fix16 low = (axis->low << 14) + (window->first + window->least + TX_PAGE_MARGIN) * 65536;
-    fix16 high = low + (MAP_PAGE_SIDE - 2 * TX_PAGE_MARGIN) * 65536;
+    to->origin = (axis->low << 14) + from->first * 65536;
+    to->least = from->least;
+    to->period = from->period * 65536;
+}
 
-    if (window->period)
-        return 1;
-    for (int32 i = 0; i < s->count; i++) {
-        if (*value < low || *value >= high)
-            return 0;
-        value += sizeof(struct vertex) / sizeof *value;
-    }
+/* Whether a page can stand for the tile. */
+static int32 find_windows(const struct tx_tile *tile, int32 copy, struct page_window *columns,
+                          struct page_window *rows)
+{
+    struct tx_window s, t;
+
+    if (!tx_page_windows(tile, copy, &s, &t))
+        return 0;
+    set_window(&tile->s, &s, columns);
+    set_window(&tile->t, &t, rows);
     return 1;
 }
 
 /* Point sampling of one tile without levels, the rest constants. */
 static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const struct tx *tx,
-                      struct tx_window *columns, struct tx_window *rows)
+                      struct page_window *columns, struct page_window *rows)
 {
     const struct tx_tile *tile = &tx->tiles[tx->primitive_tile];
     int32 copy = tx->modes.cycle == TX_COPY;
@@ -70,118 +73,21 @@ static int32 is_plain(const struct tx_needs *needs, const struct setup *s, const
     return (copy ? s->frame->pixel_bytes == 2
                  : needs->inputs == TX_INPUT_TEXEL0 && !tx->modes.lod && !tx->modes.quad)
         && !needs->divided
-        && tx_page_windows(tile, copy, columns, rows)
-        && is_within(s, &s->given->s, &tile->s, columns)
-        && is_within(s, &s->given->t, &tile->t, rows);
-}
-
-/* Where the page of an axis begins, in texels. It may be moved by whole periods: so that the
-   vertices are around its middle, and spans do not leave it where they need not. */
-static fix16 page_origin(const struct setup *s, const fix16 *value, const struct tx_axis *axis,
-                         const struct tx_window *window)
-{
-    fix16 origin = (axis->low << 14) + window->first * 65536, least = *value, most = *value;
-    fix16 period = window->period * 65536, middle;
-
-    if (!period)
-        return origin;
-    for (int32 i = 1; i < s->count; i++) {
-        value += sizeof(struct vertex) / sizeof *value;
-        least = *value < least ? *value : least;
-        most = *value > most ? *value : most;
-    }
-    middle = (least >> 1) + (most >> 1) - origin - (window->least + MAP_PAGE_SIDE / 2) * 65536;
-    return origin + ((middle + (period >> 1)) & -period);
-}
-
-static const struct vertex *page_vertices(const struct setup *s, fix16 s_origin, fix16 t_origin)
-{
-    static struct vertex moved[POLYGON_VERTICES_MAX];
-
-    for (int32 i = 0; i < s->count; i++) {
-        moved[i] = s->given[i];
-        moved[i].s -= s_origin;
-        moved[i].t -= t_origin;
-    }
-    return moved;
-}
-
-static fix16 extent(const fix16 *value, int32 count, fix16 *least)
-{
-    fix16 most = *value;
-
-    *least = *value;
-    for (int32 i = 1; i < count; i++) {
-        value += sizeof(struct vertex) / sizeof *value;
-        *least = *value < *least ? *value : *least;
-        most = *value > most ? *value : most;
-    }
-    return most - *least;
-}
-
-static int32 is_parallelogram(const struct vertex *v)
-{
-    return v[0].x + v[2].x == v[1].x + v[3].x && v[0].y + v[2].y == v[1].y + v[3].y
-        && v[0].t + v[2].t == v[1].t + v[3].t;
-}
-
-/* Whether t of each pixel is less than a texel beyond the vertices': it is one plane over all of
-   them, and changes by 32 texels a pixel at most where edges are off by 1/64 of one. The area is
-   in 1/256 pixel, from corners in 1/16. */
-static int32 keeps_range(const struct setup *s, fix16 range)
-{
-    const struct vertex *v = s->given;
-    fix16 least, width, height;
-    int32 side, area;
-
-    if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
-        return 0;
-    width = extent(&v->x, s->count, &least);
-    height = extent(&v->y, s->count, &least);
-    side = ((width > height ? width : height) >> 16) + 1;
-    if (width < 0 || height < 0 || side > 1024)
-        return 0;
-    area = ((v[1].x - v[0].x) >> 12) * ((v[2].y - v[0].y) >> 12)
-        - ((v[2].x - v[0].x) >> 12) * ((v[1].y - v[0].y) >> 12);
-    return (area < 0 ? -area : area) >= 16 * side * ((range >> 16) + 5);
-}
-
-/* Rows of the page that a polygon shows; all of them where they are not known. */
-static void find_rows(const struct setup *s, fix16 t_origin, int32 least_row, int32 *first,
-                      int32 *last)
-{
-    fix16 least, range = extent(&s->given->t, s->count, &least);
-
-    *first = ((least - t_origin) >> 16) - TX_PAGE_MARGIN;
-    *last = ((least + range - t_origin) >> 16) + TX_PAGE_MARGIN;
-    if (*first < least_row || *last >= least_row + MAP_PAGE_SIDE || !keeps_range(s, range)) {
-        *first = least_row;
-        *last = least_row + MAP_PAGE_SIDE - 1;
-    }
+        && find_windows(tile, copy, columns, rows)
+        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows);
 }
 
 int32 tx_lower_to_plain(const struct tx_needs *needs, struct setup *s, struct tx_unit *unit,
                         struct material *plain, const struct vertex **vertices)
 {
-    const struct tx_tile *tile = &unit->tx.tiles[unit->tx.primitive_tile];
-    struct tx_window columns, rows;
-    fix16 s_origin, t_origin;
-    int32 first, last;
+    struct page_window columns, rows;
+    struct page_rows shown;
 
     if (!APPLIES(TX_PLAIN, is_plain(needs, s, &unit->tx, &columns, &rows)))
         return 0;
-    s_origin = page_origin(s, &s->given->s, &tile->s, &columns);
-    t_origin = page_origin(s, &s->given->t, &tile->t, &rows);
-    find_rows(s, t_origin, rows.least, &first, &last);
-    if (!tx_page_make(unit, needs, s->frame->pixel_bytes, first, last))
+    *vertices = page_vertices(s, &columns, &rows, &shown);
+    if (!tx_page_make(unit, needs, s->frame->pixel_bytes, &shown))
         return 0;
-    *plain = *s->material;
-    plain->mapper = MAPPER_AFFINE;
-    plain->gradients = GRADIENTS_PLANE;
-    plain->start = START_SUBTEXEL;
-    plain->whole = 1;           /* s and t are planes to the last bit */
-    plain->perspective = PERSPECTIVE_NONE;
-    plain->map = &unit->page.map;
-    *vertices = page_vertices(s, s_origin, t_origin);
+    page_material(plain, s->material, &unit->page.page);
     return 1;
 }

@@ -1,12 +1,9 @@
 #include "tx/page.h"
 
-#include "system/system.h"
 #include "tx/pixels.h"
 #include "tx/plan.h"
 
-/* Polygons have their middle at row 64: small ones leave neither rows 0 to 127, which lie one
-   behind the other, nor those that there is memory for. */
-enum { SIDE = MAP_PAGE_SIDE, MIDDLE = 64, HALF_LEAST = 16 };
+enum { SIDE = MAP_PAGE_SIDE };
 
 static int32 period(const struct tx_axis *axis)
 {
@@ -46,7 +43,7 @@ int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *
                       struct tx_window *rows)
 {
     columns->least = 0;
-    rows->least = MIDDLE - SIDE / 2;
+    rows->least = PAGE_LEAST_ROW;
     return find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows);
 }
 
@@ -94,9 +91,9 @@ static void find_columns(struct making *m)
 /* A texel a pixel; each row has its own t. */
 static void find_planes(struct making *m)
 {
-    struct tx_plane *of = m->planes.of;
+    struct plane *of = m->planes.all.of;
 
-    m->planes.i = m->planes.divided = m->planes.shaded = 0;
+    m->planes.all.i = m->planes.divided = m->planes.shaded = 0;
     of[TX_S].at = (uint32)coordinate(m->s, &m->columns, 0) << 16;
     of[TX_S].dx = 32u << 16;
     of[TX_W].at = TX_W_ONE;
@@ -135,8 +132,8 @@ static int32 are_alike(const struct tx *tx)
 
 static void draw_texels(struct making *m, int32 v, int32 t)
 {
-    m->planes.j = v;
-    m->planes.of[TX_T].at = (uint32)t << 16;
+    m->planes.all.j = v;
+    m->planes.all.of[TX_T].at = (uint32)t << 16;
     if (m->has_plan)
         tx_plan_draw(&m->plan, &m->frame, m->from, v, m->count);
     else
@@ -155,16 +152,11 @@ static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 fr
             at[first] = at[from];
 }
 
-static uint8 *row_of(const struct making *m, int32 v)
-{
-    return m->frame.pixels + (int8)v * m->frame.pitch;
-}
-
 static void make_row(struct making *m, int32 v)
 {
     int32 t = coordinate(m->t, &m->rows, v), bytes = m->frame.pixel_bytes;
     int32 used = m->count * bytes;
-    uint8 *row = row_of(m, v);
+    uint8 *row = page_row(&m->unit->page.page, v);
 
     if (m->unit->tx.modes.cycle == TX_COPY)
         copy_texels(m, (uint16 *)row, t);
@@ -177,9 +169,11 @@ static void make_row(struct making *m, int32 v)
         fill(row, bytes, m->from + m->count, SIDE, m->from + m->count - 1);
 }
 
-/* Row v of rows from to end - 1, which are made beside it: one of them may be the same. */
-static void find_row(struct making *m, int32 v, int32 from, int32 end)
+/* One of those that are made may be the same. */
+static void find_row(void *context, int32 v, int32 from, int32 end)
 {
+    struct making *m = context;
+    const struct page *page = &m->unit->page.page;
     int32 same = end;           /* none */
 
     if (m->rows.period)
@@ -188,20 +182,15 @@ static void find_row(struct making *m, int32 v, int32 from, int32 end)
         same = v < -m->rows.first ? v + 1
             : v > last_index(m->t) - m->rows.first ? v - 1 : end;
     if (same >= from && same < end)
-        tx_copy_row((const uint32 *)row_of(m, same), (uint32 *)row_of(m, v), m->frame.pitch / 4);
+        tx_copy_row((const uint32 *)page_row(page, same), (uint32 *)page_row(page, v),
+                    m->frame.pitch / 4);
     else
         make_row(m, v);
 }
 
-/* That there is memory for. */
-static int32 first_row(const struct tx_page *page)
+static void make_rows(struct making *m, const struct page_rows *rows)
 {
-    return page->half < SIDE / 2 ? MIDDLE - page->half : -SIDE / 2;
-}
-
-static void make_rows(struct making *m, int32 first, int32 last)
-{
-    struct tx_page *page = &m->unit->page;
+    struct page *page = &m->unit->page.page;
     const struct tx *tx = &m->unit->tx;
     int32 copy = tx->modes.cycle == TX_COPY;
 
@@ -210,17 +199,11 @@ static void make_rows(struct making *m, int32 first, int32 last)
     tx_page_windows(&tx->tiles[tx->primitive_tile], copy, &m->columns, &m->rows);
     m->frame.pixel_bytes = page->map.texel_bytes;
     m->frame.pitch = SIDE * m->frame.pixel_bytes;
-    m->frame.pixels = page->texels - first_row(page) * m->frame.pitch;
-    page->map.texels = m->frame.pixels;
+    m->frame.pixels = (uint8 *)page->map.texels;
     find_columns(m);
     find_planes(m);
     m->has_plan = !copy && tx_plan_find(&m->plan, m->needs, m->unit, &m->planes);
-    if (page->from == page->end)
-        page->from = page->end = first;
-    for (; page->from > first; page->from--)
-        find_row(m, page->from - 1, page->from, page->end);
-    for (; page->end <= last; page->end++)
-        find_row(m, page->end, page->from, page->end);
+    page_grow(page, rows, find_row, m);
 }
 
 /* Everything that the page depends on. */
@@ -247,25 +230,8 @@ static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_byte
     key[9] = (uint32)shade->b << 16 | (uint32)shade->a;
 }
 
-/* Memory for rows: those that were made are gone where it is new. What was taken before stays
-   taken until the program ends. */
-static int32 page_room(struct tx_unit *unit, int32 pitch, int32 first, int32 last)
-{
-    struct tx_page *page = &unit->page;
-    int32 half = page->half > HALF_LEAST ? page->half : HALF_LEAST;
-
-    while (half < SIDE / 2 && (first < MIDDLE - half || last >= MIDDLE + half))
-        half *= 2;
-    if (half == page->half && page->bytes >= 2 * half * pitch)
-        return 1;
-    page->from = page->end = 0;
-    page->half = half;
-    page->bytes = mem_alloc(&page->texels, 2 * half * pitch, unit->memory) ? 2 * half * pitch : 0;
-    return page->bytes > 0;
-}
-
 int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pixel_bytes,
-                   int32 first, int32 last)
+                   const struct page_rows *rows)
 {
     struct tx_page *page = &unit->page;
     static struct making making;
@@ -277,20 +243,15 @@ int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pix
         page->key[i] = key[i];
     }
     if (differs)
-        page->from = page->end = 0;
-    if (page->from < page->end && first >= page->from && last < page->end)
+        page_forget(&page->page);
+    if (page_has(&page->page, rows))
         return 1;
     if (unit->tx.modes.cycle == TX_COPY && !are_alike(&unit->tx))
         return 0;
-    if (!page_room(unit, SIDE * pixel_bytes, first, last))
+    if (!page_ready(&page->page, pixel_bytes, unit->memory, rows))
         return 0;
-    page->map.width = page->map.height = SIDE;
-    page->map.scale = 65536;
-    page->map.layout = MAP_PAGE;
-    page->map.texel_bytes = (uint8)pixel_bytes;
-    page->map.full = page->map.dark = 0;
     making.unit = unit;
     making.needs = needs;
-    make_rows(&making, first, last);
+    make_rows(&making, rows);
     return 1;
 }

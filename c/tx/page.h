@@ -5,10 +5,6 @@
 
 #include "tx/lower.h"
 
-enum tx_page_constants {
-    TX_PAGE_MARGIN = 1          /* texels: more than u and v of a pixel leave the vertices' range */
-};
-
 /* What an axis' page shows: column or row k is relative index first + k, for 256 of them from
    least on. An axis that repeats within a page goes on for ever, one that clamps ends with the
    page. */
@@ -22,10 +18,10 @@ struct tx_window {
 int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *columns,
                       struct tx_window *rows);
 
-/* Makes rows first to last (-64 to 191) of the unit's page fit its first tile, their colours being
+/* Makes rows of the unit's page fit its first tile, their colours being
    what the combiner makes of texel 0 and constants, or in copy mode the texels; nothing is done
    where they still do. 0: there is no memory, or copy mode reads more than a page has. */
 int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pixel_bytes,
-                   int32 first, int32 last);
+                   const struct page_rows *rows);
 
 #endif

@@ -106,7 +106,7 @@ static const struct tx_levels *find_levels(struct tx_unit *unit)
    pixel below does not count. */
 static int32 find_lod(struct tx_plan *plan)
 {
-    const struct tx_plane *of = plan->planes->of;
+    const struct plane *of = plan->planes->all.of;
     struct tx_lod_steps *lod = &plan->steps.lod;
     const int32 down = plan->unit->tx.modes.cycle != TX_ONE_CYCLE;
 
@@ -125,7 +125,7 @@ static int32 find_lod(struct tx_plan *plan)
 
 static int32 find_coordinates(struct tx_plan *plan)
 {
-    const struct tx_plane *of = plan->planes->of;
+    const struct plane *of = plan->planes->all.of;
     struct tx_division *division = &plan->steps.division;
 
     if (plan->levels)

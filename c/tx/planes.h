@@ -2,36 +2,23 @@
 #ifndef TX_PLANES_H
 #define TX_PLANES_H
 
-#include "polygon/setup.h"
+#include "polygon/planes.h"
 #include "tx/pixel.h"
 
-enum tx_interpolant { TX_S, TX_T, TX_W, TX_RED, TX_GREEN, TX_BLUE, TX_ALPHA, TX_INTERPOLANTS };
+enum tx_interpolant { TX_S, TX_T, TX_W, TX_RED, TX_GREEN, TX_BLUE, TX_ALPHA };
 
 #define TX_W_ONE 0x7fff0000     /* the greatest w: 1.0 */
 
-/* s15.16 modulo 2^32: the value at pixel (i, j) of the planes, a pixel's and a line's step. */
-struct tx_plane {
-    uint32 at, dx, dy;
-};
-
+/* s15.16, numbered by enum tx_interpolant. */
 struct tx_planes {
-    int32 i, j;
+    struct planes all;
     int32 divided;              /* s and t are to be divided by w */
     int32 shaded;
-    struct tx_plane of[TX_INTERPOLANTS];
 };
 
-/* Copies x and y of a polygon's vertices to where tx_planes_find looks for them: up to
-   POLYGON_VERTICES_MAX. */
-const struct vertex *tx_planes_vertices(const struct vertex *vertices, int32 count);
-
-/* Finds the planes of a polygon whose outline is found, from the vertices above: s->given has
-   s and t in texels, w and shade, 16.16.
-
-   Where w is the same everywhere, or perspective is 0: s and t are planes in 1/65536 texel,
-   taken times 32. w is 0x7fff, by which a divide changes nothing. Otherwise w of a vertex is
-   0x7fff0000 w_least / w, and s the coordinate in 1/(32 * 65536) texel times that / 0x7fff0000,
-   each rounded to the nearest; their planes are found from those numbers.
+/* Finds the planes of a polygon whose outline is found, from planes_vertices: s->given has s and t
+   in texels, w and shade, 16.16. What they become: planes_coordinates, S being s times 32; W is
+   0x7fff0000 where w does not count, by which a divide changes nothing.
 
    shades: what is interpolated of colours (R G B A of each vertex; 0: vertices' shades as grey,
    A 255), or not.

@@ -1,18 +1,12 @@
 """Polygons and rectangles as the texture unit draws them, bit for bit.
 
-A polygon's iterators are planes over the screen, a pair at a time set up as the renderer's
-polygons are (tools.model.set_up: plane gradients, sub-texel starts, exact edges or subpixel
-ones): (S, T), (W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+A polygon's iterators are planes over the screen, found a pair at a time (tools.planes): (S, T),
+(W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
 
-- without perspective, or where all w are the same, planes of s and t are found in 1/65536 texel,
-  and S = 32 s, T = 32 t: s15.16 of s10.5, exact; W is 0x7fff0000 everywhere;
-- else W = 0x7fff0000 * least w / w at each vertex, S = 32 s * W / 0x7fff0000, T alike, each to
-  the nearest, halves up;
+- s, t and w as tools.planes has them: S = 32 s is s15.16 of s10.5, exact, and W is 0x7fff0000
+  where w does not count;
 - a colour 0..255 is the whole part of 16.16, exact;
-- each of a pair is moved by its base, floor((least + most) / 2), before set-up and back after;
-- the plane's value at the box's middle, its steps and the lines' starts are rounded by set-up:
-  gradients cut to 32.32, values and steps to the nearest 16.16 (tools.model_texturing.plane);
-- iterators then step without rounding, modulo 2^32; their upper 16 bits are s, t and w;
+- the iterators' upper 16 bits are s, t and w;
 - shade is the whole part of the iterator, clamped to 0..255.
 """
 
@@ -22,7 +16,8 @@ import numpy as np
 
 from .. import model
 from ..errors import UserError
-from ..fixed import M32, mul_div
+from ..fixed import M32
+from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
 from .copy import check as check_copy
 from .copy import copy
@@ -32,8 +27,7 @@ from .pixels import pixels, store
 from .state import COPY, State
 
 SETTINGS = model.Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
-NEAREST = 0x7FFF0000  # W of the nearest vertex
-NARROW = 1024 << 16  # s and t of two corners are less than this apart
+SCALE = Scale(5, 0x7FFF0000, 1024 << 16)
 
 
 class Vertex(NamedTuple):
@@ -56,71 +50,6 @@ class Vertex(NamedTuple):
         return tuple(c << 16 for c in self.colour)
 
 
-class Pair(NamedTuple):
-    """Two planes: values at pixels, int64 [n], modulo 2^32, and steps (x and y) of each."""
-
-    values: tuple[np.ndarray, np.ndarray]
-    ddx: tuple[int, int]
-    ddy: tuple[int, int]
-
-
-class Spans(NamedTuple):
-    """A polygon's pixels, line by line, int64 [n]."""
-
-    y: np.ndarray
-    x: np.ndarray
-
-
-def spans(polygon: model.Polygon) -> Spans:
-    """The pixels of a set-up polygon."""
-    counts = [max(0, line.right - line.left) for line in polygon.lines]
-    y = np.repeat(np.arange(polygon.top, polygon.top + len(counts)), counts)
-    runs = [np.arange(line.left, max(line.left, line.right)) for line in polygon.lines]
-    return Spans(y, np.concatenate(runs) if runs else np.zeros(0, np.int64))
-
-
-def set_up_pair(vertices: list[Vertex], pair: list[tuple[int, int]], frame: np.ndarray,
-                settings: model.Settings) -> tuple[Spans, Pair] | None:
-    """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
-    differ by 2^31 or more."""
-    height, width = frame.shape
-    bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
-    moved = [(v.x, v.y, *(value - base for value, base in zip(values, bases)))
-             for v, values in zip(vertices, pair)]
-    polygon = model.set_up(moved, width, height, True, settings)
-    if polygon is None:
-        return None
-    at, t = spans(polygon), polygon.texturing
-    counts = [max(0, line.right - line.left) for line in polygon.lines]
-    offsets = at.x - np.repeat([line.left for line in polygon.lines], counts)
-    values = []
-    for name, base in zip("uv", bases):
-        starts = np.array([getattr(line, name) for line in polygon.lines], np.int64)
-        step = getattr(t, f"d{name}dx")
-        values.append(np.repeat(starts, counts) + offsets * step + (base & M32) & M32)
-    return at, Pair(tuple(values), (t.dudx, t.dvdx), (t.dudy, t.dvdy))
-
-
-def iterators(vertices: list[Vertex], perspective: bool):
-    """What planes are found of, and by how many bits they are shifted then: S and T of the
-    vertices, and W."""
-    nearest = min(v.w for v in vertices)
-    if perspective and nearest <= 0:
-        raise UserError(f"polygon: a vertex's w is {nearest}; it must be above 0")
-    if not perspective or all(v.w == nearest for v in vertices):
-        return [(v.s, v.t) for v in vertices], [(NEAREST, 0)] * len(vertices), 5
-    ws = [mul_div(NEAREST, nearest, v.w) for v in vertices]
-    return [(mul_div(32 * v.s, w, NEAREST), mul_div(32 * v.t, w, NEAREST))
-            for v, w in zip(vertices, ws)], [(w, 0) for w in ws], 0
-
-
-def enlarged(pair: Pair, bits: int) -> Pair:
-    """Planes times 2^bits."""
-    return Pair(tuple(value << bits & M32 for value in pair.values),
-                tuple(step << bits & M32 for step in pair.ddx),
-                tuple(step << bits & M32 for step in pair.ddy))
-
-
 def whole(iterator: np.ndarray) -> np.ndarray:
     """A colour's iterator as 0..255."""
     return np.clip((iterator + (1 << 31) & M32) - (1 << 31) >> 16, 0, 255)
@@ -137,22 +66,22 @@ class Prepared(NamedTuple):
     shade: np.ndarray | None
 
 
-def is_narrow(vertices: list[Vertex]) -> bool:
-    """Whether s and t stay within what a polygon may show."""
-    return all(max(c) - min(c) < NARROW
-               for c in ([v.s for v in vertices], [v.t for v in vertices]))
-
-
 def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
             settings: model.Settings = SETTINGS) -> Prepared | None:
     """Sets a convex polygon up; None where nothing is drawn."""
-    if not is_narrow(vertices):
+    corners = [(v.s, v.t, v.w) for v in vertices]
+    if not is_narrow(corners, SCALE):
         return None
-    texture, ws, bits = iterators(vertices, bool(state.modes.perspective))
+    perspective = bool(state.modes.perspective)
+    nearest = min(v.w for v in vertices)
+    if perspective and nearest <= 0:
+        raise UserError(f"polygon: a vertex's w is {nearest}; it must be above 0")
+    texture, ws, bits = iterators(corners, perspective, SCALE)
     pairs = [texture, ws]
     if uses_shade(state):
         pairs += [[v.channels[k:k + 2] for v in vertices] for k in (0, 2)]
-    found = [set_up_pair(vertices, pair, frame, settings) for pair in pairs]
+    points = [(v.x, v.y) for v in vertices]
+    found = [set_up_pair(points, pair, frame, settings) for pair in pairs]
     if any(f is None for f in found):
         return None
     at, planes = found[0][0], [pair for _, pair in found]

@@ -1,0 +1,207 @@
+/* From a polygon to its lines, and line by line to pixels.
+
+   All that decides a pixel is what is iterated, planes over the polygon, and the units' state.
+   What draws it is chosen by lower.c and makes no difference to the picture. */
+#include "polygon/counts.h"
+#include "polygon/lower.h"
+#include "polygon/outline.h"
+#include "polygon/planes.h"
+#include "tmu/unit.h"
+
+enum {
+    IN_S, IN_T, IN_W,           /* of planes */
+    OWN = 4                     /* the same of the unit with points of its own */
+};
+
+/* What is iterated for a unit's points. */
+struct iteration {
+    int32 first;                /* plane */
+    int32 divided;              /* a unit divides by w */
+    struct planes_corners corners;
+};
+
+struct iterations {
+    struct planes planes;
+    struct tmu_point points[TMU_UNITS];
+};
+
+static const struct planes_scale scale = {2, 1 << 30, TMU_REACH << 16};
+
+static enum polygon_result refuse(struct tmu_pipe *pipe, enum tmu_result result)
+{
+    pipe->result = result;
+    return POLYGON_REFUSED;
+}
+
+static int32 has_own(const struct tmu_chain *chain)
+{
+    return chain->count > 1 && chain->own & 2;
+}
+
+/* The vertices of a unit's points. divided: 1 where a unit that has no points of its own divides
+   by them. */
+static void find_iteration(const struct tmu_pipe *pipe, uint32 unit, const struct vertex *v,
+                           struct iteration *of)
+{
+    const struct tmu_chain *chain = &pipe->chain;
+
+    of->first = unit ? OWN : IN_S;
+    of->divided = 0;
+    for (uint32 n = 0; n < chain->count; n++)
+        if ((chain->own >> n & 1 ? n : 0) == unit)
+            of->divided |= chain->units[n]->modes.perspective;
+    of->corners.s = &v->s;
+    of->corners.t = &v->t;
+    of->corners.w = &v->w;
+    of->corners.stride = sizeof *v / sizeof v->s;
+}
+
+static int32 is_near(fix16 value)
+{
+    return value > -(TMU_REACH << 16) && value < TMU_REACH << 16;
+}
+
+static enum tmu_result judge(const struct iteration *of, const struct vertex *v, int32 count)
+{
+    for (; count > 0; count--, v++) {
+        if (!is_near(v->s) || !is_near(v->t))
+            return TMU_BAD_COORDINATE;
+        if (of->divided && (!v->w || v->w > W_MAX || v->w < -W_MAX))
+            return TMU_BAD_W;
+    }
+    return TMU_DONE;
+}
+
+static void set_point(struct iterations *at, uint32 unit, int32 x, int32 y)
+{
+    const int32 first = unit ? OWN : IN_S;
+    struct tmu_point *point = &at->points[unit];
+
+    point->s = (int32)planes_at(&at->planes, first + IN_S, x, y);
+    point->t = (int32)planes_at(&at->planes, first + IN_T, x, y);
+    point->w = (int32)planes_at(&at->planes, first + IN_W, x, y);
+    point->x = x;
+    point->y = y;
+}
+
+/* The next pixel of a line. */
+static void step_point(struct iterations *at, uint32 unit)
+{
+    const struct plane *of = &at->planes.of[unit ? OWN : IN_S];
+    struct tmu_point *point = &at->points[unit];
+
+    point->s = (int32)((uint32)point->s + of[IN_S].dx);
+    point->t = (int32)((uint32)point->t + of[IN_T].dx);
+    point->w = (int32)((uint32)point->w + of[IN_W].dx);
+    point->x++;
+}
+
+/* A line pixel by pixel: whatever the modes are. */
+static void draw_line(const struct tmu_chain *chain, struct iterations *at,
+                      const struct frame *frame, int32 x, int32 end, int32 y)
+{
+    uint8 *to = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+
+    set_point(at, 0, x, y);
+    if (has_own(chain))
+        set_point(at, 1, x, y);
+    for (; x < end; x++, to += frame->pixel_bytes) {
+        uint32 pixel = tmu_frame_pixel(tmu_chain_pixel(chain, at->points), frame->pixel_bytes);
+
+        if (frame->pixel_bytes == 4)
+            *(uint32 *)to = pixel;
+        else
+            *(uint16 *)to = (uint16)pixel;
+        step_point(at, 0);
+        if (has_own(chain))
+            step_point(at, 1);
+    }
+}
+
+static int32 lod_base(const struct plane *of)
+{
+    return tmu_lod_base((int32)of[IN_S].dx, (int32)of[IN_T].dx, (int32)of[IN_S].dy,
+                        (int32)of[IN_T].dy);
+}
+
+static int32 find_planes(struct iterations *at, const struct setup *s,
+                         const struct iteration *of, uint32 unit)
+{
+    if (!planes_coordinates(&at->planes, s, of->first, &of->corners, &scale, of->divided))
+        return 0;
+    at->points[unit].lod = lod_base(&at->planes.of[of->first]);
+    return 1;
+}
+
+static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
+                                       const struct iteration *of)
+{
+    static struct iterations at;
+    const struct scanline *line;
+    enum polygon_result result;
+
+    s->vertices = planes_vertices(s->given, s->count);
+    result = outline_find(s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
+                  scissor_flat);
+    if (!find_planes(&at, s, &of[0], 0) || (has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
+        return refuse(pipe, TMU_BAD_COORDINATE);
+    line = s->edges.lines;
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++)
+        if (line->last >= line->left)
+            draw_line(&pipe->chain, &at, s->frame, line->left - EDGE_BIAS,
+                      line->last - EDGE_BIAS + 1, y);
+    if (s->counts) {
+        s->counts->polygons++;
+        s->counts->pixels[SPAN_TMU_PIXELS] += lines_pixels(s->edges.lines,
+                                                           s->box.bottom - s->box.top);
+    }
+    return POLYGON_DRAWN;
+}
+
+enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct vertex *vertices,
+                                     int32 count, const struct material *material,
+                                     const struct drawing *drawing)
+{
+    struct tmu_pipe *pipe = material->pipe;
+    struct iteration of[TMU_UNITS];
+    enum tmu_result check;
+    struct material plain;
+    struct setup s;
+
+    if (count < 3 || count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    if (frame->pixel_bytes == 1)
+        return POLYGON_WRONG_MAP;
+    find_iteration(pipe, 0, vertices, &of[0]);
+    check = judge(&of[0], vertices, count);
+    if (check == TMU_DONE && has_own(&pipe->chain)) {
+        find_iteration(pipe, 1, pipe->own, &of[1]);
+        check = pipe->own ? judge(&of[1], pipe->own, count) : TMU_NO_COORDINATES;
+    }
+    if (check != TMU_DONE)
+        return refuse(pipe, check);
+    s.frame = frame;
+    s.material = material;
+    s.off = drawing->off;
+    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
+    s.given = vertices;
+    s.count = count;
+    if (tmu_lower_to_plain(&s, pipe, &plain, &vertices))
+        return polygon_draw(frame, vertices, count, &plain, drawing);
+    return draw_planes(&s, pipe, of);
+}
+
+enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, uint32 count,
+                              int32 memory)
+{
+    pipe->own = 0;
+    pipe->result = TMU_DONE;
+    pipe->memory = memory;
+    page_init(&pipe->page.page);
+    for (int32 i = 0; i < TMU_PAGE_KEY; i++)
+        pipe->page.key[i] = 0;
+    return tmu_chain_init(&pipe->chain, units, count);
+}

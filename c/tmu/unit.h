@@ -1,0 +1,54 @@
+/* Texture units that draw polygons, with what was made ready of their state. */
+#ifndef TMU_UNIT_H
+#define TMU_UNIT_H
+
+#include "polygon/page.h"
+#include "tmu/pixel.h"
+
+enum { TMU_PAGE_KEY = 4 };
+
+enum tmu_reach {
+    TMU_REACH = 8192            /* s and t: below, and above -TMU_REACH */
+};
+
+/* A level as the plain mappers read it: pixels of the frame. */
+struct tmu_page {
+    struct page page;
+    uint32 key[TMU_PAGE_KEY];   /* what it was made from */
+};
+
+struct tmu_pipe {
+    struct tmu_chain chain;
+    /* Of each vertex s, t and w (x, y and shade do not count) for the unit that has points of its
+       own: set before a polygon is drawn. Its w may be below 0. */
+    const struct vertex *own;
+    enum tmu_result result;     /* why the last polygon was refused */
+    int32 memory;               /* enum memory_kind, of what is made ready */
+    struct tmu_page page;
+};
+
+/* A pipe of units that are there already, none of them with points of its own. */
+enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, uint32 count,
+                              int32 memory);
+
+/* Draws a convex polygon by the units of a material's pipe, into a frame of 2 (5/6/5) or 4 bytes
+   (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
+   vertices s and t, 0 to 256 along the longer side of a map whatever its size, those of two
+   vertices less than TMU_REACH apart, and where a unit divides w, not 0, W_MAX at most.
+   POLYGON_REFUSED: pipe->result says why. */
+polygon_routine tmu_polygon_draw;
+
+/* lower.c. Whether the plain mappers draw it: by a page that shows the level, with the material
+   for them in *plain and the vertices relative to the page. */
+int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
+                         const struct vertex **vertices);
+
+/* A frame's pixel, in its lower bits, of A R G B. */
+static inline uint32 tmu_frame_pixel(uint32 argb, int32 pixel_bytes)
+{
+    if (pixel_bytes == 4)
+        return argb << 8 | argb >> 24;
+    return (argb >> 8 & 0xf800) | (argb >> 5 & 0x7e0) | (argb >> 3 & 0x1f);
+}
+
+#endif

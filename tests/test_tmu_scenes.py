@@ -1,0 +1,224 @@
+"""Scenes with Glide's texture units: what TOML may say, what it becomes, and the guest's frames."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tools import model, run, scene_file, scene_pipes
+from tools.errors import UserError
+from tools.paths import SCENES
+from tools.scene import compile_scene
+from tools.tmu import images
+from tools.tmu.mipmap import levels
+from tools.tmu.words import FORMATS
+from tools.tx.images import read
+
+NAMES = ("glide_floor",)
+
+HEAD = """\
+width = 64
+height = 48
+frames = {frames}
+format = "{pixels}"
+background = "#102030"
+"""
+SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
+UNIT = 'image = "noise.png", format = "rgb565"'
+OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with pictures: noise 32x32, odd 24x20, long 64x4."""
+    rng = np.random.default_rng(3)
+    for name, size in (("noise", (32, 32)), ("odd", (20, 24)), ("long", (4, 64))):
+        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
+        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    return tmp_path
+
+
+def make(folder, glide: str, obj: str = SQUARE, pixels: str = "rgba8888", frames: int = 1,
+         more: str = ""):
+    """The compiled scene of one material, one object."""
+    (folder / "scene.toml").write_text(
+        HEAD.format(frames=frames, pixels=pixels)
+        + f"[materials]\nit = {{ {more}glide = {{ {glide} }} }}\n"
+        + f'[[objects]]\nmaterial = "it"\n{obj}\n')
+    return compile_scene(folder / "scene.toml")
+
+
+def units(*each: str) -> str:
+    return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
+
+
+def check_frames(scene, name: str, off: str | None) -> None:
+    """Compares the guest's frames with the model's."""
+    done = run.render(scene, "a1200-fast", "addx", off)
+    for number, found in enumerate(done.frames):
+        expected = model.render(scene, number)
+        wrong = np.argwhere(found != expected)
+        digits = 2 * scene.pixel.bytes
+        text = "".join(f"; pixel ({x}, {y}) is {found[y, x]:#0{digits + 2}x}, not "
+                       f"{expected[y, x]:#0{digits + 2}x}" for y, x in wrong[:1])
+        assert not len(wrong), (
+            f"{name}, frame {number}: {len(wrong)} pixels are not the model's{text}; again: "
+            f"scripts/tmap run tests/scenes/{name}.toml" + (f" --off {off}" if off else ""))
+        assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
+
+
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("off", [None, "all"])
+def test_frames_are_the_models(name: str, off: str | None) -> None:
+    check_frames(compile_scene(SCENES / f"{name}.toml", 1), name, off)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+@pytest.mark.parametrize("size", [(32, 32), (32, 4), (4, 16)])
+def test_every_format_shows_its_picture(folder, form, size):
+    """A texel a pixel: the picture as tools.tmu.images reads it back, which goes neither through
+    registers nor through texture memory."""
+    width, height = size
+    s, t = (256 * side // max(size) for side in size)
+    square = (f"vertices = [[0, 0, 0, 0], [{width}, 0, {s}, 0], [{width}, {height}, {s}, {t}], "
+              f"[0, {height}, 0, {t}]]")
+    scene = make(folder, units(f'image = "noise.png", format = "{form}", width = {width}, '
+                               f"height = {height}"), square)
+    written = scene_file.write(scene)
+    assert scene_file.write(scene_file.read(written, "x")) == written
+    chain = levels(read("noise.png", folder, "x", width, height), "box")
+    expected = images.decode(images.encode(chain, FORMATS[form]))[0]
+    found = scene.pixel.colours(model.render(scene, 0)[:height, :width])
+    assert np.array_equal(found, expected)
+
+
+def test_levels_that_a_unit_shows(folder):
+    """From level 5 on: 8 texels for 32 pixels, each four pixels wide."""
+    scene = make(folder, units(UNIT + ", min_level = 5, max_level = 6"))
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])
+    chain = levels(read("noise.png", folder, "x", 32, 32), "box")
+    expected = images.decode(images.encode(chain, FORMATS["rgb565"]))[2]
+    assert np.array_equal(found, np.kron(expected, np.ones((4, 4, 1), np.uint8)))
+
+
+def test_a_second_unit_has_its_own_coordinates(folder):
+    """The first unit shows what comes from the second, whose map is seen eight times closer."""
+    both = units(UNIT + ', combine = { function = "scale_other", factor = "one" }',
+                 UNIT + ", own = true")
+    scene = make(folder, both, SQUARE + "\n" + OWN.replace("8", "32"))
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])
+    chain = levels(read("noise.png", folder, "x", 32, 32), "box")
+    expected = images.decode(images.encode(chain, FORMATS["rgb565"]))[0][:4, :4]
+    assert np.array_equal(found, np.kron(expected, np.ones((8, 8, 1), np.uint8)))
+    assert len(scene.vertices) == 8 and scene.objects[0].vertices == 8
+
+
+def test_projected(folder):
+    """A second unit with a w of its own, some of it behind the projector, in all formats with
+    tables: the guest's frame is the model's."""
+    for form in ("p8", "ayiq8422"):
+        both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }',
+                     f'image = "noise.png", format = "{form}", mag = "bilinear", clamp_w = true, '
+                     's = "clamp", own = true, weights = 8')
+        scene = make(folder, "perspective = true, " + both,
+                     SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
+                     + OWN + "\nw1 = [1, 2, -3, -1]", "rgb565")
+        check_frames(scene, "a projected picture", None)
+
+
+def test_equal_units_and_texels_are_there_once(folder):
+    scene = make(folder, units(UNIT, UNIT))
+    assert len(scene.tmus) == 2 and len(scene.tmu_memory) == 4096
+    assert scene_pipes.unit_of(scene, 0).memory.size == 4096
+
+
+MESSAGES = [
+    ("units = []", "glide.units: must have 1 to 2 entries, not 0"),
+    (units(UNIT, UNIT, UNIT), "glide.units: must have 1 to 2 entries, not 3"),
+    ("perspective = 1, " + units(UNIT), "glide.perspective: must be true or false"),
+    (units('format = "p8"'), "glide.units[0].image: is missing"),
+    (units('image = "noise.png", format = "rgb555"'),
+     "glide.units[0].format: 'rgb555' is not one of rgb332, yiq422"),
+    (units('image = "no.png", format = "p8"'), "glide.units[0].image: no.png: no such file"),
+    (units('image = "odd.png", format = "p8"'),
+     "glide.units[0].image: odd.png: 24x20 pixels; a map's sides are powers of two up to 256, one "
+     "at most 8 times the other"),
+    (units('image = "long.png", format = "p8"'), "glide.units[0].image: long.png: 64x4 pixels; "),
+    (units(UNIT + ", width = 512"), "glide.units[0].width: must be from 1 to 256"),
+    (units(UNIT + ', mipmap = "cubic"'),
+     "glide.units[0].mipmap: 'cubic' is not one of none, box, lanczos, kaiser"),
+    (units(UNIT + ', mipmap = "none", levels = "even"'),
+     'glide.units[0].mipmap: "none": there is one level only'),
+    (units(UNIT + ', min = "trilinear"'),
+     "glide.units[0].min: 'trilinear' is not one of point, bilinear"),
+    (units(UNIT + ', s = "mirror"'), "glide.units[0].s: 'mirror' is not one of wrap, clamp"),
+    (units(UNIT + ", lod_bias = 8"), "glide.units[0].lod_bias: must be from -8 to 7.75"),
+    (units(UNIT + ", lod_bias = 0.3"), "glide.units[0].lod_bias: must be a multiple of 1/4"),
+    (units(UNIT + ", min_level = 9"), "glide.units[0].min_level: must be from 0 to 8"),
+    (units(UNIT + ", min_level = 2"),
+     "glide.units[0].min_level: 32x32 texels have levels 3 to 8"),
+    (units(UNIT + ", min_level = 5, max_level = 4"),
+     "glide.units[0].max_level: is below min_level, 5"),
+    (units(UNIT + ", detail = { bias = 40 }"), "glide.units[0].detail.bias: must be from -32 to 31"),
+    (units(UNIT + ", detail = { scale = 8 }"), "glide.units[0].detail.scale: must be from 0 to 7"),
+    (units(UNIT + ", detail = { max = 2 }"), "glide.units[0].detail.max: must be from 0 to 1"),
+    (units(UNIT + ', combine = { function = "mix" }'),
+     "glide.units[0].combine.function: 'mix' is not one of zero, local"),
+    (units(UNIT + ', combine = { factor = "half" }'),
+     "glide.units[0].combine.factor: 'half' is not one of zero, local"),
+    (units(UNIT + ", weights = 5"), "glide.units[0].weights: must be 4 or 8"),
+    (units(UNIT + ', levels = "all"'), "glide.units[0].levels: 'all' is not one of even, odd"),
+    (units(UNIT + ", trilinear = true"),
+     'glide.units[0].trilinear: needs "levels" even or odd: another unit blends the others in'),
+    (units(UNIT + ", own = true"),
+     "glide.units[0].own: is for the second unit: the first goes by the vertices"),
+    (units(UNIT + ', width = 1, height = 1, levels = "odd"'),
+     'glide.units[0].levels: "odd": there is level 8 only'),
+    (units(UNIT + ", filter = 1"), "glide.units[0].filter: unknown field; known are image, "),
+]
+
+
+@pytest.mark.parametrize("glide, message", MESSAGES)
+def test_refused(folder, glide, message):
+    """One line that names file and field."""
+    with pytest.raises(UserError) as caught:
+        make(folder, glide)
+    text = str(caught.value)
+    assert text.startswith(f"{folder / 'scene.toml'}: materials.it.{message}"), text
+    assert "\n" not in text
+
+
+@pytest.mark.parametrize("kinds, message", [
+    ({"pixels": "rgba5551"}, "materials.it.glide: a scene in rgba5551 has no texture engine of this "
+                             "kind; one in rgb565 or rgba8888 has"),
+    ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
+    ({"more": 'mapper = "unit", '}, "materials.it.mapper: 'unit' is not one of glide"),
+    ({"obj": SQUARE.replace("32, 0,", "32, 0, 1,")},
+     "objects[0].vertices[1]: must be [x, y, s, t]"),
+    ({"obj": SQUARE.replace("256", "9000")},
+     "objects[0].vertices: s must be above -8192 and below 8192"),
+    ({"obj": SQUARE.replace("[0, 0, 0, 0]", "[0, 0, -8000, 0]")},
+     "objects[0].vertices: s of two corners: 8192 apart or more"),
+    ({"obj": SQUARE + "\n" + OWN},
+     "objects[0].st1: material 'it' has no second unit with coordinates of its own"),
+])
+def test_objects_refused(folder, kinds, message):
+    with pytest.raises(UserError) as caught:
+        make(folder, units(UNIT), **kinds)
+    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
+
+
+MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
+
+
+@pytest.mark.parametrize("obj, message", [
+    (SQUARE, "st1: is missing: material 'it' has a unit with coordinates of its own"),
+    (SQUARE + "\nst1 = [[0, 0], [8, 0], [8, 8]]", "st1: must have 4 entries, not 3"),
+    (SQUARE + "\n" + OWN + "\nw1 = [1, 1, 0, 1]", "w1[2]: must not be 0"),
+    (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8192 to 8192"),
+    (MESH, "material: 'it' has a unit with coordinates of its own, which are for polygons only"),
+])
+def test_coordinates_refused(folder, obj, message):
+    with pytest.raises(UserError) as caught:
+        make(folder, units(UNIT, UNIT + ", own = true"), obj)
+    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: objects[0].{message}"), \
+        caught.value

@@ -1,0 +1,126 @@
+"""Glide's texture units in scene files: their registers and memory, and what they draw.
+
+Formats stand in c/scene/scene_file.h.
+"""
+
+import numpy as np
+
+from .errors import UserError
+from .tmu.registers import NCC_REGISTERS, modes_of, ncc_of, words_of
+from .tmu.state import VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
+
+UNITS = 2  # of a pipe at most
+LEAST_BYTES = 8  # of a unit's memory
+W_MAX = 1 << 30
+NO_TABLE = -1
+PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
+RESERVED_MODE = 1 << 31  # of no meaning here
+
+#: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
+#: palette and NCC tables lie; a pipe's first unit, how many, which have coordinates of their own.
+COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
+                    "fraction_bits"),
+           "pipes": ("tmu", "tmus", "own")}
+
+
+def empty(table: str) -> np.ndarray:
+    """A table without entries, int64."""
+    return np.zeros((0, len(COLUMNS[table])), np.int64)
+
+
+def longs(scene, at: int, count: int) -> np.ndarray:
+    """Big-endian longs of the texture memory."""
+    return np.frombuffer(scene.tmu_memory, ">u4", count, at).astype(np.int64)
+
+
+def unit_of(scene, number: int) -> Unit:
+    """The model of a unit."""
+    *words, memory, size, palette, ncc, bits = scene.tmus[number].tolist()
+    unit = Unit(modes_of(*words, bits),
+                np.frombuffer(scene.tmu_memory, np.uint8, size, memory))
+    if palette != NO_TABLE:
+        unit.palette = unpacked(longs(scene, palette, 256))[:, :3]
+    if ncc != NO_TABLE:
+        unit.ncc = [ncc_of(words) for words in
+                    longs(scene, ncc, 2 * NCC_REGISTERS).reshape(2, NCC_REGISTERS)]
+    return unit
+
+
+def units_of(scene, pipe: int) -> list[Unit]:
+    """The models of a pipe's units, the first nearest the frame."""
+    first, count, _ = scene.pipes[pipe].tolist()
+    return [unit_of(scene, first + n) for n in range(count)]
+
+
+def has_own(scene, material) -> bool:
+    """Whether the second half of an object's vertices is what its second unit goes by."""
+    return material.mapper == "glide" and bool(scene.pipes[material.unit][2])
+
+
+def draw(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of the scene's."""
+    from . import model  # which draws with this
+    from .tmu import polygon
+
+    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
+    owns = [None] * len(vertices)
+    if has_own(scene, material):
+        half = len(vertices) // 2
+        owns = [(s, t, w) for _, _, s, t, _, w in vertices[half:]]
+        vertices = vertices[:half]
+    corners = [polygon.Vertex(x, y, s, t, w, own)
+               for (x, y, s, t, _, w), own in zip(vertices, owns)]
+    polygon.draw(units_of(scene, material.unit), frame, corners, settings)
+
+
+def check_own(corners: np.ndarray, name: str, where: str) -> None:
+    """Refuses an object's vertices, rows of the table, that are not twice as many as its corners,
+    or have a depth that the second unit cannot divide by."""
+    if len(corners) < 6 or len(corners) % 2:
+        raise UserError(f"{name}: {where}.vertices: {len(corners)} are not twice as many as a "
+                        "polygon has corners")
+    for w in corners[len(corners) // 2:, 5].tolist():
+        if not 0 < abs(w) <= W_MAX:
+            raise UserError(f"{name}: {where}: w: {w} is 0 or more than {W_MAX} away from it")
+
+
+def check_unit(row: list[int], size: int, name: str, where: str) -> None:
+    """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
+    *words, memory, count, palette, ncc, bits = row
+    for column, word in zip(COLUMNS["tmus"], words):
+        if not 0 <= word < 1 << 32:
+            raise UserError(f"{name}: {where}.{column}: {word} is no register")
+    if count < LEAST_BYTES or count & count - 1:
+        raise UserError(f"{name}: {where}.bytes: {count} is not a power of two of at least "
+                        f"{LEAST_BYTES}")
+    for column, at, least, needed in (("memory", memory, 0, count),
+                                      ("palette", palette, NO_TABLE, PALETTE_BYTES),
+                                      ("ncc", ncc, NO_TABLE, NCC_BYTES)):
+        if at == least == NO_TABLE:
+            continue
+        if not 0 <= at <= size - needed or at % 4:
+            raise UserError(f"{name}: {where}.{column}: {at} of {size} bytes")
+    if bits not in (VOODOO_BITS, VOODOO2_BITS):
+        raise UserError(f"{name}: {where}.fraction_bits: {bits} is neither 4 nor 8")
+    try:
+        modes = modes_of(*words, bits)
+    except UserError as error:
+        raise UserError(f"{name}: {where}.mode: {error}") from error
+    if max(modes.rgb.mselect, modes.alpha.mselect) > 5:
+        raise UserError(f"{name}: {where}.mode: there is no such factor")
+    if words_of(modes) != (words[0] & ~RESERVED_MODE, *words[1:]):
+        raise UserError(f"{name}: {where}.mode, lod, detail or base: bits that mean nothing")
+
+
+def check(scene, name: str) -> None:
+    """Refuses units and pipes that cannot be."""
+    if len(scene.tmu_memory) % 8:
+        raise UserError(f"{name}: tmu_memory: {len(scene.tmu_memory)} bytes are not a multiple "
+                        "of 8")
+    for i, row in enumerate(scene.tmus.tolist()):
+        check_unit(row, len(scene.tmu_memory), name, f"tmus[{i}]")
+    for i, (first, count, own) in enumerate(scene.pipes.tolist()):
+        if not (1 <= count <= UNITS and 0 <= first <= len(scene.tmus) - count):
+            raise UserError(f"{name}: pipes[{i}].tmus: {first} and {count} of {len(scene.tmus)}")
+        if own and (own, count) != (2, 2):
+            raise UserError(f"{name}: pipes[{i}].own: {own} is no hint for {count} units")

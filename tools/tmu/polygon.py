@@ -1,0 +1,97 @@
+"""Polygons as texture units draw them, bit for bit.
+
+What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
+W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
+share the vertices'. A polygon's level of detail comes from the planes' steps.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from .. import model
+from ..errors import UserError
+from ..fixed import signed
+from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from .chain import Point, chain_pixel
+from .lod import base
+from .state import ONE_W, Unit
+
+REACH = 8192 << 16  # of s and t
+W_MOST = 1 << 30
+SCALE = Scale(2, ONE_W, REACH)
+
+
+class Vertex(NamedTuple):
+    """``x``, ``y``: pixels; ``s``, ``t``: 0 to 256 along a map's longer side; ``w``: depth, not 0;
+    all 16.16. ``own``: s, t and w of the second unit where it has its own."""
+
+    x: int
+    y: int
+    s: int = 0
+    t: int = 0
+    w: int = 65536
+    own: tuple[int, int, int] | None = None
+
+
+def check(corners: list[tuple[int, int, int]], perspective: bool) -> None:
+    """Refuses coordinates (s, t, w) that units do not draw."""
+    if not all(abs(c) < REACH for s, t, _ in corners for c in (s, t)):
+        raise UserError("polygon: s or t is 8,192 or more away from 0")
+    if not is_narrow(corners, SCALE):
+        raise UserError("polygon: s or t of two vertices are 8,192 or more apart")
+    if perspective and not all(0 < abs(w) <= W_MOST for *_, w in corners):
+        raise UserError("polygon: a vertex's w is 0 or above 16,384")
+
+
+def signed_values(values: np.ndarray) -> np.ndarray:
+    """Numbers modulo 2^32 as signed ones."""
+    return (values + (1 << 31) & 0xFFFFFFFF) - (1 << 31)
+
+
+def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
+           frame: np.ndarray, settings: model.Settings) -> tuple[Spans, Point] | None:
+    """A polygon's pixels and what is iterated for them; None where there are none.
+    ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
+    check(corners, perspective)
+    texture, ws, bits = iterators(corners, perspective, SCALE)
+    found = [set_up_pair(screen, pair, frame, settings) for pair in (texture, ws)]
+    if any(f is None for f in found):
+        return None
+    (at, st), (_, w) = found
+    st = enlarged(st, bits)
+    steps = [signed(c) for c in (*st.ddx, *st.ddy)]
+    return at, Point(*(signed_values(c) for c in (*st.values, w.values[0])), base(*steps), at.x,
+                     at.y)
+
+
+def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
+    """Colours [n, 4] as pixels: R, G, B of 5, 6, 5 bits, or R, G, B, A of 8."""
+    r, g, b, a = (colours[:, k] for k in range(4))
+    if frame.dtype == np.uint16:
+        return r >> 3 << 11 | g >> 2 << 5 | b >> 3
+    return r << 24 | g << 16 | b << 8 | a
+
+
+def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
+         settings: model.Settings) -> int:
+    """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
+    [height, width], by one or two units, the first nearest the frame; gives the number of its
+    pixels. The second unit goes by its own corners where the vertices have them."""
+    if len(vertices) < 3:
+        return 0
+    screen = [(v.x, v.y) for v in vertices]
+    has_own = len(units) > 1 and vertices[0].own is not None
+    shared = units[:1] if has_own else units
+    found = [points(screen, [(v.s, v.t, v.w) for v in vertices],
+                    any(unit.modes.perspective for unit in shared), frame, settings)]
+    if has_own:
+        found.append(points(screen, [v.own for v in vertices],
+                            bool(units[1].modes.perspective), frame, settings))
+    if any(f is None for f in found) or not found[0][0].x.size:
+        return 0
+    at = found[0][0]
+    colours = chain_pixel(units, [found[min(n, len(found) - 1)][1] for n in range(len(units))])
+    frame[at] = stored(frame, np.broadcast_to(colours, (at.x.size, 4)))
+    return at.x.size
