@@ -1,9 +1,11 @@
 """Which tests come first: ``make test`` gives whole files to two processes in this order."""
 
-#: The files that take longest, longest first, so that neither process ends long before the other.
-LONGEST = ("bench", "kernels", "guest_input", "hard_cases", "hard_meshes", "meshes", "fuzz",
-           "lowering", "polygons", "accuracy", "run", "properties", "showcase", "bounds",
-           "mappers", "readme")
+#: The files that take most processor time, longest first, so that neither process ends long before
+#: the other.
+LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_scenes", "wide",
+           "hard_meshes", "tx_polygons", "lowering", "fuzz", "tx_vectors", "meshes", "run",
+           "still_steps", "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds",
+           "readme", "properties", "tx_core", "methods", "kernel_checker", "report", "emulator")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

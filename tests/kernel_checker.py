@@ -175,16 +175,20 @@ def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | N
         for at in offsets:
             value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
             expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
-    before, mask = expected.copy(), np.full(len(expected), 255, np.uint8)
-    writable = np.zeros(len(expected), bool)
-    for write in (w for w in trial.writes if w.far == far):
+    before, writes = expected.copy(), [w for w in trial.writes if w.far == far]
+    for write in writes:  # bits that do not count are right as they are
+        part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
+        expected[part] = np.frombuffer(wanted, np.uint8)
+        if write.mask:
+            expected[part] ^= (expected[part] ^ found[part]) & ~np.frombuffer(write.mask, np.uint8)
+    if np.array_equal(found, expected):
+        return None
+    mask, writable = np.full(len(expected), 255, np.uint8), np.zeros(len(expected), bool)
+    for write in writes:
         part = slice(write.at, write.at + len(write.expected))
         writable[part] = True
-        expected[part] = np.frombuffer(write.expected, np.uint8)
         mask[part] = np.frombuffer(write.mask, np.uint8) if write.mask else 255
-    wrong = np.flatnonzero((found ^ expected) & mask)
-    if not len(wrong):
-        return None
+    wrong = np.flatnonzero(found != expected)
     at = int(wrong[0])
     place = arena.place(at) if isinstance(arena, Memory) else Place(f"offset {at}", at, 1)
     better = trial.where(at, far) if trial.where else None

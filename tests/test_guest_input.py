@@ -98,8 +98,7 @@ def changed(data: bytes, at: int, value: int, header: str, summed: str) -> bytes
     """A file with one longword replaced, and the checksum right again where that is covered."""
     fields = SHAPES.struct(header).fields
     start, place = fields[summed]["offset"], fields["checksum"]["offset"]
-    out = bytearray(data)
-    out[at:at + 4] = (value & M32).to_bytes(4, "big")
+    out = bytearray(data[:at] + (value & M32).to_bytes(4, "big") + data[at + 4:])
     if at >= start:
         total = kernels.checksum if header == "plan_header" else zlib.crc32
         out[place:place + 4] = total(out[start:]).to_bytes(4, "big")

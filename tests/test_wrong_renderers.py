@@ -61,7 +61,7 @@ def short_gradients(patch) -> None:
 
 def edges_that_drift(patch) -> None:
     """Slopes lose 8 bits, on every line."""
-    right = Edge.slope.fget
+    right = Edge.slope.func
     patch.setattr(Edge, "slope", property(lambda e: right(e) & ~0xFF))
 
 

@@ -2,6 +2,7 @@
 and what they call, c/polygon/edges.c."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from .fixed import ceil16, mul_div
 
@@ -18,18 +19,22 @@ class Edge:
     end: int
     exact: bool
 
-    @property
+    @cached_property
     def slope(self) -> int:
         """Pixels a line, 16.16; 0 where the edge has one line only."""
         width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
         several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
         return mul_div(width, 65536, height) if several else 0
 
+    @cached_property
+    def first(self) -> int:
+        """x on the line ``top``, 16.16, rounded."""
+        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        return self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
+
     def at(self, line: int) -> int:
         """x on a line, 16.16, rounded at the line ``top`` and in every step."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
-        x = self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
-        return x + (line - self.top) * self.slope
+        return self.first + (line - self.top) * self.slope
 
     def column(self, line: int) -> int:
         """The first pixel at or right of the edge."""
