@@ -36,7 +36,7 @@ HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
 # Not c/programs/scene.c: tools/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
-ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span tx,src68k/$(room)/*.s)))
+ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span tx tmu,src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)
@@ -46,7 +46,7 @@ SCENE_OBJECT := $(C_OUT)/programs/scene.o
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
-WEIGHTS := $(ASM_OUT)/gen/tx_weights.o
+WEIGHTS := $(ASM_OUT)/gen/tx_weights.o $(ASM_OUT)/gen/tmu_weights.o
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WEIGHTS) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
@@ -170,9 +170,9 @@ build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/h
 build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tools.contracts src68k build/gen
 
-build/gen/tx_weights.s: tools/tx_weights.py | setup
+$(WEIGHTS:$(ASM_OUT)/%.o=build/%.s): build/gen/%_weights.s: tools/%_weights.py tools/weights.py | setup
 	@mkdir -p $(@D)
-	@$(PYTHON) -m tools.tx_weights $@
+	@$(PYTHON) -m tools.$*_weights $@
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

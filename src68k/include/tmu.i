@@ -1,0 +1,42 @@
+; What the passes of Glide's texture unit share (structs: c/tmu/passes.h).
+
+; d2 = 16 * (row << columns_bits | column) of the masked s:t in d0; d2 was 0, d5 columns_bits.
+tmu_index macro
+        move.w  d0,d2
+        lsl.l   d5,d2
+        swap    d0
+        or.w    d0,d2
+        endm
+
+; The texels of coordinates by the parts of tmu_weights. \1: what writes a texel, \2: d7 for it.
+tmu_filter macro
+        xref    tmu_weights_table
+        save_all
+        lea     (a0,d0.l*4),a6
+        move.l  tmu_decoded_mask_s(a2),d6       ; and mask_t
+        move.w  tmu_decoded_columns_bits(a2),d5
+        movea.l tmu_decoded_quads(a2),a4
+        move.l  #\2,d7
+        lea     tmu_weights_table,a5
+        lea     .weighed(pc),a3
+        bra.s   .coordinates
+.weighed
+        \1
+        cmpa.l  a6,a0
+        beq.s   .done
+.coordinates
+        move.l  (a0)+,d0                ; s:t
+        moveq   #0,d2
+        move.l  d0,d1
+        and.l   d6,d0
+        and.l   #$000f000f,d1
+        tmu_index
+        move.l  d1,d3
+        lsr.l   #8,d3
+        lsr.l   #4,d3
+        or.w    d3,d1                   ; fs << 4 | ft
+        move.w  (a5,d1.w*2),d1
+        lea     (a4,d2.l*2),a2
+        jmp     (a5,d1.w)
+.done   return_all
+        endm
