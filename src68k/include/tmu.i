@@ -17,6 +17,7 @@ tmu_filter macro
         move.w  tmu_decoded_columns_bits(a2),d5
         movea.l tmu_decoded_quads(a2),a4
         move.l  #\2,d7
+        move.l  #$000f000f,d4
         lea     tmu_weights_table,a5
         lea     .weighed(pc),a3
         bra.s   .coordinates
@@ -29,7 +30,7 @@ tmu_filter macro
         moveq   #0,d2
         move.l  d0,d1
         and.l   d6,d0
-        and.l   #$000f000f,d1
+        and.l   d4,d1
         tmu_index
         move.l  d1,d3
         lsr.l   #8,d3
