@@ -42,6 +42,24 @@ struct tmu_decoded {
     uint16 columns_bits, rows_bits;
 };
 
+/* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
+   pixel: 4, of LODs 2, or 0 for the same everywhere. */
+struct tmu_mix {
+    const uint32 *other;
+    const uint8 *factors;
+    int32 other_step, factor_step;
+    uint32 flip;                /* the factor is inverted where these bits are 1: in each byte alike */
+    uint32 one;                 /* 1: factor 255 stands for all; 0: 256 would */
+};
+
+/* One channel of the combine unit: the channel's byte of each, alpha's, or a zero. Steps as in
+   tmu_mix. */
+struct tmu_inputs {
+    const uint8 *other, *local, *factor, *added;
+    int32 other_step, local_step, factor_step, added_step;
+    uint16 flip, invert;        /* 255, or 0 */
+};
+
 /* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
 void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
@@ -50,6 +68,11 @@ void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps,
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_scale(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_modulate(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_add(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_combiner(const void *nothing, void *results, const void *inputs, int32 count);
 void tmu_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
 
 #endif

@@ -41,3 +41,25 @@ tmu_filter macro
         jmp     (a5,d1.w)
 .done   return_all
         endm
+
+; For texels and others: a3 = others, a4 = factors, a5 = bytes between those, a6 = the texels' end,
+; d5 = flip, d6 = bytes between the others, d7 = 00ff00ff, a2 = one. In: a0, a2, d0.
+tmu_mix_open macro
+        lea     (a0,d0.l*4),a6
+        movea.l tmu_mix_other(a2),a3
+        movea.l tmu_mix_factors(a2),a4
+        move.l  tmu_mix_other_step(a2),d6
+        movea.l tmu_mix_factor_step(a2),a5
+        move.l  tmu_mix_flip(a2),d5
+        move.l  #$00ff00ff,d7
+        movea.l tmu_mix_one(a2),a2
+        endm
+
+; \1 = the pixel's factor.
+tmu_factor macro
+        moveq   #0,\1
+        move.b  (a4),\1
+        adda.l  a5,a4
+        eor.b   d5,\1
+        add.l   a2,\1
+        endm
