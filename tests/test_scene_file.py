@@ -177,10 +177,10 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\7"
+    assert data[:8] == b"TMAP\0\0\0\x08"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[176:180] == b"\0" + scene.palette[0].tobytes()
+    assert data[200:204] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -243,7 +243,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x7 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x8 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -261,9 +261,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_header", "objects", 65536, "objects_at: "),
     ("scene_header", "vertices", 5, "objects[1].vertex: 2 is not from 0 to 1"),
     ("scene_header", "poses", 3, "objects[1].pose: 2 is not from 0 to 1"),
-    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 176 to"),
+    ("scene_header", "palette_at", 0, "palette_at: 0 is not from 200 to"),
     ("scene_header", "textures_at", 2**32 - 4, "textures_at: 4294967292 is not from"),
-    ("scene_header", "materials_at", 178, "materials_at: 178 is not a multiple of 4"),
+    ("scene_header", "materials_at", 202, "materials_at: 202 is not a multiple of 4"),
     ("scene_header", "objects_at", 72, "objects_at: 72 is not from"),
     ("scene_header", "vertices_at", len(TEXTURED) - 116, "vertices_at: "),
     ("scene_header", "poses_at", len(TEXTURED), "poses_at: "),
@@ -278,12 +278,13 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "layout", 5, "textures[0].width or height: 256x256 is not 256x64"),
     ("scene_texture", "layout", 2, "materials[1].texture: its layout is tiled, not page"),
     ("scene_texture", "texel_bytes", 2, "textures[0].texel_bytes: 2 is not from 1 to 1"),
-    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 176 to"),
+    ("scene_texture", "at", 0, "textures[0].at: 0 is not from 200 to"),
     ("scene_texture", "at", len(TEXTURED) - 4, "textures[0].at: "),
-    ("scene_texture", "at", 178, "textures[0].at: 178 is not a multiple of 4"),
+    ("scene_texture", "at", 202, "textures[0].at: 202 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
-    ("scene_material", "mapper", 10, "materials[0].mapper: 10 is not from 0 to 9"),
+    ("scene_material", "mapper", 11, "materials[0].mapper: 11 is not from 0 to 10"),
+    ("scene_material", "mapper", 10, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "mapper", 9, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "unit", 0, "materials[0].unit: 0 is not from -1 to -1"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
