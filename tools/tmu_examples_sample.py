@@ -17,11 +17,13 @@ class Axes:
     shift: int
     half: int
     last: tuple[int, int]
+    behind: int = 0
 
     def values(self, step) -> dict[str, int]:
         """struct tmu_steps."""
         return dict(zip("stw", step)) | {"shift": self.shift, "half": self.half,
-                                         "last_s": self.last[0], "last_t": self.last[1]}
+                                         "last_s": self.last[0], "last_t": self.last[1],
+                                         "behind": self.behind, "spare": 0}
 
     def coordinates(self, points: np.ndarray) -> np.ndarray:
         """Of s and t, [n][2] in 14.18."""

@@ -20,6 +20,7 @@ struct tmu_steps {
     uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level; 22 at most */
     uint16 half;                /* a texel, in coordinates; 0 for point sampling */
     uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
+    uint16 behind, spare;       /* 1: s and t are 0 where w is negative */
 };
 
 /* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +
@@ -65,6 +66,7 @@ void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, ui
 
 void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
