@@ -36,7 +36,7 @@ HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
 # Not c/programs/scene.c: tools/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
-ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span tx,src68k/$(room)/*.s)))
+ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span tx tmu,src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)
@@ -47,7 +47,7 @@ MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 # Tables and code that a tool of the same name writes.
-WRITTEN := tx_weights tmu_logarithms
+WRITTEN := tx_weights tmu_weights tmu_logarithms
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
@@ -174,6 +174,8 @@ build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contract
 $(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/%.py | setup
 	@mkdir -p $(@D)
 	@$(PYTHON) -m tools.$* $@
+
+build/gen/tx_weights.s build/gen/tmu_weights.s: tools/weights.py
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

@@ -13,11 +13,11 @@ IN_C = [name for name in bench_tx.NAMES if name.endswith("_c")] + [
 NAMES = [name for name in bench_tx.NAMES if not name.endswith("_c")] + IN_C
 
 
-def pass_trial(name: str, count: int, seed: int) -> Trial:
+def pass_trial(name: str, count: int, seed: int, examples=tx_examples) -> Trial:
     """One call on random input, its output between guards."""
-    example = tx_examples.MAKERS[name.removesuffix("_c")](np.random.default_rng(seed), count)
+    example, kernel = bench_tx.example_of(examples, name, np.random.default_rng(seed), count)
     near, far = Memory(seed), Memory(seed + 1)
-    case, written = bench_tx.place(example, name, near, far)
+    case, written = bench_tx.place(example, kernel, near, far)
 
     def where(offset: int, is_far: bool) -> str | None:
         for at, block in written.items():

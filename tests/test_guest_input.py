@@ -7,6 +7,7 @@ import zlib
 
 import mesh_cases
 import numpy as np
+from tmu_bad_files import wrong_pipes
 
 from tools import emulator, fuzz, kernels, layout, model, scene_file
 from tools.kernels import Case
@@ -139,7 +140,7 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     entry(widest, "textures", 0, "layout", columns)
     entry(widest, "materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
     entry(widest, "materials", 1, "perspective", 1, 4)
-    entry(every, "materials", flat, "mapper", 9, M32)
+    entry(every, "materials", flat, "mapper", 9, 10, M32)
     entry(every, "materials", flat, "texture", 0)
     entry(every, "materials", gouraud, "texture", 0)
     entry(every, "materials", affine, "texture", linear, light, -1, 6)
@@ -295,7 +296,8 @@ def bad_scenes() -> list[tuple[bytes, str]]:
         cases += [(changed(source, at, value, "scene_header", "width"),
                    f"{NOT_A_SCENE}{table[:-1]}.{said}") for value in values]
     cases += [(changed(source, at, value, "scene_header", "width"), NOT_A_SCENE + said)
-              for source, at, value, said in wrong_mappers() + wrong_meshes() + wrong_primitives()]
+              for source, at, value, said in wrong_mappers() + wrong_meshes() + wrong_primitives()
+              + wrong_pipes()]
     many = mesh_cases.boxes(1)
     many.points = np.zeros((4096, 3), np.int64)
     many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]

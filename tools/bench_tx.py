@@ -7,14 +7,20 @@ from .kernels import Arena, Case, Result
 from .tx_example import Example
 
 LENGTH = 256
-NAMES = [name + end for name in tx_examples.MAKERS if name not in tx_examples.IN_C_ALONE
-         for end in ("", "_c") if not end or name not in tx_examples.FORMS]
+
+
+def names(examples) -> list[str]:
+    """What is measured of a module of examples: its passes, and in C those that C has."""
+    return [name + end for name in examples.MAKERS if name not in examples.IN_C_ALONE
+            for end in ("", "_c") if not end or name not in examples.FORMS]
+
+
+NAMES = names(tx_examples)
 
 
 def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case, dict[int, bytes]]:
     """The call of a pass, with input, output, texels and tables in the far arena; and what
     it must write there."""
-    kernel = tx_examples.FORMS.get(kernel, kernel)
     source, out = far.add(example.source), far.add(bytes(example.size))
     written, constants = {out: example.image(bytes(example.size))}, {}
     if example.table:
@@ -37,10 +43,16 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
                 far_pointers={"a0": source, "a1": out}), written
 
 
-def pass_case(name: str):
+def example_of(examples, name: str, rng, count: int) -> tuple[Example, str]:
+    """An example of a pass, and the routine it is for."""
+    example = examples.MAKERS[name.removesuffix("_c")](rng, count)
+    return example, examples.FORMS.get(name, name)
+
+
+def pass_case(name: str, examples=tx_examples):
     """One line of LENGTH pixels."""
-    example = tx_examples.MAKERS[name.removesuffix("_c")](np.random.default_rng(LENGTH), LENGTH)
-    case, written = place(example, name, Arena(), Arena())
+    example, kernel = example_of(examples, name, np.random.default_rng(LENGTH), LENGTH)
+    case, written = place(example, kernel, Arena(), Arena())
 
     def check(result: Result) -> str | None:
         for at, block in written.items():

@@ -12,7 +12,7 @@ class Example:
     """One call: bytes in and out, and the struct of constants, or a table that is them.
 
     ``blocks`` are what its fields point at, ``more`` what they point at and is written.
-    ``stride``: bytes from pixel to pixel where a word of each is written alone.
+    ``stride``: bytes from pixel to pixel where only the first ones of each are written.
     """
 
     kernel: str
@@ -31,7 +31,8 @@ class Example:
         if not self.stride:
             return self.expected
         out = np.frombuffer(before, np.uint8).reshape(self.count, self.stride).copy()
-        out[:, :2] = np.frombuffer(self.expected, np.uint8).reshape(self.count, 2)
+        written = np.frombuffer(self.expected, np.uint8).reshape(self.count, -1)
+        out[:, :written.shape[1]] = written
         return out.tobytes()
 
     @property

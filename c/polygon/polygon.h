@@ -97,7 +97,7 @@ enum span_kind {
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
     SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY, SPAN_AFFINE_32,
     SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
-    SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PIXELS,
+    SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PASSES, SPAN_TMU_PIXELS,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -126,6 +126,7 @@ enum rule {
     RULE_TX_PLAIN,              /* one tile's points and constants: an affine span of its pixels */
     RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
     RULE_TMU_PLAIN,             /* one unit's points of one level: an affine span of its pixels */
+    RULE_TMU_PASSES,            /* as RULE_TX_PASSES */
     RULES
 };
 

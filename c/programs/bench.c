@@ -10,6 +10,7 @@
 #include "system/system.h"
 #include "system/text.h"
 #include "texture/map.h"
+#include "tmu/plain.h"
 #include "tx/plain.h"
 
 #define REPORTED 32
@@ -31,7 +32,7 @@ static void nothing(void)
 {
 }
 
-#define TX_PASS(name) {#name, (void (*)(void))name}
+#define PASS(name) {#name, (void (*)(void))name}
 
 /* Beside the assembly: what is written in C, and what costs nothing. */
 static const struct kernel c_kernels[] = {
@@ -39,14 +40,18 @@ static const struct kernel c_kernels[] = {
     {"column_layout_make", (void (*)(void))make_columns},
     {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
-    TX_PASS(tx_walk_c), TX_PASS(tx_threepoint_c), TX_PASS(tx_average_c),
-    TX_PASS(tx_point_c), TX_PASS(tx_store_16_c),
-    TX_PASS(tx_divide_c), TX_PASS(tx_tile_c), TX_PASS(tx_lerp_c),
-    TX_PASS(tx_quads_c), TX_PASS(tx_reciprocals_c),
-    TX_PASS(tx_modulate_c), TX_PASS(tx_map_c), TX_PASS(tx_widen_c),
-    TX_PASS(tx_combiner_c), TX_PASS(tx_narrow_c), TX_PASS(tx_lod_c), TX_PASS(tx_levels_c),
-    TX_PASS(tx_threepoint_16_c), TX_PASS(tx_shade_c), TX_PASS(tx_chroma_c),
-    TX_PASS(tx_convert_c), TX_PASS(tx_convert_wide_c), TX_PASS(tx_matrix_c),
+    PASS(tx_walk_c), PASS(tx_threepoint_c), PASS(tx_average_c),
+    PASS(tx_point_c), PASS(tx_store_16_c),
+    PASS(tx_divide_c), PASS(tx_tile_c), PASS(tx_lerp_c),
+    PASS(tx_quads_c), PASS(tx_reciprocals_c),
+    PASS(tx_modulate_c), PASS(tx_map_c), PASS(tx_widen_c),
+    PASS(tx_combiner_c), PASS(tx_narrow_c), PASS(tx_lod_c), PASS(tx_levels_c),
+    PASS(tx_threepoint_16_c), PASS(tx_shade_c), PASS(tx_chroma_c),
+    PASS(tx_convert_c), PASS(tx_convert_wide_c), PASS(tx_matrix_c),
+    PASS(tmu_walk_c), PASS(tmu_walk_clamp_c), PASS(tmu_point_c), PASS(tmu_bilinear_c),
+    PASS(tmu_bilinear_565_c), PASS(tmu_store_565_c), PASS(tmu_quads_c),
+    PASS(tmu_lerp_c), PASS(tmu_scale_c), PASS(tmu_modulate_c), PASS(tmu_add_c),
+    PASS(tmu_combiner_c), PASS(tmu_divide_c),
     {0, 0}
 };
 

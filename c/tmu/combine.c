@@ -7,7 +7,7 @@ struct sources {
     int32 flip;                 /* 255 where odd levels turn factors round */
 };
 
-static int32 detail_factor(const struct tmu_modes *modes, int32 lod)
+int32 tmu_detail_factor(const struct tmu_modes *modes, int32 lod)
 {
     const int32 distance = modes->detail_bias * 256 - lod;
     const int32 factor = distance > 0 ? (distance << modes->detail_scale) >> 8 : 0;
@@ -50,7 +50,7 @@ uint32 tmu_combine_pixel(const struct tmu *tmu, const struct tmu_lod *lod, uint3
 
     from.local_alpha = (int32)(local >> 24);
     from.other_alpha = (int32)(other >> 24);
-    from.detail = detail_factor(&tmu->modes, lod->value);
+    from.detail = tmu_detail_factor(&tmu->modes, lod->value);
     from.fraction = lod->value & 255;
     from.flip = tmu->modes.trilinear && lod->odd ? 255 : 0;
     colour = channel(alpha, &from, from.local_alpha, from.other_alpha,

@@ -5,24 +5,13 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "polygon/planes.h"
-#include "tmu/unit.h"
-
-enum {
-    IN_S, IN_T, IN_W,           /* of planes */
-    OWN = 4                     /* the same of the unit with points of its own */
-};
+#include "tmu/plan.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
     int32 first;                /* plane */
     int32 divided;              /* a unit divides by w */
     struct planes_corners corners;
-};
-
-struct iterations {
-    struct planes planes;
-    struct tmu_point points[TMU_UNITS];
 };
 
 static const struct planes_scale scale = {2, 1 << 30, TMU_REACH << 16};
@@ -33,11 +22,6 @@ static enum polygon_result refuse(struct tmu_pipe *pipe, enum tmu_result result)
     return POLYGON_REFUSED;
 }
 
-static int32 has_own(const struct tmu_chain *chain)
-{
-    return chain->count > 1 && chain->own & 2;
-}
-
 /* The vertices of a unit's points. divided: 1 where a unit that has no points of its own divides
    by them. */
 static void find_iteration(const struct tmu_pipe *pipe, uint32 unit, const struct vertex *v,
@@ -45,7 +29,7 @@ static void find_iteration(const struct tmu_pipe *pipe, uint32 unit, const struc
 {
     const struct tmu_chain *chain = &pipe->chain;
 
-    of->first = unit ? OWN : IN_S;
+    of->first = unit ? TMU_OWN : TMU_S;
     of->divided = 0;
     for (uint32 n = 0; n < chain->count; n++)
         if ((chain->own >> n & 1 ? n : 0) == unit)
@@ -72,38 +56,38 @@ static enum tmu_result judge(const struct iteration *of, const struct vertex *v,
     return TMU_DONE;
 }
 
-static void set_point(struct iterations *at, uint32 unit, int32 x, int32 y)
+static void set_point(struct tmu_iterations *at, uint32 unit, int32 x, int32 y)
 {
-    const int32 first = unit ? OWN : IN_S;
+    const int32 first = unit ? TMU_OWN : TMU_S;
     struct tmu_point *point = &at->points[unit];
 
-    point->s = (int32)planes_at(&at->planes, first + IN_S, x, y);
-    point->t = (int32)planes_at(&at->planes, first + IN_T, x, y);
-    point->w = (int32)planes_at(&at->planes, first + IN_W, x, y);
+    point->s = (int32)planes_at(&at->planes, first + TMU_S, x, y);
+    point->t = (int32)planes_at(&at->planes, first + TMU_T, x, y);
+    point->w = (int32)planes_at(&at->planes, first + TMU_W, x, y);
     point->x = x;
     point->y = y;
 }
 
 /* The next pixel of a line. */
-static void step_point(struct iterations *at, uint32 unit)
+static void step_point(struct tmu_iterations *at, uint32 unit)
 {
-    const struct plane *of = &at->planes.of[unit ? OWN : IN_S];
+    const struct plane *of = &at->planes.of[unit ? TMU_OWN : TMU_S];
     struct tmu_point *point = &at->points[unit];
 
-    point->s = (int32)((uint32)point->s + of[IN_S].dx);
-    point->t = (int32)((uint32)point->t + of[IN_T].dx);
-    point->w = (int32)((uint32)point->w + of[IN_W].dx);
+    point->s = (int32)((uint32)point->s + of[TMU_S].dx);
+    point->t = (int32)((uint32)point->t + of[TMU_T].dx);
+    point->w = (int32)((uint32)point->w + of[TMU_W].dx);
     point->x++;
 }
 
 /* A line pixel by pixel: whatever the modes are. */
-static void draw_line(const struct tmu_chain *chain, struct iterations *at,
+static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
                       const struct frame *frame, int32 x, int32 end, int32 y)
 {
     uint8 *to = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
 
     set_point(at, 0, x, y);
-    if (has_own(chain))
+    if (tmu_has_own(chain))
         set_point(at, 1, x, y);
     for (; x < end; x++, to += frame->pixel_bytes) {
         uint32 pixel = tmu_frame_pixel(tmu_chain_pixel(chain, at->points), frame->pixel_bytes);
@@ -113,32 +97,41 @@ static void draw_line(const struct tmu_chain *chain, struct iterations *at,
         else
             *(uint16 *)to = (uint16)pixel;
         step_point(at, 0);
-        if (has_own(chain))
+        if (tmu_has_own(chain))
             step_point(at, 1);
     }
 }
 
 static int32 lod_base(const struct plane *of)
 {
-    return tmu_lod_base((int32)of[IN_S].dx, (int32)of[IN_T].dx, (int32)of[IN_S].dy,
-                        (int32)of[IN_T].dy);
+    return tmu_lod_base((int32)of[TMU_S].dx, (int32)of[TMU_T].dx, (int32)of[TMU_S].dy,
+                        (int32)of[TMU_T].dy);
 }
 
-static int32 find_planes(struct iterations *at, const struct setup *s,
+/* W of 1.0: a divide changes nothing. */
+static int32 is_constant(const struct plane *w)
+{
+    return w->at == (uint32)scale.one && !w->dx && !w->dy;
+}
+
+static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
                          const struct iteration *of, uint32 unit)
 {
     if (!planes_coordinates(&at->planes, s, of->first, &of->corners, &scale, of->divided))
         return 0;
     at->points[unit].lod = lod_base(&at->planes.of[of->first]);
+    at->divided[unit] = of->divided && !is_constant(&at->planes.of[of->first + TMU_W]);
     return 1;
 }
 
 static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
                                        const struct iteration *of)
 {
-    static struct iterations at;
+    static struct tmu_iterations at;
     const struct scanline *line;
     enum polygon_result result;
+    struct tmu_plan plan;
+    int32 passes;
 
     s->vertices = planes_vertices(s->given, s->count);
     result = outline_find(s);
@@ -146,17 +139,22 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         return result;
     outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
                   scissor_flat);
-    if (!find_planes(&at, s, &of[0], 0) || (has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
+    if (!find_planes(&at, s, &of[0], 0) || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
+    passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
     line = s->edges.lines;
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++)
-        if (line->last >= line->left)
-            draw_line(&pipe->chain, &at, s->frame, line->left - EDGE_BIAS,
-                      line->last - EDGE_BIAS + 1, y);
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count > 0 && passes)
+            tmu_plan_draw(&plan, s->frame, x, y, count);
+        else if (count > 0)
+            draw_line(&pipe->chain, &at, s->frame, x, x + count, y);
+    }
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[SPAN_TMU_PIXELS] += lines_pixels(s->edges.lines,
-                                                           s->box.bottom - s->box.top);
+        s->counts->pixels[passes ? SPAN_TMU_PASSES : SPAN_TMU_PIXELS] += lines_pixels(
+            s->edges.lines, s->box.bottom - s->box.top);
     }
     return POLYGON_DRAWN;
 }
@@ -177,7 +175,7 @@ enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct ver
         return POLYGON_WRONG_MAP;
     find_iteration(pipe, 0, vertices, &of[0]);
     check = judge(&of[0], vertices, count);
-    if (check == TMU_DONE && has_own(&pipe->chain)) {
+    if (check == TMU_DONE && tmu_has_own(&pipe->chain)) {
         find_iteration(pipe, 1, pipe->own, &of[1]);
         check = pipe->own ? judge(&of[1], pipe->own, count) : TMU_NO_COORDINATES;
     }
@@ -197,9 +195,14 @@ enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct ver
 enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, uint32 count,
                               int32 memory)
 {
+    static const struct tmu_kept none;
+
     pipe->own = 0;
     pipe->result = TMU_DONE;
     pipe->memory = memory;
+    for (int32 unit = 0; unit < TMU_UNITS; unit++)
+        for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
+            pipe->levels[unit][level] = none;
     page_init(&pipe->page.page);
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;

@@ -1,24 +1,9 @@
 /* The least that gives a polygon the same picture. */
 #include "polygon/counts.h"
 #include "polygon/lower.h"
-#include "tmu/unit.h"
+#include "tmu/plan.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
-
-/* The LOD where the limits leave one only; 0: they leave several. */
-static int32 find_only_lod(const struct tmu *tmu, struct tmu_lod *lod)
-{
-    struct tmu_point least, most;
-    struct tmu_lod other;
-
-    least.w = most.w = 1 << 30;
-    least.x = least.y = most.x = most.y = 0;
-    least.lod = TMU_LOD_LEAST;
-    most.lod = TMU_LOD_MOST;
-    tmu_find_lod(tmu, &least, lod);
-    tmu_find_lod(tmu, &most, &other);
-    return lod->value == other.value;
-}
 
 static void find_window(uint32 texels, uint32 level, struct page_window *window)
 {
@@ -150,7 +135,7 @@ static int32 is_plain(const struct setup *s, const struct tmu_pipe *pipe, struct
 {
     const struct tmu *tmu = pipe->chain.units[0];
 
-    if (pipe->chain.count > 1 || !find_only_lod(tmu, lod) || lod->filter != TMU_POINT)
+    if (pipe->chain.count > 1 || !tmu_only_lod(tmu, lod) || lod->filter != TMU_POINT)
         return 0;
     tmu_find_level(&tmu->modes, lod->level, level);
     find_window(level->columns, lod->level, columns);

@@ -51,11 +51,17 @@ int32 tmu_holds(const struct tmu_modes *modes, uint32 level);
 /* Bytes in memory of the levels before this one that the map has. */
 uint32 tmu_level_offset(const struct tmu_modes *modes, uint32 level);
 
+/* texel.c: a texel's A R G B; both its bytes where it has two. */
+uint32 tmu_colour(const struct tmu *tmu, uint32 texel);
+
 /* texel.c: texel (i, j), inside the level, as A R G B. */
 uint32 tmu_texel(const struct tmu *tmu, const struct tmu_level *level, uint32 i, uint32 j);
 
 /* filter.c: the unit's own colour at s, t (14.18). */
 uint32 tmu_sample(const struct tmu *tmu, const struct tmu_lod *lod, int32 s, int32 t);
+
+/* combine.c: the detail factor at a LOD. */
+int32 tmu_detail_factor(const struct tmu_modes *modes, int32 lod);
 
 /* combine.c: A R G B of the unit's own colour and of the one from upstream. */
 uint32 tmu_combine_pixel(const struct tmu *tmu, const struct tmu_lod *lod, uint32 local,

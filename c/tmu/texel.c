@@ -34,7 +34,7 @@ static uint32 rgb332(uint32 texel, uint32 alpha)
     return pack(alpha, widen(texel, 5, 3), widen(texel, 2, 3), widen(texel, 0, 2));
 }
 
-static uint32 colour(const struct tmu *tmu, uint32 texel)
+uint32 tmu_colour(const struct tmu *tmu, uint32 texel)
 {
     const uint32 low = texel & 255, high = texel >> 8;
     const struct tmu_ncc *ncc = &tmu->ncc[tmu->modes.ncc_table];
@@ -67,7 +67,7 @@ uint32 tmu_texel(const struct tmu *tmu, const struct tmu_level *level, uint32 i,
     uint32 address = level->address + n;
 
     if (tmu->modes.format < TMU_ARGB8332)
-        return colour(tmu, memory[address & mask]);
+        return tmu_colour(tmu, memory[address & mask]);
     address += n;
-    return colour(tmu, (uint32)memory[(address + 1) & mask] << 8 | memory[address & mask]);
+    return tmu_colour(tmu, (uint32)memory[(address + 1) & mask] << 8 | memory[address & mask]);
 }

@@ -3,6 +3,7 @@
 #define TMU_UNIT_H
 
 #include "polygon/page.h"
+#include "tmu/decode.h"
 #include "tmu/pixel.h"
 
 enum { TMU_PAGE_KEY = 4 };
@@ -25,6 +26,7 @@ struct tmu_pipe {
     enum tmu_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
     struct tmu_page page;
+    struct tmu_kept levels[TMU_UNITS][TMU_LEVEL_LAST + 1];      /* decoded for the passes */
 };
 
 /* A pipe of units that are there already, none of them with points of its own. */
@@ -42,6 +44,12 @@ polygon_routine tmu_polygon_draw;
    for them in *plain and the vertices relative to the page. */
 int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
                          const struct vertex **vertices);
+
+/* Whether the second unit has points of its own. */
+static inline int32 tmu_has_own(const struct tmu_chain *chain)
+{
+    return chain->count > 1 && chain->own & 2;
+}
 
 /* A frame's pixel, in its lower bits, of A R G B. */
 static inline uint32 tmu_frame_pixel(uint32 argb, int32 pixel_bytes)

@@ -1,0 +1,80 @@
+/* The passes over a line's pixels for Glide's texture unit: each a routine of src68k/tmu
+   (contracts there) that takes what the pass before it left. count is 1 or more. */
+#ifndef TMU_PASSES_H
+#define TMU_PASSES_H
+
+#include "compiler.h"
+
+/* Iterators at a line's first pixel: s and t 14.18, w 2.30. */
+struct tmu_iterators {
+    int32 s, t, w;
+};
+
+/* A coordinate pair: s in the upper, t in the lower word, in texels of one level: 12.4 modulo
+   2^16, 8.8 where weights have 8 bits. */
+typedef uint32 tmu_coordinates;
+
+/* From iterators to one level's coordinates. */
+struct tmu_steps {
+    int32 s, t, w;              /* what the iterators change by */
+    uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level; 22 at most */
+    uint16 half;                /* a texel, in coordinates; 0 for point sampling */
+    uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
+    uint16 behind, spare;       /* 1: s and t are 0 where w is negative */
+};
+
+/* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +
+   fs * ft * st has 256 times the channel in each word. The words of a difference are added as one
+   signed 32-bit number, so that a negative lower one borrows. */
+struct tmu_pair {
+    uint32 st, s, t, corner;
+};
+
+struct tmu_quad {
+    struct tmu_pair rb, ga;
+};
+
+/* A level as texels of four bytes. A coordinate's texel is texels[row << columns_bits | column]:
+   column = s >> 4 modulo 2^columns_bits, row alike. */
+struct tmu_decoded {
+    const uint32 *texels;       /* R G B A */
+    const struct tmu_quad *quads;       /* the same order; 0 without a filter */
+    uint16 mask_s, mask_t;      /* (columns - 1) << 4, (rows - 1) << 4 */
+    uint16 columns_bits, rows_bits;
+};
+
+/* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
+   pixel: 4, of LODs 2, or 0 for the same everywhere. */
+struct tmu_mix {
+    const uint32 *other;
+    const uint8 *factors;
+    int32 other_step, factor_step;
+    uint32 flip;                /* the factor is inverted where these bits are 1: in each byte alike */
+    uint32 one;                 /* 1: factor 255 stands for all; 0: 256 would */
+};
+
+/* One channel of the combine unit: the channel's byte of each, alpha's, or a zero. Steps as in
+   tmu_mix. */
+struct tmu_inputs {
+    const uint8 *other, *local, *factor, *added;
+    int32 other_step, local_step, factor_step, added_step;
+    uint16 flip, invert;        /* 255, or 0 */
+};
+
+/* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
+void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+
+void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_scale(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_modulate(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_add(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_combiner(const void *nothing, void *results, const void *inputs, int32 count);
+void tmu_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
+
+#endif

@@ -1,0 +1,121 @@
+#include "tmu/plain.h"
+
+void tmu_walk_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_steps *step = call->constants;
+    const int32 shift = step->shift, half = step->half;
+    int32 s = start->s, t = start->t, count = call->count;
+    uint32 *out = call->out;
+
+    do {
+        *out++ = (uint32)((s >> shift) - half) << 16 | (((t >> shift) - half) & 0xffff);
+        s = (int32)((uint32)s + (uint32)step->s);
+        t = (int32)((uint32)t + (uint32)step->t);
+    } while (--count > 0);
+}
+
+static inline uint32 clamped(int32 coordinate, int32 last)
+{
+    if (last == 0xffff)
+        return (uint32)coordinate & 0xffff;
+    return (uint32)(coordinate < 0 ? 0 : coordinate > last ? last : coordinate);
+}
+
+void tmu_walk_clamp_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_steps *step = call->constants;
+    const int32 shift = step->shift, half = step->half;
+    int32 s = start->s, t = start->t, count = call->count;
+    uint32 *out = call->out;
+
+    do {
+        *out++ = clamped((s >> shift) - half, step->last_s) << 16
+            | clamped((t >> shift) - half, step->last_t);
+        s = (int32)((uint32)s + (uint32)step->s);
+        t = (int32)((uint32)t + (uint32)step->t);
+    } while (--count > 0);
+}
+
+static inline uint32 index_of(const struct tmu_decoded *level, uint32 st)
+{
+    const uint32 s = st >> 16 & level->mask_s, t = st & level->mask_t;
+
+    return t >> 4 << level->columns_bits | s >> 4;
+}
+
+void tmu_point_c(const struct tx_call *call)
+{
+    const struct tmu_decoded *level = call->constants;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = level->texels[index_of(level, *in++)];
+    while (--count > 0);
+}
+
+static inline uint32 sum(const struct tmu_pair *pair, uint32 fs, uint32 ft)
+{
+    return pair->corner + fs * (pair->s + ft * pair->st) + ft * pair->t;
+}
+
+static inline uint32 filtered(const struct tmu_decoded *level, uint32 st)
+{
+    const struct tmu_quad *quad = level->quads + index_of(level, st);
+    const uint32 fs = st >> 16 & 15, ft = st & 15;
+
+    return (sum(&quad->rb, fs, ft) & 0xff00ff00u) | (sum(&quad->ga, fs, ft) >> 8 & 0x00ff00ffu);
+}
+
+static inline uint32 packed(uint32 texel)
+{
+    return (texel >> 16 & 0xf800) | (texel >> 13 & 0x07e0) | (texel >> 11 & 0x001f);
+}
+
+void tmu_bilinear_c(const struct tx_call *call)
+{
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = filtered(call->constants, *in++);
+    while (--count > 0);
+}
+
+void tmu_bilinear_565_c(const struct tx_call *call)
+{
+    const uint32 *in = call->in;
+    uint16 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = (uint16)packed(filtered(call->constants, *in++));
+    while (--count > 0);
+}
+
+void tmu_store_565_c(const struct tx_call *call)
+{
+    const uint32 *in = call->in;
+    uint16 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = (uint16)packed(*in++);
+    while (--count > 0);
+}
+
+void tmu_quads_c(const struct tx_call *call)
+{
+    const uint32 *in = call->in;
+    struct tmu_quad *out = call->out;
+    int32 count = call->count;
+
+    do {
+        tmu_quad_make(out++, in[0], in[1], in[2], in[3]);
+        in += 4;
+    } while (--count > 0);
+}

@@ -1,0 +1,65 @@
+#include "tmu/plain.h"
+
+static inline uint32 magnitude(int32 value)
+{
+    return value < 0 ? 0 - (uint32)value : (uint32)value;
+}
+
+/* n * 2^bits / w rounded down, n < 2 w. */
+static uint32 quotient(uint32 n, uint32 w, int32 bits, uint32 *rest)
+{
+    uint32 found = n >= w;
+
+    n -= found ? w : 0;
+    for (; bits; bits--) {
+        const uint32 carry = n >> 31;
+
+        n <<= 1;
+        found <<= 1;
+        if (carry || n >= w) {
+            n -= w;
+            found++;
+        }
+    }
+    *rest = n;
+    return found;
+}
+
+/* s * 2^30 / w rounded down, cut to 32 bits, >> shift. */
+static int32 divided(int32 s, int32 w, int32 shift)
+{
+    const uint32 n = magnitude(s), by = magnitude(w);
+    uint32 rest, found;
+
+    if (n >> 1 >= by) {
+        found = (1u << (31 - shift)) - 1;
+        rest = 1;
+    } else {
+        found = quotient(n, by, 30 - shift, &rest);
+    }
+    return (int32)((s < 0) != (w < 0) ? 0 - found - (rest != 0) : found);
+}
+
+static inline uint32 coordinate(int32 s, int32 w, const struct tmu_steps *step, int32 last)
+{
+    int32 found = (!w || (w < 0 && step->behind) ? 0 : divided(s, w, step->shift)) - step->half;
+
+    if (last == 0xffff)
+        return (uint32)found & 0xffff;
+    return (uint32)(found < 0 ? 0 : found > last ? last : found);
+}
+
+void tmu_divide_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_steps *step = call->constants;
+    int32 s = start->s, t = start->t, w = start->w, count = call->count;
+    uint32 *out = call->out;
+
+    do {
+        *out++ = coordinate(s, w, step, step->last_s) << 16 | coordinate(t, w, step, step->last_t);
+        s = (int32)((uint32)s + (uint32)step->s);
+        t = (int32)((uint32)t + (uint32)step->t);
+        w = (int32)((uint32)w + (uint32)step->w);
+    } while (--count > 0);
+}

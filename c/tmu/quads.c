@@ -1,0 +1,22 @@
+#include "tmu/passes.h"
+
+#define FIELD 0x00ff00ffu
+
+/* Two channels of the four texels, in the lower bytes of words. */
+static void pair_make(struct tmu_pair *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+{
+    c00 &= FIELD;
+    c10 &= FIELD;
+    c01 &= FIELD;
+    c11 &= FIELD;
+    pair->st = c00 - c10 - c01 + c11;
+    pair->s = 16 * (c10 - c00);
+    pair->t = 16 * (c01 - c00);
+    pair->corner = 256 * c00;
+}
+
+void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+{
+    pair_make(&quad->rb, c00 >> 8, c10 >> 8, c01 >> 8, c11 >> 8);
+    pair_make(&quad->ga, c00, c10, c01, c11);
+}

@@ -1,0 +1,65 @@
+; What the passes of Glide's texture unit share (structs: c/tmu/passes.h).
+
+; d2 = 16 * (row << columns_bits | column) of the masked s:t in d0; d2 was 0, d5 columns_bits.
+tmu_index macro
+        move.w  d0,d2
+        lsl.l   d5,d2
+        swap    d0
+        or.w    d0,d2
+        endm
+
+; The texels of coordinates by the parts of tmu_weights. \1: what writes a texel, \2: d7 for it.
+tmu_filter macro
+        xref    tmu_weights_table
+        save_all
+        lea     (a0,d0.l*4),a6
+        move.l  tmu_decoded_mask_s(a2),d6       ; and mask_t
+        move.w  tmu_decoded_columns_bits(a2),d5
+        movea.l tmu_decoded_quads(a2),a4
+        move.l  #\2,d7
+        move.l  #$000f000f,d4
+        lea     tmu_weights_table,a5
+        lea     .weighed(pc),a3
+        bra.s   .coordinates
+.weighed
+        \1
+        cmpa.l  a6,a0
+        beq.s   .done
+.coordinates
+        move.l  (a0)+,d0                ; s:t
+        moveq   #0,d2
+        move.l  d0,d1
+        and.l   d6,d0
+        and.l   d4,d1
+        tmu_index
+        move.l  d1,d3
+        lsr.l   #8,d3
+        lsr.l   #4,d3
+        or.w    d3,d1                   ; fs << 4 | ft
+        move.w  (a5,d1.w*2),d1
+        lea     (a4,d2.l*2),a2
+        jmp     (a5,d1.w)
+.done   return_all
+        endm
+
+; For texels and others: a3 = others, a4 = factors, a5 = bytes between those, a6 = the texels' end,
+; d5 = flip, d6 = bytes between the others, d7 = 00ff00ff, a2 = one. In: a0, a2, d0.
+tmu_mix_open macro
+        lea     (a0,d0.l*4),a6
+        movea.l tmu_mix_other(a2),a3
+        movea.l tmu_mix_factors(a2),a4
+        move.l  tmu_mix_other_step(a2),d6
+        movea.l tmu_mix_factor_step(a2),a5
+        move.l  tmu_mix_flip(a2),d5
+        move.l  #$00ff00ff,d7
+        movea.l tmu_mix_one(a2),a2
+        endm
+
+; \1 = the pixel's factor.
+tmu_factor macro
+        moveq   #0,\1
+        move.b  (a4),\1
+        adda.l  a5,a4
+        eor.b   d5,\1
+        add.l   a2,\1
+        endm

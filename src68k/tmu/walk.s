@@ -1,0 +1,103 @@
+        include "routine.i"
+        include "layout.i"
+        include "tx.i"
+
+;==============================================================================
+; tmu_walk - a level's coordinates without perspective, wrapped
+;
+; in:      a0  const tmu_iterators*  s and t at the first pixel
+;          a1  tmu_coordinates*  coordinates
+;          a2  const tmu_steps*  what they change by, the level
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   s and t, the steps
+; writes:  the coordinates
+; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
+; error:   none
+; cost:    bench rows tmu_walk, tmu_walk_small
+;==============================================================================
+; As in tx_walk s is SSss, t swapped, ttTT. From shift 17 on they have more fraction bits: those
+; are in registers of their own.
+
+; Takes \1 bits off below d0 and d1: they are the upper bits of \2 and \3. d7 is their mask.
+low_bits macro
+        move.l  d0,\2
+        move.l  d1,\3
+        ror.l   \1,\2
+        ror.l   \1,\3
+        and.l   d7,\2
+        and.l   d7,\3
+        asr.l   \1,d0
+        asr.l   \1,d1
+        endm
+
+        routine tmu_walk,a0,a1,a2,d0
+        movem.l d2-d7/a3-a4,-(sp)
+        moveq   #16,d4
+        sub.w   tmu_steps_shift(a2),d4
+        blt     .small
+        tx_rounds
+        movem.l (a0),d0-d1
+        movem.l (a2),d2-d3
+        lsl.l   d4,d0
+        lsl.l   d4,d1
+        lsl.l   d4,d2
+        lsl.l   d4,d3
+        moveq   #0,d5
+        move.w  tmu_steps_half(a2),d5
+        swap    d5
+        sub.l   d5,d0
+        sub.l   d5,d1
+        swap    d1
+        move.l  d3,d5
+        swap    d5                      ; --TT
+        swap    d3
+        clr.w   d3                      ; tt--
+        lea     .pixels(pc,d6.l*4),a0
+        jmp     (a0,d6.l*8)
+.pixels rept    8
+        move.l  d0,d4                   ; 12 bytes
+        move.w  d1,d4
+        add.l   d2,d0
+        add.l   d3,d1
+        addx.w  d5,d1
+        move.l  d4,(a1)+
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d7/a3-a4
+        rts
+
+.small  neg.w   d4
+        move.l  d0,d6
+        moveq   #-1,d7
+        lsr.l   d4,d7
+        not.l   d7                      ; as many bits on top
+        movem.l (a2),d0-d1
+        low_bits d4,d2,d3
+        movea.l d2,a3
+        movea.l d3,a4
+        move.l  d6,d5
+        move.l  d0,d2
+        move.l  d1,d3
+        movem.l (a0),d0-d1
+        lea     (a1,d5.l*4),a0
+        low_bits d4,d5,d6
+        moveq   #0,d4
+        move.w  tmu_steps_half(a2),d4
+        swap    d4
+        sub.l   d4,d0
+        sub.l   d4,d1
+.pixel  move.l  d1,d4
+        move.l  d0,d7
+        swap    d4
+        move.w  d4,d7
+        add.l   a3,d5
+        addx.l  d2,d0
+        add.l   a4,d6
+        addx.l  d3,d1
+        move.l  d7,(a1)+
+        cmpa.l  a0,a1
+        bne.s   .pixel
+        movem.l (sp)+,d2-d7/a3-a4
+        rts

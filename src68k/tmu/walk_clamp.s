@@ -1,0 +1,113 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; tmu_walk_clamp - a level's coordinates without perspective, clamped
+;
+; in:      a0  const tmu_iterators*  s and t at the first pixel
+;          a1  tmu_coordinates*  coordinates
+;          a2  const tmu_steps*  what they change by, the level
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   s and t, the steps
+; writes:  the coordinates
+; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, cut to 0 to last_s, or modulo 2^16
+;          where that is 0xffff
+; error:   none
+; cost:    bench rows tmu_walk_clamp, tmu_walk_inside
+;==============================================================================
+; A line of which both ends lie inside has nothing to be clamped.
+
+        xref    tmu_walk
+
+FEW     equ     5                       ; pixels: looking at the ends takes as long
+
+; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits.
+last    macro
+        moveq   #0,d1
+        move.w  \1(a2),d1
+        addq.w  #1,d1
+        subq.l  #1,d1
+        movea.l d1,\2
+        endm
+
+        routine tmu_walk_clamp,a0,a1,a2,d0
+        movem.l d2-d7/a3-a4,-(sp)
+        last    tmu_steps_last_s,a3
+        last    tmu_steps_last_t,a4
+        moveq   #0,d6
+        move.w  tmu_steps_shift(a2),d6
+        moveq   #0,d7
+        move.w  tmu_steps_half(a2),d7
+        subq.l  #1,d0
+        cmp.l   #FEW-1,d0
+        blt.s   .clamp
+        move.l  (a0),d1
+        move.l  tmu_steps_s(a2),d2
+        move.l  a3,d3
+        bsr.s   .ends
+        bhi.s   .clamp
+        move.l  tmu_iterators_t(a0),d1
+        move.l  tmu_steps_t(a2),d2
+        move.l  a4,d3
+        bsr.s   .ends
+        bhi.s   .clamp
+        addq.l  #1,d0
+        movem.l (sp)+,d2-d7/a3-a4
+        jmp     tmu_walk
+
+        ; "Higher" where an end of the iterator d1 with step d2 lies outside, or its way is
+        ; longer than 32 bits. d3 last, d0 count - 1
+.ends   move.l  d1,d4
+        asr.l   d6,d4
+        sub.l   d7,d4
+        cmp.l   d3,d4
+        bhi.s   .ended
+        move.l  d0,d4
+        muls.l  d2,d4
+        bvs.s   .long
+        add.l   d1,d4
+        bvs.s   .long
+        asr.l   d6,d4
+        sub.l   d7,d4
+        cmp.l   d3,d4
+.ended  rts
+.long   andi    #0,ccr                  ; neither lower nor the same
+        rts
+
+.clamp  move.l  d0,d5
+        movem.l (a0),d0-d1
+        lea     4(a1,d5.l*4),a0         ; end
+        movem.l (a2),d2-d3
+.pixels move.l  d0,d4
+        asr.l   d6,d4
+        add.l   d2,d0
+        sub.l   d7,d4
+        cmp.l   a3,d4
+        bhi.s   .out_s
+.s      move.l  d1,d5
+        asr.l   d6,d5
+        add.l   d3,d1
+        sub.l   d7,d5
+        cmp.l   a4,d5
+        bhi.s   .out_t
+.t      swap    d4
+        move.w  d5,d4
+        move.l  d4,(a1)+
+        cmpa.l  a0,a1
+        bne.s   .pixels
+        movem.l (sp)+,d2-d7/a3-a4
+        rts
+.out_s  tst.l   d4
+        bmi.s   .low_s
+        move.l  a3,d4
+        bra.s   .s
+.low_s  moveq   #0,d4
+        bra.s   .s
+.out_t  tst.l   d5
+        bmi.s   .low_t
+        move.l  a4,d5
+        bra.s   .t
+.low_t  moveq   #0,d5
+        bra.s   .t

@@ -1,0 +1,30 @@
+"""Random input of the passes for Glide's texture unit, and what must come out of each.
+
+The expected output is worked out pixel by pixel from the unit's rules, in whatever way is
+plainest: neither the C nor the assembly is asked. The bench measures one example of each pass,
+the tests call many.
+"""
+
+from collections.abc import Callable
+
+from . import tmu_examples_combine as combine
+from . import tmu_examples_depth as depth
+from . import tmu_examples_sample as sample
+from .tx_example import Example
+
+#: Pass to the maker of its examples.
+MAKERS: dict[str, Callable[..., Example]] = {
+    "tmu_walk": sample.walk, "tmu_walk_small": sample.walk_small,
+    "tmu_walk_clamp": sample.walk_clamp, "tmu_walk_inside": sample.walk_inside,
+    "tmu_point": sample.point, "tmu_bilinear": sample.bilinear,
+    "tmu_bilinear_565": sample.bilinear_565, "tmu_store_565": sample.store_565,
+    "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
+    "tmu_divide_each": depth.divide_each,
+    "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
+    "tmu_add": combine.add, "tmu_combiner": combine.combine, "tmu_quads": sample.quads,
+}
+#: Tables, made by C alone.
+IN_C_ALONE = ("tmu_quads",)
+#: Other input of a pass: beside it there is no C.
+FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
+         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide"}

@@ -1,0 +1,75 @@
+"""Examples of the passes with perspective: the exact quotient, and the level of detail."""
+
+import numpy as np
+
+from .tmu_examples_sample import BENCH, WRAPPED, Axes, axes, numbered
+from .tx_example import Example, longs, pairs, signed
+
+ONE = 1 << 30  # of w
+
+
+def quotient(c: int, w: int, behind: int) -> int:
+    """The exact one, cut to 32 bits."""
+    if w == 0 or (w < 0 and behind):
+        return 0
+    return min(max((c << 30) // w, -1 << 31), (1 << 31) - 1)
+
+
+def between(start, end, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Start and step of iterators."""
+    return np.asarray(start), (np.asarray(end) - start) // count
+
+
+def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Start and step of s, t, w: any, or of a map that is seen, whose w falls by a factor of up to
+    ``ratio`` or rises."""
+    if rng.random() < 0.2:
+        return rng.integers(-1 << 31, 1 << 31, 3), rng.integers(-1 << 31, 1 << 31, 3)
+    ratio = float(rng.choice((1.001, 1.2, 2, 4, 20)))
+    near = int(ONE * 2.0 ** -rng.uniform(-0.3, 14))
+    w = [near, int(near / ratio)][::int(rng.choice((1, -1)))]
+    if rng.random() < 0.1:
+        w = [near, near]
+    texels = rng.integers(-1 << 12, 1 << 12, (2, 2)) * rng.choice((0.01, 0.1, 1))
+    if rng.random() < 0.1:
+        texels = texels * 16
+    ends = [[*(texels[k] * 2 ** 18 * w[k] / ONE).astype(np.int64), w[k]] for k in (0, 1)]
+    if rng.random() < 0.1:  # small ones, around 0
+        ends = rng.integers(-1000, 1000, (2, 3))
+    start, step = between(*ends, count)
+    if rng.random() < 0.1:
+        step[:2] = step[:2] * rng.choice((-1, 1 << 6))
+    return signed(start, 32), signed(step, 32)
+
+
+def found(start, step, count: int, ground: Axes) -> Example:
+    """The coordinates of a line."""
+    points = signed(numbered(start, step, count), 32)
+    divided = np.array([[quotient(int(c), int(w), ground.behind) for c in (s, t)]
+                        for s, t, w in points])
+    return Example("tmu_divide", longs(start), pairs(ground.coordinates(divided)), count,
+                   "tmu_steps", ground.values(step))
+
+
+def divide(rng, count: int) -> Example:
+    if count == BENCH:  # w to a quarter, 30 x 20 texels more
+        texel = 1 << 18
+        line = between([40 * texel, 50 * texel, ONE], [(300 * texel) // 4, 200 * texel // 4, ONE // 4],
+                       count)
+        return found(*line, count, Axes(14, 8, (WRAPPED, WRAPPED)))
+    ground = axes(rng, int(rng.integers(0, 9)), rng.random(2) < 0.4, int(rng.choice((4, 8))))
+    ground.behind = int(rng.integers(2))
+    return found(*iterators(rng, count), count, ground)
+
+
+def divide_clamp(rng, count: int) -> Example:
+    ground = Axes(14, 8, (255 * 16, 255 * 16))
+    line = between([-9 << 18, 50 << 18, ONE], [300 << 16, 200 << 16, ONE >> 2], count)
+    return found(*line, count, ground)
+
+
+def divide_each(rng, count: int) -> Example:
+    """A line that has to be divided pixel by pixel, for its w."""
+    ground = Axes(14, 8, (WRAPPED, WRAPPED))
+    line = between([40 << 18, 50 << 18, ONE + count], [300 << 16, 200 << 16, ONE >> 2], count)
+    return found(*line, count, ground)
