@@ -107,6 +107,8 @@ def random_registers(choose: random.Random) -> list[int]:
 
 
 #: Call, arguments, result: after a source of 256 by 256 texels of 8 bits, levels 2 to 5, of which
+#: Results of drawing polygons, which no call has.
+OF_POLYGONS = ("BAD_COORDINATE", "BAD_W")
 #: the even ones are there, from 1024 on.
 MAP = [1024, 1, 2, 5, 3, 3]
 BAD = [
@@ -263,7 +265,7 @@ def test_bad_arguments_change_nothing(answers) -> None:
             f"{name}{tuple(arguments)}: expected {result}, found {results().get(answer[0])}; "
             f"{AGAIN}")
         assert answer[1:5] == before, f"{name}{tuple(arguments)} changes registers"
-    everyone = {name for name in results().values() if name != "DONE"}
+    everyone = {name for name in results().values() if name not in ("DONE", *OF_POLYGONS)}
     assert {result for _, _, result in BAD} == everyone
 
 

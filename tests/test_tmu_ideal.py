@@ -137,14 +137,15 @@ def test_bilinear_samples(bits, clamp):
 
 def test_perspective():
     """Iterated numbers are rounded by half a unit each, so that s is off by half of one of s/w and
-    s times half of one of 1/w, over the rounded 1/w; the quotient is off by its reciprocal, and
-    cut."""
+    s times half of one of 1/w, over the rounded 1/w; the quotient is cut, and off by the reciprocal where it is by the table."""
     shares = [share(FAR, int(x) * N, int(y) * N) for x, y in zip(X, Y)]
     iterated = [np.array([round(three[k]) for three in shares]) for k in range(3)]
-    drawn = coordinates(Modes(perspective=1), *iterated)
-    for found, exact in zip(drawn, Surface(FAR, True).at(X, Y)):
+    exacts = Surface(FAR, True).at(X, Y)
+    ways = [(coordinates(Modes(perspective=1, table_quotients=k), *iterated), k * TOO_LARGE)
+            for k in (0, 1)]
+    for found, exact, part in ((*two, part) for drawn, part in ways for two in zip(drawn, exacts)):
         most = (0.5 / ONE + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE
-        most += (abs(exact.value) + most) * TOO_LARGE
+        most += (abs(exact.value) + most) * part
         assert (abs(found / ONE - exact.value) <= most + ROUNDING).all(), AGAIN
 
 

@@ -10,7 +10,7 @@ from tmu_reference import FOLDER, Question, only, questions
 
 from tools.errors import UserError
 from tools.tmu.chain import shaded
-from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, taps
+from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, table_quotient, taps
 from tools.tmu.filters import filters_linearly, sample
 from tools.tmu.lod import DITHER, LEAST, base, chosen, level_of_detail
 from tools.tmu.logarithm import log2
@@ -201,20 +201,22 @@ def test_bilinear_weights(bits):
     assert (sample(unit, s, t, np.zeros(fs.shape, np.int64)) == 255).all()
 
 
-def test_quotient():
-    """Within its bounds of the exact one; exact for powers of two."""
+def test_quotients():
+    """The exact one; that of the table within its bounds, and exact for powers of two."""
     random = np.random.default_rng(1)
     c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     c[:4], w[:4] = (-1 << 31, -1 << 31, 5, 7), (-1, 1, 0, -ONE_W)
     least, most = -1 << 31, (1 << 31) - 1
-    for a, b, found in zip(c.tolist(), w.tolist(), quotient(c, w).tolist()):
+    both = zip(quotient(c, w).tolist(), table_quotient(c, w).tolist())
+    for a, b, (found, by_table) in zip(c.tolist(), w.tolist(), both):
         exact = Fraction(a << 30, b) if b else Fraction(0)
+        want = max(least, min(floor(exact), most))
         ends = [exact * (1 + part) for part in (Fraction(TOO_LARGE), -Fraction(TOO_SMALL))]
         low, high = (max(least, min(floor(end), most)) for end in sorted(ends))
-        assert low <= found <= high, (a, b)
+        assert found == want and low <= by_table <= high, (a, b)
         if b and abs(b) & abs(b) - 1 == 0:
-            assert found == max(least, min(floor(exact), most)), (a, b)
+            assert by_table == want, (a, b)
 
 
 def test_negative_w():

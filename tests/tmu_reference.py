@@ -1,5 +1,6 @@
 """The texture unit's model run over the text of reference data."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -37,7 +38,7 @@ def questions(path: Path, fraction_bits: int):
         elif line.command == "nccrand":
             unit.ncc = vector_text.random_ncc(*values)
         elif line.command == "regs":
-            unit.modes = modes_of(*values, fraction_bits)
+            unit.modes = replace(modes_of(*values, fraction_bits), table_quotients=1)
         elif line.command == "grad":
             gradients = values
         else:

@@ -21,6 +21,7 @@ static void reset(uint32 fraction_bits)
             *at++ = 0;
         tmu_init(&units[n], memories[n], VECTOR_TMU_BYTES);
         tmu_fraction_bits(&units[n], fraction_bits);
+        tmu_quotients(&units[n], 1);    /* as reference data have them */
     }
     chosen = units;
     lod = TMU_LOD_LEAST;
@@ -160,7 +161,7 @@ void vector_tmu_run(uint32 code, const int32 *values, uint32 count)
         break;
     case VECTOR_TMU_BYTES_OF: bytes_of((uint32)values[0], (uint32)values[1]); break;
     case VECTOR_TMU_SUM: sum_of_level((uint32)values[0]); break;
-    case VECTOR_TMU_QUOTIENT: vector_answer(tmu_quotient(values[0], values[1])); break;
+    case VECTOR_TMU_QUOTIENT: vector_answer(tmu_table_quotient(values[0], values[1])); break;
     case VECTOR_TMU_LOGARITHM:
         vector_answer(tmu_logarithm((uint32)values[0], (uint32)values[1]));
         break;

@@ -30,7 +30,7 @@ static int32 cut(struct number64 number, int32 shift, int32 negative)
     return (int32)(negative ? 0 - value : value);
 }
 
-int32 tmu_quotient(int32 s, int32 w)
+int32 tmu_table_quotient(int32 s, int32 w)
 {
     uint32 normal = tmu_magnitude(w);
     int32 shift = 23;
@@ -42,13 +42,47 @@ int32 tmu_quotient(int32 s, int32 w)
     return cut(tmu_product(tmu_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
 }
 
+/* hi * 2^32 + lo by w, hi below w: the quotient, rounded up where there is a rest and up is 1. */
+static uint32 divided(uint32 hi, uint32 lo, uint32 w, uint32 up)
+{
+    for (int32 bit = 0; bit < 32; bit++) {
+        const uint32 carry = hi >> 31;
+
+        hi = hi << 1 | lo >> 31;
+        lo <<= 1;
+        if (carry || hi >= w) {
+            hi -= w;
+            lo |= 1;
+        }
+    }
+    return hi && up && lo != 0xffffffff ? lo + 1 : lo;
+}
+
+int32 tmu_exact_quotient(int32 s, int32 w)
+{
+    const uint32 negative = (s < 0) != (w < 0), limit = negative ? 0x80000000u : 0x7fffffff;
+    const uint32 size = tmu_magnitude(s), by = tmu_magnitude(w);
+    uint32 value = limit;
+
+    if (!w)
+        return 0;
+    if (size >> 2 < by)
+        value = divided(size >> 2, size << 30, by, negative);
+    if (value > limit)
+        value = limit;
+    return (int32)(negative ? 0 - value : value);
+}
+
 void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s, int32 *t)
 {
     if (tmu->modes.clamp_negative_w && point->w < 0) {
         *s = *t = 0;
+    } else if (tmu->modes.perspective && tmu->modes.table_quotients) {
+        *s = tmu_table_quotient(point->s, point->w);
+        *t = tmu_table_quotient(point->t, point->w);
     } else if (tmu->modes.perspective) {
-        *s = tmu_quotient(point->s, point->w);
-        *t = tmu_quotient(point->t, point->w);
+        *s = tmu_exact_quotient(point->s, point->w);
+        *t = tmu_exact_quotient(point->t, point->w);
     } else {
         *s = point->s;
         *t = point->t;

@@ -54,6 +54,17 @@ enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits)
     return TMU_DONE;
 }
 
+enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table)
+{
+    struct tmu_modes modes = tmu->modes;
+
+    if (by_table > 1)
+        return TMU_BAD_FLAG;
+    modes.table_quotients = (uint8)by_table;
+    tmu_set_modes(tmu, &modes);
+    return TMU_DONE;
+}
+
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t)
 {
     struct tmu_modes modes = tmu->modes;

@@ -30,11 +30,13 @@ struct tmu_chain {
     uint32 own;                 /* bit n: unit n has points of its own, or else unit 0's */
 };
 
-/* coordinates.c: point->s * 2^30 / point->w, and of t; what does not fit is the least or the
-   greatest number. The quotient as texture units find it: through a reciprocal of w that lies
-   on a straight line between two of 513 entries. w = 0: 0. */
+/* coordinates.c: point->s * 2^30 / point->w, and of t, rounded down; what does not fit is the
+   least or the greatest number; w = 0: 0. Exact, or through a reciprocal of w that lies on a
+   straight line between two of 513 entries: that is up to 2^-17 and 2^-20 of it too large, 2^-20
+   too small, and what reference data have. */
 void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s, int32 *t);
-int32 tmu_quotient(int32 s, int32 w);
+int32 tmu_exact_quotient(int32 s, int32 w);
+int32 tmu_table_quotient(int32 s, int32 w);
 
 /* logarithm.c: 256 log2 of a number of 64 bits, not 0, rounded to the nearest; bits below its
    32 highest do not count. */

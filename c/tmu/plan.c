@@ -41,36 +41,6 @@ static int32 shows_texels(const struct tmu_modes *modes)
         && (alpha->add_local || alpha->add_alpha_local) && !alpha->invert;
 }
 
-static uint32 place(int32 coordinate, const struct tmu_steps *steps, uint16 last)
-{
-    int32 u = (coordinate >> steps->shift) - steps->half;
-
-    if (last != 0xffff)
-        u = u < 0 ? 0 : u > last ? last : u;
-    return (uint16)u;
-}
-
-/* A pass: coordinates with perspective, as units divide. */
-static void divide(const void *iterators, void *coordinates, const void *constants, int32 count)
-{
-    const struct tmu_steps *steps = constants;
-    struct tmu_iterators at = *(const struct tmu_iterators *)iterators;
-    tmu_coordinates *to = coordinates;
-
-    for (; count; count--) {
-        int32 s = 0, t = 0;
-
-        if (at.w > 0 || !steps->behind) {
-            s = tmu_quotient(at.s, at.w);
-            t = tmu_quotient(at.t, at.w);
-        }
-        *to++ = place(s, steps, steps->last_s) << 16 | place(t, steps, steps->last_t);
-        at.s = (int32)((uint32)at.s + (uint32)steps->s);
-        at.t = (int32)((uint32)at.t + (uint32)steps->t);
-        at.w = (int32)((uint32)at.w + (uint32)steps->w);
-    }
-}
-
 /* Passes to one level's texels. */
 static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struct tmu_kept *levels,
                            const struct tmu_iterations *iterations, uint32 points)
@@ -80,7 +50,7 @@ static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struc
     int32 linear;
 
     if (!find_lod(tmu, iterations, points, &to->lod)
-        || (iterations->divided[points] && !modes->perspective))
+        || (iterations->divided[points] && (!modes->perspective || modes->table_quotients)))
         return 0;
     linear = to->lod.filter == TMU_BILINEAR;
     if ((linear && modes->fraction_bits != 4)
@@ -88,7 +58,7 @@ static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struc
         return 0;
     to->level = &levels[to->lod.level].decoded;
     to->first = points ? TMU_OWN : TMU_S;
-    to->coordinates = iterations->divided[points] ? divide
+    to->coordinates = iterations->divided[points] ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
     to->sample = linear ? tmu_bilinear : tmu_point;
     to->steps.s = (int32)of[TMU_S].dx;

@@ -31,7 +31,7 @@ const char *tmu_result_text(enum tmu_result result)
         "weights have neither 4 nor 8 bits",
         "register has bits that mean nothing",
         "not one or two units, or hints beyond them",
-        "s or t of a vertex is 8,192 or more, or of two vertices that far apart",
+        "s or t of a vertex is 8,192 or more, or of two so far apart",
         "w of a vertex is 0, or above 16,384",
         "a unit's own coordinates are missing"
     };

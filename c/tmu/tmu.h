@@ -131,7 +131,7 @@ struct tmu_modes {
     int8 detail_bias;
     uint8 detail_scale;
     uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
-    uint8 spare;
+    uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
     uint32 base;                /* bytes: where level 0 would start */
 };
 
@@ -197,6 +197,9 @@ enum tmu_result tmu_ncc_select(struct tmu *tmu, uint32 table);
 
 enum tmu_result tmu_filter(struct tmu *tmu, uint32 minify, uint32 magnify);
 enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits);
+
+/* by_table: 0 or 1. Exact quotients are the faster ones in polygons. */
+enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t);
 
 /* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */

@@ -22,12 +22,15 @@ def reciprocal(normal: np.ndarray) -> np.ndarray:
 
 
 def quotient(c: np.ndarray, w: np.ndarray) -> np.ndarray:
-    """c * 2^30 / w by the reciprocal of |w|, rounded down, within 32 bits; 0 where w is 0.
-    ``c``: 14.18, ``w``: 2.30, int64 arrays of 32-bit values.
+    """floor(c * 2^30 / w), exact, within 32 bits; 0 where w is 0. ``c``: 14.18, ``w``: 2.30,
+    int64 arrays of 32-bit values, so that no product leaves 63 bits."""
+    divided = np.floor_divide(c * ONE_W, np.where(w == 0, 1, w))
+    return np.where(w == 0, 0, np.clip(divided, LEAST, MOST))
 
-    The specification's rule is the exact quotient. Reference data have it by such a reciprocal
-    (its size is the specification's, the 8 bits were found by trying): all of them agree.
-    """
+
+def table_quotient(c: np.ndarray, w: np.ndarray) -> np.ndarray:
+    """The same by the reciprocal of |w|, as reference data have it (the table's size is the
+    specification's, the 8 bits were found by trying): all of them agree."""
     size = np.maximum(np.abs(w), 1)
     zeros = 32 - np.frexp(size.astype(np.float64))[1].astype(np.int64)
     product = np.abs(c) * reciprocal(size << zeros)  # below 2^54
@@ -41,7 +44,8 @@ def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray,
                 w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """s and t of pixels, 14.18, of what is iterated."""
     if modes.perspective:
-        s, t = quotient(s, w), quotient(t, w)
+        divided = table_quotient if modes.table_quotients else quotient
+        s, t = divided(s, w), divided(t, w)
     if modes.clamp_negative_w:
         s, t = (np.where(w < 0, 0, c) for c in (s, t))
     return s, t

@@ -50,7 +50,8 @@ class Modes:
     ``lod_min``, ``lod_max``: u4.2; ``lod_bias``: s4.2; ``aspect``: 0..3, the shorter side is the
     longer one >> aspect, ``wide``: s is the longer; ``odd``: which levels a ``split`` map has;
     ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255; ``base``: bytes,
-    where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8."""
+    where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8;
+    ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact."""
 
     perspective: int = 0
     minify: int = 0
@@ -76,6 +77,7 @@ class Modes:
     detail_bias: int = 0
     base: int = 0
     fraction_bits: int = VOODOO_BITS
+    table_quotients: int = 0
 
     def __post_init__(self):
         if self.format not in FORMATS:
