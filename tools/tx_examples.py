@@ -103,6 +103,6 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tx_reciprocals": depth.reciprocal_table, "tx_levels": depth.levels,
 }
 #: Tables, made by C alone.
-IN_C_ALONE = ("tx_quads", "tx_reciprocals", "tx_levels", "tx_matrix")
+IN_C_ALONE = ("tx_reciprocals", "tx_levels", "tx_matrix")
 #: Another form, or other input, of a pass: beside it there is no C.
 FORMS = {"tx_tile_plain": "tx_tile", "tx_lod_apart": "tx_lod", "tx_copy_row": "tx_copy_row"}

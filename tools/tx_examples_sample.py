@@ -36,8 +36,14 @@ def quad_bytes(corners: np.ndarray) -> bytes:
 
 
 def quads(rng, count: int) -> Example:
-    corners = any_texels(rng, 4 * count).reshape(count, 4, 4)
-    return Example("tx_quads", pixels(corners), quad_bytes(corners), count)
+    step = int(rng.integers(1, 4)) if count != 256 else 1
+    rows = any_texels(rng, 2 * (count + 1) * step).reshape(2, count + 1, step, 4)
+    above, below = rows[:, :, 0]
+    made = quad_bytes(np.stack([above[:-1], above[1:], below[:-1], below[1:]], 1))
+    apart = np.zeros((count, step, len(made) // count), np.uint8)
+    apart[:, 0] = np.frombuffer(made, np.uint8).reshape(count, -1)
+    return Example("tx_quads", pixels(rows[0]), apart.tobytes(), count, "tx_quad_row",
+                   {"step": step}, {"below": pixels(rows[1])})
 
 
 def filtered(corners, fs, ft) -> np.ndarray:

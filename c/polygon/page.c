@@ -1,23 +1,6 @@
 #include "polygon/page.h"
 
-#include "system/system.h"
-
 enum { SIDE = MAP_PAGE_SIDE };
-
-int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory)
-{
-    const int32 bytes = SIDE * SIDE * pixel_bytes;
-
-    if (page->bytes < bytes)
-        page->bytes = mem_alloc(&page->texels, bytes, memory) ? bytes : 0;
-    page->map.texels = page->texels + SIDE / 2 * SIDE * pixel_bytes;
-    page->map.width = page->map.height = SIDE;
-    page->map.scale = 65536;
-    page->map.layout = MAP_PAGE;
-    page->map.texel_bytes = (uint8)pixel_bytes;
-    page->map.full = page->map.dark = 0;
-    return page->bytes > 0;
-}
 
 static const fix16 *next(const fix16 *value)
 {
@@ -26,7 +9,7 @@ static const fix16 *next(const fix16 *value)
 
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
 {
-    fix16 low = window->origin + PAGE_MARGIN * 65536;
+    fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
     fix16 high = low + (SIDE - 2 * PAGE_MARGIN) * 65536;
 
     if (window->period)
@@ -37,7 +20,7 @@ int32 page_is_within(const struct setup *s, const fix16 *value, const struct pag
     return 1;
 }
 
-static fix16 moved(const struct setup *s, const fix16 *value, const struct page_window *window)
+fix16 page_origin(const struct setup *s, const fix16 *value, const struct page_window *window)
 {
     fix16 least = *value, most = *value, middle;
 
@@ -48,25 +31,32 @@ static fix16 moved(const struct setup *s, const fix16 *value, const struct page_
         least = *value < least ? *value : least;
         most = *value > most ? *value : most;
     }
-    middle = (least >> 1) + (most >> 1) - window->origin - SIDE / 2 * 65536;
+    middle = (least >> 1) + (most >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
     return window->origin + ((middle + (window->period >> 1)) & -window->period);
 }
 
-const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
-                                   const struct page_window *rows)
+const struct vertex *page_vertices(const struct setup *s, fix16 s_origin, fix16 t_origin)
 {
-    static struct vertex vertices[POLYGON_VERTICES_MAX];
-    const fix16 u = moved(s, &s->given->s, columns), v = moved(s, &s->given->t, rows);
+    static struct vertex moved[POLYGON_VERTICES_MAX];
 
     for (int32 i = 0; i < s->count; i++) {
-        vertices[i] = s->given[i];
-        vertices[i].s -= u;
-        vertices[i].t -= v;
+        moved[i] = s->given[i];
+        moved[i].s -= s_origin;
+        moved[i].t -= t_origin;
     }
-    return vertices;
+    return moved;
 }
 
-void page_material(struct material *plain, const struct material *from, const struct page *page)
+void page_map(struct map *map, int32 pixel_bytes)
+{
+    map->width = map->height = SIDE;
+    map->scale = 65536;
+    map->layout = MAP_PAGE;
+    map->texel_bytes = (uint8)pixel_bytes;
+    map->full = map->dark = 0;
+}
+
+void page_material(struct material *plain, const struct material *from, const struct map *map)
 {
     *plain = *from;
     plain->mapper = MAPPER_AFFINE;
@@ -74,5 +64,5 @@ void page_material(struct material *plain, const struct material *from, const st
     plain->start = START_SUBTEXEL;
     plain->whole = 1;
     plain->perspective = PERSPECTIVE_NONE;
-    plain->map = &page->map;
+    plain->map = map;
 }

@@ -9,32 +9,27 @@ enum page_constants {
     PAGE_MARGIN = 1             /* texels: more than u and v of a pixel leave the vertices' range */
 };
 
-struct page {
-    struct map map;
-    uint8 *texels;              /* memory for it, */
-    int32 bytes;                /* and how much */
-};
-
 /* Which part of an axis a page shows, s or t of the vertices in 16.16 and a texel of the page
    1.0. */
 struct page_window {
-    fix16 origin;               /* where it begins */
+    fix16 origin;               /* of column or row 0 */
     fix16 period;               /* it repeats, 256 being a multiple; 0: it ends with the page */
+    int32 least;                /* the page's first column or row */
 };
-
-/* Memory for a page, its map for pixels of so many bytes. Row 0 lies at map.texels, rows 128 to
-   255 before it. 0: there is none. */
-int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory);
 
 /* Whether the pixels of a polygon lie within the window; value: s or t of its first vertex. */
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window);
 
-/* The vertices relative to the page, moved by whole periods: so that they are around its middle,
+/* The window's origin, moved by whole periods: so that the vertices are around the page's middle,
    and spans do not leave it where they need not. */
-const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
-                                   const struct page_window *rows);
+fix16 page_origin(const struct setup *s, const fix16 *value, const struct page_window *window);
 
-/* What draws them: s and t are planes to the last bit. */
-void page_material(struct material *plain, const struct material *from, const struct page *page);
+/* The vertices relative to origins. */
+const struct vertex *page_vertices(const struct setup *s, fix16 s_origin, fix16 t_origin);
+
+/* What a page is made of, but for its texels; what draws from it: s and t are planes to the last
+   bit. */
+void page_map(struct map *map, int32 pixel_bytes);
+void page_material(struct material *plain, const struct material *from, const struct map *map);
 
 #endif

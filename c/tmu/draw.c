@@ -139,7 +139,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         return result;
     outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
                   scissor_flat);
-    if (!find_planes(&at, s, &of[0], 0) || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
+    if (!find_planes(&at, s, &of[0], 0)
+        || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
     line = s->edges.lines;
@@ -203,8 +204,8 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     for (int32 unit = 0; unit < TMU_UNITS; unit++)
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
             pipe->levels[unit][level] = none;
-    pipe->page.page.texels = 0;
-    pipe->page.page.bytes = 0;
+    pipe->page.texels = 0;
+    pipe->page.bytes = 0;
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;
     return tmu_chain_init(&pipe->chain, units, count);

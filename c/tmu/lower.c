@@ -1,6 +1,8 @@
 /* The least that gives a polygon the same picture. */
 #include "polygon/counts.h"
 #include "polygon/lower.h"
+#include "polygon/page.h"
+#include "system/system.h"
 #include "tmu/plan.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -8,6 +10,7 @@ enum { SIDE = MAP_PAGE_SIDE };
 static void find_window(uint32 texels, uint32 level, struct page_window *window)
 {
     window->origin = 0;
+    window->least = 0;
     window->period = (fix16)(texels << level << 16);
 }
 
@@ -24,44 +27,44 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
     return 1;
 }
 
+/* A texel of the level as a pixel of the frame. */
+static uint32 pixel_at(const struct tmu *tmu, const struct tmu_lod *lod,
+                       const struct tmu_level *level, uint32 i, uint32 j, int32 pixel_bytes)
+{
+    uint32 colour = tmu_combine_pixel(tmu, lod, tmu_texel(tmu, level, i, j), 0);
+
+    return tmu_frame_pixel(colour, pixel_bytes);
+}
+
 /* A texel of the level is 2^level pixels wide; both axes repeat within the page. */
-static void make_row_16(uint16 *row, const struct tmu *tmu, const struct tmu_lod *lod,
-                        const struct tmu_level *level, uint32 v)
+static void make_row(uint8 *row, int32 pixel_bytes, const struct tmu *tmu,
+                     const struct tmu_lod *lod, const struct tmu_level *level, uint32 j)
 {
     const uint32 wide = 1u << lod->level;
 
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> lod->level;
-        uint16 pixel = i < level->columns
-            ? (uint16)tmu_frame_pixel(tmu_combine_pixel(tmu, lod, tmu_texel(tmu, level, i, v), 0), 2)
-            : row[u - (level->columns << lod->level)];
+    for (uint32 u = 0; u < SIDE; u++) {
+        const uint32 same = u & ~(wide - 1) & ((level->columns << lod->level) - 1);
+        uint16 *row_16 = (uint16 *)row;
+        uint32 *row_32 = (uint32 *)row;
+        uint32 pixel;
 
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
+        if (same < u)
+            pixel = pixel_bytes == 2 ? row_16[same] : row_32[same];
+        else
+            pixel = pixel_at(tmu, lod, level, u >> lod->level, j, pixel_bytes);
+        if (pixel_bytes == 2)
+            row_16[u] = (uint16)pixel;
+        else
+            row_32[u] = pixel;
     }
 }
 
-static void make_row_32(uint32 *row, const struct tmu *tmu, const struct tmu_lod *lod,
-                        const struct tmu_level *level, uint32 v)
-{
-    const uint32 wide = 1u << lod->level;
-
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> lod->level;
-        uint32 pixel = i < level->columns
-            ? tmu_frame_pixel(tmu_combine_pixel(tmu, lod, tmu_texel(tmu, level, i, v), 0), 4)
-            : row[u - (level->columns << lod->level)];
-
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
-    }
-}
-
-static void make_page(const struct page *page, const struct tmu *tmu, const struct tmu_lod *lod,
+/* Rows 128 to 255 lie before row 0. */
+static void make_page(struct tmu_page *page, const struct tmu *tmu, const struct tmu_lod *lod,
                       const struct tmu_level *level)
 {
     const int32 bytes = page->map.texel_bytes, pitch = SIDE * bytes;
-    uint8 *origin = (uint8 *)page->map.texels;
+    uint8 *origin = page->texels + SIDE / 2 * pitch;
 
     for (int32 v = 0; v < SIDE; v++) {
         const int32 j = v >> lod->level & (int32)(level->rows - 1), same = j << lod->level;
@@ -72,12 +75,21 @@ static void make_page(const struct page *page, const struct tmu *tmu, const stru
 
             for (int32 k = 0; k < pitch / 4; k++)
                 row[k] = from[k];
-        } else if (bytes == 2) {
-            make_row_16((uint16 *)row, tmu, lod, level, (uint32)j);
         } else {
-            make_row_32(row, tmu, lod, level, (uint32)j);
+            make_row((uint8 *)row, bytes, tmu, lod, level, (uint32)j);
         }
     }
+}
+
+static int32 page_room(struct tmu_page *page, int32 pixel_bytes, int32 memory)
+{
+    const int32 bytes = SIDE * SIDE * pixel_bytes;
+
+    if (page->bytes < bytes)
+        page->bytes = mem_alloc(&page->texels, bytes, memory) ? bytes : 0;
+    page_map(&page->map, pixel_bytes);
+    page->map.texels = page->texels + bytes / 2;
+    return page->bytes > 0;
 }
 
 static int32 find_page(struct tmu_pipe *pipe, const struct tmu_lod *lod,
@@ -98,9 +110,9 @@ static int32 find_page(struct tmu_pipe *pipe, const struct tmu_lod *lod,
     if (!differs)
         return 1;
     page->key[0] = 0;           /* of no use until it is made */
-    if (!page_ready(&page->page, pixel_bytes, pipe->memory))
+    if (!page_room(page, pixel_bytes, pipe->memory))
         return 0;
-    make_page(&page->page, tmu, lod, level);
+    make_page(page, tmu, lod, level);
     page->key[0] = key[0];
     return 1;
 }
@@ -133,7 +145,8 @@ int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material
         || !APPLIES(TMU_PLAIN, is_plain(s, pipe, &lod, &level, &columns, &rows)
                     && find_page(pipe, &lod, &level, s->frame->pixel_bytes)))
         return 0;
-    page_material(plain, s->material, &pipe->page.page);
-    *vertices = page_vertices(s, &columns, &rows);
+    page_material(plain, s->material, &pipe->page.map);
+    *vertices = page_vertices(s, page_origin(s, &s->given->s, &columns),
+                              page_origin(s, &s->given->t, &rows));
     return 1;
 }

@@ -2,7 +2,7 @@
 #ifndef TMU_UNIT_H
 #define TMU_UNIT_H
 
-#include "polygon/page.h"
+#include "polygon/setup.h"
 #include "tmu/decode.h"
 #include "tmu/pixel.h"
 
@@ -14,7 +14,9 @@ enum tmu_reach {
 
 /* A level as the plain mappers read it: pixels of the frame. */
 struct tmu_page {
-    struct page page;
+    struct map map;
+    uint8 *texels;              /* memory for it, */
+    int32 bytes;                /* and how much */
     uint32 key[TMU_PAGE_KEY];   /* what it was made from */
 };
 

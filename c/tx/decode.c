@@ -1,6 +1,7 @@
 #include "tx/decode.h"
 
 #include "system/system.h"
+#include "tx/rows.h"
 
 /* One column of a decoded tile: its texel and the one's beside it in quads, and which decoded
    column that is, or -1. */
@@ -10,6 +11,17 @@ struct column {
 
 /* A tile's columns while it is decoded: as many as a mirrored mask of 10 bits has. */
 static struct column columns[2048];
+
+/* The tile that is decoded. */
+struct making {
+    struct tx_rows rows;
+    const struct tx_axis *t;
+    int32 width, height;
+    int32 reach;                /* columns to the texel beside */
+    int32 texels;               /* of a row, that columns show */
+    int32 in_order;             /* column k shows texel k */
+    uint32 *to;
+};
 
 /* log2 of how many columns or rows the relative coordinates can tell apart. */
 static uint32 bits_of(const struct tx_axis *axis)
@@ -26,92 +38,113 @@ static uint32 bits_of(const struct tx_axis *axis)
     return axis->mask && period < bits ? period : bits;
 }
 
-/* reach: steps to the texel beside. */
-static void list_columns(const struct tx_axis *axis, int32 count, int32 reach)
+static void list_columns(struct making *m, const struct tx_axis *axis)
 {
     struct tx_place place;
 
-    for (int32 k = 0; k < count; k++) {
+    m->texels = 1;
+    m->in_order = 1;
+    for (int32 k = 0; k < m->width; k++) {
         tx_place_column(axis, (uint32)k, &place);
         columns[k].index = (int16)place.index;
-        columns[k].next = (int16)(place.index + reach * place.step);
+        columns[k].next = (int16)(place.index + m->reach * place.step);
+        m->in_order &= place.index == k;
+        if (place.index >= m->texels)
+            m->texels = place.index + 1;
     }
-    for (int32 k = 0; k < count; k++) {
-        const int32 beside = (k + reach) & (count - 1);
+    for (int32 k = 0; k < m->width; k++) {
+        const int32 beside = (k + m->reach) & (m->width - 1);
 
         columns[k].next_at = (int16)(columns[beside].index == columns[k].next ? beside : -1);
     }
 }
 
 /* A row's texels and the next one's. */
-static void place_row(const struct tx_tile *tile, int32 j, int32 *index, int32 *next)
+static void place_row(const struct making *m, int32 j, int32 *index, int32 *next)
 {
     struct tx_place row;
 
-    tx_place_row(&tile->t, (uint32)j, &row);
+    tx_place_row(m->t, (uint32)j, &row);
     *index = row.index & 255;
     *next = *index + row.step;
 }
 
-static uint32 texel_at(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 row)
+/* The columns of a row of TMEM. */
+static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
-    struct tx_colour texel;
+    static uint32 line[TX_COLUMNS_MAX + 1];
 
-    tx_fetch(tx, tile, s, row, 0, &texel);
-    if (tile->format == TX_YUV) {
-        texel.r += 128;
-        texel.g += 128;
+    /* Both at a time: some formats decode one more. */
+    if (m->in_order && !(m->width & 1)) {
+        tx_rows_decode(&m->rows, row, to, m->width);
+        return;
     }
-    return (uint32)texel.r << 24 | (uint32)texel.g << 16 | (uint32)texel.b << 8 | (uint32)texel.a;
+    tx_rows_decode(&m->rows, row, line, m->texels);
+    for (const struct column *column = columns; column < columns + m->width; column++)
+        *to++ = line[column->index];
 }
 
-static void decode_texels(const struct tx *tx, const struct tx_tile *tile, int32 width,
-                          int32 height, uint32 *texels)
+/* Each row of TMEM once: another that shows it is copied. */
+static void decode_texels(const struct making *m)
 {
+    static const uint32 *shown[TX_ROWS_MAX];
+    uint32 *to = m->to;
     int32 row, next;
 
-    for (int32 j = 0; j < height; j++) {
-        place_row(tile, j, &row, &next);
-        for (int32 k = 0; k < width; k++)
-            *texels++ = texel_at(tx, tile, columns[k].index, row);
+    for (int32 j = 0; j < TX_ROWS_MAX; j++)
+        shown[j] = 0;
+    for (int32 j = 0; j < m->height; j++, to += m->width) {
+        place_row(m, j, &row, &next);
+        if (shown[row])
+            for (int32 k = 0; k < m->width; k++)
+                to[k] = shown[row][k];
+        else
+            decode_row(m, row, to);
+        shown[row] = to;
     }
 }
 
-/* Where a decoded row's lower neighbour is decoded too, or -1. */
-static int32 row_below(const struct tx_tile *tile, int32 j, int32 height, int32 next)
+/* The texels of the row below: a decoded row's where that shows it. */
+static const uint32 *row_below(const struct making *m, int32 j, int32 next)
 {
-    const int32 below = j + 1 < height ? j + 1 : 0;
+    static uint32 spare[2048];
+    const int32 below = j + 1 < m->height ? j + 1 : 0;
     int32 row, beyond;
 
-    place_row(tile, below, &row, &beyond);
-    return row == next ? below : -1;
+    place_row(m, below, &row, &beyond);
+    if (row == next)
+        return m->to + below * m->width;
+    decode_row(m, next, spare);
+    return spare;
 }
 
-/* Quads of a row, out of texels that are decoded where they are. */
-static void decode_quads(const struct tx *tx, const struct tx_tile *tile, int32 width, int32 j,
-                         int32 height, const struct tx_kept *kept)
+/* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */
+static void decode_quads(const struct making *m, int32 j, struct tx_quad *quads)
 {
-    const uint32 *here = kept->texels + j * width, *below;
-    struct tx_quad *quad = kept->quads + j * width;
-    int32 row, next, below_at;
+    const uint32 *here = m->to + j * m->width, *below;
+    struct tx_quad_row by;
+    int32 row, next;
 
-    place_row(tile, j, &row, &next);
-    below_at = row_below(tile, j, height, next);
-    below = below_at < 0 ? 0 : kept->texels + below_at * width;
-    for (int32 k = 0; k < width; k++, quad++) {
-        const struct column *column = &columns[k];
-        const int32 at = column->next_at;
+    place_row(m, j, &row, &next);
+    by.below = below = row_below(m, j, next);
+    by.step = m->reach;
+    for (int32 k = 0; k < m->reach; k++, by.below++)
+        if (m->width > m->reach + k)
+            tx_quads(here + k, quads + k, &by, (m->width - 1 - k) / m->reach);
+    by.step = 1;
+    for (int32 k = 0; k < m->width; k++) {
+        const int32 at = columns[k].next_at, beside = columns[k].next;
+        uint32 above[2], under[2];
 
-        tx_quad_make(quad, here[k],
-                     at < 0 ? texel_at(tx, tile, column->next, row) : here[at],
-                     below ? below[k] : texel_at(tx, tile, column->index, next),
-                     below && at >= 0 ? below[at] : texel_at(tx, tile, column->next, next));
+        if (at == k + m->reach)
+            continue;
+        above[0] = here[k];
+        under[0] = below[k];
+        above[1] = at < 0 ? tx_rows_texel(&m->rows, beside, row) : here[at];
+        under[1] = at < 0 ? tx_rows_texel(&m->rows, beside, next) : below[at];
+        by.below = under;
+        tx_quads(above, quads + k, &by, 1);
     }
-}
-
-uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t)
-{
-    return from->texels[(t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5];
 }
 
 static uint32 axis_key(const struct tx_axis *axis)
@@ -167,6 +200,7 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, enum tx_quads quads,
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
     struct tx_decoded *decoded = &kept->decoded;
     struct tx_tile_key key;
+    struct making making;
 
     tx_tile_key_find(&key, tile);
     if (made)
@@ -177,11 +211,17 @@ enum tx_result tx_decode(const struct tx *tx, int32 n, enum tx_quads quads,
         return TX_DECODE_TOO_LARGE;
     if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != TX_QUADS_NONE))
         return TX_NO_MEMORY;
-    list_columns(&tile->s, 1 << columns_bits, quads == TX_QUADS_CHROMA ? 2 : 1);
-    decode_texels(tx, tile, 1 << columns_bits, 1 << rows_bits, kept->texels);
+    tx_rows_find(&making.rows, tx, tile);
+    making.t = &tile->t;
+    making.width = 1 << columns_bits;
+    making.height = 1 << rows_bits;
+    making.reach = quads == TX_QUADS_CHROMA ? 2 : 1;
+    making.to = kept->texels;
+    list_columns(&making, &tile->s);
+    decode_texels(&making);
     if (quads != TX_QUADS_NONE)
-        for (int32 j = 0; j < 1 << rows_bits; j++)
-            decode_quads(tx, tile, 1 << columns_bits, j, 1 << rows_bits, kept);
+        for (int32 j = 0; j < making.height; j++)
+            decode_quads(&making, j, kept->quads + j * making.width);
     decoded->texels = kept->texels;
     decoded->quads = quads != TX_QUADS_NONE ? kept->quads : 0;
     decoded->columns_bits = (uint16)columns_bits;

@@ -36,9 +36,6 @@ struct tx_kept {
     uint32 texels_room, quads_room;     /* elements */
 };
 
-/* The texel of relative coordinates. */
-uint32 tx_decoded_texel(const struct tx_decoded *from, uint32 s, uint32 t);
-
 /* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
    whether anything was done. Memory is the system's and kept for the next time; a larger tile
    takes new memory, and what it had stays taken until the program ends. Colours are tx_fetch's;

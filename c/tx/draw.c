@@ -27,10 +27,9 @@ static void shade_at(const struct tx_planes *planes, int32 x, int32 y, struct tx
     shade->a = channel(tx_plane_at(planes, TX_ALPHA, x, y));
 }
 
-/* A line pixel by pixel: whatever the modes are. constant: the shade where the planes have none. */
-static void draw_line(const struct tx *tx, const struct tx_planes *planes,
-                      const struct tx_colour *constant, const struct frame *frame, int32 x,
-                      int32 end, int32 y)
+void tx_draw_line(const struct tx *tx, const struct tx_planes *planes,
+                  const struct tx_colour *constant, const struct frame *frame, int32 x,
+                  int32 end, int32 y)
 {
     uint8 *row = frame->pixels + y * frame->pitch;
     struct tx_colour shade = *constant;
@@ -59,7 +58,7 @@ static void draw_lines(const struct setup *s, const struct tx *tx,
         if (count > 0 && plan)
             tx_plan_draw(plan, s->frame, x, y, count);
         else
-            draw_line(tx, planes, shade, s->frame, x, x + count, y);
+            tx_draw_line(tx, planes, shade, s->frame, x, x + count, y);
     }
 }
 
@@ -216,8 +215,8 @@ void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, in
     unit->tables = 0;
     unit->yuv = 0;
     unit->levels_made = unit->tables_made = unit->yuv_made = 0;
-    unit->page.page.texels = 0;
-    unit->page.page.bytes = 0;
+    unit->page.texels = 0;
+    unit->page.bytes = unit->page.half = unit->page.from = unit->page.end = 0;
     for (int32 i = 0; i < TX_PAGE_KEY; i++)
         unit->page.key[i] = 0;
     for (int32 i = 0; i < TX_TILES; i++)

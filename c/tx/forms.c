@@ -264,7 +264,7 @@ void tx_combine_cycle(const struct tx *tx, const struct tx_places *at, int32 cyc
 }
 
 void tx_combine_line(const struct tx *tx, const struct tx_places *at,
-                     struct tx_wide (*results)[SCENE_SIDE_MAX], uint32 *colours, int32 count)
+                     struct tx_wide (*results)[TX_LINE_PIXELS], uint32 *colours, int32 count)
 {
     struct tx_places places = *at;
 

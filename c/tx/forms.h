@@ -2,8 +2,9 @@
 #ifndef TX_FORMS_H
 #define TX_FORMS_H
 
-#include "scene/scene_file.h"
 #include "tx/pixel.h"
+
+enum { TX_LINE_PIXELS = 256 };  /* that the passes draw at a time */
 
 /* What is made of the texels, and then of that. */
 enum tx_first { TX_FIRST_TEXEL, TX_FIRST_BLEND };
@@ -31,12 +32,12 @@ struct tx_places {
     int32 fraction_step;
 };
 
-/* One cycle over a line of up to SCENE_SIDE_MAX pixels, as its codes stand. */
+/* One cycle over pixels, as its codes stand. */
 void tx_combine_cycle(const struct tx *tx, const struct tx_places *at, int32 cycle,
                       struct tx_wide *results, int32 count);
 
 /* All cycles: combined is not looked at. results: room for two lines. */
 void tx_combine_line(const struct tx *tx, const struct tx_places *at,
-                     struct tx_wide (*results)[SCENE_SIDE_MAX], uint32 *colours, int32 count);
+                     struct tx_wide (*results)[TX_LINE_PIXELS], uint32 *colours, int32 count);
 
 #endif

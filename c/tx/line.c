@@ -1,26 +1,21 @@
 /* A line of a polygon, pass by pass. */
-#include "system/system.h"
 #include "tx/pixels.h"
 #include "tx/plan.h"
 
-/* What stands between the passes of a line. */
-struct work {
-    uint32 coordinates[SCENE_SIDE_MAX], relative[SCENE_SIDE_MAX];
-    struct tx_blending blendings[SCENE_SIDE_MAX];
-    uint32 texels0[SCENE_SIDE_MAX], texels1[SCENE_SIDE_MAX];
-    uint32 shades[SCENE_SIDE_MAX], colours[SCENE_SIDE_MAX];
+/* What stands between the passes of a line, so many pixels at a time. */
+static struct work {
+    uint32 coordinates[TX_LINE_PIXELS], relative[TX_LINE_PIXELS];
+    struct tx_blending blendings[TX_LINE_PIXELS];
+    uint32 texels0[TX_LINE_PIXELS], texels1[TX_LINE_PIXELS];
+    uint32 shades[TX_LINE_PIXELS], colours[TX_LINE_PIXELS];
     struct tx_yuv_line yuv[2];
-    struct tx_wide wide[3][SCENE_SIDE_MAX];     /* texel 0, texel 1, shade */
-    struct tx_wide results[2][SCENE_SIDE_MAX];  /* of both cycles */
-};
+    struct tx_wide wide[3][TX_LINE_PIXELS];     /* texel 0, texel 1, shade */
+    struct tx_wide results[2][TX_LINE_PIXELS];  /* of both cycles */
+} line, *const work = &line;
 
-static struct work *work;
-
-struct tx_blending *tx_line_ready(void)
+struct tx_blending *tx_line_blendings(void)
 {
-    if (!work && !mem_alloc(&work, sizeof *work, MEMORY_ANY))
-        work = 0;
-    return work ? work->blendings : 0;
+    return work->blendings;
 }
 
 /* A run of pixels of the same tiles. */
@@ -165,7 +160,7 @@ static void modulate(const struct tx_plan *plan, const uint32 *texels, uint32 *c
 static void combine(const struct tx_plan *plan, const uint32 *texels, uint32 *colours,
                     int32 count)
 {
-    struct tx_wide (*wide)[SCENE_SIDE_MAX] = work->wide;
+    struct tx_wide (*wide)[TX_LINE_PIXELS] = work->wide;
     struct tx_places places;
     int32 has_second = plan->second_texel;
 
@@ -203,8 +198,8 @@ static void find_coordinates(const struct tx_plan *plan, int32 x, int32 y, int32
     plan->coordinates(&at, work->coordinates, &plan->steps, count);
 }
 
-void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
-                  int32 count)
+static void draw_part(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
+                      int32 count)
 {
     uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
     uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
@@ -232,4 +227,16 @@ void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x
         tx_map(texels, colours, plan->tables, count);
     if (frame->pixel_bytes == 2)
         tx_store_16(colours, pixels, 0, count);
+}
+
+void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
+                  int32 count)
+{
+    do {
+        const int32 part = count < TX_LINE_PIXELS ? count : TX_LINE_PIXELS;
+
+        draw_part(plan, frame, x, y, part);
+        x += part;
+        count -= part;
+    } while (count > 0);
 }

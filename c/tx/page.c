@@ -1,9 +1,13 @@
 #include "tx/page.h"
 
-#include "tx/forms.h"
+#include "polygon/page.h"
+#include "system/system.h"
 #include "tx/pixels.h"
+#include "tx/plan.h"
 
-enum { SIDE = MAP_PAGE_SIDE };
+/* Polygons have their middle at row 64: small ones leave neither rows 0 to 127, which lie one
+   behind the other, nor those that there is memory for. */
+enum { SIDE = MAP_PAGE_SIDE, MIDDLE = 64, HALF_LEAST = 16 };
 
 static int32 period(const struct tx_axis *axis)
 {
@@ -23,15 +27,9 @@ static int32 last_index(const struct tx_axis *axis)
     return (axis->high >> 2) - (axis->low >> 2);
 }
 
-/* Of an axis that does not repeat: its texels in the middle of the page. */
-static int32 first_index(const struct tx_axis *axis)
-{
-    return (last_index(axis) + 1 - SIDE) >> 1;
-}
-
-/* An axis whose first edge lies further within its texel than its last one clamps in the middle
-   of one. */
-int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window)
+/* An axis that does not repeat has its texels in the middle of the page. If its first edge lies
+   further within its texel than its last one, it clamps in the middle of one. */
+static int32 find_window(const struct tx_axis *axis, int32 copy, struct tx_window *window)
 {
     if (axis->shift)
         return 0;
@@ -40,120 +38,171 @@ int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *w
         window->period = period(axis);
         return window->period <= SIDE;
     }
-    window->first = first_index(axis);
+    window->first = ((last_index(axis) + 1 - SIDE) >> 1) - window->least;
     return axis->high >= axis->low && last_index(axis) < SIDE
         && (copy || (axis->low & 3) <= (axis->high & 3));
 }
 
-/* For each column or row of a page: its coordinates, s10.5, and the first one that shows the
-   same texel. */
-struct shown {
-    int16 coordinate[SIDE];
-    uint16 relative[SIDE];
-    uint8 same[SIDE];
-};
-
-static void find_shown(struct shown *shown, const struct tx_axis *axis, int32 copy)
+int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *columns,
+                      struct tx_window *rows)
 {
-    static int16 first[1024];
-    int32 from = repeats(axis, copy) ? 0 : first_index(axis);
-
-    for (int32 i = 0; i < 1024; i++)
-        first[i] = -1;
-    for (int32 k = 0; k < SIDE; k++) {
-        int32 index = from + k;
-        int32 c = (int16)(index * 32 + axis->low * 8);
-        struct tx_place place;
-
-        shown->relative[k] = (uint16)tx_relative(axis, c);
-        tx_place_column(axis, copy ? (uint32)index : shown->relative[k] >> 5, &place);
-        shown->coordinate[k] = (int16)c;
-        if (first[place.index & 1023] < 0)
-            first[place.index & 1023] = (int16)k;
-        shown->same[k] = (uint8)first[place.index & 1023];
-    }
+    columns->least = 0;
+    rows->least = MIDDLE - SIDE / 2;
+    return find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows);
 }
 
-/* What a page is made with. */
+/* What a page's rows are made with. */
 struct making {
-    const struct tx *tx;
-    int32 tile, pixel_bytes;
-    const struct tx_colour *shade;
-    const struct tx_decoded *decoded;   /* 0: texels are sampled one by one */
-    int32 is_texel;             /* the combiner makes nothing else of texel 0 */
-    struct shown columns, rows;
+    struct tx_unit *unit;
+    const struct tx_needs *needs;
+    const struct tx_axis *s, *t;
+    struct tx_window columns, rows;
+    int32 from, count;          /* columns that are drawn; the others repeat them or the edges */
+    struct frame frame;         /* the page, row 0; rows 128 on lie before it, as in MAP_PAGE */
+    struct tx_planes planes;
+    struct tx_plan plan;
+    int32 has_plan;
 };
 
-static void texel_at(const struct making *m, int32 u, int32 v, struct tx_colour *texel)
+/* s10.5, of column or row k. */
+static int32 coordinate(const struct tx_axis *axis, const struct tx_window *window, int32 k)
 {
-    const struct tx_decoded *from = m->decoded;
-    uint32 colour;
+    return (int16)((window->first + k) * 32 + axis->low * 8);
+}
 
-    if (!from) {
-        tx_sample(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], 0, 0, texel);
-        return;
+/* Whether what lies beyond the edges of an axis shows its first and its last texel. */
+static int32 clamps(const struct making *m, const struct tx_axis *axis,
+                    const struct tx_window *window)
+{
+    return !window->period && m->unit->tx.modes.cycle != TX_COPY
+        && coordinate(axis, window, window->least + SIDE - 1) >= 0;
+}
+
+static void find_columns(struct making *m)
+{
+    int32 least = 128 / m->frame.pixel_bytes;   /* what tx_copy_row takes */
+
+    m->from = 0;
+    m->count = SIDE;
+    if (m->columns.period) {
+        m->count = m->columns.period > least ? m->columns.period : least;
+    } else if (clamps(m, m->s, &m->columns)) {
+        m->from = -m->columns.first;
+        m->count = last_index(m->s) + 1;
     }
-    colour = tx_decoded_texel(from, m->columns.relative[u], m->rows.relative[v]);
-    texel->r = (int16)(colour >> 24);
-    texel->g = (int16)(colour >> 16 & 255);
-    texel->b = (int16)(colour >> 8 & 255);
-    texel->a = (int16)(colour & 255);
 }
 
-static uint32 colour_at(const struct making *m, int32 u, int32 v)
+/* A texel a pixel; each row has its own t. */
+static void find_planes(struct making *m)
 {
-    struct tx_sources sources;
+    struct plane *of = m->planes.all.of;
 
-    if (m->decoded && m->is_texel)
-        return tx_decoded_texel(m->decoded, m->columns.relative[u], m->rows.relative[v]);
-    texel_at(m, u, v, &sources.texel0);
-    sources.texel1 = sources.texel0;
-    sources.shade = *m->shade;
-    sources.fraction = 0;
-    return tx_combine_pixel(m->tx, &sources);
+    m->planes.all.i = m->planes.divided = m->planes.shaded = 0;
+    of[TX_S].at = (uint32)coordinate(m->s, &m->columns, 0) << 16;
+    of[TX_S].dx = 32u << 16;
+    of[TX_W].at = TX_W_ONE;
+    of[TX_S].dy = of[TX_T].dx = of[TX_T].dy = of[TX_W].dx = of[TX_W].dy = 0;
 }
 
-static uint32 pixel_at(const struct making *m, int32 u, int32 v)
+static void copy_texels(const struct making *m, uint16 *row, int32 t)
 {
+    const struct tx *tx = &m->unit->tx;
     uint32 texels[2];
 
-    if (m->tx->modes.cycle != TX_COPY)
-        return tx_pixel_of(colour_at(m, u, v), m->pixel_bytes);
-    tx_copy_texels(m->tx, m->tile, m->columns.coordinate[u], m->rows.coordinate[v], texels);
-    return texels[0] >> 16;
-}
-
-/* A row of 2 or 4 bytes a pixel: its own texels, and those again where they are repeated. */
-static void make_row_16(uint16 *row, const struct making *m, int32 v)
-{
-    for (int32 u = 0; u < SIDE; u++)
-        row[u] = m->columns.same[u] < u ? row[m->columns.same[u]] : (uint16)pixel_at(m, u, v);
-}
-
-static void make_row_32(uint32 *row, const struct making *m, int32 v)
-{
-    for (int32 u = 0; u < SIDE; u++)
-        row[u] = m->columns.same[u] < u ? row[m->columns.same[u]] : pixel_at(m, u, v);
-}
-
-/* page: row 0; rows 128 to 255 lie before it, as in MAP_PAGE. */
-static void make_page(uint8 *page, struct making *m)
-{
-    int32 pitch = SIDE * m->pixel_bytes, copy = m->tx->modes.cycle == TX_COPY;
-
-    find_shown(&m->columns, &m->tx->tiles[m->tile].s, copy);
-    find_shown(&m->rows, &m->tx->tiles[m->tile].t, copy);
-    for (int32 v = 0; v < SIDE; v++) {
-        int32 same = m->rows.same[v];
-        uint8 *row = page + (int8)v * pitch;
-
-        if (same < v)
-            tx_copy_row((const uint32 *)(page + (int8)same * pitch), (uint32 *)row, pitch / 4);
-        else if (m->pixel_bytes == 2)
-            make_row_16((uint16 *)row, m, v);
-        else
-            make_row_32((uint32 *)row, m, v);
+    for (int32 u = m->from; u < m->from + m->count; u++) {
+        tx_copy_texels(tx, tx->primitive_tile, coordinate(m->s, &m->columns, u), t, texels);
+        row[u] = (uint16)(texels[0] >> 16);
     }
+}
+
+static void draw_texels(struct making *m, int32 v, int32 t)
+{
+    m->planes.all.j = v;
+    m->planes.all.of[TX_T].at = (uint32)t << 16;
+    if (m->has_plan)
+        tx_plan_draw(&m->plan, &m->frame, m->from, v, m->count);
+    else
+        tx_draw_line(&m->unit->tx, &m->planes, &m->needs->shade, &m->frame, m->from,
+                     m->from + m->count, v);
+}
+
+/* Pixels from first to end - 1 as another one. */
+static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 from)
+{
+    if (pixel_bytes == 4)
+        for (uint32 *at = (uint32 *)row; first < end; first++)
+            at[first] = at[from];
+    else
+        for (uint16 *at = (uint16 *)row; first < end; first++)
+            at[first] = at[from];
+}
+
+static uint8 *row_of(const struct making *m, int32 v)
+{
+    return m->frame.pixels + (int8)v * m->frame.pitch;
+}
+
+static void make_row(struct making *m, int32 v)
+{
+    int32 t = coordinate(m->t, &m->rows, v), bytes = m->frame.pixel_bytes;
+    int32 used = m->count * bytes;
+    uint8 *row = row_of(m, v);
+
+    if (m->unit->tx.modes.cycle == TX_COPY)
+        copy_texels(m, (uint16 *)row, t);
+    else
+        draw_texels(m, (int8)v, t);
+    if (m->columns.period && m->count < SIDE)
+        tx_copy_row((const uint32 *)row, (uint32 *)(row + used), (m->frame.pitch - used) / 4);
+    fill(row, bytes, 0, m->from, m->from);
+    if (!m->columns.period)
+        fill(row, bytes, m->from + m->count, SIDE, m->from + m->count - 1);
+}
+
+/* Row v of rows from to end - 1, which are made beside it: one of them may be the same. */
+static void find_row(struct making *m, int32 v, int32 from, int32 end)
+{
+    int32 same = end;           /* none */
+
+    if (m->rows.period)
+        same = v < from ? v + m->rows.period : v - m->rows.period;
+    else if (clamps(m, m->t, &m->rows))
+        same = v < -m->rows.first ? v + 1
+            : v > last_index(m->t) - m->rows.first ? v - 1 : end;
+    if (same >= from && same < end)
+        tx_copy_row((const uint32 *)row_of(m, same), (uint32 *)row_of(m, v), m->frame.pitch / 4);
+    else
+        make_row(m, v);
+}
+
+/* That there is memory for. */
+static int32 first_row(const struct tx_page *page)
+{
+    return page->half < SIDE / 2 ? MIDDLE - page->half : -SIDE / 2;
+}
+
+static void make_rows(struct making *m, int32 first, int32 last)
+{
+    struct tx_page *page = &m->unit->page;
+    const struct tx *tx = &m->unit->tx;
+    int32 copy = tx->modes.cycle == TX_COPY;
+
+    m->s = &tx->tiles[tx->primitive_tile].s;
+    m->t = &tx->tiles[tx->primitive_tile].t;
+    tx_page_windows(&tx->tiles[tx->primitive_tile], copy, &m->columns, &m->rows);
+    m->frame.pixel_bytes = page->map.texel_bytes;
+    m->frame.pitch = SIDE * m->frame.pixel_bytes;
+    m->frame.pixels = page->texels - first_row(page) * m->frame.pitch;
+    page->map.texels = m->frame.pixels;
+    find_columns(m);
+    find_planes(m);
+    m->has_plan = !copy && tx_plan_find(&m->plan, m->needs, m->unit, &m->planes);
+    if (page->from == page->end)
+        page->from = page->end = first;
+    for (; page->from > first; page->from--)
+        find_row(m, page->from - 1, page->from, page->end);
+    for (; page->end <= last; page->end++)
+        find_row(m, page->end, page->from, page->end);
 }
 
 /* Whether the four copies of all TLUT entries are: of four pixels each reads its own. */
@@ -169,22 +218,9 @@ static int32 copies_are_equal(const struct tx *tx)
 }
 
 /* Whether copy mode's four pixels are four of a page's. */
-static int32 are_alike(const struct tx *tx, int32 tile)
+static int32 are_alike(const struct tx *tx)
 {
-    return tx->modes.tlut ? copies_are_equal(tx) : tx->tiles[tile].size == TX_16;
-}
-
-/* Tiles whose texels are as they are in TMEM are decoded first: that is quicker. YUV's are
-   signed. */
-static const struct tx_decoded *find_decoded(struct tx_unit *unit, int32 tile)
-{
-    const struct tx *tx = &unit->tx;
-    int32 made;
-
-    if (tx->modes.cycle == TX_COPY || !tx->modes.filter0 || tx->tiles[tile].format == TX_YUV
-        || tx_decode(tx, tile, TX_QUADS_NONE, &unit->tiles[tile], &made) != TX_DONE)
-        return 0;
-    return &unit->tiles[tile].decoded;
+    return tx->modes.tlut ? copies_are_equal(tx) : tx->tiles[tx->primitive_tile].size == TX_16;
 }
 
 /* Everything that the page depends on. */
@@ -211,35 +247,46 @@ static void find_key(uint32 *key, const struct tx *tx, int32 n, int32 pixel_byte
     key[9] = (uint32)shade->b << 16 | (uint32)shade->a;
 }
 
-int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
-                   const struct tx_colour *shade)
+/* Memory for rows: those that were made are gone where it is new. What was taken before stays
+   taken until the program ends. */
+static int32 page_room(struct tx_unit *unit, int32 pitch, int32 first, int32 last)
+{
+    struct tx_page *page = &unit->page;
+    int32 half = page->half > HALF_LEAST ? page->half : HALF_LEAST;
+
+    while (half < SIDE / 2 && (first < MIDDLE - half || last >= MIDDLE + half))
+        half *= 2;
+    if (half == page->half && page->bytes >= 2 * half * pitch)
+        return 1;
+    page->from = page->end = 0;
+    page->half = half;
+    page->bytes = mem_alloc(&page->texels, 2 * half * pitch, unit->memory) ? 2 * half * pitch : 0;
+    return page->bytes > 0;
+}
+
+int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pixel_bytes,
+                   int32 first, int32 last)
 {
     struct tx_page *page = &unit->page;
     static struct making making;
-    struct tx_form form;
     uint32 key[TX_PAGE_KEY], differs = 0;
 
-    find_key(key, &unit->tx, tile, pixel_bytes, shade);
+    find_key(key, &unit->tx, unit->tx.primitive_tile, pixel_bytes, &needs->shade);
     for (int32 i = 0; i < TX_PAGE_KEY; i++) {
         differs |= key[i] ^ page->key[i];
         page->key[i] = key[i];
     }
-    if (!differs)
+    if (differs)
+        page->from = page->end = 0;
+    if (page->from < page->end && first >= page->from && last < page->end)
         return 1;
-    page->key[0] = ~key[0];     /* of no use until it is made */
-    if (unit->tx.modes.cycle == TX_COPY && !are_alike(&unit->tx, tile))
+    if (unit->tx.modes.cycle == TX_COPY && !are_alike(&unit->tx))
         return 0;
-    if (!page_ready(&page->page, pixel_bytes, unit->memory))
+    if (!page_room(unit, SIDE * pixel_bytes, first, last))
         return 0;
-    making.tx = &unit->tx;
-    making.tile = tile;
-    making.pixel_bytes = pixel_bytes;
-    making.shade = shade;
-    making.decoded = find_decoded(unit, tile);
-    tx_form_find(&form, &unit->tx);
-    making.is_texel = !form.any && form.first == TX_FIRST_TEXEL
-        && form.second == TX_SECOND_NOTHING;
-    make_page((uint8 *)page->page.map.texels, &making);
-    page->key[0] = key[0];
+    page_map(&page->map, pixel_bytes);
+    making.unit = unit;
+    making.needs = needs;
+    make_rows(&making, first, last);
     return 1;
 }

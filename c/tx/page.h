@@ -1,23 +1,27 @@
-/* A tile as the plain mappers read it: combined pixels of the frame on a page of 256x256. */
+/* A tile as the plain mappers read it: combined pixels of the frame on a page of 256x256, of
+   which the rows are made that polygons need. */
 #ifndef TX_PAGE_H
 #define TX_PAGE_H
 
-#include "tx/unit.h"
+#include "tx/lower.h"
 
-/* What an axis' page shows: column k is relative index first + k. An axis that repeats within a
-   page goes on for ever, one that clamps ends with the page. */
+/* What an axis' page shows: column or row k is relative index first + k, for 256 of them from
+   least on. An axis that repeats within a page goes on for ever, one that clamps ends with the
+   page. */
 struct tx_window {
+    int32 least;                /* of columns 0, of rows -64 */
     int32 first;                /* texels */
     int32 period;               /* texels; 0: it clamps */
 };
 
-/* Whether a page can stand for an axis at all, and where. Shifted axes have none. */
-int32 tx_page_window(const struct tx_axis *axis, int32 copy, struct tx_window *window);
+/* Whether a page can stand for a tile at all, and where. Shifted ones have none. */
+int32 tx_page_windows(const struct tx_tile *tile, int32 copy, struct tx_window *columns,
+                      struct tx_window *rows);
 
-/* Makes the unit's page fit a tile, its colour being what the combiner makes of texel 0 and
-   constants, or in copy mode the texel; nothing is done where it still does. 0: there is no
-   memory, or copy mode reads more than a page has. */
-int32 tx_page_make(struct tx_unit *unit, int32 tile, int32 pixel_bytes,
-                   const struct tx_colour *shade);
+/* Makes rows first to last (-64 to 191) of the unit's page fit its first tile, their colours being
+   what the combiner makes of texel 0 and constants, or in copy mode the texels; nothing is done
+   where they still do. 0: there is no memory, or copy mode reads more than a page has. */
+int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pixel_bytes,
+                   int32 first, int32 last);
 
 #endif

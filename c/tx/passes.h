@@ -30,6 +30,13 @@ struct tx_quad {
     uint32 spare[2];
 };
 
+/* What quads are made of beside a row of texels: the row below it. Of the texels, and the quads,
+   every step-th one counts, and is the next one's neighbour. */
+struct tx_quad_row {
+    const uint32 *below;
+    int32 step;
+};
+
 /* A tile as texels of four bytes. A relative coordinate's texel is texels[row << columns_bits |
    column]: column = s >> 5 modulo 2^columns_bits, row alike. */
 struct tx_decoded {
@@ -145,7 +152,6 @@ void tx_copy_row(const uint32 *row, uint32 *to, int32 longs);
 void tx_matrix_make(struct tx_matrix *matrix, const int16 *k);
 void tx_levels_make(struct tx_levels *levels, const struct tx_level_modes *modes);
 void tx_divide_table_make(uint32 *reciprocals);
-void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
 void tx_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tx_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
@@ -166,6 +172,7 @@ void tx_narrow(const void *wide, void *texels, const void *nothing, int32 count)
 void tx_chroma(const void *coordinates, void *halved, const void *nothing, int32 count);
 void tx_convert(const void *luma, void *colours, const void *conversion, int32 count);
 void tx_convert_wide(const void *luma, void *wide, const void *conversion, int32 count);
+void tx_quads(const void *texels, void *quads, const void *row, int32 count);
 void tx_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
 
 #endif

@@ -165,15 +165,3 @@ void tx_reciprocals_c(const struct tx_call *call)
 {
     tx_divide_table_make(call->out);
 }
-
-void tx_quads_c(const struct tx_call *call)
-{
-    const uint32 *in = call->in;
-    struct tx_quad *out = call->out;
-    int32 count = call->count;
-
-    do {
-        tx_quad_make(out++, in[0], in[1], in[2], in[3]);
-        in += 4;
-    } while (--count > 0);
-}

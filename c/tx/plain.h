@@ -31,8 +31,6 @@ void tx_lod_c(const struct tx_call *call);
 void tx_chroma_c(const struct tx_call *call);
 void tx_convert_c(const struct tx_call *call);
 void tx_convert_wide_c(const struct tx_call *call);
-
-/* tx_quad_make of the four texels in, R G B A. */
 void tx_quads_c(const struct tx_call *call);
 
 /* tx_divide_table_make. */

@@ -119,7 +119,7 @@ static int32 find_lod(struct tx_plan *plan)
     lod->y_w = down ? (int32)of[TX_W].dy : 0;
     lod->reciprocals = find_reciprocals();
     lod->levels = find_levels(plan->unit);
-    lod->blendings = tx_line_ready();
+    lod->blendings = tx_line_blendings();
     return lod->reciprocals && lod->levels;
 }
 
@@ -184,7 +184,7 @@ int32 tx_plan_find(struct tx_plan *plan, const struct tx_needs *needs, struct tx
     plan->tile1 = (tx->primitive_tile + 1) & 7;
     plan->shade = packed(&needs->shade);
     tx_form_find(&plan->form, tx);
-    if (!tx_line_ready() || !find_samplings(plan, needs->inputs) || !find_coordinates(plan))
+    if (!find_samplings(plan, needs->inputs) || !find_coordinates(plan))
         return 0;
     plan->is_direct = !plan->yuv.on && !plan->form.any && plan->form.first == TX_FIRST_TEXEL
         && plan->form.second == TX_SECOND_NOTHING && tx->modes.quad && !tx->modes.mid;

@@ -2,7 +2,6 @@
 #ifndef TX_PLAN_H
 #define TX_PLAN_H
 
-#include "scene/scene_file.h"
 #include "tx/forms.h"
 #include "tx/lower.h"
 #include "tx/planes.h"
@@ -29,7 +28,7 @@ struct tx_yuv {
 
 /* A line's samples of one tile: luma, the last byte of each, and chroma, the first two. */
 struct tx_yuv_line {
-    uint32 luma[SCENE_SIDE_MAX], chroma[SCENE_SIDE_MAX];
+    uint32 luma[TX_LINE_PIXELS], chroma[TX_LINE_PIXELS];
 };
 
 struct tx_plan {
@@ -69,12 +68,17 @@ void tx_yuv_colours(const struct tx_plan *plan, const struct tx_yuv_line *from, 
 void tx_yuv_widen(const struct tx_plan *plan, const struct tx_yuv_line *from, int32 texel,
                   struct tx_wide *wide, int32 count);
 
-/* line.c. The memory that lines are drawn in, made when it is first asked for: where blendings
-   of levels go. 0: there is none. */
-struct tx_blending *tx_line_ready(void);
+/* line.c. Where blendings of levels go. */
+struct tx_blending *tx_line_blendings(void);
 
 /* line.c. Draws pixels x to x + count - 1 of line y. */
 void tx_plan_draw(const struct tx_plan *plan, const struct frame *frame, int32 x, int32 y,
                   int32 count);
+
+/* draw.c. Draws a line pixel by pixel, whatever the modes are. constant: the shade where the planes
+   have none. */
+void tx_draw_line(const struct tx *tx, const struct tx_planes *planes,
+                  const struct tx_colour *constant, const struct frame *frame, int32 x,
+                  int32 end, int32 y);
 
 #endif

@@ -1,6 +1,6 @@
 #include "tx/planes.h"
 
-static const struct planes_scale scale = {5, 0x7fff0000, 1024 << 16};
+static const struct planes_scale scale = {5, TX_W_ONE, 1024 << 16};
 
 static void find_shades(struct tx_planes *planes, const struct setup *s, const uint32 *colours)
 {

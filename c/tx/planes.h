@@ -7,6 +7,8 @@
 
 enum tx_interpolant { TX_S, TX_T, TX_W, TX_RED, TX_GREEN, TX_BLUE, TX_ALPHA };
 
+#define TX_W_ONE 0x7fff0000     /* the greatest w: 1.0 */
+
 /* s15.16, numbered by enum tx_interpolant. */
 struct tx_planes {
     struct planes all;

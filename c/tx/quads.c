@@ -1,4 +1,4 @@
-#include "tx/passes.h"
+#include "tx/plain.h"
 
 #define FIELD 0x00ff00ffu
 #define SCALE 8u        /* a channel's integer is the upper byte of its word */
@@ -31,11 +31,22 @@ static uint32 mean(uint32 a, uint32 b, uint32 c, uint32 d)
     return SCALE * (8 * ((a & FIELD) + (b & FIELD) + (c & FIELD) + (d & FIELD)) + 0x00100010u);
 }
 
-void tx_quad_make(struct tx_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+void tx_quads_c(const struct tx_call *call)
 {
-    triangle_make(&quad->lower, c00, c10, c01);
-    triangle_make(&quad->upper, c11, c01, c10);
-    quad->mean_rb = mean(c00 >> 8, c10 >> 8, c01 >> 8, c11 >> 8);
-    quad->mean_ga = mean(c00, c10, c01, c11);
-    quad->spare[0] = quad->spare[1] = 0;
+    const struct tx_quad_row *row = call->constants;
+    const uint32 *above = call->in, *below = row->below;
+    struct tx_quad *quad = call->out;
+    int32 count = call->count;
+
+    do {
+        const uint32 c00 = *above, c01 = *below;
+
+        above += row->step;
+        below += row->step;
+        triangle_make(&quad->lower, c00, *above, c01);
+        triangle_make(&quad->upper, *below, c01, *above);
+        quad->mean_rb = mean(c00 >> 8, *above >> 8, c01 >> 8, *below >> 8);
+        quad->mean_ga = mean(c00, *above, c01, *below);
+        quad += row->step;
+    } while (--count > 0);
 }

@@ -2,7 +2,7 @@
 #ifndef TX_UNIT_H
 #define TX_UNIT_H
 
-#include "polygon/page.h"
+#include "polygon/polygon.h"
 #include "tx/decode.h"
 #include "tx/pixel.h"
 
@@ -10,8 +10,11 @@ enum { TX_PAGE_KEY = 10 };
 
 /* A tile as the plain mappers read it: see page.h. */
 struct tx_page {
-    struct page page;
+    struct map map;
+    uint8 *texels;              /* memory for it, */
+    int32 bytes, half;          /* how much, and for how many rows on either side of row 64 */
     uint32 key[TX_PAGE_KEY];    /* what it was made from */
+    int32 from, end;            /* its rows that are made: from to end - 1 */
 };
 
 /* What YUV texels become: see tx_yuv_conversion. */
