@@ -32,10 +32,12 @@ def explain(seed: int, number: int, pixels: str, each: Case, expected: np.ndarra
              f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}",
              f"  modes {each.modes}, edges {each.edges}, clip {each.clip}"]
     lines += [f"  tile {n}: {tile}" for n, tile in enumerate(each.tiles)]
-    lines.append(f"  {each.primitive}")
+    lines.append(f"  {each.primitive}"
+                 + ", s and t in s10.5, then s5.10 a step" * (each.primitive in RECTANGLES))
     names = ("x", "y", "s", "t", "shade", "w")
-    lines += ["  " + ", ".join(f"{name} {value / ONE:.6f}" for name, value in zip(names, vertex))
-              for vertex in each.vertices]
+    raw = "st" if each.primitive in RECTANGLES else ("shade",) * (each.primitive == "coloured")
+    lines += ["  " + ", ".join(f"{name} {value}" if name in raw else f"{name} {value / ONE:.6f}"
+                               for name, value in zip(names, vertex)) for vertex in each.vertices]
     return "\n".join([*lines, f"  again: TX_SEED={seed} TX_CASE={number} .deps/venv/bin/python -m "
                               f"pytest tests/test_tx_polygons.py -k {pixels}"])
 

@@ -7,7 +7,6 @@ from tools.tmu.words import ASPECTS, FORMATS, LEVELS
 
 MASK = 0xFFFFFFFF
 LEVEL_NUMBERS = {name: number for number, name in enumerate(LEVELS, 1)}  # of the calls
-TEXELS_LONGS = 0x2AAB0 // 4  # that a call's texels are at most
 
 
 class Guest(vector_guest.Guest):

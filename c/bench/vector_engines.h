@@ -4,9 +4,9 @@
 
 #include "compiler.h"
 
-/* Memory, and engines as new; 0 if there is too little. */
-int32 vector_tx_open(void);
-int32 vector_tmu_open(void);
+/* Engines as new, in VECTOR_DRAM_BYTES of memory that each overwrites when it is reset. */
+void vector_tx_open(uint8 *memory);
+void vector_tmu_open(uint8 *memory);
 
 /* Does one operation (enum vector_code), whose longs are as many as it wants. */
 void vector_tx_run(uint32 code, const int32 *values, uint32 count);

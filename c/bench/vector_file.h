@@ -9,9 +9,8 @@
 enum vector_constants {
     VECTOR_MAGIC = 0x56454354,  /* "VECT" */
     VECTOR_VERSION = 1,
-    VECTOR_DRAM_BYTES = 0x100000,
+    VECTOR_DRAM_BYTES = 0x100000,       /* or two units' memories and the texels of a call */
     VECTOR_TMU_BYTES = 0x40000, /* of each texture unit */
-    VECTOR_TEXELS_BYTES = 0x2aab0,      /* 256x256 texels of 16 bits and all smaller levels */
     VECTOR_RANDOM_FROM = 0x1000,        /* what VECTOR_DRAM_RANDOM fills */
     VECTOR_RANDOM_END = 0x9000,
     VECTOR_CALL_PAIRS = 8,      /* words of one call, at most */
@@ -31,7 +30,8 @@ struct vector_operation {
     uint16 code, longs;
 };
 
-/* The longs; behind = the answers. Colours are 4 longs R G B A. */
+/* The longs; behind = the answers. Colours are 4 longs R G B A. The N64's engine and Glide's share
+   memory: who goes over to the other resets it. */
 enum vector_code {
     VECTOR_RESET,               /* a new texture engine, unchecked; DRAM is 0 */
     VECTOR_TMEM_RANDOM,         /* seed */

@@ -3,21 +3,26 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_engines.h"
 #include "bench/vector_file.h"
+#include "system/system.h"
 #include "system/text.h"
 
 int32 vectors_run(uint32 code, const int32 *values, uint32 count)
 {
+    static uint8 *memory;
     static int32 tx_open, tmu_open;
-    const int32 tmu = code >= VECTOR_TMU_RESET;
-    int32 *open = tmu ? &tmu_open : &tx_open;
 
-    if (!*open)
-        *open = tmu ? vector_tmu_open() : vector_tx_open();
-    if (!*open)
+    if (!memory && !mem_alloc(&memory, VECTOR_DRAM_BYTES, MEMORY_ANY))
         return text_refuse("vectors", "not enough memory");
-    if (tmu)
+    if (code >= VECTOR_TMU_RESET) {
+        if (!tmu_open)
+            vector_tmu_open(memory);
+        tmu_open = 1;
         vector_tmu_run(code, values, count);
-    else
+    } else {
+        if (!tx_open)
+            vector_tx_open(memory);
+        tx_open = 1;
         vector_tx_run(code, values, count);
+    }
     return 1;
 }

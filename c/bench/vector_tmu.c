@@ -4,7 +4,6 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_tmu_calls.h"
-#include "system/system.h"
 #include "tmu/pixel.h"
 
 static struct tmu units[TMU_UNITS];
@@ -27,15 +26,12 @@ static void reset(uint32 fraction_bits)
     lod = TMU_LOD_LEAST;
 }
 
-int32 vector_tmu_open(void)
+void vector_tmu_open(uint8 *memory)
 {
-    for (int32 n = 0; n < TMU_UNITS; n++)
-        if (!mem_alloc(&memories[n], VECTOR_TMU_BYTES, MEMORY_ANY))
-            return 0;
-    if (!mem_alloc(&texels, VECTOR_TEXELS_BYTES, MEMORY_ANY))
-        return 0;
+    for (int32 n = 0; n < TMU_UNITS; n++, memory += VECTOR_TMU_BYTES)
+        memories[n] = memory;
+    texels = memory;
     reset(4);
-    return 1;
 }
 
 static void fill_memory(uint32 seed)

@@ -4,7 +4,6 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_tx_calls.h"
-#include "system/system.h"
 #include "tx/decode.h"
 #include "tx/pixel.h"
 #include "tx/plain.h"
@@ -45,12 +44,10 @@ static void reset(void)
     tx.checked = 0;
 }
 
-int32 vector_tx_open(void)
+void vector_tx_open(uint8 *memory)
 {
-    if (!mem_alloc(&dram, VECTOR_DRAM_BYTES, MEMORY_ANY))
-        return 0;
+    dram = memory;
     reset();
-    return 1;
 }
 
 static void poke(uint8 *to, const int32 *bytes, uint32 count)

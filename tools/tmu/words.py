@@ -56,7 +56,6 @@ _SELECTED = ("zero", "local", "other_alpha", "local_alpha", "detail", "lod_fract
 FACTORS = {name: (n, 1) for n, name in enumerate(_SELECTED)} | {
     "one" if name == "zero" else f"one_minus_{name}": (n, 0) for n, name in enumerate(_SELECTED)}
 
-LAST = 8  # the level of one texel
 ALIGN = 8  # bytes a step of texBaseAddr stands for
 
 
