@@ -158,7 +158,8 @@ MESSAGES = [
      "glide.units[0].min_level: 32x32 texels have levels 3 to 8"),
     (units(UNIT + ", min_level = 5, max_level = 4"),
      "glide.units[0].max_level: is below min_level, 5"),
-    (units(UNIT + ", detail = { bias = 40 }"), "glide.units[0].detail.bias: must be from -32 to 31"),
+    (units(UNIT + ", detail = { bias = 40 }"),
+     "glide.units[0].detail.bias: must be from -32 to 31"),
     (units(UNIT + ", detail = { scale = 8 }"), "glide.units[0].detail.scale: must be from 0 to 7"),
     (units(UNIT + ", detail = { max = 2 }"), "glide.units[0].detail.max: must be from 0 to 1"),
     (units(UNIT + ', combine = { function = "mix" }'),
@@ -188,8 +189,8 @@ def test_refused(folder, glide, message):
 
 
 @pytest.mark.parametrize("kinds, message", [
-    ({"pixels": "rgba5551"}, "materials.it.glide: a scene in rgba5551 has no texture engine of this "
-                             "kind; one in rgb565 or rgba8888 has"),
+    ({"pixels": "rgba5551"}, "materials.it.glide: a scene in rgba5551 has no texture engine of "
+                             "this kind; one in rgb565 or rgba8888 has"),
     ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
     ({"more": 'mapper = "unit", '}, "materials.it.mapper: 'unit' is not one of glide"),
     ({"obj": SQUARE.replace("32, 0,", "32, 0, 1,")},

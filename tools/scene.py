@@ -52,7 +52,8 @@ def schema(limits: dict[str, int]):
                   "radius": (number(0.01, far), REQUIRED),
                   "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
                   "map_turn": (number(-360, 360), 0.0),  # degrees
-                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)} | colours | placing,
+                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)}
+        | colours | placing,
         "vertices": {"vertices": (rows(rows(place, 2, 6), 3, corners), REQUIRED)} | colours
         | placing,
         "rectangle": scene_primitives.rectangle_fields(far) | placing}

@@ -124,8 +124,8 @@ def check_object(obj: dict, material: dict, where: str) -> None:
     if not has_own(material):
         for field in ("st1", "w1"):
             if obj.get(field) is not None:
-                fail(f"{where}.{field}", f"material {name!r} has no second unit with coordinates of "
-                                         "its own")
+                fail(f"{where}.{field}", f"material {name!r} has no second unit with coordinates "
+                                         "of its own")
         return
     if "sides" not in obj and "vertices" not in obj:
         fail(f"{where}.material", f"{name!r} has a unit with coordinates of its own, which are for "

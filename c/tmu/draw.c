@@ -139,7 +139,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         return result;
     outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
                   scissor_flat);
-    if (!find_planes(&at, s, &of[0], 0) || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
+    if (!find_planes(&at, s, &of[0], 0)
+        || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
     line = s->edges.lines;

@@ -15,7 +15,7 @@ enum tmu_iterated {
 /* What is iterated over a polygon. */
 struct tmu_iterations {
     struct planes planes;
-    struct tmu_point points[TMU_UNITS];         /* their LOD; the rest changes from pixel to pixel */
+    struct tmu_point points[TMU_UNITS];         /* their LOD; pixels differ in the rest */
     int32 divided[TMU_UNITS];   /* w changes, and a unit divides by it */
 };
 
@@ -39,7 +39,8 @@ struct tmu_plan {
     int32 is_direct;            /* a pass makes 16-bit pixels of coordinates */
 };
 
-/* The LOD of all pixels where the limits of a unit's levels leave one only; 0: they leave several. */
+/* The LOD of all pixels where the limits of a unit's levels leave one only; 0: they leave
+   several. */
 int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod);
 
 /* Finds the passes for a polygon; 0: there are none for these modes, or memory is short. */
