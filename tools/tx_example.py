@@ -12,8 +12,8 @@ class Example:
     """One call: bytes in and out, and the struct of constants, or a table that is them.
 
     ``blocks`` are what its fields point at, ``more`` what they point at and is written.
-    ``align``: of the blocks. ``stride``: bytes from pixel to pixel where only the first ones of each
-    are written.
+    ``align``: of the blocks. ``stride``: bytes from pixel to pixel where the first ones of each
+    alone are written.
     """
 
     kernel: str

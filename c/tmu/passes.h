@@ -18,7 +18,7 @@ typedef uint32 tmu_coordinates;
 struct tmu_steps {
     int32 s, t, w;              /* what the iterators change by */
     uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level */
-    uint16 half;                /* a texel, in coordinates; 0 for point sampling */
+    uint16 half;                /* half a texel, in coordinates; 0 for point sampling */
     uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
     uint16 behind, spare;       /* 1: s and t are 0 where w is negative */
 };
@@ -43,8 +43,8 @@ struct tmu_decoded {
     uint16 columns_bits, rows_bits;
 };
 
-/* Of the numbers of 32 bits, bit 31 set, that share bits 22 to 30: 256 log2 of a 2^31st of one that
-   is not above the limit, rounded to the nearest; above it is one more. */
+/* Of the numbers from 2^31 to 2^32 - 1 that share bits 22 to 30: 256 log2(number / 2^31), rounded
+   to the nearest, of those up to the limit; of the others it is one more. */
 struct tmu_logarithm {
     uint32 limit;
     uint16 value, spare;
