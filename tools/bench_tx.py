@@ -26,7 +26,8 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
     if example.table:
         constants["constants"] = arena.add(example.table)
     if example.struct:
-        pointers = {name: far.add(block) for name, block in example.blocks.items()}
+        pointers = {name: far.add(block, example.align)
+                    for name, block in example.blocks.items()}
         for name, block in example.more.items():
             pointers[name] = far.add(bytes(len(block)))
             written[pointers[name]] = block

@@ -1,9 +1,12 @@
 """Examples of the passes with perspective: the exact quotient, and the level of detail."""
 
+from functools import cache
+from math import isqrt
+
 import numpy as np
 
 from .tmu_examples_sample import BENCH, WRAPPED, Axes, axes, numbered
-from .tx_example import Example, longs, pairs, signed
+from .tx_example import Example, longs, pairs, signed, words
 
 ONE = 1 << 30  # of w
 
@@ -52,10 +55,9 @@ def found(start, step, count: int, ground: Axes) -> Example:
 
 
 def divide(rng, count: int) -> Example:
-    if count == BENCH:  # w to a quarter, 30 x 20 texels more
+    if count == BENCH:  # w to a quarter, 260 and 150 texels on
         texel = 1 << 18
-        line = between([40 * texel, 50 * texel, ONE], [(300 * texel) // 4, 200 * texel // 4, ONE // 4],
-                       count)
+        line = between([40 * texel, 50 * texel, ONE], [75 * texel, 50 * texel, ONE // 4], count)
         return found(*line, count, Axes(14, 8, (WRAPPED, WRAPPED)))
     ground = axes(rng, int(rng.integers(0, 9)), rng.random(2) < 0.4, int(rng.choice((4, 8))))
     ground.behind = int(rng.integers(2))
@@ -73,3 +75,51 @@ def divide_each(rng, count: int) -> Example:
     ground = Axes(14, 8, (WRAPPED, WRAPPED))
     line = between([40 << 18, 50 << 18, ONE + count], [300 << 16, 200 << 16, ONE >> 2], count)
     return found(*line, count, ground)
+
+
+@cache
+def limits() -> tuple[int, ...]:
+    """2^(31 + (k + 1/2) / 256), rounded down: where the next logarithm begins."""
+    def root(value: int) -> int:
+        for _ in range(9):
+            value = isqrt(value)
+        return value
+    return tuple(root(1 << 512 * 31 + 2 * k + 1) for k in range(256))
+
+
+def logarithm(value: int) -> int:
+    """256 log2 of a number above 0, rounded to the nearest."""
+    shifts = 32 - value.bit_length()
+    return 256 * (31 - shifts) + sum(value << shifts > limit for limit in limits())
+
+
+@cache
+def logarithms() -> bytes:
+    """What tmu_logarithms_make makes."""
+    rows = []
+    for first in range(1 << 31, 1 << 32, 1 << 22):
+        inside = [limit for limit in limits() if first <= limit < first + (1 << 22)]
+        rows += [inside[0] if inside else (1 << 32) - 1, logarithm(first) - 31 * 256 << 16]
+    return longs(rows)
+
+
+def logarithm_table(rng, count: int) -> Example:
+    return Example("tmu_logarithms", longs(limits()), logarithms(), count)
+
+
+def lod(rng, count: int) -> Example:
+    start, step = iterators(rng, count)
+    if count == BENCH:
+        start, step = between([0, 0, ONE], [0, 0, ONE // 4], count)
+    least, most = sorted(int(n) for n in rng.integers(0, 2049, 2))
+    lods = rng.integers(-1000, 1000) + rng.integers(0, 240, 4)
+    if rng.random() < 0.1:
+        lods = rng.integers(-32000, 5000, 4)
+    if count == BENCH:
+        least, most, lods = 0, 2048, np.full(4, 300)
+    w = signed(numbered(start, step, count), 32)[:, 2]
+    found = [min(max(int(lods[n % 4]) + 31 * 256 - logarithm(abs(int(z))), least), most) if z
+             else most for n, z in enumerate(w)]
+    return Example("tmu_lod", longs(start), words(found), count, "tmu_lods",
+                   {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
+                   {"logarithms": logarithms()})

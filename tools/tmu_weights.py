@@ -43,8 +43,8 @@ def along_one(weight: int, coefficient: int, at: int, out: str) -> list[str]:
 
 
 def nested(inner: int, outer: int, s_first: bool, out: str) -> list[list[str]]:
-    """Ways of (st * inner + one) * outer + other * inner + corner, one of s and t each; s_first: one
-    is s."""
+    """Ways of (st * inner + one) * outer + other * inner; one and other are s and t, or with
+    s_first False t and s."""
     begin = loaded(times(inner, "d0", "d1"), "move.l (a2)+", "d0", "d1")
     one, other = ["add.l (a2)+,d1"], ["move.l (a2)+,d0"]
     begin += one + other if s_first else other + one

@@ -12,7 +12,8 @@ class Example:
     """One call: bytes in and out, and the struct of constants, or a table that is them.
 
     ``blocks`` are what its fields point at, ``more`` what they point at and is written.
-    ``stride``: bytes from pixel to pixel where only the first ones of each are written.
+    ``align``: of the blocks. ``stride``: bytes from pixel to pixel where the first ones of each
+    alone are written.
     """
 
     kernel: str
@@ -25,6 +26,7 @@ class Example:
     more: dict[str, bytes] = field(default_factory=dict)
     table: bytes = b""
     stride: int = 0
+    align: int = 4
 
     def image(self, before: bytes) -> bytes:
         """The output as it must be, from what its memory held."""

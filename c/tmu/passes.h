@@ -17,8 +17,8 @@ typedef uint32 tmu_coordinates;
 /* From iterators to one level's coordinates. */
 struct tmu_steps {
     int32 s, t, w;              /* what the iterators change by */
-    uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level; 22 at most */
-    uint16 half;                /* a texel, in coordinates; 0 for point sampling */
+    uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level */
+    uint16 half;                /* half a texel, in coordinates; 0 for point sampling */
     uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
     uint16 behind, spare;       /* 1: s and t are 0 where w is negative */
 };
@@ -43,13 +43,42 @@ struct tmu_decoded {
     uint16 columns_bits, rows_bits;
 };
 
+/* Of the numbers from 2^31 to 2^32 - 1 that share bits 22 to 30: 256 log2(number / 2^31), rounded
+   to the nearest, of those up to the limit; of the others it is one more. */
+struct tmu_logarithm {
+    uint32 limit;
+    uint16 value, spare;
+};
+
+#define TMU_LOGARITHMS 512
+
+/* A line's levels of detail. */
+struct tmu_lods {
+    int16 lods[4];              /* 8.8, -32,000 at least, of pixel 0 and each fourth from there, of
+                                   pixel 1, ...: the polygon's, bias, dither, - 1.0 */
+    int16 least, most;          /* 0.0 to 8.0 */
+    int32 w;                    /* what w changes by */
+    const struct tmu_logarithm *logarithms;
+};
+
+/* Places on a map, or what they change by: 8.16. */
+struct tmu_texels {
+    int32 u, v;
+};
+
+/* Point sampling of 256x256 texels of 8 bits at places that are moved in turn. */
+struct tmu_dithering {
+    const uint8 *map;           /* at a multiple of 65,536 bytes */
+    int32 even[2], odd[2];      /* u and v from an even pixel to an odd one, and back */
+};
+
 /* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
    pixel: 4, of LODs 2, or 0 for the same everywhere. */
 struct tmu_mix {
     const uint32 *other;
     const uint8 *factors;
     int32 other_step, factor_step;
-    uint32 flip;                /* the factor is inverted where these bits are 1: in each byte alike */
+    uint32 flip;                /* the factor's bits that are inverted; in each byte alike */
     uint32 one;                 /* 1: factor 255 stands for all; 0: 256 would */
 };
 
@@ -61,12 +90,17 @@ struct tmu_inputs {
     uint16 flip, invert;        /* 255, or 0 */
 };
 
+/* limits: 2^(31 + (k + 1/2) / 256) rounded down, k = 0 to 255. */
+void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits);
+
 /* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
 void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
 void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
+void tmu_dithered(const void *start, void *pixels, const void *dithering, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);

@@ -63,3 +63,35 @@ void tmu_divide_c(const struct tx_call *call)
         w = (int32)((uint32)w + (uint32)step->w);
     } while (--count > 0);
 }
+
+/* A pixel's LOD. */
+static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
+{
+    const struct tmu_logarithm *entry;
+    uint32 size = magnitude(w);
+
+    if (!size)
+        return lods->most;
+    for (; !(size >> 31); size <<= 1)
+        lod += 256;
+    entry = &lods->logarithms[size >> 22 & 511];
+    lod -= entry->value + (size > entry->limit);
+    return lod < lods->least ? lods->least : lod > lods->most ? lods->most : lod;
+}
+
+void tmu_lod_c(const struct tx_call *call)
+{
+    const struct tmu_lods *lods = call->constants;
+    int32 w = ((const struct tmu_iterators *)call->in)->w, count = call->count;
+    uint16 *out = call->out;
+
+    for (int32 i = 0; i < count; i++) {
+        *out++ = (uint16)lod_of(w, lods->lods[i & 3], lods);
+        w = (int32)((uint32)w + (uint32)lods->w);
+    }
+}
+
+void tmu_logarithms_c(const struct tx_call *call)
+{
+    tmu_logarithms_make(call->out, call->in);
+}

@@ -1,12 +1,4 @@
-; What the passes of Glide's texture unit share (structs: c/tmu/passes.h).
-
-; d2 = 16 * (row << columns_bits | column) of the masked s:t in d0; d2 was 0, d5 columns_bits.
-tmu_index macro
-        move.w  d0,d2
-        lsl.l   d5,d2
-        swap    d0
-        or.w    d0,d2
-        endm
+; What the passes of Glide's texture unit share (structs: c/tmu/passes.h). After tx.i.
 
 ; The texels of coordinates by the parts of tmu_weights. \1: what writes a texel, \2: d7 for it.
 tmu_filter macro
@@ -31,7 +23,7 @@ tmu_filter macro
         move.l  d0,d1
         and.l   d6,d0
         and.l   d4,d1
-        tmu_index
+        tx_index
         move.l  d1,d3
         lsr.l   #8,d3
         lsr.l   #4,d3

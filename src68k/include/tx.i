@@ -60,7 +60,7 @@ tx_write_16 macro
         move.w  d2,(a1)+
         endm
 
-; d2 = 32 * (row << columns_bits | column) of the masked s:t in d0; d2 was 0, d5
+; d2 = row << columns_bits | column of the masked s:t in d0, in their units; d2 was 0, d5
 ; columns_bits.
 tx_index macro
         move.w  d0,d2

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tx.i"
         include "tmu.i"
 
 ;==============================================================================

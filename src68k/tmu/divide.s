@@ -257,11 +257,11 @@ correct macro
         sub.l   d6,d1
         move.l  first_u(sp),d7
         put     d7
+        move.l  d4,d7
+        put     d7
         move.l  a5,d7
         addq.l  #1,d7
-        bne     .clamp
-        move.w  d4,(a1)
-        addq.l  #4,a1
+        bne     .clamped
 .wrapped
         step    .wrong,.right
         move.w  d4,(a1)
@@ -270,14 +270,15 @@ correct macro
         bne.s   .wrapped
         bra     .next
         correct .wrong,.right
-.clamp  cmp.l   a5,d4
+.clamped
+        step    .bad,.good
+        cmp.l   a5,d4
         bhi.s   .outside
         move.w  d4,(a1)
 .wrote  addq.l  #4,a1
         cmpa.l  a3,a1
-        beq     .next
-        step    .bad,.good
-        bra.s   .clamp
+        bne.s   .clamped
+        bra     .next
 .outside
         tst.l   d4
         bmi.s   .low

@@ -1,7 +1,6 @@
         include "routine.i"
         include "layout.i"
         include "tx.i"
-        include "tmu.i"
 
 ;==============================================================================
 ; tmu_point - texels by point sampling
@@ -31,7 +30,7 @@
         move.l  (a0)+,d0                ; 20 bytes
         moveq   #0,d2
         and.l   d4,d0
-        tmu_index
+        tx_index
         lsr.l   #2,d2
         move.l  (a2,d2.l),(a1)+
         endr

@@ -1,0 +1,18 @@
+#include "tmu/passes.h"
+
+#define BELOW 22        /* bits below those that the numbers of an entry share */
+
+void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits)
+{
+    uint32 passed = 0;
+
+    for (uint32 i = 0; i < TMU_LOGARITHMS; i++) {
+        const uint32 last = (0x80000000u | i << BELOW) + ((1u << BELOW) - 1);
+
+        logarithms[i].value = (uint16)passed;
+        logarithms[i].spare = 0;
+        logarithms[i].limit = 0xffffffff;
+        if (passed < 256 && limits[passed] <= last)
+            logarithms[i].limit = limits[passed++];
+    }
+}
