@@ -23,22 +23,16 @@ struct bytes {
     int32 step;
 };
 
-static struct bytes constant(const uint8 *byte)
+static void set_constant(struct bytes *bytes, const uint8 *byte)
 {
-    struct bytes bytes;
-
-    bytes.at = byte;
-    bytes.step = 0;
-    return bytes;
+    bytes->at = byte;
+    bytes->step = 0;
 }
 
-static struct bytes channel(const uint32 *texels, int32 number)
+static void set_channel(struct bytes *bytes, const uint32 *texels, int32 number)
 {
-    struct bytes bytes;
-
-    bytes.at = (const uint8 *)texels + number;
-    bytes.step = 4;
-    return bytes;
+    bytes->at = (const uint8 *)texels + number;
+    bytes->step = 4;
 }
 
 /* What factors can be that are the same for all pixels. */
@@ -48,27 +42,32 @@ struct factors {
 
 enum { ALPHA = 3 };             /* of R G B A */
 
-static struct bytes factor(const struct tmu_combination *by, const struct factors *constants,
-                           const uint32 *local, const uint32 *other, int32 number)
+static void set_factor(struct bytes *bytes, const struct tmu_combination *by,
+                       const struct factors *constants, const uint32 *local, const uint32 *other,
+                       int32 number)
 {
+    set_constant(bytes, &constants->none);
     switch (by->mselect) {
-    case TMU_FACTOR_LOCAL: return channel(local, number);
-    case TMU_FACTOR_OTHER_ALPHA: return other ? channel(other, ALPHA) : constant(&constants->none);
-    case TMU_FACTOR_LOCAL_ALPHA: return channel(local, ALPHA);
-    case TMU_FACTOR_DETAIL: return constant(&constants->detail);
-    case TMU_FACTOR_LOD_FRACTION: return constant(&constants->fraction);
-    default: return constant(&constants->none);
+    case TMU_FACTOR_LOCAL: set_channel(bytes, local, number); break;
+    case TMU_FACTOR_OTHER_ALPHA:
+        if (other)
+            set_channel(bytes, other, ALPHA);
+        break;
+    case TMU_FACTOR_LOCAL_ALPHA: set_channel(bytes, local, ALPHA); break;
+    case TMU_FACTOR_DETAIL: set_constant(bytes, &constants->detail); break;
+    case TMU_FACTOR_LOD_FRACTION: set_constant(bytes, &constants->fraction); break;
     }
 }
 
-static struct bytes added(const struct tmu_combination *by, const struct factors *constants,
-                          const uint32 *local, int32 number)
+static void set_added(struct bytes *bytes, const struct tmu_combination *by,
+                      const struct factors *constants, const uint32 *local, int32 number)
 {
-    if (number == ALPHA && (by->add_local || by->add_alpha_local))
-        return channel(local, ALPHA);
-    if (by->add_alpha_local)
-        return channel(local, ALPHA);
-    return by->add_local ? channel(local, number) : constant(&constants->none);
+    if (by->add_alpha_local || (number == ALPHA && by->add_local))
+        set_channel(bytes, local, ALPHA);
+    else if (by->add_local)
+        set_channel(bytes, local, number);
+    else
+        set_constant(bytes, &constants->none);
 }
 
 /* other: 0 where there is nothing upstream. */
@@ -83,13 +82,17 @@ static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint
     constants.fraction = (uint8)lod->value;
     for (int32 number = 0; number < 4; number++) {
         const struct tmu_combination *by = number == ALPHA ? &tmu->modes.alpha : &tmu->modes.rgb;
-        const struct bytes zero = constant(&constants.none);
-        const struct bytes from = by->zero_other || !other ? zero : channel(other, number);
-        const struct bytes less = by->sub_local ? channel(local, number) : zero;
-        const struct bytes m = factor(by, &constants, local, other, number);
-        const struct bytes plus = added(by, &constants, local, number);
+        struct bytes from, less, m, plus;
         struct tmu_inputs inputs;
 
+        set_constant(&from, &constants.none);
+        set_constant(&less, &constants.none);
+        if (!by->zero_other && other)
+            set_channel(&from, other, number);
+        if (by->sub_local)
+            set_channel(&less, local, number);
+        set_factor(&m, by, &constants, local, other, number);
+        set_added(&plus, by, &constants, local, number);
         inputs.other = from.at;
         inputs.other_step = from.step;
         inputs.local = less.at;
