@@ -357,10 +357,11 @@ def test_whose_points_count(answers) -> None:
         assert found[alone] == found[together], AGAIN
 
 
-def test_programs_without_units_carry_none() -> None:
-    """The linker leaves out what is not called."""
+def test_programs_carry_what_they_call() -> None:
+    """The linker leaves out the rest."""
     maps = {name: (ROOT / "build" / "programs" / f"{name}.map").read_text()
             for name in ("vectors", "render", "bench")}
-    assert "tmu_pixel" in maps["vectors"]
-    for name in ("render", "bench"):
-        assert "tmu_" not in maps[name], f"{name} carries parts of texture units"
+    assert "tmu_pixel" in maps["vectors"] and "tmu_pixel" in maps["render"]
+    assert "tmu_pixel" not in maps["bench"], "bench has passes alone"
+    for call in ("tmu_download_rows", "tmu_registers_of"):
+        assert call in maps["vectors"] and call not in maps["render"], call
