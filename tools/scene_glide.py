@@ -9,7 +9,8 @@ from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
 from .map_range import fixed
 from .mipmap import FILTERS as MIPMAP_FILTERS
 from .scene_tx import flag
-from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LAST, LEVELS, WRAPS
+from .tmu.state import LAST_LEVEL
+from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
 
 FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
 REACH = 8192  # s and t: below, and above -REACH; and how far apart those of two corners may be
@@ -40,7 +41,7 @@ def combine_schema():
 
 def unit_schema():
     """The check of a unit."""
-    combined, level = combine_schema(), integer(0, LAST)
+    combined, level = combine_schema(), integer(0, LAST_LEVEL)
     detail = table({"bias": (integer(-32, 31), 0), "scale": (integer(0, 7), 0),
                     "max": (number(0, 1), 1.0)})
     axis, wrap = one_of(*WRAPS), "wrap"
