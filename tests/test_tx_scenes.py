@@ -283,9 +283,9 @@ def test_refused(folder, tx, message):
 
 
 @pytest.mark.parametrize("kinds, message", [
-    ({"pixels": "rgb565"}, "materials.it.tx: a scene in rgb565 has no texture engine; one in "
-                           "rgba5551 or rgba8888 has"),
-    ({"pixels": "chunky"}, "materials.it.tx: a scene in chunky has no texture engine"),
+    ({"pixels": "rgb565"}, "materials.it.tx: a scene in rgb565 has no texture engine of this kind; "
+                           "one in rgba5551 or rgba8888 has"),
+    ({"pixels": "chunky"}, "materials.it.tx: a scene in chunky has no texture engine of this kind"),
     ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
     ({"more": 'gradients = "scanline", '}, "materials.it.gradients: is not for a texture engine"),
     ({"more": 'perspective = "fine", '}, "materials.it.perspective: "),
