@@ -19,8 +19,11 @@ background = "#102030"
 [textures]
 wall.image = "noise.png"
 [materials]
+plain = {{texture = "wall"}}
+truncated = {{texture = "wall", edges = "exact", start = "truncated"}}
 """
-#: What each frame shows: vertices [x, y, s, t] where s or t depends on y alone.
+MATERIALS = ("plain", "truncated")
+#: Polygons: vertices [x, y, s, t] where s or t depends on y alone.
 FLOORS = {
     "upright": [[3.3, 5.2, 10, 7], [90.1, 5.2, 70, 7], [90.1, 60.7, 70, 40], [3.3, 60.7, 10, 40]],
     "mirrored": [[3, 5, 200, 90], [90, 5, 20, 90], [90, 60, 20, 40], [3, 60, 200, 40]],
@@ -41,52 +44,76 @@ def a_little_more(corners: list[list[float]]) -> list[list[float]]:
     return [[x, y, s + x / 4096, t + x / 4096] for x, y, s, t in corners]
 
 
-def run(folder, shapes, settings: str = "", form: str = "addx"):
-    """The scene, its frames and figures, one shape a frame."""
-    text = HEAD.format(frames=len(shapes)) + f'it = {{texture = "wall"{settings}}}\n'
-    for n, corners in enumerate(shapes):
-        text += f'[[objects]]\nmaterial = "it"\nfirst = {n}\nlast = {n}\nvertices = {corners}\n'
-    (folder / "scene.toml").write_text(text)
+#: The cheap span, and what makes a floor of FLOORS one that it draws.
+CHANGES = {"affine_row": list, "affine_column": turned}
+#: 63 texels a pixel: too many.
+FAST = [[0, 0, 0, 0], [96, 0, 6048, 0], [96, 64, 6048, 99], [0, 64, 0, 99]]
+#: What each frame shows, vertices by change, material and name.
+SHAPES = {(kind, material, name): change(shape) for kind, change in CHANGES.items()
+          for material in MATERIALS for name, shape in FLOORS.items()} | {
+    (kind, "plain", name): shape for kind, change in CHANGES.items()
+    for name, shape in (("general", a_little_more(change(FLOORS["upright"]))),
+                        ("fast", change(FAST)))}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A directory with a picture, noise.png."""
+    made = tmp_path_factory.mktemp("scene")
+    noise = np.random.default_rng(2).integers(0, 256, (256, 256, 3)).astype(np.uint8)
+    Image.fromarray(noise).save(made / "noise.png")
+    return made
+
+
+def run(folder, form: str) -> tuple[dict[tuple, bytes], dict[tuple, dict]]:
+    """The dump and the figures of each of SHAPES, drawn in one boot."""
     out = folder / f"out-{form}"
     assert main(["run", str(folder / "scene.toml"), "-o", str(out), "--form", form]) == 0
     frames = [path.read_bytes() for path in sorted(out.glob("*.chunky"))]
-    return (compile_scene(folder / "scene.toml"), frames,
-            json.loads((out / "run.json").read_text())["frames"])
+    figures = json.loads((out / "run.json").read_text())["frames"]
+    return dict(zip(SHAPES, frames, strict=True)), dict(zip(SHAPES, figures, strict=True))
 
 
-@pytest.fixture
-def folder(tmp_path):
-    noise = np.random.default_rng(2).integers(0, 256, (256, 256, 3)).astype(np.uint8)
-    Image.fromarray(noise).save(tmp_path / "noise.png")
-    return tmp_path
+@pytest.fixture(scope="module")
+def drawn(folder):
+    """The model's frames of SHAPES, and what ``run`` gives in both forms."""
+    text = HEAD.format(frames=len(SHAPES))
+    for n, ((_, material, _), corners) in enumerate(SHAPES.items()):
+        text += (f'[[objects]]\nmaterial = "{material}"\nfirst = {n}\nlast = {n}\n'
+                 f"vertices = {corners}\n")
+    (folder / "scene.toml").write_text(text)
+    scene = compile_scene(folder / "scene.toml")
+    expected = {key: model.render(scene, n).tobytes() for n, key in enumerate(SHAPES)}
+    return expected, run(folder, "addx"), run(folder, "swap")
 
 
-@pytest.mark.parametrize("kind, change", [("affine_row", list), ("affine_column", turned)])
-@pytest.mark.parametrize("settings", ["", ', edges = "exact", start = "truncated"'])
-def test_same_picture_by_the_cheap_span_alone(folder, kind, change, settings):
-    shapes = [change(shape) for shape in FLOORS.values()]
-    scene, frames, figures = run(folder, shapes, settings)
-    assert frames == [model.render(scene, n).tobytes() for n in range(len(shapes))]
-    for name, frame in zip(FLOORS, figures):
+@pytest.mark.parametrize("kind", CHANGES)
+@pytest.mark.parametrize("material", MATERIALS)
+def test_same_picture_by_the_cheap_span_alone(drawn, kind, material):
+    expected, (frames, figures), (others, _) = drawn
+    for name in FLOORS:
+        key = kind, material, name
+        assert frames[key] == expected[key], key
         used = "affine_row" if name == "one texel" else kind
-        assert set(frame["spans"]) == {used}, (name, frame["spans"])
-    assert run(folder, shapes, settings, "swap")[1] == frames
+        assert set(figures[key]["spans"]) == {used}, (key, figures[key]["spans"])
+        assert others[key] == expected[key], key
 
 
-@pytest.mark.parametrize("change, row", [(list, "affine_row"), (turned, "affine_column")])
-def test_cheaper(folder, change, row):
+@pytest.mark.parametrize("row", CHANGES)
+def test_cheaper(drawn, row):
     """By what the bench rows of shorter lines differ, but for finding it out: some instructions a polygon."""
-    shapes = [change(FLOORS["upright"]), a_little_more(change(FLOORS["upright"]))]
-    _, _, (cheap, general) = run(folder, shapes)
+    _, (_, figures), _ = drawn
+    cheap, general = (figures[row, "plain", name] for name in ("upright", "general"))
     assert set(general["spans"]) == {"affine_addx"} and cheap["pixels"] == general["pixels"]
-    figures = {bench.key(r): bench.cycles(r) for r in json.loads(BASELINE.read_text())["rows"]}
-    saved = figures["affine_addx", "a1200-fast", 64] - figures[row, "a1200-fast", 64]
+    rows = {bench.key(r): bench.cycles(r) for r in json.loads(BASELINE.read_text())["rows"]}
+    saved = rows["affine_addx", "a1200-fast", 64] - rows[row, "a1200-fast", 64]
     assert saved > 1.5 and general["cycles"] - cheap["cycles"] > saved * cheap["pixels"] - 100
 
 
-def test_too_fast_for_it(folder):
-    """63 texels a pixel: the general spans, the same picture."""
-    fast = [[0, 0, 0, 0], [96, 0, 6048, 0], [96, 64, 6048, 99], [0, 64, 0, 99]]
-    scene, frames, figures = run(folder, [fast, turned(fast)])
-    assert frames == [model.render(scene, n).tobytes() for n in range(2)]
-    assert all(kind in ("affine_addx", "affine_addx_wrap") for f in figures for kind in f["spans"])
+def test_too_fast_for_it(drawn):
+    """The general spans, the same picture."""
+    expected, (frames, figures), _ = drawn
+    for change in CHANGES:
+        key = change, "plain", "fast"
+        assert frames[key] == expected[key], key
+        assert set(figures[key]["spans"]) <= {"affine_addx", "affine_addx_wrap"}, key

@@ -124,10 +124,9 @@ def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, 
                    height: int) -> tuple[int, str]:
     """Wrong pixels of a convex polygon, and the first that lies too far from its edge."""
     exact = {}
-    ys = [v[1] for v in vertices]
+    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
     for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height)):
-        exact[y] = [(n, d, min(max(-(-n // (d << 16)), 0), width))
-                    for n, d in ideal.extent(vertices, y)]
+        exact[y] = [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
     wrong, complaint = 0, ""
     clipped = 2 * UNIT if settings.clip == "vertices" and settings.edges != "exact" else 0.0
@@ -264,9 +263,9 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, three, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found = []  # error, bound, coordinate, pixel
+    found, extent = [], ideal.extents(vertices)  # error, bound, coordinate, pixel
     for y, line in enumerate(polygon.lines, polygon.top):
-        ends = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        ends = [-(-n // (d << 16)) for n, d in extent(y)]
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
         for i in {left, right - 1} if left < right else ():
             for key, c in planes.items():
@@ -293,9 +292,9 @@ def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     plane = ideal.Plane([vertices[k][:2] for k in three], [vertices[k][-1] for k in three])
     (least, _), (most, _) = model.plane_range(vertices, t)
     beyond = max(0, light.low - least, most - light.high) * UNIT
-    found = []  # error, bound on the plane, pixel
+    found, extent = [], ideal.extents(vertices)  # error, bound on the plane, pixel
     for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (-(-n // (d << 16)) for n, d in ideal.extent(vertices, y))
+        left, right = (-(-n // (d << 16)) for n, d in extent(y))
         left, right = max(line.left, left), min(line.right, right)
         for i in {left, right - 1} if left < right else ():
             cut = 2 * (abs(i - t.i) + abs(y - t.j)) + 3

@@ -177,10 +177,11 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
               for key, curve in zip((2, 3), curves(vertices))]
+    exact = ideal.extents(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        extent = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        extent = [-(-n // (d << 16)) for n, d in exact(y)]
         left, right = max(line.left, extent[0]), min(line.right, extent[1])
         if left >= right:
             continue
@@ -234,14 +235,15 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
     because its planes are not sure; out.unsure counts those."""
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
-    three = [vertices[k] for k in ideal.corners(vertices)]
+    three, exact = [vertices[k] for k in ideal.corners(vertices)], ideal.extents(vertices)
+    both = curves(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
-        extent = [-(-n // (d << 16)) for n, d in ideal.extent(vertices, y)]
+        extent = [-(-n // (d << 16)) for n, d in exact(y)]
         left, right = max(line.left, extent[0]), min(line.right, extent[1])
         if left >= right:
             continue
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
-        for key, curve, found in zip((2, 3), curves(vertices), polygon.coordinates(line, y)):
+        for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
             values, spare = [v[key] for v in vertices], t.spare if key == 2 else 0
             plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
             bound = max(plane.bound(i, y, t.i, t.j, spare) for i in (left, right - 1)) + (

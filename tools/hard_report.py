@@ -150,13 +150,14 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
         return frame
     if settings.perspective != "none":
         planes = ideal_perspective.curves(vertices)
-    ys = [v[1] for v in vertices]
+    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
     for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
-        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in ideal.extent(vertices, y))
-        for x in range(left, right):
-            u, v = (int(plane.at(x << 16, y << 16) // 65536) for plane in planes)
-            frame[y, x] = (200 if settings.mapper == "flat" else u & 255 if settings.mapper == "gouraud"
-                           else texels[v % texels.shape[0], u % texels.shape[1]])
+        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in extent(y))
+        u, v = (plane.texels(left, right, y) for plane in planes)
+        frame[y, left:right] = (200 if settings.mapper == "flat" else [value & 255 for value in u]
+                                if settings.mapper == "gouraud" else
+                                [texels[b % texels.shape[0], a % texels.shape[1]]
+                                 for a, b in zip(u, v)])
     return frame
 
 

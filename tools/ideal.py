@@ -24,9 +24,10 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
   |j - j_ref| steps in y.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache, lru_cache, partial
 
 import numpy as np
 
@@ -77,6 +78,18 @@ def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
         left = x if below(x, left) else left
         right = x if below(right, x) else right
     return left, right
+
+
+@lru_cache(64)
+def extents_of(outline: tuple) -> Callable:
+    """``extent`` of the lines of an outline, each worked out once: its drawings by other settings
+    ask again."""
+    return cache(partial(extent, outline))
+
+
+def extents(vertices) -> Callable:
+    """``extent`` of a line, of these vertices."""
+    return extents_of(tuple(tuple(v[:2]) for v in vertices))
 
 
 @dataclass(frozen=True)
@@ -174,6 +187,12 @@ class Plane:
     def at(self, x: int, y: int) -> Fraction:
         """The exact value at a point; all in units."""
         return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
+
+    def texels(self, first: int, end: int, j: int) -> list[int]:
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels rounded down."""
+        rise = self.nx * ((first << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
+        start = self.value0 * self.d + rise
+        return [(start + k * (self.nx << 16)) // (self.d << 16) for k in range(end - first)]
 
     def error(self, found: int, i: int, j: int) -> float:
         """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""

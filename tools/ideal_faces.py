@@ -111,6 +111,7 @@ class Face:
 
     def __init__(self, camera: Camera, corners: list[tuple], height: float) -> None:
         self.camera, self.corners, self.height = camera, corners, height
+        self.lines: dict[int, list[np.ndarray]] = {}
         #: What a ray (x / w, y / w, 1) is to be multiplied by: u / w, v / w and 1 / w.
         self.rows: list[list[Fraction]] | None = None
         most = 0
@@ -160,6 +161,14 @@ class Face:
         u, v = (np.array([((a + b * i) << 16 + EXTRA) // q for i, q in enumerate(near, first)], object)
                 for a, b in ((ua, ub), (va, vb)))
         return u, v, np.array([q / common for q in near])
+
+    def values(self, line: int) -> list[np.ndarray]:
+        """u and v of all pixels of a line, float64 texels; worked out once: every way to draw the
+        face asks for them."""
+        if line not in self.lines:
+            self.lines[line] = [np.array([n / (1 << 16 + EXTRA) for n in c])
+                                for c in self.texels(line, *self.extents[line])[:2]]
+        return self.lines[line]
 
 
 def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) -> list[Face]:
@@ -282,8 +291,7 @@ def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdi
         if not inside.any():
             continue
         columns, error, wanted, allowed, values = (a[inside] for a in arrays)
-        exact = face.texels(y, int(columns[0]), int(columns[-1]) + 1)[key - 2]
-        exact = np.array([n / (1 << 16 + EXTRA) for n in exact])
+        exact = face.values(y)[key - 2][int(columns[0]) - first:int(columns[-1]) + 1 - first]
         if flattened:
             ends = [v[key] * UNIT for v in adapted]
             bound = allowed + max(ends) - min(ends) + 2 * f

@@ -63,6 +63,12 @@ class Curve:
         """The exact value at a point; all in units."""
         return Fraction(*self.terms(x, y))
 
+    def texels(self, first: int, end: int, j: int) -> list[int]:
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels rounded down."""
+        n, q = self.terms(first << 16, j << 16)
+        dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
+        return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
+
     def slope(self, i: int, j: int) -> Fraction:
         """How fast the value grows along line j at pixel i, exact; texels a pixel."""
         n, q = self.terms(i << 16, j << 16)

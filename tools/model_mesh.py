@@ -154,12 +154,18 @@ def polygons_at(scene, number: int) -> list[Drawn]:
     the screen."""
     from .scene_file import vertices_at
 
+    groups: dict[int, list] = {}  # instances by the object that they are drawn before
+    for instance in scene.instances:
+        groups.setdefault(instance.before, []).append(instance)
+    shown = [place for place, obj in enumerate(scene.objects)
+             if obj.first_frame <= number < obj.first_frame + obj.poses]
     drawn = []
-    for place, obj in enumerate([*scene.objects, None]):
-        together = [i for i in scene.instances if i.before == place]
-        if together:
-            drawn += mesh_polygons(scene, together, number)
-        vertices = vertices_at(scene, obj, number) if obj else []
-        if vertices:
-            drawn.append((obj.material, vertices))
+    for place in sorted({*shown, *groups}):
+        if place in groups:
+            drawn += mesh_polygons(scene, groups[place], number)
+        if place < len(scene.objects):
+            obj = scene.objects[place]
+            vertices = vertices_at(scene, obj, number)
+            if vertices:
+                drawn.append((obj.material, vertices))
     return drawn
