@@ -14,6 +14,14 @@ static const struct {
                           PERSPECTIVE_LEVEL_FINE, PERSPECTIVE_LEVEL_WIDTH}
 };
 
+/* What is made of all lines before they are drawn: one kind at a time. */
+static union {
+    struct reciprocal_line reciprocals[SCENE_SIDE_MAX];
+    struct logarithm_line logarithms[SCENE_SIDE_MAX];
+    struct perspective_line exact[SCENE_SIDE_MAX];
+    struct scanline_step steps[SCENE_SIDE_MAX];
+} made;
+
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
 #define FAR (512 << 16)
 
@@ -47,7 +55,6 @@ static int32 find_constants(struct reciprocal_plan *plan, fix16 reach)
 static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective setting,
                               const uint16 *table, const struct span_plan *span, int32 width)
 {
-    static struct reciprocal_line drawn[SCENE_SIDE_MAX];
     struct reciprocal_plan plan;
     struct reciprocal_span lines;
     int32 reach, left;
@@ -55,14 +62,14 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
     plan.planes = planes;
     plan.piece = ways[setting].piece;
     plan.table = table;
-    plan.to = drawn;
+    plan.to = made.reciprocals;
     reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
           - width / RECIPROCAL_REACH_WIDTH;
     if (!find_constants(&plan, reach << 16))
         return planes->count;
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
-    lines.lines = drawn;
+    lines.lines = made.reciprocals;
     lines.count = planes->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -79,7 +86,6 @@ static int32 draw_logarithms(struct perspective_plan *planes,
                              const struct logarithm_tables *tables,
                              const struct span_plan *span)
 {
-    static struct logarithm_line drawn[SCENE_SIDE_MAX];
     struct reciprocal_plan plan;
     struct logarithm_span lines;
     int32 left;
@@ -87,8 +93,8 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     plan.planes = planes;
     if (!find_constants(&plan, FAR))
         return planes->count;
-    left = logarithm_lines(&plan, tables, drawn);
-    lines.lines = drawn;
+    left = logarithm_lines(&plan, tables, made.logarithms);
+    lines.lines = made.logarithms;
     lines.count = planes->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -102,13 +108,12 @@ static int32 draw_logarithms(struct perspective_plan *planes,
 static void draw_exactly(struct perspective_plan *plan, enum perspective setting,
                          const struct span_plan *span)
 {
-    static struct perspective_line drawn[SCENE_SIDE_MAX];
     struct perspective_span lines;
 
     plan->bend = ways[setting].bend;
-    plan->to = drawn;
+    plan->to = made.exact;
     perspective_lines(plan);
-    lines.lines = drawn;
+    lines.lines = made.exact;
     lines.count = plan->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -122,16 +127,15 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective setting
 
 static void draw_level(const struct perspective_plan *plan, const struct span_plan *span)
 {
-    static struct scanline_step steps[SCENE_SIDE_MAX];
     struct span_plan lines;
 
-    level_lines(plan, steps);
+    level_lines(plan, made.steps);
     lines.lines = plan->lines;
     lines.count = plan->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.steps = steps;
+    lines.steps = made.steps;
     span_affine_scanline(&lines);
 }
 
