@@ -17,30 +17,6 @@ int32 tmu_line_ready(void)
     return work != 0;
 }
 
-/* The bytes of a channel, texels from pixel to pixel, or one for all. */
-struct bytes {
-    const uint8 *at;
-    int32 step;
-};
-
-static struct bytes constant(const uint8 *byte)
-{
-    struct bytes bytes;
-
-    bytes.at = byte;
-    bytes.step = 0;
-    return bytes;
-}
-
-static struct bytes channel(const uint32 *texels, int32 number)
-{
-    struct bytes bytes;
-
-    bytes.at = (const uint8 *)texels + number;
-    bytes.step = 4;
-    return bytes;
-}
-
 /* What factors can be that are the same for all pixels. */
 struct factors {
     uint8 none, detail, fraction;
@@ -48,27 +24,43 @@ struct factors {
 
 enum { ALPHA = 3 };             /* of R G B A */
 
-static struct bytes factor(const struct tmu_combination *by, const struct factors *constants,
-                           const uint32 *local, const uint32 *other, int32 number)
+/* A channel's byte of texels, from pixel to pixel; the same for all; or 0, where there are none. */
+static const uint8 *channel(const uint32 *texels, int32 number, int32 *step)
+{
+    *step = 4;
+    return (const uint8 *)texels + number;
+}
+
+static const uint8 *constant(const uint8 *byte, int32 *step)
+{
+    *step = 0;
+    return byte;
+}
+
+static const uint8 *channel_if(int32 is_there, const uint32 *texels, int32 number,
+                               const struct factors *constants, int32 *step)
+{
+    return is_there ? channel(texels, number, step) : constant(&constants->none, step);
+}
+
+static const uint8 *factor(const struct tmu_combination *by, const struct factors *constants,
+                           const uint32 *local, const uint32 *other, int32 number, int32 *step)
 {
     switch (by->mselect) {
-    case TMU_FACTOR_LOCAL: return channel(local, number);
-    case TMU_FACTOR_OTHER_ALPHA: return other ? channel(other, ALPHA) : constant(&constants->none);
-    case TMU_FACTOR_LOCAL_ALPHA: return channel(local, ALPHA);
-    case TMU_FACTOR_DETAIL: return constant(&constants->detail);
-    case TMU_FACTOR_LOD_FRACTION: return constant(&constants->fraction);
-    default: return constant(&constants->none);
+    case TMU_FACTOR_LOCAL: return channel(local, number, step);
+    case TMU_FACTOR_OTHER_ALPHA: return channel_if(other != 0, other, ALPHA, constants, step);
+    case TMU_FACTOR_LOCAL_ALPHA: return channel(local, ALPHA, step);
+    case TMU_FACTOR_DETAIL: return constant(&constants->detail, step);
+    case TMU_FACTOR_LOD_FRACTION: return constant(&constants->fraction, step);
+    default: return constant(&constants->none, step);
     }
 }
 
-static struct bytes added(const struct tmu_combination *by, const struct factors *constants,
-                          const uint32 *local, int32 number)
+static const uint8 *added(const struct tmu_combination *by, const struct factors *constants,
+                          const uint32 *local, int32 number, int32 *step)
 {
-    if (number == ALPHA && (by->add_local || by->add_alpha_local))
-        return channel(local, ALPHA);
-    if (by->add_alpha_local)
-        return channel(local, ALPHA);
-    return by->add_local ? channel(local, number) : constant(&constants->none);
+    return channel_if(by->add_local || by->add_alpha_local, local,
+                      by->add_alpha_local ? ALPHA : number, constants, step);
 }
 
 /* other: 0 where there is nothing upstream. */
@@ -83,24 +75,16 @@ static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint
     constants.fraction = (uint8)lod->value;
     for (int32 number = 0; number < 4; number++) {
         const struct tmu_combination *by = number == ALPHA ? &tmu->modes.alpha : &tmu->modes.rgb;
-        const struct bytes zero = constant(&constants.none);
-        const struct bytes from = by->zero_other || !other ? zero : channel(other, number);
-        const struct bytes less = by->sub_local ? channel(local, number) : zero;
-        const struct bytes m = factor(by, &constants, local, other, number);
-        const struct bytes plus = added(by, &constants, local, number);
-        struct tmu_inputs inputs;
+        struct tmu_inputs in;
 
-        inputs.other = from.at;
-        inputs.other_step = from.step;
-        inputs.local = less.at;
-        inputs.local_step = less.step;
-        inputs.factor = m.at;
-        inputs.factor_step = m.step;
-        inputs.added = plus.at;
-        inputs.added_step = plus.step;
-        inputs.flip = (uint16)(flip ^ (by->reverse ? 0 : 255));
-        inputs.invert = by->invert ? 255 : 0;
-        tmu_combiner(0, (uint8 *)to + number, &inputs, count);
+        in.other = channel_if(other && !by->zero_other, other, number, &constants,
+                              &in.other_step);
+        in.local = channel_if(by->sub_local, local, number, &constants, &in.local_step);
+        in.factor = factor(by, &constants, local, other, number, &in.factor_step);
+        in.added = added(by, &constants, local, number, &in.added_step);
+        in.flip = (uint16)(flip ^ (by->reverse ? 0 : 255));
+        in.invert = by->invert ? 255 : 0;
+        tmu_combiner(0, (uint8 *)to + number, &in, count);
     }
 }
 
