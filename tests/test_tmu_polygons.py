@@ -14,7 +14,7 @@ from tools.scene_file import ONE, read, write
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
 SEED = int(os.environ.get("TMU_SEED", "1"))
-COUNT = int(os.environ.get("TMU_COUNT", "60"))
+COUNT = int(os.environ.get("TMU_COUNT", "40"))
 BOOT = 100  # polygons
 PIXELS = ("rgb565", "rgba8888")
 
