@@ -129,8 +129,10 @@ static void add_up(const struct frame *frame, struct frame_digest *digest)
 static int32 digest_frames(const struct scene *scene, const struct frame *frame,
                            const struct run *run)
 {
-    static struct frame_digest digests[SCENE_FRAMES_MAX];
+    struct frame_digest *digests;
 
+    if (!mem_alloc(&digests, run->frames * (int32)sizeof *digests, MEMORY_ANY))
+        return text_refuse("render", "not enough memory for the digests");
     for (int32 number = 0; number < run->frames; number++) {
         if (number % 50 == 0) {
             text_add("from frame ");
