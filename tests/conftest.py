@@ -2,10 +2,11 @@
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_scenes", "wide",
-           "hard_meshes", "tx_polygons", "lowering", "fuzz", "tx_vectors", "meshes", "run",
-           "still_steps", "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds",
-           "readme", "properties", "tx_core", "methods", "kernel_checker", "report", "emulator")
+LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
+           "wide", "fuzz", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
+           "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds", "readme",
+           "properties", "tx_core", "methods", "kernel_checker", "report", "emulator",
+           "still_steps")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

@@ -1,7 +1,6 @@
 """The accuracy report: what it promises, and its own arithmetic."""
 
 import json
-from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -136,7 +135,7 @@ def hand_made(name: str, values) -> accuracy.Errors:
 
 def rounded(curve, first: int, last: int, y: int) -> list[int]:
     """Each pixel divided, cut to a unit."""
-    return [curve.at(i << 16, y << 16).__floor__() for i in range(first, last + 1)]
+    return [n // q for n, q in (curve.terms(i << 16, y << 16) for i in range(first, last + 1))]
 
 
 def in_pieces(n: int):
@@ -145,9 +144,10 @@ def in_pieces(n: int):
         found = []
         for start in range(first, last + 1, n):
             end = min(start + n, last)
-            a, b = (curve.at(i << 16, y << 16) for i in (start, end))
-            found += [round(a + (b - a) * Fraction(k, max(end - start, 1)))
-                      for k in range(min(n, last + 1 - start))]
+            (a, qa), (b, qb) = (curve.terms(i << 16, y << 16) for i in (start, end))
+            whole = 2 * qa * qb * max(end - start, 1)
+            at, step = a * whole // qa + whole // 2, 2 * (b * qa - a * qb)
+            found += [(at + k * step) // whole for k in range(min(n, last + 1 - start))]
         return found
     return values
 

@@ -93,23 +93,53 @@ def called(case: MeshCase, settings: Settings) -> str:
     return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
+def joined(scenes: list[Scene]) -> Scene:
+    """The frames of scenes with the same lens, one after the other, then an empty one: a scene is
+    read and set up in the time of many frames."""
+    tables = {name: [getattr(each, name) for each in scenes]
+              for name in ("points", "normals", "corners", "faces")}
+    made = replace(scenes[0], frames=1, materials=[], meshes=[], instances=[],
+                   views=np.concatenate([each.views for each in scenes]),
+                   **{name: np.concatenate(rows) for name, rows in tables.items()})
+    firsts = [0] * len(tables)
+    for k, each in enumerate(scenes):
+        counts = [len(rows[k]) for rows in tables.values()]
+        made.meshes.append(Mesh(*(n for both in zip(firsts, counts) for n in both)))
+        made.instances += [replace(i, mesh=k, material=i.material + len(made.materials), view=k,
+                                   first_frame=i.first_frame + made.frames - 1)
+                           for i in each.instances]
+        made.materials += each.materials
+        made.frames += each.frames
+        firsts = [first + count for first, count in zip(firsts, counts)]
+    return made
+
+
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:
     """What each drawing takes on the guest, all in one boot, drawings of a case together. A frame that is
     not the model's ends it."""
-    groups, spent = grouped(drawings), []
+    groups, lenses = grouped(drawings), {}
     scenes = [scene(case, settings, noise(256, 256)) for case, settings in groups.items()]
-    for each in scenes:
-        each.frames += 1  # an empty one
-    drawn = fuzz.draw([(each, "addx") for each in scenes], machine)
-    for each, digests, (case, settings) in zip(scenes, drawn, groups.items()):
+    for k, each in enumerate(scenes):
+        lenses.setdefault((each.near_plane, each.guard), []).append(k)
+    whole = [joined([scenes[k] for k in part]) for part in lenses.values()]
+    found = {}  # by scene: the digests of its frames, and that of an empty one
+    for part, digests in zip(lenses.values(), fuzz.draw([(each, "addx") for each in whole], machine)):
+        ends = np.cumsum([scenes[k].frames for k in part])
+        for k, some in zip(part, np.split(digests[:-1], ends[:-1]), strict=True):
+            found[k] = some, digests[-1]
+    spent = []
+    for k, (each, (case, settings)) in enumerate(zip(scenes, groups.items())):
+        digests, empty = found[k]
         for number, digest in enumerate(digests):
             right = model.render(each, number)
             if not fuzz.is_models(right, digest):
                 alone = replace(each, frames=1, instances=[replace(each.instances[number], first_frame=0)])
                 raise UserError(f"{called(case, settings[number])} is not the model's; expected / found: "
                                 f"{compare(right, fuzz.frame_of(alone, 'addx', machine))}")
-        ticks = digests["ticks"].astype(int)
-        spent += ((ticks[:-1] - ticks[-1]) * CYCLES_PER_TICK).tolist()
+        if not fuzz.is_models(np.full_like(right, BACKGROUND), empty):
+            raise UserError("a frame without meshes is not empty")
+        ticks = digests["ticks"].astype(int) - int(empty["ticks"])
+        spent += (ticks * CYCLES_PER_TICK).tolist()
     return spent
 
 
