@@ -195,7 +195,7 @@ def ended(programs, tmp_path_factory):
     for command in commands:
         line += [command, state]
     results = emulator.run_many(line, files, "a1200", tmp_path_factory.mktemp("run"),
-                                programs=programs)
+                                programs=programs, apart=True)
     return {command: (results[2 * n + 1], results[2 * n].output, results[2 * n + 2].output)
             for n, command in enumerate(commands)}
 
@@ -239,6 +239,23 @@ def test_return_codes(ended):
     good = {command for command, code in codes.items() if code == 0}
     assert good == {"render good COUNT", "render good FORM c CHIP"}
     assert set(codes.values()) == {0, 20}
+
+
+def test_program_that_is_loaded_once(programs, tmp_path):
+    """Run after run it finds its data as it was loaded, after a crash and the watchdog too; its
+    output and codes are those of each run."""
+    names = ["quiet_illegal", "illegal_one", "state", "quiet_loop", "state", "quiet_illegal"]
+    results = emulator.run_many([trouble(name) for name in names], {}, "a1200", tmp_path,
+                                programs=programs)
+    assert (tmp_path / "volume" / "0.run").exists()
+    for name, result in zip(names, results):
+        assert result.code == 20 * (name in CRASHES), name
+        if name in CRASHES:
+            fault = emulator.explain_fault(programs / "trouble", result.output)
+            assert re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+        if name.startswith("quiet"):  # the first file of its table was free
+            assert result.output.startswith("1\n"), name
+    assert results[2].output == results[4].output
 
 
 def test_run_raises_what_run_many_returns(programs, tmp_path):

@@ -46,18 +46,20 @@ ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, ke
          kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
          kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
          kernel_trials_tmu)
+TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 
 
 @pytest.fixture(scope="module")
 def called(request):
-    """Trials and results by kernel, of the kernels that this run asks for; a few boots a room."""
+    """Trials and results by kernel, of the kernels that this run asks for; rooms share boots."""
     wanted = {item.callspec.params["kernel"] for item in request.session.items
               if item.path == request.path and hasattr(item, "callspec")}
     with ThreadPoolExecutor(BOOTS) as boots:
         begun = []
-        for room in ROOMS:
-            trials = [trial for trial in room.trials() if trial.case.kernel in wanted]
+        for first in range(0, len(ROOMS), TOGETHER):
+            trials = [trial for room in ROOMS[first:first + TOGETHER] for trial in room.trials()
+                      if trial.case.kernel in wanted]
             begun.append((trials, boots.submit(kernel_checker.run, trials)))
         done = [pair for trials, results in begun for pair in zip(trials, results.result())]
     return {kernel: [pair for pair in done if pair[0].case.kernel == kernel] for kernel in wanted}

@@ -101,9 +101,10 @@ CASES = (
     *(Case("no_wrap", AFFINE, WIDE, TURNED, f"affine_{bits}", f"affine_{bits}_wrap", pixels=pixels)
       for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
 )
-#: By the format of their frames: cases of one share a scene.
-BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
-             for pixels in dict.fromkeys(case.pixels for case in CASES)}
+#: Cases that share a scene: of one format, and those with perspective apart, as the tables that it
+#: needs would be made for all the others too.
+GROUPS = [[case for case in CASES if kind == (case.pixels, case.material.perspective)]
+          for kind in dict.fromkeys((case.pixels, case.material.perspective) for case in CASES)]
 
 
 @cache
@@ -134,40 +135,38 @@ def scene_of(cases, copies: int = 1, counted: Case | None = None) -> Scene:
 
 
 @cache
-def shown(pixels: str) -> list[np.ndarray]:
-    """The model's pictures of the scene of a format's cases; copies change nothing."""
-    scene = scene_of(BY_PIXELS[pixels])
+def shown(group: int) -> list[np.ndarray]:
+    """The model's pictures of the scene of a group's cases; copies change nothing."""
+    scene = scene_of(GROUPS[group])
     return [model.render(scene, number) for number in range(scene.frames)]
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
-    """Two rows for each case, with its rule and without it."""
-    return [row for pixels in BY_PIXELS for row in measure_format(machine, names, pixels)]
-
-
-def measure_format(machine: str, names: list[str], pixels: str) -> list[dict]:
-    """The rows of one format, all in one boot."""
-    every = BY_PIXELS[pixels]
-    cases = [case for case in every if f"rule_{case.name}" in names]
-    if not cases:
-        return []
+    """Two rows for each case, with its rule and without it, all in one boot."""
     boot, chip = MACHINES[machine]
-    pictures = shown(pixels)
-    ways = {"": scene_of(every, COPIES)} | {
-        f" OFF {case.rule}": scene_of(every, COPIES, case) for case in cases}
-    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way, scene in ways.items()], boot)
-    for way, digests in zip(ways, drawn):
-        for number, (picture, digest) in enumerate(zip(pictures, digests, strict=True)):
-            if not fuzz.is_models(picture, digest):
-                raise UserError(f"bench: rules{way}, {machine}: frame {number} "
-                                f"({every[number - 1].name}) is not the model's")
+    runs: list[tuple[int, Case | None, Scene]] = []  # group, case whose rule is off
+    for number, group in enumerate(GROUPS):
+        cases = [case for case in group if f"rule_{case.name}" in names]
+        runs += [(number, None, scene_of(group, COPIES))][:len(cases)]
+        runs += [(number, case, scene_of(group, COPIES, case)) for case in cases]
+    if not runs:
+        return []
+    ways = [f" OFF {case.rule}" if case else "" for _, case, _ in runs]
+    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way, (*_, scene) in zip(ways, runs)], boot)
     rows = []
-    for case, digests in zip(cases, drawn[1:]):
-        number = every.index(case) + 1
-        for name, found in ((f"rule_{case.name}", drawn[0]),
-                            (f"rule_{case.name}{WITHOUT}", digests)):
-            ticks = int(found["ticks"][number]) - int(found["ticks"][0])
-            rows.append({"name": name, "machine": machine, "length": 1,
-                         "cycles_per_polygon": ticks * CYCLES_PER_TICK / COPIES,
+    for way, (number, case, _), digests in zip(ways, runs, drawn):
+        group = GROUPS[number]
+        for frame, (picture, digest) in enumerate(zip(shown(number), digests, strict=True)):
+            if not fuzz.is_models(picture, digest):
+                raise UserError(f"bench: rules{way}, {machine}: frame {frame} "
+                                f"({group[frame - 1].name}) is not the model's")
+        if case is None:
+            lowered = digests
+            continue
+        for end, found in (("", lowered), (WITHOUT, digests)):
+            ticks = found["ticks"].astype(int).tolist()
+            rows.append({"name": f"rule_{case.name}{end}", "machine": machine, "length": 1,
+                         "cycles_per_polygon": (ticks[group.index(case) + 1] - ticks[0])
+                         * CYCLES_PER_TICK / COPIES,
                          "one_tick": CYCLES_PER_TICK / COPIES})
     return rows

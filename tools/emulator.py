@@ -3,10 +3,12 @@
 A run has one private directory: it is the boot volume, holds the programs, their
 input and whatever they write. The guest's start-up script runs each command with
 its output in ``N.log``, writes its return code to ``N.code``, and at last writes
-``end`` (the sentinel) and leaves the emulator by ``uaequit``.
+``end`` (the sentinel) and leaves the emulator by ``uaequit``. Where commands that
+follow one another are of one program, ``many`` loads it once and does the same.
 """
 
 import contextlib
+import itertools
 import os
 import re
 import shutil
@@ -126,8 +128,8 @@ def read(path: Path) -> str:
 
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], machine: str,
-            programs: Path) -> Path:
-    """Lays out a run's directory; returns the emulator's configuration file."""
+            programs: Path, apart: bool) -> Path:
+    """Lays out a run's directory, as run_many has it; returns the emulator's configuration file."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
     for name, content in files.items():
@@ -137,11 +139,19 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
             shutil.copyfile(content, volume / name)
     for name in {command.split()[0] for command in commands}:
         shutil.copyfile(programs / name, volume / name)
-    shutil.copyfile(PROGRAMS / "uaequit", volume / "uaequit")
+    for name in ("uaequit", "many"):
+        shutil.copyfile(PROGRAMS / name, volume / name)
     script = ["failat 100"]  # no return code ends the script
-    for number, command in enumerate(commands):
-        program, _, arguments = command.partition(" ")
-        script += [f"{program} >{number}.log {arguments}", f"echo >{number}.code $RC"]
+    for program, numbered in itertools.groupby(enumerate(commands), lambda c: c[1].split()[0]):
+        numbers, some = zip(*numbered)
+        arguments = [command.partition(" ")[2] for command in some]
+        if len(some) > 1 and not apart:
+            run = "".join(f"{line}\n" for line in arguments)
+            (volume / f"{numbers[0]}.run").write_text(run)
+            script += [f"many {program} {numbers[0]}"]
+        else:
+            for number, line in zip(numbers, arguments):
+                script += [f"{program} >{number}.log {line}", f"echo >{number}.code $RC"]
     script += ["echo >end", "uaequit"]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
     options = OPTIONS | MACHINES[machine] | {
@@ -184,17 +194,18 @@ def explain_end(program: Path, arguments: str, output: str, ended: bool, log: st
 
 def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
              on_output=None, programs: Path = PROGRAMS,
-             patience: float | None = None) -> list[Result]:
+             patience: float | None = None, apart: bool = False) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to
     a file that is copied); a command's first word is one of ``programs``.
     ``on_output`` is called with the output so far when there is more of it;
-    ``patience``: seconds of silence that count as a hang (STALL_SECONDS).
+    ``patience``: seconds of silence that count as a hang (STALL_SECONDS);
+    ``apart``: each command loads its program, whatever ran before.
     Raises UserError for a hang; return codes and crash reports are the caller's
     to judge.
     """
-    config = prepare(directory, commands, files, machine, programs)
+    config = prepare(directory, commands, files, machine, programs, apart)
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
     with log.open("wb") as stream:
@@ -217,6 +228,8 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
         program, _, arguments = commands[last].partition(" ")
         raise UserError(explain_end(programs / program, arguments, outputs[last], ended, read(log),
                                     patience))
+    if "" in codes:
+        raise UserError(f"{commands[codes.index('')]}: many could not run it")
     return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
 
 

@@ -17,10 +17,10 @@ REGISTERS = [f"d{n}" for n in range(8)] + [f"a{n}" for n in range(7)]
 M32 = (1 << 32) - 1
 #: What registers hold that a case does not set: no kernel may rely on them.
 POISON = 0xDEAD0000
-#: Images of one boot: a machine with chip RAM alone has about 1.7 MB free for the plan and
-#: the largest arena; the others have 8 MB more.
-BATCH_BYTES = 800_000
-BATCH_BYTES_FAST = 3_000_000
+#: A plan's images, cases and offsets: a machine with chip RAM alone has about 1.7 MB free for the
+#: plan and the largest arenas; the others have 8 MB more.
+BATCH_BYTES = 950_000
+BATCH_BYTES_FAST = 5_000_000
 
 
 class Arena:
@@ -139,14 +139,15 @@ def batches(cases: list[Case], machine: str) -> list[list[Case]]:
     limit = BATCH_BYTES_FAST if "fast_memory" in emulator.MACHINES[machine] else BATCH_BYTES
     runs: list[list[Case]] = []
     kept: dict[bytes, None] = {}
-    room = 0
+    room, size = 0, layout.load().struct("plan_case").size
     for case in cases:
         images = [case.arena.image, case.far.image]
-        more = sum(len(image) for image in images if image not in kept)
+        rest = size + 4 * len(case.arena.pointers) + 4 * len(case.arena.far_pointers)
+        more = rest + sum(len(image) for image in images if image not in kept)
         if not runs or more > room:
             runs.append([])
             kept.clear()
-            room, more = limit, sum(map(len, images))
+            room, more = limit, rest + sum(map(len, images))
         kept.update(dict.fromkeys(images))
         runs[-1].append(case)
         room -= more

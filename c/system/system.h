@@ -15,6 +15,9 @@ int32 file_size(int32 file);
 void file_close(int32 file);
 void print(const char *text);
 int32 args_read(const char *template_text, int32 *items);
+uint32 program_load(const char *name);
+void program_unload(uint32 program);
+int32 program_run(uint32 program, const char *arguments, int32 bytes, const char *output);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
 int32 mem_need(void *address, int32 bytes, int32 kind);
 

@@ -37,6 +37,17 @@ void text_print(void)
     print(line);
 }
 
+int32 text_take(char *to)
+{
+    int32 taken = length;
+
+    for (int32 i = 0; i < length; i++)
+        to[i] = line[i];
+    to[length] = 0;
+    length = 0;
+    return taken;
+}
+
 int32 text_refuse(const char *name, const char *why)
 {
     text_add(name);

@@ -37,6 +37,10 @@ _LVOWrite               equ     -48
 _LVOOutput              equ     -60
 _LVOSeek                equ     -66
 _LVOIoErr               equ     -132
+_LVOLoadSeg             equ     -150
+_LVOUnLoadSeg           equ     -156
+_LVOSelectOutput        equ     -300
+_LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
 

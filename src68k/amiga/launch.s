@@ -1,0 +1,98 @@
+; Other programs, run from one that is running: loaded once, entered any number of times.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    dos_base
+
+;==============================================================================
+; program_load - loads a program, until program_unload
+;
+; in:      d0  char*   name, zero-terminated
+; out:     d0  uint32   address of its first hunk's link, or 0: not loaded. A link is a quarter of
+;                       the next one's address, or 0; the longword before it has the hunk's
+;                       bytes, those of itself and the link included
+; trashes: d0-d1/a0-a1
+; reads:   name
+; writes:  -
+; formats: AmigaDOS segment list
+; error:   0 too where memory is short
+; cost:    -
+;==============================================================================
+        routine program_load,d0
+        move.l  a6,-(sp)
+        move.l  d0,d1
+        movea.l dos_base,a6
+        lvo     LoadSeg
+        lsl.l   #2,d0
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; program_unload - gives a program's memory back
+;
+; in:      d0  uint32   from program_load
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the links
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine program_unload,d0
+        move.l  a6,-(sp)
+        move.l  d0,d1
+        lsr.l   #2,d1
+        movea.l dos_base,a6
+        lvo     UnLoadSeg
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; program_run - enters a loaded program as the shell does, its output in a file
+;
+; in:      d0  uint32   from program_load
+;          d1  char*    arguments, the last character a line feed
+;          a0  int32    their bytes
+;          a1  char*    name of the file for its output
+; out:     d0  int32   its return code, or -1: not run
+; trashes: d0-d1/a0-a1
+; reads:   arguments, name
+; writes:  whatever the program does
+; formats: -
+; error:   -1 where the file cannot be made, or memory is short
+; cost:    -
+;==============================================================================
+        routine program_run,d0,d1,a0,a1
+        movem.l d2-d7/a6,-(sp)
+        move.l  d0,d5
+        move.l  d1,d3
+        move.l  a0,d4
+        movea.l dos_base,a6
+        move.l  a1,d1
+        move.l  #MODE_NEWFILE,d2
+        lvo     Open
+        move.l  d0,d6
+        beq.s   .not_run
+        move.l  d6,d1
+        lvo     SelectOutput
+        move.l  d0,d7
+        move.l  d5,d1
+        lsr.l   #2,d1
+        move.l  #STACK,d2
+        lvo     RunCommand
+        move.l  d0,d5
+        move.l  d7,d1
+        lvo     SelectOutput
+        move.l  d6,d1
+        lvo     Close
+        move.l  d5,d0
+        bra.s   .done
+.not_run
+        moveq   #-1,d0
+.done   movem.l (sp)+,d2-d7/a6
+        rts
+
+MODE_NEWFILE            equ     1006
+STACK                   equ     4096    ; as the shell's commands have
