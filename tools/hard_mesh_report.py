@@ -117,13 +117,15 @@ def joined(scenes: list[Scene]) -> Scene:
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:
     """What each drawing takes on the guest, all in one boot, drawings of a case together. A frame that is
     not the model's ends it."""
-    groups, lenses = grouped(drawings), {}
+    groups = grouped(drawings)
+    lenses: dict[tuple[int, int], list[int]] = {}  # scenes by what holds for all of a file
     scenes = [scene(case, settings, noise(256, 256)) for case, settings in groups.items()]
     for k, each in enumerate(scenes):
         lenses.setdefault((each.near_plane, each.guard), []).append(k)
     whole = [joined([scenes[k] for k in part]) for part in lenses.values()]
+    drawn = fuzz.draw([(each, "addx") for each in whole], machine)
     found = {}  # by scene: the digests of its frames, and that of an empty one
-    for part, digests in zip(lenses.values(), fuzz.draw([(each, "addx") for each in whole], machine)):
+    for part, digests in zip(lenses.values(), drawn):
         ends = np.cumsum([scenes[k].frames for k in part])
         for k, some in zip(part, np.split(digests[:-1], ends[:-1]), strict=True):
             found[k] = some, digests[-1]
