@@ -12,6 +12,9 @@ from tools.scene_file import ONE, write
 
 MACHINE = "a1200-fast"
 SEED, BLOCKS, COUNT = 6, 3, 400
+#: By the format of their frames: cases of one share a scene.
+BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
+             for pixels in dict.fromkeys(case.pixels for case in CASES)}
 
 
 def test_every_exact_rule_has_its_case():
@@ -21,10 +24,10 @@ def test_every_exact_rule_has_its_case():
     assert rules - units == {case.rule for case in CASES}
 
 
-@pytest.mark.parametrize("pixels", bench_rules.BY_PIXELS)
+@pytest.mark.parametrize("pixels", BY_PIXELS)
 def test_counts_show_that_nothing_else_ran(pixels):
     """With each rule on and off: the spans of its frame, and that it was counted, or not."""
-    cases = bench_rules.BY_PIXELS[pixels]
+    cases = BY_PIXELS[pixels]
     scene = bench_rules.scene_of(cases)
     ways = [None] + [case.rule for case in cases]
     commands = ["render rules.scene COUNT" + (f" OFF {rule}" if rule else "") for rule in ways]
