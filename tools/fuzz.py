@@ -62,16 +62,17 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
 
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None,
-         patience: float | None = None) -> list[np.ndarray]:
+         patience: float | None = None, apart: bool = False) -> list[np.ndarray]:
     """The digests of each scene's frames, all in one boot; beside each scene its form, and what
-    may follow that among the arguments of ``render``. ``patience``: as run_many has it."""
+    may follow that among the arguments of ``render``. ``patience``, ``apart``: as run_many has
+    them."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
                 for k, (_, form) in enumerate(scenes)]
     with emulator.workspace() as directory:
         done = emulator.run_many(commands, files, machine, directory, on_output,
-                                 patience=patience)
+                                 patience=patience, apart=apart)
         for result in done:
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:

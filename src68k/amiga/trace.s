@@ -11,7 +11,7 @@
         xref    sys_base
         xref    quiet
 
-TRACE_WORDS             equ     65536   ; of code: 128 KB
+TRACE_WORDS             equ     131072  ; of code: 256 KB
 TRACE_LIMIT             equ     65535   ; in 92 ms: all that the timer can count
 TRACED                  equ     0       ; bits
 TRACED_QUIET            equ     1
@@ -29,7 +29,7 @@ SR_TRACE                equ     $8000
 ; writes:  the trace vector, restored at the end
 ; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
 ;          there and was executed, bit 1 in quiet mode, bit 2 more than once so
-; error:   code behind the first 128 KB is not noted
+; error:   code behind the first 256 KB is not noted
 ; cost:    some 20 times what the program takes
 ;==============================================================================
         routine trace_main
