@@ -142,6 +142,8 @@ static int32 make_work(struct scene *scene)
     uint32 most_instances = 0, most_points = 0, most_normals = 0, most_faces = 0;
     struct mesh_work *work = &scene->work;
 
+    if (!scene->header->instances)
+        return 1;
     for (uint32 i = 0; i < scene->header->instances; i++, o++) {
         const struct scene_mesh *mesh = &scene->meshes[o->mesh];
 
