@@ -33,13 +33,14 @@ def test_no_row_left_the_baseline(found, baseline) -> None:
         assert not gone, f"rows of the baseline are no longer measured: {gone}; {UPDATE}"
 
 
-def test_figures_repeat_to_a_tick(found) -> None:
-    """A second measurement agrees to within one E-clock tick (20 cycles) in all."""
+def test_figures_repeat_to_two_ticks(found) -> None:
+    """A second measurement agrees to within two E-clock ticks (20 cycles) in all: a time is cut to
+    a tick, and what starts and stops the clock waits for its edge, up to one more."""
     again = bench.measure("a1200-fast", "affine_addx")["rows"]
     first = {bench.key(r): r for r in found["rows"]}
     for row in again:
         difference = abs(bench.cycles(row) - bench.cycles(first[bench.key(row)]))
-        assert difference <= row["one_tick"] + 0.001, row  # and the figures' last digit
+        assert difference <= 2 * row["one_tick"] + 0.001, row  # and the figures' last digit
 
 
 def test_speeds_that_are_promised(found) -> None:
