@@ -17,94 +17,19 @@ int32 tmu_line_ready(void)
     return work != 0;
 }
 
-/* The bytes of a channel, texels from pixel to pixel, or one for all. */
-struct bytes {
-    const uint8 *at;
-    int32 step;
-};
-
-static void set_constant(struct bytes *bytes, const uint8 *byte)
-{
-    bytes->at = byte;
-    bytes->step = 0;
-}
-
-static void set_channel(struct bytes *bytes, const uint32 *texels, int32 number)
-{
-    bytes->at = (const uint8 *)texels + number;
-    bytes->step = 4;
-}
-
-/* What factors can be that are the same for all pixels. */
-struct factors {
-    uint8 none, detail, fraction;
-};
-
-enum { ALPHA = 3 };             /* of R G B A */
-
-static void set_factor(struct bytes *bytes, const struct tmu_combination *by,
-                       const struct factors *constants, const uint32 *local, const uint32 *other,
-                       int32 number)
-{
-    set_constant(bytes, &constants->none);
-    switch (by->mselect) {
-    case TMU_FACTOR_LOCAL: set_channel(bytes, local, number); break;
-    case TMU_FACTOR_OTHER_ALPHA:
-        if (other)
-            set_channel(bytes, other, ALPHA);
-        break;
-    case TMU_FACTOR_LOCAL_ALPHA: set_channel(bytes, local, ALPHA); break;
-    case TMU_FACTOR_DETAIL: set_constant(bytes, &constants->detail); break;
-    case TMU_FACTOR_LOD_FRACTION: set_constant(bytes, &constants->fraction); break;
-    }
-}
-
-static void set_added(struct bytes *bytes, const struct tmu_combination *by,
-                      const struct factors *constants, const uint32 *local, int32 number)
-{
-    if (by->add_alpha_local || (number == ALPHA && by->add_local))
-        set_channel(bytes, local, ALPHA);
-    else if (by->add_local)
-        set_channel(bytes, local, number);
-    else
-        set_constant(bytes, &constants->none);
-}
-
 /* other: 0 where there is nothing upstream. */
-static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint32 *local,
-                    const uint32 *other, uint32 *to, int32 count)
+static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint32 *other,
+                    uint32 *to, int32 count)
 {
-    const uint16 flip = tmu->modes.trilinear && lod->odd ? 255 : 0;
-    struct factors constants;
+    const uint8 detail = (uint8)tmu_detail_factor(&tmu->modes, lod->value);
+    const uint8 fraction = (uint8)lod->value;
+    struct tmu_factors factors;
 
-    constants.none = 0;
-    constants.detail = (uint8)tmu_detail_factor(&tmu->modes, lod->value);
-    constants.fraction = (uint8)lod->value;
-    for (int32 number = 0; number < 4; number++) {
-        const struct tmu_combination *by = number == ALPHA ? &tmu->modes.alpha : &tmu->modes.rgb;
-        struct bytes from, less, m, plus;
-        struct tmu_inputs inputs;
-
-        set_constant(&from, &constants.none);
-        set_constant(&less, &constants.none);
-        if (!by->zero_other && other)
-            set_channel(&from, other, number);
-        if (by->sub_local)
-            set_channel(&less, local, number);
-        set_factor(&m, by, &constants, local, other, number);
-        set_added(&plus, by, &constants, local, number);
-        inputs.other = from.at;
-        inputs.other_step = from.step;
-        inputs.local = less.at;
-        inputs.local_step = less.step;
-        inputs.factor = m.at;
-        inputs.factor_step = m.step;
-        inputs.added = plus.at;
-        inputs.added_step = plus.step;
-        inputs.flip = (uint16)(flip ^ (by->reverse ? 0 : 255));
-        inputs.invert = by->invert ? 255 : 0;
-        tmu_combiner(0, (uint8 *)to + number, &inputs, count);
-    }
+    factors.details = &detail;
+    factors.fractions = &fraction;
+    factors.detail_step = factors.fraction_step = 0;
+    factors.flip = tmu->modes.trilinear && lod->odd ? 255 : 0;
+    tmu_combine_line(tmu, &factors, work->texels, other, to, count);
 }
 
 static void find_coordinates(const struct tmu_plan *plan, const struct tmu_sampling *from, int32 x,
@@ -137,7 +62,7 @@ void tmu_plan_draw(const struct tmu_plan *plan, const struct frame *frame, int32
         find_coordinates(plan, from, x, y, count);
         from->sample(work->coordinates, from->combines ? work->texels : to, from->level, count);
         if (from->combines)
-            combine(plan->pipe->chain.units[n], &from->lod, work->texels, other, to, count);
+            combine(plan->pipe->chain.units[n], &from->lod, other, to, count);
     }
     if (frame->pixel_bytes == 2)
         tmu_store_565(colours, pixels, 0, count);

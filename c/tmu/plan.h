@@ -47,6 +47,19 @@ int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod);
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
                     const struct tmu_iterations *iterations);
 
+/* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
+   flip: 255 where odd levels turn them round. */
+struct tmu_factors {
+    const uint8 *details, *fractions;
+    int32 detail_step, fraction_step;
+    uint16 flip, spare;
+};
+
+/* combine_line.c. Makes a line of local and other texels, R G B A; other: 0 where there is nothing
+   upstream. `to` may be `other`, but not local. */
+void tmu_combine_line(const struct tmu *tmu, const struct tmu_factors *factors,
+                      const uint32 *local, const uint32 *other, uint32 *to, int32 count);
+
 /* line.c. The memory that lines are drawn in, made when it is first asked for; 0: there is none. */
 int32 tmu_line_ready(void);
 
