@@ -55,3 +55,14 @@ tmu_factor macro
         eor.b   d5,\1
         add.l   a2,\1
         endm
+
+; Writes the texel: d0 = R-B- and d3 = -G-A. On to the next one, at .pixels, or the end.
+tmu_mix_close macro
+        eor.l   d0,d3
+        and.l   d7,d3
+        eor.l   d3,d0
+        move.l  d0,(a1)+
+        cmpa.l  a6,a0
+        bne.s   .pixels
+        return_all
+        endm
