@@ -86,10 +86,11 @@ static inline enum polygon_result outline_flat(struct setup *s)
 
     s->vertices = planes_vertices(s->given, s->count);
     result = outline_find(s);
-    if (result == POLYGON_DRAWN)
-        outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
-                      scissor_flat);
-    return result;
+    if (result != POLYGON_DRAWN)
+        return result;
+    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
+                  scissor_flat);
+    return POLYGON_DRAWN;
 }
 
 #endif
