@@ -165,9 +165,9 @@ def write(found: dict, out: Path) -> None:
     text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
     text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
         + table(found["rules"], machines)
-    text += "\nThe texture engine's modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
+    text += "\nTexture engines' modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
         + table(found["modes"], machines)
-    text += "\nCycles that the first frame costs more: tables, tiles decoded:\n\n" \
+    text += "\nCycles that the first frame costs more: tables, texels decoded:\n\n" \
         + table(found["first_frames"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
