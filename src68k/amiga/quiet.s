@@ -1,5 +1,5 @@
 ; Quiet mode, in which the program has the machine to itself: no DMA, no interrupt but one,
-; the watchdog that ends a routine which never returns. The clock is the watchdog too.
+; the watchdog that ends a routine which never returns: CIA-B's timers, half of the clock.
 
         include "amiga.i"
         include "routine.i"
@@ -127,4 +127,4 @@ old_intena      ds.w    1
 old_dmacon      ds.w    1
 quiet           ds.b    1
 old_flags       ds.b    1
-flags           ds.b    2
+flags           ds.b    1
