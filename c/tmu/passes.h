@@ -90,6 +90,14 @@ struct tmu_inputs {
     uint16 flip, invert;        /* 255, or 0 */
 };
 
+/* A byte for each texel's alpha, `step` bytes from pixel to pixel, and the bits of the texels,
+   R G B A, that are inverted then. */
+struct tmu_alphas {
+    const uint8 *alphas;
+    int32 step;
+    uint32 inverted;
+};
+
 /* limits: 2^(31 + (k + 1/2) / 256) rounded down, k = 0 to 255. */
 void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits);
 
@@ -108,6 +116,7 @@ void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_scale(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_modulate(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_add(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_alpha(const void *texels, void *results, const void *alphas, int32 count);
 void tmu_combiner(const void *nothing, void *results, const void *inputs, int32 count);
 void tmu_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
 

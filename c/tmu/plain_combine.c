@@ -96,6 +96,20 @@ void tmu_add_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
+void tmu_alpha_c(const struct tx_call *call)
+{
+    const struct tmu_alphas *from = call->constants;
+    const uint8 *alphas = from->alphas;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        *out++ = ((*in++ & 0xffffff00) | *alphas) ^ from->inverted;
+        alphas += from->step;
+    } while (--count > 0);
+}
+
 void tmu_combiner_c(const struct tx_call *call)
 {
     const struct tmu_inputs *inputs = call->constants;

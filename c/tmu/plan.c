@@ -31,16 +31,6 @@ static int32 find_lod(const struct tmu *tmu, const struct tmu_iterations *iterat
     return 1;
 }
 
-/* Whether a unit's colours are its texels. */
-static int32 shows_texels(const struct tmu_modes *modes)
-{
-    const struct tmu_combination *rgb = &modes->rgb, *alpha = &modes->alpha;
-
-    return rgb->zero_other && !rgb->sub_local && rgb->add_local && !rgb->add_alpha_local
-        && !rgb->invert && alpha->zero_other && !alpha->sub_local
-        && (alpha->add_local || alpha->add_alpha_local) && !alpha->invert;
-}
-
 /* Passes to one level's texels. */
 static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struct tmu_kept *levels,
                            const struct tmu_iterations *iterations, uint32 points)
@@ -70,22 +60,45 @@ static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struc
     to->steps.spare = 0;
     to->steps.last_s = modes->clamp_s ? to->level->mask_s : 0xffff;
     to->steps.last_t = modes->clamp_t ? to->level->mask_t : 0xffff;
-    to->combines = !shows_texels(modes);
     return !(modes->rgb.add_local && modes->rgb.add_alpha_local);
 }
 
+/* Whether nothing of a unit is seen but what comes from upstream. */
+static int32 is_passed(struct tmu_combining *combining, const struct tmu_modes *modes,
+                       int32 has_other, int32 has_alpha)
+{
+    tmu_combining_find(combining, modes, 0, has_other, has_alpha);
+    return tmu_shows(combining, TMU_TERM_OTHER);
+}
+
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
-                    const struct tmu_iterations *iterations)
+                    const struct tmu_iterations *iterations, int32 pixel_bytes)
 {
     const struct tmu_chain *chain = &pipe->chain;
+    int32 has_alpha = pixel_bytes == 4;
 
     plan->pipe = pipe;
     plan->planes = &iterations->planes;
-    plan->first = shows_texels(&chain->units[0]->modes) ? 0 : chain->count - 1;
-    for (uint32 n = 0; n <= plan->first; n++)
-        if (!find_sampling(&plan->units[n], chain->units[n], pipe->levels[n], iterations,
-                           tmu_has_own(chain) ? n : 0))
-            return 0;
-    plan->is_direct = !plan->units[0].combines && plan->units[0].lod.filter == TMU_BILINEAR;
+    plan->last = 0;
+    for (uint32 n = 0; n < chain->count; n++) {
+        struct tmu_combining *combining = &plan->units[n].combining;
+        const struct tmu_modes *modes = &chain->units[n]->modes;
+        const int32 has_other = n + 1 < chain->count;
+
+        plan->first = n;
+        if (!is_passed(combining, modes, has_other, has_alpha)) {
+            if (!find_sampling(&plan->units[n], chain->units[n], pipe->levels[n], iterations,
+                               tmu_has_own(chain) ? n : 0))
+                return 0;
+            tmu_combining_find(combining, modes, &plan->units[n].lod, has_other, has_alpha);
+        }
+        if (n == plan->last && tmu_shows(combining, TMU_TERM_OTHER))
+            plan->last = n + 1;
+        if (!(combining->reads & TMU_READS_OTHER))
+            break;
+        has_alpha = (combining->reads & TMU_READS_OTHER_ALPHA) != 0;
+    }
+    plan->is_direct = pixel_bytes == 2 && plan->units[plan->last].sample == tmu_bilinear
+        && tmu_shows(&plan->units[plan->last].combining, TMU_TERM_LOCAL);
     return tmu_line_ready();
 }
