@@ -54,6 +54,13 @@ def modulate(rng, count: int) -> Example:
     return mix.example("tmu_modulate", texels, texels * ((mix.other ^ mix.flip) + 1) >> 8)
 
 
+def modulate_rgb(rng, count: int) -> Example:
+    texels, mix = any_texels(rng, count), Mix(rng, count)
+    found = texels * ((mix.other ^ mix.flip) + 1) >> 8
+    found[:, 3] = texels[:, 3]
+    return mix.example("tmu_modulate_rgb", texels, found)
+
+
 def add(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
     return mix.example("tmu_add", texels, np.minimum(texels + mix.other, 255))

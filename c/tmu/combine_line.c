@@ -130,7 +130,12 @@ static const uint32 *combine_texels(const struct line *line)
     case TMU_TERM_SCALED:
     case TMU_TERM_SCALED_SUM: tmu_scale(from, line->to, &mix, line->count); break;
     case TMU_TERM_PRODUCT:
-    case TMU_TERM_PRODUCT_SUM: tmu_modulate(from, line->to, &mix, line->count); break;
+    case TMU_TERM_PRODUCT_SUM:
+        if (line->combining->alpha_way == TMU_ALPHA_ALIKE)
+            tmu_modulate(from, line->to, &mix, line->count);
+        else
+            tmu_modulate_rgb(from, line->to, &mix, line->count);
+        break;
     default:
         break;
     }

@@ -130,7 +130,7 @@ void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
     to->reads = (uint8)reads_of(&rgb, term);
     to->inverted = term != TMU_TERM_ANY && modes->rgb.invert ? 0xffffff00 : 0;
     to->alpha = TMU_TERM_ANY;
-    to->alpha_way = TMU_ALPHA_ALIKE;
+    to->alpha_way = TMU_ALPHA_UNSEEN;
     if (has_alpha) {
         open_half(&alpha, &modes->alpha, has_other, 1, rgb.factor == TMU_FACTOR_LOCAL
                   ? TMU_FACTOR_LOCAL : TMU_FACTOR_LOCAL_ALPHA);

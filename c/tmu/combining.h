@@ -20,7 +20,8 @@ enum tmu_term {
 };
 
 enum tmu_alpha_way {
-    TMU_ALPHA_ALIKE,            /* what makes colour makes alpha too, or nobody wants it */
+    TMU_ALPHA_UNSEEN,           /* nobody wants it */
+    TMU_ALPHA_ALIKE,            /* what makes colour makes alpha too */
     TMU_ALPHA_TAKEN,            /* 0, local's or other's */
     TMU_ALPHA_COMBINED          /* for itself */
 };
@@ -42,7 +43,7 @@ void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
 /* Whether the unit's texels, or what comes from upstream, are all there is to do. */
 static inline int32 tmu_shows(const struct tmu_combining *combining, enum tmu_term term)
 {
-    return combining->rgb == term && combining->alpha_way == TMU_ALPHA_ALIKE
+    return combining->rgb == term && combining->alpha_way <= TMU_ALPHA_ALIKE
         && !combining->inverted;
 }
 

@@ -13,11 +13,13 @@ void tmu_lod_c(const struct tx_call *call);
 void tmu_dithered_c(const struct tx_call *call);
 void tmu_point_c(const struct tx_call *call);
 void tmu_bilinear_c(const struct tx_call *call);
+void tmu_bilinear_8_c(const struct tx_call *call);
 void tmu_bilinear_565_c(const struct tx_call *call);
 void tmu_store_565_c(const struct tx_call *call);
 void tmu_lerp_c(const struct tx_call *call);
 void tmu_scale_c(const struct tx_call *call);
 void tmu_modulate_c(const struct tx_call *call);
+void tmu_modulate_rgb_c(const struct tx_call *call);
 void tmu_add_c(const struct tx_call *call);
 void tmu_alpha_c(const struct tx_call *call);
 void tmu_combiner_c(const struct tx_call *call);
@@ -40,7 +42,8 @@ void tmu_combine_line_c(const struct tx_call *call);
 /* tmu_logarithms_make of the limits in. */
 void tmu_logarithms_c(const struct tx_call *call);
 
-/* tmu_quad_make of the four texels in, R G B A. */
+/* tmu_quad_make, tmu_quad_8_make of the four texels in, R G B A. */
 void tmu_quads_c(const struct tx_call *call);
+void tmu_quads_8_c(const struct tx_call *call);
 
 #endif

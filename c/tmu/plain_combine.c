@@ -73,6 +73,22 @@ void tmu_modulate_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
+void tmu_modulate_rgb_c(const struct tx_call *call)
+{
+    const struct tmu_mix *mix = call->constants;
+    const uint8 *others = (const uint8 *)mix->other;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        const uint32 a = *in++, b = next(mix, &others) ^ mix->flip;
+
+        *out++ = product(a >> 24, b >> 24) << 24 | product(a >> 16, b >> 16) << 16
+            | product(a >> 8, b >> 8) << 8 | (a & 255);
+    } while (--count > 0);
+}
+
 /* Two channels' sums, 255 at most. */
 static inline uint32 sums(uint32 a, uint32 b)
 {

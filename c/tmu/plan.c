@@ -37,29 +37,29 @@ static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struc
 {
     const struct plane *of = &iterations->planes.of[points ? TMU_OWN : TMU_S];
     const struct tmu_modes *modes = &tmu->modes;
-    int32 linear;
+    int32 linear, bits;
 
     if (!find_lod(tmu, iterations, points, &to->lod)
         || (iterations->divided[points] && (!modes->perspective || modes->table_quotients)))
         return 0;
     linear = to->lod.filter == TMU_BILINEAR;
-    if ((linear && modes->fraction_bits != 4)
-        || !tmu_decode(tmu, to->lod.level, linear, &levels[to->lod.level]))
+    bits = linear ? modes->fraction_bits : 4;
+    if (!tmu_decode(tmu, to->lod.level, linear, &levels[to->lod.level]))
         return 0;
     to->level = &levels[to->lod.level].decoded;
     to->first = points ? TMU_OWN : TMU_S;
     to->coordinates = iterations->divided[points] ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
-    to->sample = linear ? tmu_bilinear : tmu_point;
+    to->sample = !linear ? tmu_point : bits == 8 ? tmu_bilinear_8 : tmu_bilinear;
     to->steps.s = (int32)of[TMU_S].dx;
     to->steps.t = (int32)of[TMU_T].dx;
     to->steps.w = (int32)of[TMU_W].dx;
-    to->steps.shift = (uint16)(14 + to->lod.level);
-    to->steps.half = linear ? 8 : 0;
+    to->steps.shift = (uint16)(18 - bits + to->lod.level);
+    to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
     to->steps.behind = modes->clamp_negative_w;
     to->steps.spare = 0;
-    to->steps.last_s = modes->clamp_s ? to->level->mask_s : 0xffff;
-    to->steps.last_t = modes->clamp_t ? to->level->mask_t : 0xffff;
+    to->steps.last_s = modes->clamp_s ? (uint16)(to->level->mask_s << (bits - 4)) : 0xffff;
+    to->steps.last_t = modes->clamp_t ? (uint16)(to->level->mask_t << (bits - 4)) : 0xffff;
     return !(modes->rgb.add_local && modes->rgb.add_alpha_local);
 }
 
