@@ -126,8 +126,8 @@ def modes_bytes(modes: Modes) -> list[int]:
 def combine_line(rng, count: int) -> Example:
     """All pixels' levels are alike, their fractions may differ."""
     modes, local, other = any_modes(rng), any_texels(rng, count), any_texels(rng, count)
-    has_other, has_alpha, has_lod = rng.random(3) < (0.85, 0.6, 0.5)
-    level, is_one = int(rng.integers(0, 9)), has_lod or rng.random() < 0.3
+    has_other, has_alpha, is_one = rng.random(3) < (0.85, 0.6, 0.6)
+    level = int(rng.integers(0, 9))
     fractions = np.full(count, rng.choice((0, 255, rng.integers(0, 256)))) if is_one \
         else rng.integers(0, 256, count)
     lod = level * 256 + fractions
@@ -137,7 +137,10 @@ def combine_line(rng, count: int) -> Example:
     blocks = {"other": pixels(other), "details": details.astype(np.uint8).tobytes(),
               "fractions": fractions.astype(np.uint8).tobytes()}
     step = int(not is_one)
+    flip = 255 * (modes.trilinear & level)
+    known = [int(n) if rng.random() < 0.7 and is_one else -1 for n in (details[0], fractions[0])]
+    known.append(flip if rng.random() < 0.8 else -1)
     return Example("tmu_combine_line", pixels(local), pixels(found), count, "tmu_combine_call",
                    {"modes": modes_bytes(modes), "detail_step": step, "fraction_step": step,
-                    "odd": level & 1, "has_lod": has_lod, "has_other": has_other,
-                    "has_alpha": has_alpha, "lod": int(lod[0])}, blocks)
+                    "odd": level & 1, "has_other": has_other, "has_alpha": has_alpha, "spare": 0}
+                   | dict(zip(("detail", "fraction", "flip"), known)), blocks)

@@ -9,28 +9,26 @@ struct half {
     int32 is_whole;             /* m is 256 everywhere */
 };
 
-static int32 is_whole(const struct half *half, const struct tmu_modes *modes,
-                      const struct tmu_lod *lod)
+/* The factor of all pixels; -1: it differs. */
+static int32 factor_of(const struct half *half, const struct tmu_known *known)
 {
     int32 m = 0;
 
     switch (half->factor) {
     case 0: break;
-    case TMU_FACTOR_DETAIL: m = lod ? tmu_detail_factor(modes, lod->value) : -1; break;
-    case TMU_FACTOR_LOD_FRACTION: m = lod ? lod->value & 255 : -1; break;
-    default: return 0;
+    case TMU_FACTOR_DETAIL: m = known->detail; break;
+    case TMU_FACTOR_LOD_FRACTION: m = known->fraction; break;
+    default: return -1;
     }
-    if (m < 0 || (modes->trilinear && !lod))
-        return 0;
-    if (modes->trilinear && lod->odd)
-        m ^= 255;
-    return (half->by->reverse ? m : m ^ 255) == 255;
+    return m < 0 || known->flip < 0 ? -1 : m ^ known->flip ^ (half->by->reverse ? 0 : 255);
 }
 
 /* Alpha's own channel has two names: `own` is the one to go by. */
-static void open_half(struct half *half, const struct tmu_combination *by, int32 has_other,
-                      int32 is_alpha, uint32 own)
+static void open_half(struct half *half, const struct tmu_combination *by,
+                      const struct tmu_known *known, int32 has_other, int32 is_alpha, uint32 own)
 {
+    int32 value;
+
     half->by = by;
     half->is_alpha = is_alpha;
     half->other = has_other && !by->zero_other;
@@ -38,6 +36,10 @@ static void open_half(struct half *half, const struct tmu_combination *by, int32
         || (by->mselect == TMU_FACTOR_OTHER_ALPHA && !has_other) ? 0 : by->mselect;
     if (is_alpha && (half->factor == TMU_FACTOR_LOCAL || half->factor == TMU_FACTOR_LOCAL_ALPHA))
         half->factor = own;
+    value = factor_of(half, known);
+    half->is_whole = value == 255;
+    if (!value && !by->sub_local)       /* other / 256 */
+        half->other = 0;
 }
 
 /* Of (other - local) m + local, or without the last. */
@@ -115,14 +117,21 @@ static void add_alpha(struct tmu_combining *to, const struct half *rgb, const st
         to->inverted |= 255;
 }
 
+void tmu_known_find(struct tmu_known *known, const struct tmu_modes *modes,
+                    const struct tmu_lod *lod)
+{
+    known->detail = tmu_detail_factor(modes, lod->value);
+    known->fraction = lod->value & 255;
+    known->flip = modes->trilinear && lod->odd ? 255 : 0;
+}
+
 void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
-                        const struct tmu_lod *lod, int32 has_other, int32 has_alpha)
+                        const struct tmu_known *known, int32 has_other, int32 has_alpha)
 {
     struct half rgb, alpha;
     enum tmu_term term;
 
-    open_half(&rgb, &modes->rgb, has_other, 0, 0);
-    rgb.is_whole = is_whole(&rgb, modes, lod);
+    open_half(&rgb, &modes->rgb, known, has_other, 0, 0);
     term = find_term(&rgb);
     if (term == TMU_TERM_ZERO)
         term = TMU_TERM_ANY;
@@ -132,9 +141,8 @@ void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
     to->alpha = TMU_TERM_ANY;
     to->alpha_way = TMU_ALPHA_UNSEEN;
     if (has_alpha) {
-        open_half(&alpha, &modes->alpha, has_other, 1, rgb.factor == TMU_FACTOR_LOCAL
+        open_half(&alpha, &modes->alpha, known, has_other, 1, rgb.factor == TMU_FACTOR_LOCAL
                   ? TMU_FACTOR_LOCAL : TMU_FACTOR_LOCAL_ALPHA);
-        alpha.is_whole = is_whole(&alpha, modes, lod);
         add_alpha(to, &rgb, &alpha);
     }
     if (!has_other)

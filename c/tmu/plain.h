@@ -30,10 +30,9 @@ struct tmu_combine_call {
     const uint32 *other;
     const uint8 *details, *fractions;
     int32 detail_step, fraction_step;
+    int32 detail, fraction, flip;       /* as struct tmu_known */
     uint8 odd;                  /* the level is */
-    uint8 has_lod;              /* 1: one for all pixels, `lod` */
-    uint8 has_other, has_alpha;
-    int32 lod;
+    uint8 has_other, has_alpha, spare;
 };
 
 /* Of the local texels in. Without has_alpha alpha becomes 0. */

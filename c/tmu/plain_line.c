@@ -8,12 +8,12 @@ void tmu_combine_line_c(const struct tx_call *call)
     struct tmu_combining combining;
     struct tmu_factors factors;
     uint32 *out = call->out;
-    struct tmu_lod lod;
+    struct tmu_known known;
 
-    lod.value = given->lod;
-    lod.odd = given->odd;
-    tmu_combining_find(&combining, &given->modes, given->has_lod ? &lod : 0, given->has_other,
-                       given->has_alpha);
+    known.detail = given->detail;
+    known.fraction = given->fraction;
+    known.flip = given->flip;
+    tmu_combining_find(&combining, &given->modes, &known, given->has_other, given->has_alpha);
     factors.details = given->details;
     factors.fractions = given->fractions;
     factors.detail_step = given->detail_step;

@@ -67,7 +67,11 @@ static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struc
 static int32 is_passed(struct tmu_combining *combining, const struct tmu_modes *modes,
                        int32 has_other, int32 has_alpha)
 {
-    tmu_combining_find(combining, modes, 0, has_other, has_alpha);
+    struct tmu_known known;
+
+    known.detail = known.fraction = -1;
+    known.flip = modes->trilinear ? -1 : 0;
+    tmu_combining_find(combining, modes, &known, has_other, has_alpha);
     return tmu_shows(combining, TMU_TERM_OTHER);
 }
 
@@ -76,6 +80,7 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
 {
     const struct tmu_chain *chain = &pipe->chain;
     int32 has_alpha = pixel_bytes == 4;
+    struct tmu_known known;
 
     plan->pipe = pipe;
     plan->planes = &iterations->planes;
@@ -90,7 +95,8 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
             if (!find_sampling(&plan->units[n], chain->units[n], pipe->levels[n], iterations,
                                tmu_has_own(chain) ? n : 0))
                 return 0;
-            tmu_combining_find(combining, modes, &plan->units[n].lod, has_other, has_alpha);
+            tmu_known_find(&known, modes, &plan->units[n].lod);
+            tmu_combining_find(combining, modes, &known, has_other, has_alpha);
         }
         if (n == plan->last && tmu_shows(combining, TMU_TERM_OTHER))
             plan->last = n + 1;
