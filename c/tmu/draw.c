@@ -139,7 +139,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     if (!find_planes(&at, s, &of[0], 0)
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
-    passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
+    passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
     line = s->edges.lines;
     for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
