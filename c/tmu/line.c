@@ -48,7 +48,7 @@ static void find_lods(const struct tmu_runs *runs, const struct tmu_row *row, in
         int32 lod = runs->part->lod - 256;
 
         if (modes->dither)
-            lod += tmu_dither(x + i * row->step, row->y);
+            lod += tmu_dither(x + (i << row->step_bits), row->y);
         lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
     }
     tmu_lod(&at, depths->lods, &lods, count);
@@ -61,7 +61,7 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
     const struct tmu_part *part = runs->part;
     const struct tmu_modes *modes = &part->tmu->modes;
     const struct tmu_band *band = &part->bands->of[runs->band];
-    const int32 alike = (!part->by_w || !runs->by.w) && (!modes->dither || row->step == 4);
+    const int32 alike = (!part->by_w || !runs->by.w) && (!modes->dither || row->step_bits);
     const int32 count = alike ? 1 : runs->count;
     struct tmu_nearness nearness;
 
@@ -85,35 +85,41 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
     }
 }
 
-/* A unit that does not divide has s and t of 0 behind the projector too. */
-static void find_coordinates(const struct tmu_runs *runs, struct tmu_steps *steps)
+static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
 {
-    const int32 is_none = steps->behind && runs->at.w < 0;
-    struct tmu_iterators at;
+    static const struct tmu_iterators none = {0, 0, 0};
+    const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
 
-    at.s = is_none ? 0 : runs->at.s;
-    at.t = is_none ? 0 : runs->at.t;
-    at.w = runs->at.w;
     steps->s = is_none ? 0 : runs->by.s;
     steps->t = is_none ? 0 : runs->by.t;
     steps->w = runs->by.w;
-    runs->part->coordinates(&at, work->coordinates, steps, runs->count);
+    runs->part->coordinates(is_none ? &none : &runs->at, work->coordinates, steps, runs->count);
 }
 
-/* A run by its own unit. other: what comes from upstream; 0: nothing, or nobody asks. */
-static int32 draw_run(const struct tmu_runs *runs, const struct tmu_row *row, int32 x,
+/* How a run's texels are found, with its coordinates; 0: they are not. */
+static const struct tmu_sampling *find_sampling(struct tmu_runs *runs)
+{
+    struct tmu_sampling *from = &runs->part->samplings[runs->band];
+
+    if (!from->level && !tmu_sampling_find(runs->part, runs->band))
+        return 0;
+    find_coordinates(runs, &from->steps);
+    return from;
+}
+
+/* A run by its own unit; x: its first pixel. other: what comes from upstream; 0: nothing, or nobody
+   asks. */
+static int32 draw_run(struct tmu_runs *runs, const struct tmu_row *row, int32 x,
                       const uint32 *other, uint32 *to)
 {
-    struct tmu_part *part = runs->part;
-    const uint32 bits = part->bands->of[runs->band].bits;
-    struct tmu_sampling *from;
+    const struct tmu_part *part = runs->part;
+    const struct tmu_sampling *from;
     struct tmu_factors factors;
 
-    if (bits & TMU_NEEDS_OWN) {
-        from = tmu_sampling_find(part, runs->band);
+    if (part->bands->of[runs->band].bits & TMU_NEEDS_OWN) {
+        from = find_sampling(runs);
         if (!from)
             return 0;
-        find_coordinates(runs, &from->steps);
         from->sample(work->coordinates, part->combines ? work->texels : to, from->level,
                      runs->count);
     }
@@ -126,48 +132,47 @@ static int32 draw_run(const struct tmu_runs *runs, const struct tmu_row *row, in
 
 /* A row's pixels `first` to `first` + count - 1 by a unit and those upstream. What comes from there
    is drawn before, if all runs need it, or run by run. */
-static int32 draw_unit(const struct tmu_row *row, uint32 unit, int32 first, int32 count,
+static int32 draw_part(struct tmu_part *part, const struct tmu_row *row, int32 first, int32 count,
                        uint32 *to)
 {
-    const struct tmu_bands *bands = row->plan->parts[unit].bands;
-    const int32 has_other = unit + 1 < row->plan->count;
-    const int32 before = has_other && bands->every & TMU_NEEDS_OTHER
+    const struct tmu_bands *bands = part->bands;
+    const int32 before = part->upstream && bands->every & TMU_NEEDS_OTHER
         && !(bands->bits & TMU_IS_OTHER);
     struct tmu_runs runs;
 
-    if (before && !draw_unit(row, unit + 1, first, count, work->other))
+    if (before && !draw_part(part->upstream, row, first, count, work->other))
         return 0;
-    tmu_runs_open(&runs, row, unit, first, count);
+    tmu_runs_open(&runs, part, row, first, count);
     for (int32 done = 0; tmu_runs_next(&runs); done += runs.count) {
-        const uint32 bits = has_other ? bands->of[runs.band].bits : 0;
+        const uint32 bits = part->upstream ? bands->of[runs.band].bits : 0;
         const uint32 *other = before ? work->other + done : 0;
 
         if (bits & TMU_IS_OTHER) {
-            if (!draw_unit(row, unit + 1, first + done, runs.count, to + done))
+            if (!draw_part(part->upstream, row, first + done, runs.count, to + done))
                 return 0;
             continue;
         }
         if (bits & TMU_NEEDS_OTHER && !before) {
-            if (!draw_unit(row, unit + 1, first + done, runs.count, work->other))
+            if (!draw_part(part->upstream, row, first + done, runs.count, work->other))
                 return 0;
             other = work->other;
         }
-        if (!draw_run(&runs, row, row->x + (first + done) * row->step, other, to + done))
+        if (!draw_run(&runs, row, row->x + ((first + done) << row->step_bits), other, to + done))
             return 0;
     }
     return 1;
 }
 
 /* As four lines of each fourth pixel: dithering is the same all along them. */
-static int32 draw_quarters(struct tmu_row *row, int32 count, uint32 *to)
+static int32 draw_quarters(struct tmu_plan *plan, struct tmu_row *row, int32 count, uint32 *to)
 {
     const int32 x = row->x;
     struct tmu_quarters quarters;
 
-    row->step = 4;
+    row->step_bits = 2;
     for (int32 i = 0; i < 4 && i < count; i++) {
         row->x = x + i;
-        if (!draw_unit(row, 0, 0, (count - i + 3) >> 2, depths->quarters[i]))
+        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, depths->quarters[i]))
             return 0;
     }
     quarters.bytes = sizeof depths->quarters[0];
@@ -176,17 +181,17 @@ static int32 draw_quarters(struct tmu_row *row, int32 count, uint32 *to)
 }
 
 /* The filter's texels as pixels of 16 bits, without a store of their own. */
-static int32 draw_direct(const struct tmu_row *row, uint16 *pixels, int32 count)
+static int32 draw_direct(struct tmu_part *part, const struct tmu_row *row, uint16 *pixels,
+                         int32 count)
 {
-    struct tmu_sampling *from;
+    const struct tmu_sampling *from;
     struct tmu_runs runs;
 
-    tmu_runs_open(&runs, row, 0, 0, count);
+    tmu_runs_open(&runs, part, row, 0, count);
     for (; tmu_runs_next(&runs); pixels += runs.count) {
-        from = tmu_sampling_find(runs.part, runs.band);
+        from = find_sampling(&runs);
         if (!from)
             return 0;
-        find_coordinates(&runs, &from->steps);
         if (from->sample == tmu_bilinear) {
             tmu_bilinear_565(work->coordinates, pixels, from->level, runs.count);
         } else {
@@ -197,14 +202,15 @@ static int32 draw_direct(const struct tmu_row *row, uint16 *pixels, int32 count)
     return 1;
 }
 
-static int32 draw_row(struct tmu_row *row, uint8 *pixels, int32 pixel_bytes, int32 count,
-                      int32 mixed)
+static int32 draw_row(struct tmu_plan *plan, struct tmu_row *row, uint8 *pixels,
+                      int32 pixel_bytes, int32 count, int32 mixed)
 {
     uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
 
-    if (pixel_bytes == 2 && !mixed && !row->plan->parts[0].combines)
-        return draw_direct(row, (uint16 *)pixels, count);
-    if (!(mixed ? draw_quarters(row, count, to) : draw_unit(row, 0, 0, count, to)))
+    if (pixel_bytes == 2 && !mixed && plan->is_direct)
+        return draw_direct(plan->parts, row, (uint16 *)pixels, count);
+    if (!(mixed ? draw_quarters(plan, row, count, to)
+          : draw_part(plan->parts, row, 0, count, to)))
         return 0;
     if (pixel_bytes == 2)
         tmu_store_565(to, pixels, 0, count);
@@ -216,16 +222,19 @@ int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, i
 {
     const int32 bytes = frame->pixel_bytes, end = x + count;
     uint8 *pixels = frame->pixels + y * frame->pitch + x * bytes;
-    int32 mixed = 0;
     struct tmu_row row;
+    int32 mixed;
 
-    row.plan = plan;
     row.y = y;
+    row.x = x;
+    row.step_bits = 0;
+    if (!plan->is_dithered)
+        return draw_row(plan, &row, pixels, bytes, count, 0);
     for (; x < end; x += count, pixels += count * bytes) {
-        count = plan->is_dithered ? tmu_runs_alike(plan, x, y, end - x, &mixed) : end - x;
+        count = tmu_runs_alike(plan, x, y, end - x, &mixed);
         row.x = x;
-        row.step = 1;
-        if (!draw_row(&row, pixels, bytes, count, mixed))
+        row.step_bits = 0;
+        if (!draw_row(plan, &row, pixels, bytes, count, mixed))
             return 0;
     }
     return 1;

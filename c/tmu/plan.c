@@ -26,8 +26,6 @@ struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
     const struct tmu_modes *modes = &part->tmu->modes;
     const int32 linear = lod->filter == TMU_BILINEAR;
 
-    if (to->level)
-        return to;
     if ((linear && modes->fraction_bits != 4)
         || !tmu_decode(part->tmu, lod->level, linear, &part->levels[lod->level]))
         return 0;
@@ -55,6 +53,7 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
         || (modes->rgb.add_local && modes->rgb.add_alpha_local))
         return 0;
     tmu_bands_find(&pipe->bands[unit], tmu);
+    part->upstream = 0;
     part->tmu = tmu;
     part->levels = pipe->levels[unit];
     part->bands = &pipe->bands[unit];
@@ -65,6 +64,8 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
     part->combines = !shows_texels(modes);
     part->coordinates = divides ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
+    part->looks_behind = modes->clamp_negative_w && !divides;
+    part->is_one = part->bands->count == 1 && !part->looks_behind;
     part->ready = 0;
     for (uint32 band = 0; band < part->bands->count; band++)
         part->samplings[band].level = 0;
@@ -75,19 +76,21 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
                     const struct tmu_iterations *iterations)
 {
     const uint32 varies = TMU_DETAILS_DIFFER | TMU_FRACTIONS_DIFFER;
+    struct tmu_part **place = 0, *part = plan->parts;
     uint32 bits = TMU_NEEDS_OTHER;
+    int32 lods = 0;
 
     plan->is_dithered = 0;
-    plan->count = 0;
-    for (int32 lods = 0; ; plan->count++) {
-        struct tmu_part *part = &plan->parts[plan->count];
-
-        if (plan->count == pipe->chain.count || !(bits & TMU_NEEDS_OTHER))
-            return tmu_line_ready(lods);
-        if (!find_part(part, pipe, plan->count, iterations))
+    for (uint32 n = 0; n < pipe->chain.count && bits & TMU_NEEDS_OTHER; n++, part++) {
+        if (!find_part(part, pipe, n, iterations))
             return 0;
+        if (place)
+            *place = part;
+        place = &part->upstream;
         bits = part->bands->bits;
         plan->is_dithered |= part->tmu->modes.dither && part->bands->count > 1;
         lods |= plan->is_dithered || bits & varies;
     }
+    plan->is_direct = !plan->parts[0].combines;
+    return tmu_line_ready(lods);
 }

@@ -31,6 +31,7 @@ struct tmu_sampling {
 
 /* One unit's part in a polygon. */
 struct tmu_part {
+    struct tmu_part *upstream;  /* 0: nothing that counts */
     const struct tmu *tmu;
     struct tmu_kept *levels;
     const struct tmu_bands *bands;
@@ -39,6 +40,8 @@ struct tmu_part {
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
     int32 combines;             /* or else its texels are its colours */
+    int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
+    int32 is_one;               /* all its pixels are drawn alike */
     tmu_pass *coordinates;
     uint32 ready;               /* bit n: limits[n] are there */
     /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
@@ -48,15 +51,14 @@ struct tmu_part {
 };
 
 struct tmu_plan {
-    struct tmu_part parts[TMU_UNITS];
-    uint32 count;               /* of units, from the pixel on, that count */
+    struct tmu_part parts[TMU_UNITS];   /* the first is nearest the pixel */
     int32 is_dithered;
+    int32 is_direct;            /* texels are pixels: 16-bit ones may come from a pass */
 };
 
-/* Pixels of one line: x, x + step, x + 2 step, ... A step of 4: one dither for all. */
+/* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
 struct tmu_row {
-    struct tmu_plan *plan;
-    int32 x, y, step;
+    int32 x, y, step_bits;      /* 0 or 2 */
 };
 
 /* Pieces of a row in which all that chooses a unit's passes is the same. */
@@ -78,11 +80,25 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
 /* Passes to a band's texels; 0: there are none, or memory is short. */
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
 
-/* runs.c. The pieces of a unit's pixels `first` to `first` + count - 1 of a row: before the first of
-   them; then the next one, 0: there is none. Where w passes 0 or wraps a new one begins. */
-void tmu_runs_open(struct tmu_runs *runs, const struct tmu_row *row, uint32 unit, int32 first,
-                   int32 count);
-int32 tmu_runs_next(struct tmu_runs *runs);
+/* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
+void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
+                   int32 first, int32 count);
+
+/* runs.c. The run behind this one. */
+void tmu_runs_find(struct tmu_runs *runs);
+
+/* The next run; 0: there is none. Where w passes 0 or wraps a new one begins. */
+static inline int32 tmu_runs_next(struct tmu_runs *runs)
+{
+    runs->left -= runs->count;
+    if (!runs->left)
+        return 0;
+    if (runs->part->is_one)
+        runs->count = runs->left;
+    else
+        tmu_runs_find(runs);
+    return 1;
+}
 
 /* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other bands
    (*mixed = 1), or none. */

@@ -68,47 +68,41 @@ static int32 pixels_of_band(struct tmu_part *part, int32 dither, int32 w, int32 
     return pixels_between(w, step, n < last ? limits[n + 1] : 0, limits[n], left);
 }
 
-static void set_iterators(struct tmu_iterators *at, const struct tmu_part *part, int32 x, int32 y)
+void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
+                   int32 first, int32 count)
 {
     const struct planes *planes = &part->iterations->planes;
-
-    at->s = (int32)planes_at(planes, part->first + TMU_S, x, y);
-    at->t = (int32)planes_at(planes, part->first + TMU_T, x, y);
-    at->w = (int32)planes_at(planes, part->first + TMU_W, x, y);
-}
-
-void tmu_runs_open(struct tmu_runs *runs, const struct tmu_row *row, uint32 unit, int32 first,
-                   int32 count)
-{
-    struct tmu_part *part = &row->plan->parts[unit];
-    const struct plane *of = &part->iterations->planes.of[part->first];
-    const uint32 step = (uint32)row->step;
+    const struct plane *of = &planes->of[part->first];
+    const uint32 bits = row->step_bits, right = (uint32)(row->x + (first << bits) - planes->i);
+    const uint32 down = (uint32)(row->y - planes->j);
 
     runs->part = part;
-    set_iterators(&runs->at, part, row->x + first * row->step, row->y);
-    runs->by.s = (int32)(of[TMU_S].dx * step);
-    runs->by.t = (int32)(of[TMU_T].dx * step);
-    runs->by.w = (int32)(of[TMU_W].dx * step);
+    runs->at.s = (int32)(of[TMU_S].at + right * of[TMU_S].dx + down * of[TMU_S].dy);
+    runs->at.t = (int32)(of[TMU_T].at + right * of[TMU_T].dx + down * of[TMU_T].dy);
+    runs->at.w = (int32)(of[TMU_W].at + right * of[TMU_W].dx + down * of[TMU_W].dy);
+    runs->by.s = (int32)(of[TMU_S].dx << bits);
+    runs->by.t = (int32)(of[TMU_T].dx << bits);
+    runs->by.w = (int32)(of[TMU_W].dx << bits);
     runs->dither = part->tmu->modes.dither ? tmu_dither(row->x, row->y) / (LOD_ONE / 16) : 0;
     runs->left = count;
     runs->count = 0;
+    runs->band = 0;
 }
 
-int32 tmu_runs_next(struct tmu_runs *runs)
+static void step(int32 *at, int32 by, int32 count)
 {
-    const uint32 passed = (uint32)runs->count;
+    *at = (int32)((uint32)*at + (uint32)by * (uint32)count);
+}
 
-    runs->left -= runs->count;
-    if (!runs->left)
-        return 0;
-    if (passed) {
-        runs->at.s = (int32)((uint32)runs->at.s + passed * (uint32)runs->by.s);
-        runs->at.t = (int32)((uint32)runs->at.t + passed * (uint32)runs->by.t);
-        runs->at.w = (int32)((uint32)runs->at.w + passed * (uint32)runs->by.w);
+void tmu_runs_find(struct tmu_runs *runs)
+{
+    if (runs->count) {
+        step(&runs->at.s, runs->by.s, runs->count);
+        step(&runs->at.t, runs->by.t, runs->count);
+        step(&runs->at.w, runs->by.w, runs->count);
     }
     runs->count = pixels_of_band(runs->part, runs->dither, runs->at.w, runs->by.w, runs->left,
                                  &runs->band);
-    return 1;
 }
 
 /* As tmu_runs_alike, by the line's least and greatest dither. */
@@ -135,9 +129,9 @@ static int32 part_alike(struct tmu_part *part, int32 x, int32 y, int32 count, in
 static int32 plan_alike(struct tmu_plan *plan, int32 x, int32 y, int32 count, int32 *mixed)
 {
     *mixed = 0;
-    for (uint32 n = 0; n < plan->count; n++)
-        if (plan->parts[n].tmu->modes.dither)
-            count = part_alike(&plan->parts[n], x, y, count, mixed);
+    for (struct tmu_part *part = plan->parts; part; part = part->upstream)
+        if (part->tmu->modes.dither)
+            count = part_alike(part, x, y, count, mixed);
     return count;
 }
 
