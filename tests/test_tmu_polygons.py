@@ -7,14 +7,16 @@ import os
 
 import numpy as np
 import pytest
-from tmu_random import HEIGHT, WIDTH, Case, case, scene
+from tmu_random import FAR, HEIGHT, WIDTH, Case, case, scene
 
-from tools import model, run
+from tools import model, run, scene_pipes
 from tools.scene_file import ONE, read, write
+from tools.tmu import polygon
+from tools.tmu.lod import chosen, level_of_detail
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
 SEED = int(os.environ.get("TMU_SEED", "1"))
-COUNT = int(os.environ.get("TMU_COUNT", "40"))
+COUNT = int(os.environ.get("TMU_COUNT", "60"))
 BOOT = 100  # polygons
 PIXELS = ("rgb565", "rgba8888")
 
@@ -28,12 +30,44 @@ def explain(seed: int, number: int, pixels: str, each: Case, expected: np.ndarra
     lines = [f"seed {seed}, polygon {number}, {pixels}: {len(wrong)} pixels of {WIDTH}x{HEIGHT}; "
              f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}",
              f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}"]
+    lines[1] += f", kind {each.kind}"
     lines += [f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)]
     names = ("x", "y", "s", "t", "shade", "w")
     lines += ["  " + ", ".join(f"{name} {value / ONE:.6f}" for name, value in zip(names, vertex))
               for vertex in each.vertices]
     return "\n".join([*lines, f"  again: TMU_SEED={seed} TMU_CASE={number} .deps/venv/bin/python "
                               f"-m pytest tests/test_tmu_polygons.py -k {pixels}"])
+
+
+def levels(each: Case) -> list[set[int]]:
+    """Which levels each unit draws the polygon's pixels from."""
+    made = scene([each], SEED, "rgb565")
+    units, frame = scene_pipes.units_of(made, 0), np.zeros((HEIGHT, WIDTH), np.uint16)
+    settings = model.Settings(edges=each.edges, clip=each.clip, mapper="tiled")
+    half = len(each.vertices) // (1 + each.own)
+    screen, found = [v[:2] for v in each.vertices[:half]], []
+    for n, unit in enumerate(units):
+        corners = each.vertices[half * (n and each.own):][:half]
+        sharing = [unit] if each.own else units
+        divided = any(u.modes.perspective for u in sharing)
+        at = polygon.points(screen, [(s, t, w) for _, _, s, t, _, w in corners], divided, frame,
+                            settings)
+        if at:
+            point = at[1]
+            lod = level_of_detail(unit.modes, point.base, point.w, point.x, point.y)
+            found.append(set(np.unique(chosen(unit.modes, lod)).tolist()))
+    return found
+
+
+def test_polygons_with_many_levels() -> None:
+    """The generator makes them in all ways in which levels are drawn."""
+    cases = [case(SEED, n) for n in range(max(COUNT, 100))]
+    many = [(each, most) for each in cases
+            if (most := max(map(len, levels(each)), default=0)) > 2]
+    assert {each.kind for each, _ in many} >= FAR
+    assert max(most for _, most in many) > 5
+    assert {modes["mode"] for each, _ in many for modes in each.modes} == {"nearest",
+                                                                         "nearest_dither"}
 
 
 def test_the_polygons_differ() -> None:
@@ -56,6 +90,11 @@ def test_the_polygons_differ() -> None:
     assert sum(n > 9 for n in drawn) > len(cases) / 3
 
 
+def has_fine_weights(each: Case) -> bool:
+    """Bilinear with weights of 8 bits: no pass draws that."""
+    return any(modes["bits"] == 8 and "bilinear" in modes["filters"] for modes in each.modes)
+
+
 @pytest.mark.parametrize("pixels", PIXELS)
 @pytest.mark.parametrize("off", [None, "all"])
 def test_frames_are_the_models(pixels: str, off: str | None) -> None:
@@ -64,18 +103,21 @@ def test_frames_are_the_models(pixels: str, off: str | None) -> None:
     first = 0 if off is None else COUNT  # other polygons
     many = COUNT if off is None else COUNT // 4
     numbers = [int(alone)] if alone else list(range(first, first + many))
-    wrong, rules, spans = [], set(), set()
+    wrong, slow, rules, spans = [], [], set(), set()
     for k in range(0, len(numbers), BOOT):
         cases = [case(SEED, number) for number in numbers[k:k + BOOT]]
         made = scene(cases, SEED, pixels)
         done = run.render(made, "a1200-fast", "addx", off)
         rules |= {rule for material in done.executed for rule in material["rules"]}
         spans |= set(run.total(done.figures)["spans"])
+        slow += [number for number, each, material in zip(numbers[k:], cases, done.executed)
+                 if "tmu_pixels" in material["spans"] and not has_fine_weights(each)]
         for frame, (number, each, found) in enumerate(zip(numbers[k:], cases, done.frames)):
             expected = model.render(made, frame)
             if not np.array_equal(found, expected):
                 wrong.append(explain(SEED, number, pixels, each, expected, found))
     assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
+    assert off or not slow, f"polygons {slow} of seed {SEED} are drawn pixel by pixel"
     if off is None and not alone:
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
         assert {"tmu_passes", "tmu_pixels"} < spans, spans

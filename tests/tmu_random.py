@@ -17,14 +17,15 @@ W_MAX = 1 << 30
 PALETTE, NCC = 0, 1024  # where tables lie in the texture memory
 MEMORY_BYTES = 1 << 17  # of all units, random
 KINDS = ("any",) * 8 + ("plain", "trilinear", "levels") * 2 + ("detail", "pass")
-FAR = ("trilinear", "levels", "detail", "pass")  # polygons with many levels
+FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
 
 
 @dataclass
 class Case:
-    """One polygon and its units; ``units``: registers, bytes of memory, where it begins, bits
+    """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
     of weights; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
 
+    kind: str
     units: list[tuple]
     vertices: list[tuple]
     edges: str
@@ -163,7 +164,7 @@ def case(seed: int, number: int) -> Case:
         row, found = unit(rng, kind, n, count, perspective != other)
         units.append(row)
         modes.append(found)
-    return Case(units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
+    return Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, modes)
 
 
