@@ -21,7 +21,7 @@ static struct depths *depths;
 
 int32 tmu_line_ready(int32 lods)
 {
-    if (!work && !mem_alloc(&work, sizeof *work, MEMORY_ANY))
+    if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
         work = 0;
     if (!lods || depths)
         return work != 0;
