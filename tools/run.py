@@ -21,7 +21,7 @@ from .scene_file import ONE, SETTINGS, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
-               f"DMA and interrupts off; measured in E-clock ticks of {CYCLES_PER_TICK} cycles")
+               f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40
 GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # of a whole animation, where that is no slower
 ROWS_MAX = 10  # frames that are listed one by one
