@@ -1,7 +1,11 @@
 #include "tmu/bands.h"
 
 #define LOD_ONE 256             /* 1.0 */
-#define UNKNOWN (-1)            /* a factor */
+
+/* What others leave and ask for. */
+struct tmu_wanted {
+    int32 has_other, has_alpha;
+};
 
 /* Whether a half of the combine unit multiplies anything. */
 static int32 multiplies(const struct tmu_combination *by)
@@ -15,77 +19,49 @@ static int32 asks_for(const struct tmu_modes *modes, uint32 factor)
         || (multiplies(&modes->alpha) && modes->alpha.mselect == factor);
 }
 
-/* A half's factor in a band, if it is one only. */
-static int32 factor_in(const struct tmu_combination *by, const struct tmu_band *band)
+static uint32 bits_of(const struct tmu_combining *combining)
 {
-    const int32 flip = band->flip ^ (by->reverse ? 0 : 255);
-
-    switch (by->mselect) {
-    case TMU_FACTOR_LOCAL:
-    case TMU_FACTOR_OTHER_ALPHA:
-    case TMU_FACTOR_LOCAL_ALPHA:
-        return UNKNOWN;
-    case TMU_FACTOR_DETAIL:
-        return band->bits & TMU_DETAILS_DIFFER ? UNKNOWN : band->detail ^ flip;
-    case TMU_FACTOR_LOD_FRACTION:
-        return band->bits & TMU_FRACTIONS_DIFFER ? UNKNOWN : band->fraction ^ flip;
-    default:
-        return flip;
-    }
-}
-
-/* What a half is made of; own: how often its own channel is added to the product. Factor 255 leaves
-   a difference as it is. 0 leaves 1/256, rounded down: 0 of what is not negative. */
-static uint32 half_bits(const struct tmu_combination *by, const struct tmu_band *band, uint32 own,
-                        uint32 alpha)
-{
-    const int32 factor = factor_in(by, band), is_whole = factor == 255;
     uint32 bits = 0;
 
-    if (multiplies(by) && (by->mselect == TMU_FACTOR_LOCAL || by->mselect == TMU_FACTOR_LOCAL_ALPHA))
+    if (combining->reads & TMU_READS_LOCAL)
         bits |= TMU_NEEDS_OWN;
-    if (alpha || (is_whole ? own != by->sub_local : own || by->sub_local))
-        bits |= TMU_NEEDS_OWN;
-    if (multiplies(by) && by->mselect == TMU_FACTOR_OTHER_ALPHA)
+    if (combining->reads & TMU_READS_OTHER)
         bits |= TMU_NEEDS_OTHER;
-    if (!by->zero_other && (factor || by->sub_local))
-        bits |= TMU_NEEDS_OTHER;
-    if (is_whole && !by->zero_other && !(bits & TMU_NEEDS_OWN) && !by->invert)
+    if (combining->reads & TMU_READS_OTHER_ALPHA)
+        bits |= TMU_NEEDS_OTHER_ALPHA;
+    if (tmu_shows(combining, TMU_TERM_LOCAL))
+        bits |= TMU_IS_OWN;
+    if (tmu_shows(combining, TMU_TERM_OTHER))
         bits |= TMU_IS_OTHER;
     return bits;
 }
 
-static uint32 needs(const struct tmu_modes *modes, const struct tmu_band *band)
-{
-    const struct tmu_combination *rgb = &modes->rgb, *alpha = &modes->alpha;
-    const uint32 colour = half_bits(rgb, band, rgb->add_local, rgb->add_alpha_local);
-    const uint32 rest = half_bits(alpha, band, alpha->add_local || alpha->add_alpha_local, 0);
-
-    return ((colour | rest) & ~(uint32)TMU_IS_OTHER) | (colour & rest & TMU_IS_OTHER);
-}
-
 /* A band from one LOD to another. */
-static void set_band(struct tmu_band *band, const struct tmu_modes *modes, int32 from, int32 to)
+static void set_band(struct tmu_band *band, const struct tmu_modes *modes, int32 from, int32 to,
+                     const struct tmu_wanted *wanted)
 {
-    const int32 detail = tmu_detail_factor(modes, from);
+    struct tmu_known known;
 
     tmu_lod_at(modes, from, &band->lod);
-    band->detail = band->fraction = band->bits = 0;
-    band->flip = modes->trilinear && band->lod.odd
-        && (multiplies(&modes->rgb) || multiplies(&modes->alpha)) ? 255 : 0;
+    known.detail = known.fraction = known.flip = 0;
+    if (modes->trilinear && band->lod.odd && (multiplies(&modes->rgb) || multiplies(&modes->alpha)))
+        known.flip = 255;
     if (asks_for(modes, TMU_FACTOR_DETAIL)) {
-        if (detail == tmu_detail_factor(modes, to))
-            band->detail = (uint8)detail;
-        else
-            band->bits |= TMU_DETAILS_DIFFER;
+        known.detail = tmu_detail_factor(modes, from);
+        if (known.detail != tmu_detail_factor(modes, to))
+            known.detail = TMU_UNKNOWN;
     }
-    if (asks_for(modes, TMU_FACTOR_LOD_FRACTION)) {
-        if (from == to)
-            band->fraction = (uint8)from;
-        else
-            band->bits |= TMU_FRACTIONS_DIFFER;
-    }
-    band->bits |= (uint8)needs(modes, band);
+    if (asks_for(modes, TMU_FACTOR_LOD_FRACTION))
+        known.fraction = from == to ? from & 255 : TMU_UNKNOWN;
+    tmu_combining_find(&band->combining, modes, &known, wanted->has_other, wanted->has_alpha);
+    band->bits = (uint8)bits_of(&band->combining);
+    if (known.detail == TMU_UNKNOWN)
+        band->bits |= TMU_DETAILS_DIFFER;
+    if (known.fraction == TMU_UNKNOWN)
+        band->bits |= TMU_FRACTIONS_DIFFER;
+    band->detail = (uint8)(known.detail == TMU_UNKNOWN ? 0 : known.detail);
+    band->fraction = (uint8)(known.fraction == TMU_UNKNOWN ? 0 : known.fraction);
+    band->flip = (uint8)known.flip;
 }
 
 /* The nearest of two that lies beyond a LOD. */
@@ -112,10 +88,13 @@ static int32 next_break(const struct tmu_modes *modes, int32 lod)
 static int32 is_same(const struct tmu_band *a, const struct tmu_band *b)
 {
     return a->lod.level == b->lod.level && a->lod.filter == b->lod.filter && a->flip == b->flip
-        && a->detail == b->detail && a->fraction == b->fraction && a->bits == b->bits;
+        && a->detail == b->detail && a->fraction == b->fraction && a->bits == b->bits
+        && a->combining.rgb == b->combining.rgb && a->combining.alpha == b->combining.alpha
+        && a->combining.alpha_way == b->combining.alpha_way;
 }
 
-static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes)
+static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
+                       const struct tmu_wanted *wanted)
 {
     const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
     int32 from = least < most ? least : most, next;
@@ -126,7 +105,7 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes)
         struct tmu_band *band = &bands->of[bands->count];
 
         next = from < most ? next_break(modes, from) : most + 1;
-        set_band(band, modes, from, next - 1);
+        set_band(band, modes, from, next - 1, wanted);
         if (bands->count && is_same(band, band - 1))
             continue;
         bands->count++;
@@ -135,16 +114,21 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes)
     }
 }
 
-void tmu_bands_find(struct tmu_bands *bands, const struct tmu *tmu)
+void tmu_bands_find(struct tmu_bands *bands, const struct tmu *tmu, int32 has_other,
+                    int32 has_alpha)
 {
     uint32 key[TMU_BANDS_KEY], differs = !bands->count;
+    struct tmu_wanted wanted;
 
+    wanted.has_other = has_other;
+    wanted.has_alpha = has_alpha;
     key[0] = (uint32)tmu;
     key[1] = tmu->mode_generation;
+    key[2] = (uint32)(has_other << 1 | has_alpha);
     for (int32 i = 0; i < TMU_BANDS_KEY; i++) {
         differs |= key[i] ^ bands->key[i];
         bands->key[i] = key[i];
     }
     if (differs)
-        make_bands(bands, &tmu->modes);
+        make_bands(bands, &tmu->modes, &wanted);
 }

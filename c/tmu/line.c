@@ -113,19 +113,21 @@ static int32 draw_run(struct tmu_runs *runs, const struct tmu_row *row, int32 x,
                       const uint32 *other, uint32 *to)
 {
     const struct tmu_part *part = runs->part;
+    const struct tmu_band *band = &part->bands->of[runs->band];
     const struct tmu_sampling *from;
     struct tmu_factors factors;
 
-    if (part->bands->of[runs->band].bits & TMU_NEEDS_OWN) {
+    if (band->bits & TMU_NEEDS_OWN) {
         from = find_sampling(runs);
         if (!from)
             return 0;
-        from->sample(work->coordinates, part->combines ? work->texels : to, from->level,
+        from->sample(work->coordinates, band->bits & TMU_IS_OWN ? to : work->texels, from->level,
                      runs->count);
     }
-    if (part->combines) {
+    if (!(band->bits & TMU_IS_OWN)) {
         find_factors(&factors, runs, row, x);
-        tmu_combine_line(part->tmu, &factors, work->texels, other, to, runs->count);
+        tmu_combine_line(&band->combining, &part->tmu->modes, &factors, work->texels, other, to,
+                         runs->count);
     }
     return 1;
 }

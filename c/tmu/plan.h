@@ -4,6 +4,7 @@
 
 #include "polygon/planes.h"
 #include "scene/scene_file.h"
+#include "tmu/combining.h"
 #include "tmu/unit.h"
 
 /* Numbers of planes. */
@@ -39,7 +40,6 @@ struct tmu_part {
     int32 first;                /* plane */
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
-    int32 combines;             /* or else its texels are its colours */
     int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
     int32 is_one;               /* all its pixels are drawn alike */
     tmu_pass *coordinates;
@@ -53,7 +53,7 @@ struct tmu_part {
 struct tmu_plan {
     struct tmu_part parts[TMU_UNITS];   /* the first is nearest the pixel */
     int32 is_dithered;
-    int32 is_direct;            /* texels are pixels: 16-bit ones may come from a pass */
+    int32 is_direct;            /* texels are pixels of 16 bits: they may come from a pass */
 };
 
 /* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
@@ -73,9 +73,10 @@ struct tmu_runs {
    several. */
 int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod);
 
-/* Finds the passes for a polygon; 0: there are none for these modes, or memory is short. */
+/* Finds the passes for a polygon; 0: there are none for these modes, or memory is short.
+   pixel_bytes: of the frame. */
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
-                    const struct tmu_iterations *iterations);
+                    const struct tmu_iterations *iterations, int32 pixel_bytes);
 
 /* Passes to a band's texels; 0: there are none, or memory is short. */
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
@@ -113,9 +114,10 @@ struct tmu_factors {
 };
 
 /* combine_line.c. Makes a line of local and other texels, R G B A; other: 0 where there is nothing
-   upstream. `to` may be `other`, but not local. */
-void tmu_combine_line(const struct tmu *tmu, const struct tmu_factors *factors,
-                      const uint32 *local, const uint32 *other, uint32 *to, int32 count);
+   upstream. `to` is neither. */
+void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_modes *modes,
+                      const struct tmu_factors *factors, const uint32 *local,
+                      const uint32 *other, uint32 *to, int32 count);
 
 /* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a unit
    looks at them or is dithered; 0: there is none. */
