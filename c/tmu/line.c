@@ -25,7 +25,7 @@ int32 tmu_line_ready(int32 lods)
         work = 0;
     if (!lods || depths)
         return work != 0;
-    if (mem_alloc(&depths, sizeof *depths, MEMORY_ANY))
+    if (mem_take(&depths, sizeof *depths, MEMORY_ANY))
         tmu_logarithms_make(depths->logarithms, tmu_logarithms);
     else
         depths = 0;
