@@ -53,8 +53,10 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
     part->coordinates = divides ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
     part->looks_behind = modes->clamp_negative_w && !divides;
-    part->is_one = part->bands->count == 1 && !part->looks_behind;
     part->ready = 0;
+    part->is_one = !part->looks_behind
+        && (part->bands->count == 1 || !(iterations->divided[points] || modes->dither));
+    part->band = part->is_one ? tmu_runs_band(part) : 0;
     for (uint32 band = 0; band < part->bands->count; band++)
         part->samplings[band].level = 0;
     return 1;
@@ -83,6 +85,6 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
         lods |= plan->is_dithered || bits & varies;
         part++;
     }
-    plan->is_direct = pixel_bytes == 2 && plan->parts[0].bands->every & TMU_IS_OWN;
+    plan->is_direct = (plan->parts[0].bands->every & TMU_IS_OWN) != 0;
     return tmu_line_ready(lods);
 }

@@ -41,7 +41,8 @@ struct tmu_part {
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
     int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
-    int32 is_one;               /* all its pixels are drawn alike */
+    int32 is_one;               /* all its pixels are of one band, */
+    uint32 band;                /* this one */
     tmu_pass *coordinates;
     uint32 ready;               /* bit n: limits[n] are there */
     /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
@@ -53,7 +54,7 @@ struct tmu_part {
 struct tmu_plan {
     struct tmu_part parts[TMU_UNITS];   /* the first is nearest the pixel */
     int32 is_dithered;
-    int32 is_direct;            /* texels are pixels of 16 bits: they may come from a pass */
+    int32 is_direct;            /* texels are pixels */
 };
 
 /* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
@@ -80,6 +81,9 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
 
 /* Passes to a band's texels; 0: there are none, or memory is short. */
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
+
+/* runs.c. The band of pixels whose w is 1.0. */
+uint32 tmu_runs_band(struct tmu_part *part);
 
 /* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
 void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
