@@ -4,6 +4,7 @@
    prints a line before each case that is timed, and before every REPORTED-th. */
 #include "bench/kernels.h"
 #include "bench/plan_file.h"
+#include "screen/plain.h"
 #include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/file.h"
@@ -53,6 +54,7 @@ static const struct kernel c_kernels[] = {
     PASS(tmu_lerp_c), PASS(tmu_scale_c), PASS(tmu_modulate_c), PASS(tmu_add_c),
     PASS(tmu_combiner_c), PASS(tmu_divide_c), PASS(tmu_lod_c), PASS(tmu_logarithms_c),
     PASS(tmu_dithered_c),
+    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_32_c), PASS(ham8_control),
     {0, 0}
 };
 
