@@ -1,27 +1,23 @@
 """Scenes with Glide's texture units: what TOML may say, what it becomes, and the guest's frames."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from PIL import Image
+from engine_scenes import check_refused, compiled, explain, run_command, save_noise, scene_text
 
-from tools import model, run, scene_file, scene_pipes
-from tools.errors import UserError
+from tools import emulator, fuzz, model, run, scene_file, scene_pipes
 from tools.paths import SCENES
 from tools.scene import compile_scene
+from tools.scene_file import Scene
 from tools.tmu import images
 from tools.tmu.mipmap import levels
 from tools.tmu.words import FORMATS
 from tools.tx.images import read
 
-NAMES = ("glide_floor",)
+NAMES = ("glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
+WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
 
-HEAD = """\
-width = 64
-height = 48
-frames = {frames}
-format = "{pixels}"
-background = "#102030"
-"""
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
@@ -30,46 +26,63 @@ OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
 @pytest.fixture
 def folder(tmp_path):
     """A directory with pictures: noise 32x32, odd 24x20, long 64x4."""
-    rng = np.random.default_rng(3)
-    for name, size in (("noise", (32, 32)), ("odd", (20, 24)), ("long", (4, 64))):
-        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
-        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), long=(4, 64))
     return tmp_path
 
 
-def make(folder, glide: str, obj: str = SQUARE, pixels: str = "rgba8888", frames: int = 1,
-         more: str = ""):
-    """The compiled scene of one material, one object."""
-    (folder / "scene.toml").write_text(
-        HEAD.format(frames=frames, pixels=pixels)
-        + f"[materials]\nit = {{ {more}glide = {{ {glide} }} }}\n"
-        + f'[[objects]]\nmaterial = "it"\n{obj}\n')
-    return compile_scene(folder / "scene.toml")
+def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
+    """A scene of one material, one object."""
+    return scene_text(f"{more}glide = {{ {glide} }}", obj, **kinds)
+
+
+def make(folder, *args, **kinds):
+    """The compiled scene of ``text_of``."""
+    return compiled(folder, text_of(*args, **kinds))
 
 
 def units(*each: str) -> str:
     return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
 
 
-def check_frames(scene, name: str, off: str | None) -> None:
+def check_frames(scene, name: str, off: str | None, again: str = "") -> None:
     """Compares the guest's frames with the model's."""
     done = run.render(scene, "a1200-fast", "addx", off)
     for number, found in enumerate(done.frames):
         expected = model.render(scene, number)
-        wrong = np.argwhere(found != expected)
-        digits = 2 * scene.pixel.bytes
-        text = "".join(f"; pixel ({x}, {y}) is {found[y, x]:#0{digits + 2}x}, not "
-                       f"{expected[y, x]:#0{digits + 2}x}" for y, x in wrong[:1])
-        assert not len(wrong), (
-            f"{name}, frame {number}: {len(wrong)} pixels are not the model's{text}; again: "
-            f"scripts/tmap run tests/scenes/{name}.toml" + (f" --off {off}" if off else ""))
+        assert np.array_equal(found, expected), explain(
+            f"{name}, frame {number}", expected, found,
+            again or run_command(name, scene.frames, off))
         assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
+
+
+def shown(name: str, off: str | None) -> Scene:
+    """A scene's first frame; without rules, when every pixel takes its time, its middle."""
+    whole = compile_scene(SCENES / f"{name}.toml", 1)
+    if not off:
+        return whole
+    width, height = whole.width // 8 * 4, whole.height // 2
+    poses = whole.poses.copy()  # meshes have the middle of the frame before them anyway
+    poses[:, 4:] -= np.array([whole.width - width, whole.height - height]) << 15
+    return replace(whole, width=width, height=height, poses=poses)
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[tuple, tuple]:
+    """The scenes by name and the rules that are off, and the guest's digests, all of one boot."""
+    scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
+    found = fuzz.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
+                      patience=emulator.PATIENT_SECONDS)
+    return {key: (scene, digest) for (key, scene), digest in zip(scenes.items(), found)}
 
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("off", [None, "all"])
-def test_frames_are_the_models(name: str, off: str | None) -> None:
-    check_frames(compile_scene(SCENES / f"{name}.toml", 1), name, off)
+def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
+    scene, digests = drawn[name, off]
+    if not fuzz.is_models(model.render(scene, 0), digests[0]):
+        check_frames(scene, name, off)
+        raise AssertionError(f"{name}: the first frame is the model's in a boot of its own only")
+    assert len(np.unique(model.render(scene, 0))) > 30, f"{name}: hardly any colours"
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -121,8 +134,23 @@ def test_projected(folder):
                      's = "clamp", own = true, weights = 8')
         scene = make(folder, "perspective = true, " + both,
                      SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
-                     + OWN + "\nw1 = [1, 2, -3, -1]", "rgb565")
-        check_frames(scene, "a projected picture", None)
+                     + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
+        check_frames(scene, f"a projected picture, {form}", None,
+                     ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k projected")
+
+
+def test_slide(folder):
+    """Both units' coordinates move, each by its own way, and nothing else."""
+    both = units(UNIT + ', combine = { function = "blend", factor = "local" }',
+                 UNIT + ", own = true")
+    scene = make(folder, both, SQUARE + "\n" + OWN + "\nslide = [8, -16]\nslide1 = [0.5, 1]",
+                 frames=3)
+    corners = scene.vertices.reshape(3, 8, 6)
+    moved = np.repeat([[8, -16], [0.5, 1]], 4, axis=0) * 65536
+    for age in range(3):
+        assert np.array_equal(corners[age, :, 2:4], corners[0, :, 2:4] + age * moved), age
+    assert np.array_equal(np.delete(corners, [2, 3], 2), np.delete(corners[[0] * 3], [2, 3], 2))
+    assert [(obj.first_frame, obj.poses) for obj in scene.objects] == [(0, 1), (1, 1), (2, 1)]
 
 
 def test_equal_units_and_texels_are_there_once(folder):
@@ -181,11 +209,7 @@ MESSAGES = [
 @pytest.mark.parametrize("glide, message", MESSAGES)
 def test_refused(folder, glide, message):
     """One line that names file and field."""
-    with pytest.raises(UserError) as caught:
-        make(folder, glide)
-    text = str(caught.value)
-    assert text.startswith(f"{folder / 'scene.toml'}: materials.it.{message}"), text
-    assert "\n" not in text
+    check_refused(folder, text_of(glide), f"materials.it.{message}")
 
 
 @pytest.mark.parametrize("kinds, message", [
@@ -201,14 +225,13 @@ def test_refused(folder, glide, message):
      "objects[0].vertices: s of two corners: 8192 apart or more"),
     ({"obj": SQUARE + "\n" + OWN},
      "objects[0].st1: material 'it' has no second unit with coordinates of its own"),
+    ({"obj": SQUARE + "\nslide1 = [1, 0]"},
+     "objects[0].slide1: material 'it' has no second unit with coordinates of its own"),
+    ({"obj": SQUARE + "\nslide = [0, 8000]", "frames": 2},
+     "objects[0].slide: frame 1: t must be above -8192 and below 8192"),
 ])
 def test_objects_refused(folder, kinds, message):
-    with pytest.raises(UserError) as caught:
-        make(folder, units(UNIT), **kinds)
-    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
-
-
-MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
+    check_refused(folder, text_of(units(UNIT), **kinds), message)
 
 
 @pytest.mark.parametrize("obj, message", [
@@ -216,10 +239,6 @@ MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
     (SQUARE + "\nst1 = [[0, 0], [8, 0], [8, 8]]", "st1: must have 4 entries, not 3"),
     (SQUARE + "\n" + OWN + "\nw1 = [1, 1, 0, 1]", "w1[2]: must not be 0"),
     (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8192 to 8192"),
-    (MESH, "material: 'it' has a unit with coordinates of its own, which are for polygons only"),
 ])
 def test_coordinates_refused(folder, obj, message):
-    with pytest.raises(UserError) as caught:
-        make(folder, units(UNIT, UNIT + ", own = true"), obj)
-    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: objects[0].{message}"), \
-        caught.value
+    check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

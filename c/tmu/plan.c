@@ -2,90 +2,87 @@
 
 int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod)
 {
-    struct tmu_point least, most;
-    struct tmu_lod other;
+    const struct tmu_modes *modes = &tmu->modes;
+    const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
 
-    least.w = most.w = 1 << 30;
-    least.x = least.y = most.x = most.y = 0;
-    least.lod = TMU_LOD_LEAST;
-    most.lod = TMU_LOD_MOST;
-    tmu_find_lod(tmu, &least, lod);
-    tmu_find_lod(tmu, &most, &other);
-    return lod->value == other.value;
+    tmu_lod_at(modes, least < most ? least : most, lod);
+    return least >= most;
 }
 
-/* Whether all pixels have one LOD. */
-static int32 find_lod(const struct tmu *tmu, const struct tmu_iterations *iterations,
-                      uint32 points, struct tmu_lod *lod)
+struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
 {
-    struct tmu_point point;
+    struct tmu_sampling *to = &part->samplings[band];
+    const struct tmu_lod *lod = &part->bands->of[band].lod;
+    const struct tmu_modes *modes = &part->tmu->modes;
+    const int32 linear = lod->filter == TMU_BILINEAR, bits = linear ? modes->fraction_bits : 4;
 
-    if (tmu_only_lod(tmu, lod))
-        return 1;
-    if (iterations->divided[points] || tmu->modes.dither)
+    if (!tmu_decode(part->tmu, lod->level, linear, &part->levels[lod->level]))
         return 0;
-    point.w = 1 << 30;
-    point.lod = iterations->points[points].lod;
-    point.x = point.y = 0;
-    tmu_find_lod(tmu, &point, lod);
+    to->level = &part->levels[lod->level].decoded;
+    to->sample = !linear ? tmu_point : bits == 8 ? tmu_bilinear_8 : tmu_bilinear;
+    to->steps.shift = (uint16)(18 - bits + lod->level);
+    to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
+    to->steps.behind = modes->clamp_negative_w;
+    to->steps.spare = 0;
+    to->steps.last_s = modes->clamp_s ? (uint16)(to->level->mask_s << (bits - 4)) : 0xffff;
+    to->steps.last_t = modes->clamp_t ? (uint16)(to->level->mask_t << (bits - 4)) : 0xffff;
+    return to;
+}
+
+/* 0: the unit's pixels have no passes. */
+static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit,
+                       const struct tmu_iterations *iterations, int32 has_alpha)
+{
+    const uint32 points = tmu_has_own(&pipe->chain) ? unit : 0;
+    const struct tmu *tmu = pipe->chain.units[unit];
+    const struct tmu_modes *modes = &tmu->modes;
+    const int32 divides = iterations->divided[points] && modes->perspective;
+
+    if ((divides && modes->table_quotients)
+        || (modes->rgb.add_local && modes->rgb.add_alpha_local))
+        return 0;
+    tmu_bands_find(&pipe->bands[unit], tmu, unit + 1 < pipe->chain.count, has_alpha);
+    part->upstream = 0;
+    part->tmu = tmu;
+    part->levels = pipe->levels[unit];
+    part->bands = &pipe->bands[unit];
+    part->iterations = iterations;
+    part->first = points ? TMU_OWN : TMU_S;
+    part->lod = iterations->points[points].lod + modes->lod_bias * 64;
+    part->by_w = modes->perspective;
+    part->coordinates = divides ? tmu_divide
+        : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
+    part->looks_behind = modes->clamp_negative_w && !divides;
+    part->is_one = part->bands->count == 1 && !part->looks_behind;
+    part->ready = 0;
+    for (uint32 band = 0; band < part->bands->count; band++)
+        part->samplings[band].level = 0;
     return 1;
 }
 
-/* Whether a unit's colours are its texels. */
-static int32 shows_texels(const struct tmu_modes *modes)
-{
-    const struct tmu_combination *rgb = &modes->rgb, *alpha = &modes->alpha;
-
-    return rgb->zero_other && !rgb->sub_local && rgb->add_local && !rgb->add_alpha_local
-        && !rgb->invert && alpha->zero_other && !alpha->sub_local
-        && (alpha->add_local || alpha->add_alpha_local) && !alpha->invert;
-}
-
-/* Passes to one level's texels. */
-static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struct tmu_kept *levels,
-                           const struct tmu_iterations *iterations, uint32 points)
-{
-    const struct plane *of = &iterations->planes.of[points ? TMU_OWN : TMU_S];
-    const struct tmu_modes *modes = &tmu->modes;
-    int32 linear;
-
-    if (!find_lod(tmu, iterations, points, &to->lod)
-        || (iterations->divided[points] && (!modes->perspective || modes->table_quotients)))
-        return 0;
-    linear = to->lod.filter == TMU_BILINEAR;
-    if ((linear && modes->fraction_bits != 4)
-        || !tmu_decode(tmu, to->lod.level, linear, &levels[to->lod.level]))
-        return 0;
-    to->level = &levels[to->lod.level].decoded;
-    to->first = points ? TMU_OWN : TMU_S;
-    to->coordinates = iterations->divided[points] ? tmu_divide
-        : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
-    to->sample = linear ? tmu_bilinear : tmu_point;
-    to->steps.s = (int32)of[TMU_S].dx;
-    to->steps.t = (int32)of[TMU_T].dx;
-    to->steps.w = (int32)of[TMU_W].dx;
-    to->steps.shift = (uint16)(14 + to->lod.level);
-    to->steps.half = linear ? 8 : 0;
-    to->steps.behind = modes->clamp_negative_w;
-    to->steps.spare = 0;
-    to->steps.last_s = modes->clamp_s ? to->level->mask_s : 0xffff;
-    to->steps.last_t = modes->clamp_t ? to->level->mask_t : 0xffff;
-    to->combines = !shows_texels(modes);
-    return !(modes->rgb.add_local && modes->rgb.add_alpha_local);
-}
-
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
-                    const struct tmu_iterations *iterations)
+                    const struct tmu_iterations *iterations, int32 pixel_bytes)
 {
-    const struct tmu_chain *chain = &pipe->chain;
+    const uint32 varies = TMU_DETAILS_DIFFER | TMU_FRACTIONS_DIFFER;
+    struct tmu_part **place = 0, *part = plan->parts;
+    int32 lods = 0, has_alpha = pixel_bytes == 4;
+    uint32 bits = TMU_NEEDS_OTHER;
 
-    plan->pipe = pipe;
-    plan->planes = &iterations->planes;
-    plan->first = shows_texels(&chain->units[0]->modes) ? 0 : chain->count - 1;
-    for (uint32 n = 0; n <= plan->first; n++)
-        if (!find_sampling(&plan->units[n], chain->units[n], pipe->levels[n], iterations,
-                           tmu_has_own(chain) ? n : 0))
+    plan->is_dithered = 0;
+    for (uint32 n = 0; n < pipe->chain.count && bits & TMU_NEEDS_OTHER; n++) {
+        if (!find_part(part, pipe, n, iterations, has_alpha))
             return 0;
-    plan->is_direct = !plan->units[0].combines && plan->units[0].lod.filter == TMU_BILINEAR;
-    return tmu_line_ready();
+        bits = part->bands->bits;
+        has_alpha = (bits & TMU_NEEDS_OTHER_ALPHA) != 0;
+        if (!place && part->bands->every & TMU_IS_OTHER)
+            continue;                   /* nothing of this unit is seen */
+        if (place)
+            *place = part;
+        place = &part->upstream;
+        plan->is_dithered |= part->tmu->modes.dither && part->bands->count > 1;
+        lods |= plan->is_dithered || bits & varies;
+        part++;
+    }
+    plan->is_direct = pixel_bytes == 2 && plan->parts[0].bands->every & TMU_IS_OWN;
+    return tmu_line_ready(lods);
 }
