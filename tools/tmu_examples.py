@@ -10,6 +10,7 @@ from collections.abc import Callable
 from . import tmu_examples_combine as combine
 from . import tmu_examples_depth as depth
 from . import tmu_examples_sample as sample
+from . import tmu_examples_tiles as tiles
 from .tx_example import Example
 
 #: Pass to the maker of its examples.
@@ -24,9 +25,9 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_dithered": sample.dithered,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
     "tmu_add": combine.add, "tmu_combiner": combine.combine, "tmu_quads": sample.quads,
-}
+} | tiles.MAKERS
 #: Tables, made by C alone.
 IN_C_ALONE = ("tmu_quads", "tmu_logarithms")
 #: Other input of a pass: beside it there is no C.
 FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
-         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide"}
+         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide"} | tiles.FORMS

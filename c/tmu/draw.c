@@ -5,7 +5,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "tmu/plan.h"
+#include "tmu/tiles.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
@@ -128,10 +128,11 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
                                        const struct iteration *of)
 {
     static struct tmu_iterations at;
+    static struct tmu_tiling tiling;
     const struct scanline *line;
     enum polygon_result result;
     struct tmu_plan plan;
-    int32 passes;
+    int32 passes, tiles;
 
     s->vertices = planes_vertices(s->given, s->count);
     result = outline_find(s);
@@ -143,8 +144,11 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
+    tiles = passes && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
+    if (tiles)
+        tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+    for (int32 y = tiles ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
         if (count > 0 && passes)
@@ -154,8 +158,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     }
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[passes ? SPAN_TMU_PASSES : SPAN_TMU_PIXELS] += lines_pixels(
-            s->edges.lines, s->box.bottom - s->box.top);
+        s->counts->pixels[tiles ? SPAN_TMU_TILES : passes ? SPAN_TMU_PASSES : SPAN_TMU_PIXELS]
+            += lines_pixels(s->edges.lines, s->box.bottom - s->box.top);
     }
     return POLYGON_DRAWN;
 }
@@ -201,6 +205,8 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->own = 0;
     pipe->result = TMU_DONE;
     pipe->memory = memory;
+    pipe->prefilter = TMU_TILES_BYTES;
+    pipe->settled = 0;
     for (int32 unit = 0; unit < TMU_UNITS; unit++)
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
             pipe->levels[unit][level] = none;
@@ -208,4 +214,9 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;
     return tmu_chain_init(&pipe->chain, units, count);
+}
+
+void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes)
+{
+    pipe->prefilter = bytes;
 }
