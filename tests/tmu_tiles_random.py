@@ -48,10 +48,10 @@ def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
     """A parallelogram or a triangle around the frame's middle; ``texel``: s and t of the finest."""
     size = rng.uniform(12, 60)
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)][:rng.choice((3, 4, 4))]
-    texels = [rng.choice((rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(3, 30)))
+    texels = [rng.choice((rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(3, 12)))
               for _ in "st"]
     if kind == "repeated":
-        texels = [rng.uniform(4, 60) for _ in "st"]
+        texels = [rng.uniform(4, 40) for _ in "st"]
     skew = rng.choice((0, 0, rng.uniform(-1, 1)))
     turned = rng.randrange(3) == 0
     s0, t0 = (rng.choice((0, rng.uniform(-40, 300), rng.uniform(-4000, 4000))) for _ in "st")
@@ -83,7 +83,7 @@ def scene(seed: int, numbers: list[int], pixels: str, prefilter: int) -> Scene:
         rng = random.Random(f"tiles, {seed}, {number}")
         kind = KINDS[number % len(KINDS)]
         count = 1 if kind in ("bilinear", "repeated") else 2 if kind != "any" else rng.choice((1, 2))
-        largest = rng.choice((0, 1, 2, 3, 4, 5)) if kind != "repeated" else rng.choice((3, 4, 5, 6))
+        largest = rng.choice((1, 2, 2, 3, 4, 5)) if kind != "repeated" else rng.choice((4, 5, 6))
         pipes.append([len(tmus), count, 0, prefilter])
         tmus += [unit(rng, kind, n, count, max(largest - rng.randrange(2) * n, 0))
                  for n in range(count)]
