@@ -51,7 +51,7 @@ def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
     texels = [rng.choice((rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(3, 12)))
               for _ in "st"]
     if kind == "repeated":
-        texels = [rng.uniform(4, 40) for _ in "st"]
+        texels = [rng.uniform(4, 40) * rng.choice((1, 1, 3)) for _ in "st"]
     skew = rng.choice((0, 0, rng.uniform(-1, 1)))
     turned = rng.randrange(3) == 0
     s0, t0 = (rng.choice((0, rng.uniform(-40, 300), rng.uniform(-4000, 4000))) for _ in "st")

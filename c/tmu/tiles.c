@@ -19,17 +19,25 @@ static int32 find_shift(const struct tmu_plan *plan)
     return shift;
 }
 
-static int32 is_small(const struct plane *plane)
+static uint32 magnitude(uint32 value)
 {
-    return plane->dx + TMU_TILES_STEP < 2 * TMU_TILES_STEP
-        && plane->dy + TMU_TILES_STEP < 2 * TMU_TILES_STEP;
+    return value >> 31 ? 0 - value : value;
 }
 
-/* The units have the same s and t and none divides, and a line's way has 31 bits at most. */
-static int32 is_map(const struct tmu_plan *plan, const struct tmu_iterations *iterations)
+/* Whether its way along a line, and along a column, has 31 bits at most. */
+static int32 is_short(const struct plane *plane, const struct rectangle *box)
+{
+    return magnitude(plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
+        && magnitude(plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
+}
+
+/* The units have the same s and t, and none divides. */
+static int32 is_map(const struct tmu_plan *plan, const struct tmu_iterations *iterations,
+                    const struct rectangle *box)
 {
     return !iterations->divided[0] && !(plan->first && tmu_has_own(&plan->pipe->chain))
-        && is_small(&iterations->planes.of[TMU_S]) && is_small(&iterations->planes.of[TMU_T]);
+        && is_short(&iterations->planes.of[TMU_S], box)
+        && is_short(&iterations->planes.of[TMU_T], box);
 }
 
 /* clamped: how many units clamp. */
@@ -50,11 +58,6 @@ static void find_kinds(struct tmu_tiling *tiling)
     }
     tiling->s.kind = kind_of(plan, s);
     tiling->t.kind = kind_of(plan, t);
-}
-
-static int32 magnitude(int32 value)
-{
-    return value < 0 ? -value : value;
 }
 
 /* How far the vertices' values (16.16) are apart, and the least of them, both in 14.18. */
@@ -78,7 +81,7 @@ static uint32 box_range(const struct setup *s, const struct planes *planes, int3
     const struct plane *plane = &planes->of[which];
     const int32 across = (int32)plane->dx * (s->box.right - s->box.left - 1);
     const int32 down = (int32)plane->dy * (s->box.bottom - s->box.top - 1);
-    const uint32 inside = (uint32)magnitude(across) + (uint32)magnitude(down);
+    const uint32 inside = magnitude((uint32)across) + magnitude((uint32)down);
 
     if (inside >= range)
         return range;
@@ -218,7 +221,7 @@ int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, const stru
     const struct plane *planes = iterations->planes.of;
     uint32 needed;
 
-    if (!room || !is_map(plan, iterations))
+    if (!room || !is_map(plan, iterations, &s->box))
         return 0;
     tiling->pipe = pipe;
     tiling->plan = plan;

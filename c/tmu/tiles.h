@@ -16,7 +16,6 @@
 enum tmu_tiles_constants {
     TMU_TILES_MAX = 64,
     TMU_TILE_BITS = 8,          /* a side has 256 pixels */
-    TMU_TILES_STEP = 1 << 20,   /* 14.18: s and t of pixels side by side are less apart */
     TMU_TILE_SET_KEY = 2 + TMU_UNITS * (4 + sizeof(struct tmu_modes) / 4)
 };
 
