@@ -128,7 +128,7 @@ static struct tmu_tile *make(const struct tmu_pipe *pipe, int32 bytes)
     if (store.is_full || store.count == TMU_TILES_MAX
         || store.bytes + (uint32)bytes > pipe->prefilter)
         return 0;
-    if (!mem_alloc(&tile->memory, bytes, pipe->memory)) {
+    if (!mem_take(&tile->memory, bytes, pipe->memory)) {
         store.is_full = 1;
         return 0;
     }
