@@ -17,7 +17,7 @@ static int32 find_making(struct tmu_tiling *tiling)
         of[n].dx = of[n].dy = 0;
     of[TMU_S].dx = of[TMU_T].dy = 1u << tiling->shift;
     of[TMU_W].at = 1u << 30;
-    tiling->makes = tmu_plan_find(&tiling->making, tiling->pipe, made);
+    tiling->makes = tmu_plan_find(&tiling->making, tiling->pipe, made, tiling->pixel_bytes);
     return tiling->makes;
 }
 

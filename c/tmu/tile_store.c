@@ -56,7 +56,7 @@ static int32 find_key(uint32 *key, const struct tmu_plan *plan, int32 pixel_byte
 
     *key++ = (uint32)pixel_bytes;
     *key++ = (uint32)shift;
-    for (uint32 n = 0; n <= plan->first; n++)
+    for (uint32 n = plan->last; n <= plan->first; n++)
         key = add_unit(key, plan->pipe->chain.units[n], &plan->units[n].lod);
     return (int32)(key - first);
 }

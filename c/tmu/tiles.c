@@ -3,17 +3,21 @@
 
 enum { SIDE = MAP_PAGE_SIDE, SHIFT_LEAST = 14, SHIFT_MOST = 18 };
 
-/* From 14.18 to what makes a difference to any unit that counts: bilinear coordinates have 4 bits
-   more than points. */
+static int32 samples(const struct tmu_plan *plan, uint32 unit)
+{
+    return (plan->units[unit].combining.reads & TMU_READS_LOCAL) != 0;
+}
+
+/* From 14.18 to what makes a difference to any unit that counts: coordinates, of points texels. */
 static int32 find_shift(const struct tmu_plan *plan)
 {
     int32 shift = SHIFT_MOST;
 
-    for (uint32 n = 0; n <= plan->first; n++) {
-        const struct tmu_lod *lod = &plan->units[n].lod;
-        const int32 own = SHIFT_LEAST + lod->level + (lod->filter == TMU_BILINEAR ? 0 : 4);
+    for (uint32 n = plan->last; n <= plan->first; n++) {
+        const struct tmu_steps *steps = &plan->units[n].steps;
+        const int32 own = steps->shift + (steps->half ? 0 : 4);
 
-        if (own < shift)
+        if (samples(plan, n) && own < shift)
             shift = own;
     }
     return shift;
@@ -40,24 +44,27 @@ static int32 is_map(const struct tmu_plan *plan, const struct tmu_iterations *it
         && is_short(&iterations->planes.of[TMU_T], box);
 }
 
-/* clamped: how many units clamp. */
-static int32 kind_of(const struct tmu_plan *plan, uint32 clamped)
+/* clamped: how many of the units clamp. */
+static int32 kind_of(int32 units, int32 clamped)
 {
     return !clamped ? TMU_TILING_WRAPPED
-        : clamped > plan->first ? TMU_TILING_CLAMPED : TMU_TILING_ENDLESS;
+        : clamped == units ? TMU_TILING_CLAMPED : TMU_TILING_ENDLESS;
 }
 
 static void find_kinds(struct tmu_tiling *tiling)
 {
     const struct tmu_plan *plan = tiling->plan;
-    uint32 s = 0, t = 0;
+    int32 units = 0, s = 0, t = 0;
 
-    for (uint32 n = 0; n <= plan->first; n++) {
+    for (uint32 n = plan->last; n <= plan->first; n++) {
+        if (!samples(plan, n))
+            continue;
+        units++;
         s += plan->pipe->chain.units[n]->modes.clamp_s;
         t += plan->pipe->chain.units[n]->modes.clamp_t;
     }
-    tiling->s.kind = kind_of(plan, s);
-    tiling->t.kind = kind_of(plan, t);
+    tiling->s.kind = kind_of(units, s);
+    tiling->t.kind = kind_of(units, t);
 }
 
 /* How far the vertices' values (16.16) are apart, and the least of them, both in 14.18. */
@@ -221,7 +228,7 @@ int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, const stru
     const struct plane *planes = iterations->planes.of;
     uint32 needed;
 
-    if (!room || !is_map(plan, iterations, &s->box))
+    if (!room || !is_map(plan, iterations, &s->box) || find_shift(plan) < SHIFT_LEAST)
         return 0;
     tiling->pipe = pipe;
     tiling->plan = plan;

@@ -1,10 +1,10 @@
 /* Prefiltered tiles: magnified or repeating textures at the price of point sampling.
 
-   Weights of the filter have 4 bits, so its result depends on s and t up to a 1/16 of a texel alone.
-   Where a polygon has one LOD and no changing w, so does the result of the whole chain of units,
-   with the finest level that any of them draws: it is a map, 16 times as fine as that level. A tile
-   is a part of it, 256x256 pixels of the frame, made row by row with the passes that would draw
-   them; lines of polygons are then read from it, the same to the bit.
+   Weights of the filter have 4 bits, so what it makes of s and t depends on 1/16 texels alone. Where
+   a polygon has one LOD and no changing w, so does the result of the whole chain of units, with the
+   finest level that any of them draws: it is a map, 16 times as fine as that level. A tile is a part
+   of it, 256x256 pixels of the frame, made row by row with the passes that would draw them; lines of
+   polygons are then read from it, the same to the bit. (Weights of 8 bits: from level 4 on.)
 
    All pipes share the tiles that there is memory for; those not drawn from for longest are given
    up. */
@@ -92,7 +92,8 @@ uint32 tmu_tiles_now(void);
 /* tile_store.c. 0: it is not there. */
 struct tmu_tile *tmu_tile_find(const struct tmu_tile_set *set, int32 s, int32 t);
 
-/* tile_store.c. A tile without rows, none paid for; 0: memory is short, and all others are the polygon's. */
+/* tile_store.c. A tile without rows, none paid for; 0: memory is short, and all others are the
+   polygon's. */
 struct tmu_tile *tmu_tile_take(const struct tmu_tiling *tiling, int32 s, int32 t);
 
 static inline int32 tmu_tile_held(int32 tile, int32 period)
