@@ -1,10 +1,11 @@
 /* Prefiltered tiles: magnified or repeating textures at the price of point sampling.
 
-   Weights of the filter have 4 bits, so what it makes of s and t depends on 1/16 texels alone. Where
-   a polygon has one LOD and no changing w, so does the result of the whole chain of units, with the
-   finest level that any of them draws: it is a map, 16 times as fine as that level. A tile is a part
-   of it, 256x256 pixels of the frame, made row by row with the passes that would draw them; lines of
-   polygons are then read from it, the same to the bit. (Weights of 8 bits: from level 4 on.)
+   Weights of the filter have 4 bits, so what it makes of s and t depends on 1/16 texels alone.
+   Where a polygon has one LOD and no changing w, so does the result of the whole chain of units,
+   with the finest level that any of them draws: it is a map, 16 times as fine as that level. A
+   tile is a part of it, 256x256 pixels of the frame, made row by row with the passes that would
+   draw them; lines of polygons are then read from it, the same to the bit. (Weights of 8 bits:
+   from level 4 on.)
 
    All pipes share the tiles that there is memory for; those not drawn from for longest are given
    up. */
