@@ -72,7 +72,6 @@ def test_speeds_that_are_promised(found) -> None:
 def test_every_scene_has_rows(found) -> None:
     """Those of depth, effects and wide pixels, on both machines; quicker with fast RAM."""
     names = {path.stem for path in SCENES.glob("*.toml")} - {"default", "mappers", "triangle"}
-    names -= set(bench_scenes.SLOW)
     figures = {(r["name"], r["machine"]): r["cycles_per_frame"] for r in found["frames"]}
     assert figures.keys() == {(f"scene_{name}", machine) for name in names
                               for machine in bench_scenes.MACHINES}

@@ -205,6 +205,15 @@ def store_565(rng, count: int) -> Example:
     return Example("tmu_store_565", texels, packed(texels), count)
 
 
+def interleave(rng, count: int) -> Example:
+    """Pixel n is number n // 4 of array n % 4."""
+    room = (count + 3) // 4 + int(rng.integers(0, 5))
+    quarters = any_texels(rng, 4 * room)
+    found = [quarters[n % 4 * room + n // 4] for n in range(count)]
+    return Example("tmu_interleave", pixels(quarters), pixels(np.array(found)), count,
+                   "tmu_quarters", {"bytes": 4 * room})
+
+
 def dithered(rng, count: int) -> Example:
     """v stays on the map; u wraps."""
     texels = np.random.default_rng(8).integers(0, 256, (256, 256), dtype=np.uint8)

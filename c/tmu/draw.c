@@ -102,6 +102,15 @@ static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
     }
 }
 
+int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
+                    const struct frame *frame, int32 x, int32 y, int32 count)
+{
+    if (plan && tmu_plan_draw(plan, frame, x, y, count))
+        return 0;
+    draw_line(&pipe->chain, at, frame, x, x + count, y);
+    return count;
+}
+
 static int32 lod_base(const struct plane *of)
 {
     return tmu_lod_base((int32)of[TMU_S].dx, (int32)of[TMU_T].dx, (int32)of[TMU_S].dy,
@@ -131,7 +140,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     static struct tmu_tiling tiling;
     const struct scanline *line;
     enum polygon_result result;
-    struct tmu_plan plan;
+    static struct tmu_plan plan;
+    uint32 missed = 0;
     int32 passes, tiles;
 
     result = outline_flat(s);
@@ -143,20 +153,19 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
     tiles = passes && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
     if (tiles)
-        tmu_tiles_draw(&tiling, s);
+        missed = tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
     for (int32 y = tiles ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
-        if (count > 0 && passes)
-            tmu_plan_draw(&plan, s->frame, x, y, count);
-        else if (count > 0)
-            draw_line(&pipe->chain, &at, s->frame, x, x + count, y);
+        if (count > 0)
+            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
     }
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[tiles ? SPAN_TMU_TILES : passes ? SPAN_TMU_PASSES : SPAN_TMU_PIXELS]
-            += lines_pixels(s->edges.lines, s->box.bottom - s->box.top);
+        s->counts->pixels[SPAN_TMU_PIXELS] += missed;
+        s->counts->pixels[tiles ? SPAN_TMU_TILES : SPAN_TMU_PASSES] += lines_pixels(
+            s->edges.lines, s->box.bottom - s->box.top) - missed;
     }
     return POLYGON_DRAWN;
 }
@@ -199,9 +208,11 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->memory = memory;
     pipe->prefilter = TMU_TILES_BYTES;
     pipe->settled = 0;
-    for (int32 unit = 0; unit < TMU_UNITS; unit++)
+    for (int32 unit = 0; unit < TMU_UNITS; unit++) {
+        pipe->bands[unit].count = 0;
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
             pipe->levels[unit][level] = none;
+    }
     page_init(&pipe->page.page);
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;

@@ -21,7 +21,8 @@ static int32 find_making(struct tmu_tiling *tiling)
     return tiling->makes;
 }
 
-static void make_row(struct tmu_tiling *tiling, struct tmu_tile *tile, int32 v)
+/* 0: memory is short. */
+static int32 make_row(struct tmu_tiling *tiling, struct tmu_tile *tile, int32 v)
 {
     struct plane *of = tiling->made.planes.of;
     struct frame row;
@@ -33,10 +34,10 @@ static void make_row(struct tmu_tiling *tiling, struct tmu_tile *tile, int32 v)
     row.pixel_bytes = tiling->pixel_bytes;
     of[TMU_S].at = (uint32)tile->s << (tiling->shift + TMU_TILE_BITS);
     of[TMU_T].at = ((uint32)tile->t << TMU_TILE_BITS | (uint32)v) << tiling->shift;
-    tmu_plan_draw(&tiling->making, &row, 0, 0, SIDE);
+    return tmu_plan_draw(&tiling->making, &row, 0, 0, SIDE);
 }
 
-/* Rows low to high; 0: their passes are not there. */
+/* Rows low to high; 0: memory is short. */
 static int32 make_rows(struct tmu_tiling *tiling, struct tmu_tile *tile, int32 low, int32 high)
 {
     if (tile->from < tile->end && low >= tile->from && high < tile->end)
@@ -46,9 +47,11 @@ static int32 make_rows(struct tmu_tiling *tiling, struct tmu_tile *tile, int32 l
     if (tile->from == tile->end)
         tile->from = tile->end = low;
     for (; tile->from > low; tile->from--)
-        make_row(tiling, tile, tile->from - 1);
+        if (!make_row(tiling, tile, tile->from - 1))
+            return 0;
     for (; tile->end <= high; tile->end++)
-        make_row(tiling, tile, tile->end);
+        if (!make_row(tiling, tile, tile->end))
+            return 0;
     return 1;
 }
 
@@ -121,11 +124,12 @@ static int32 prepare(struct tmu_tiling *tiling, const struct tmu_iterators *at, 
     return 1;
 }
 
-/* A line piece by piece. */
-static void draw_line(struct tmu_tiling *tiling, const struct frame *frame,
+/* A line piece by piece; returns how many pixels were drawn one by one. */
+static int32 draw_line(struct tmu_tiling *tiling, const struct frame *frame,
                       struct tmu_iterators *at, int32 x, int32 y, int32 count)
 {
     uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    int32 missed = 0;
 
     for (;;) {
         const int32 piece = reach(tiling, &tiling->t, at->t,
@@ -134,10 +138,11 @@ static void draw_line(struct tmu_tiling *tiling, const struct frame *frame,
         if (prepare(tiling, at, piece))
             tiling->draw(at, pixels, &tiling->paging, piece);
         else
-            tmu_plan_draw(tiling->plan, frame, x, y, piece);
+            missed += tmu_line_draw(tiling->pipe, tiling->plan, tiling->iterations, frame, x, y,
+                                    piece);
         count -= piece;
         if (!count)
-            return;
+            return missed;
         x += piece;
         pixels += piece * frame->pixel_bytes;
         at->s = (int32)((uint32)at->s + (uint32)(tiling->s.step * piece));
@@ -153,15 +158,16 @@ static int32 is_on(const struct tmu_tiling_axis *axis, int32 at, int32 steps)
     return from < axis->size && from + (uint32)(axis->step * steps) < axis->size;
 }
 
-void tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s)
+uint32 tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s)
 {
-    const struct planes *planes = tiling->plan->planes;
+    const struct planes *planes = &tiling->iterations->planes;
     const struct plane *of = planes->of;
     const struct frame *frame = s->frame;
     const struct scanline *line = s->edges.lines;
     uint32 left_s = planes_at(planes, TMU_S, 0, s->box.top);
     uint32 left_t = planes_at(planes, TMU_T, 0, s->box.top);
     uint8 *row = frame->pixels + s->box.top * frame->pitch;
+    uint32 missed = 0;
 
     for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
         const int32 x = line->left - EDGE_BIAS, last = line->last - line->left;
@@ -173,9 +179,10 @@ void tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s)
         if (last >= 0 && is_on(&tiling->s, at.s, last) && is_on(&tiling->t, at.t, last))
             tiling->draw(&at, row + x * frame->pixel_bytes, &tiling->paging, last + 1);
         else if (last >= 0)
-            draw_line(tiling, frame, &at, x, y, last + 1);
+            missed += (uint32)draw_line(tiling, frame, &at, x, y, last + 1);
         left_s += of[TMU_S].dy;
         left_t += of[TMU_T].dy;
         row += frame->pitch;
     }
+    return missed;
 }

@@ -50,14 +50,16 @@ static uint32 *add_unit(uint32 *key, const struct tmu *tmu, const struct tmu_lod
 
 /* What tiles are made from: not the modes' generation, so that a unit may draw from one map and
    another by turns. */
-static int32 find_key(uint32 *key, const struct tmu_plan *plan, int32 pixel_bytes, int32 shift)
+static int32 find_key(uint32 *key, const struct tmu_tiling *tiling)
 {
+    const struct tmu_part *part = tiling->plan->parts;
+    const struct tmu_lod *lod = tiling->lods;
     const uint32 *first = key;
 
-    *key++ = (uint32)pixel_bytes;
-    *key++ = (uint32)shift;
-    for (uint32 n = plan->last; n <= plan->first; n++)
-        key = add_unit(key, plan->pipe->chain.units[n], &plan->units[n].lod);
+    *key++ = (uint32)tiling->pixel_bytes;
+    *key++ = (uint32)tiling->shift;
+    for (; part; part = part->upstream)
+        key = add_unit(key, part->tmu, lod++);
     return (int32)(key - first);
 }
 
@@ -99,11 +101,10 @@ static struct tmu_tile_set *find(const uint32 *key, int32 words)
     return oldest;
 }
 
-struct tmu_tile_set *tmu_tile_set_find(const struct tmu_plan *plan, int32 pixel_bytes,
-                                       int32 shift)
+struct tmu_tile_set *tmu_tile_set_find(const struct tmu_tiling *tiling)
 {
     uint32 key[TMU_TILE_SET_KEY];
-    const int32 words = find_key(key, plan, pixel_bytes, shift);
+    const int32 words = find_key(key, tiling);
 
     if (!store.last || !is_of(store.last, key, words))
         store.last = find(key, words);

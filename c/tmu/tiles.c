@@ -3,21 +3,17 @@
 
 enum { SIDE = MAP_PAGE_SIDE, SHIFT_LEAST = 14, SHIFT_MOST = 18 };
 
-static int32 samples(const struct tmu_plan *plan, uint32 unit)
-{
-    return (plan->units[unit].combining.reads & TMU_READS_LOCAL) != 0;
-}
-
 /* From 14.18 to what makes a difference to any unit that counts: coordinates, of points texels. */
-static int32 find_shift(const struct tmu_plan *plan)
+static int32 find_shift(const struct tmu_tiling *tiling)
 {
+    const struct tmu_lod *lod = tiling->lods;
     int32 shift = SHIFT_MOST;
 
-    for (uint32 n = plan->last; n <= plan->first; n++) {
-        const struct tmu_steps *steps = &plan->units[n].steps;
-        const int32 own = steps->shift + (steps->half ? 0 : 4);
+    for (const struct tmu_part *part = tiling->plan->parts; part; part = part->upstream, lod++) {
+        const int32 bits = lod->filter == TMU_BILINEAR ? part->tmu->modes.fraction_bits : 0;
+        const int32 own = SHIFT_MOST + lod->level - bits;
 
-        if (samples(plan, n) && own < shift)
+        if (part->bands->bits & TMU_NEEDS_OWN && own < shift)
             shift = own;
     }
     return shift;
@@ -35,13 +31,34 @@ static int32 is_short(const struct plane *plane, const struct rectangle *box)
         && magnitude(plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
 }
 
-/* The units have the same s and t, and none divides. */
-static int32 is_map(const struct tmu_plan *plan, const struct tmu_iterations *iterations,
-                    const struct rectangle *box)
+/* Finds each unit's LOD; 0: pixels differ in it. */
+static int32 find_lods(struct tmu_tiling *tiling, const struct tmu_plan *plan,
+                       const struct tmu_iterations *iterations)
 {
-    return !iterations->divided[0] && !(plan->first && tmu_has_own(&plan->pipe->chain))
-        && is_short(&iterations->planes.of[TMU_S], box)
-        && is_short(&iterations->planes.of[TMU_T], box);
+    struct tmu_lod *lod = tiling->lods;
+    struct tmu_point point;
+
+    point.w = 1 << 30;
+    point.lod = iterations->points[0].lod;
+    point.x = point.y = 0;
+    for (const struct tmu_part *part = plan->parts; part; part = part->upstream, lod++) {
+        if (part->first != TMU_S)
+            return 0;
+        if (tmu_only_lod(part->tmu, lod))
+            continue;
+        if (part->tmu->modes.dither)
+            return 0;
+        tmu_find_lod(part->tmu, &point, lod);
+    }
+    return 1;
+}
+
+/* All units have the same s and t, none divides, and each has one LOD. */
+static int32 is_map(struct tmu_tiling *tiling, const struct tmu_plan *plan,
+                    const struct tmu_iterations *iterations, const struct rectangle *box)
+{
+    return !iterations->divided[0] && is_short(&iterations->planes.of[TMU_S], box)
+        && is_short(&iterations->planes.of[TMU_T], box) && find_lods(tiling, plan, iterations);
 }
 
 /* clamped: how many of the units clamp. */
@@ -53,15 +70,14 @@ static int32 kind_of(int32 units, int32 clamped)
 
 static void find_kinds(struct tmu_tiling *tiling)
 {
-    const struct tmu_plan *plan = tiling->plan;
     int32 units = 0, s = 0, t = 0;
 
-    for (uint32 n = plan->last; n <= plan->first; n++) {
-        if (!samples(plan, n))
+    for (const struct tmu_part *part = tiling->plan->parts; part; part = part->upstream) {
+        if (!(part->bands->bits & TMU_NEEDS_OWN))
             continue;
         units++;
-        s += plan->pipe->chain.units[n]->modes.clamp_s;
-        t += plan->pipe->chain.units[n]->modes.clamp_t;
+        s += part->tmu->modes.clamp_s;
+        t += part->tmu->modes.clamp_t;
     }
     tiling->s.kind = kind_of(units, s);
     tiling->t.kind = kind_of(units, t);
@@ -221,19 +237,22 @@ static int32 is_bought(struct tmu_tiling *tiling, uint32 needed, const struct se
     return 1;
 }
 
-int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, const struct tmu_plan *plan,
-                    const struct tmu_iterations *iterations, const struct setup *s)
+int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, struct tmu_plan *plan,
+                    struct tmu_iterations *iterations, const struct setup *s)
 {
     const int32 room = tmu_tiles_room(pipe, s->frame->pixel_bytes);
     const struct plane *planes = iterations->planes.of;
     uint32 needed;
 
-    if (!room || !is_map(plan, iterations, &s->box) || find_shift(plan) < SHIFT_LEAST)
+    if (!room || !is_map(tiling, plan, iterations, &s->box))
         return 0;
     tiling->pipe = pipe;
     tiling->plan = plan;
+    tiling->iterations = iterations;
     tiling->pixel_bytes = s->frame->pixel_bytes;
-    tiling->shift = find_shift(plan);
+    tiling->shift = find_shift(tiling);
+    if (tiling->shift < SHIFT_LEAST)
+        return 0;
     tiling->period = 1 << (SHIFT_MOST - tiling->shift);
     find_kinds(tiling);
     find_axes(tiling, &iterations->planes, s);
@@ -241,7 +260,7 @@ int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, const stru
         || tiling->s.tiles * tiling->t.tiles > room)
         return 0;
     tiling->now = tmu_tiles_now();
-    tiling->set = tmu_tile_set_find(plan, tiling->pixel_bytes, tiling->shift);
+    tiling->set = tmu_tile_set_find(tiling);
     needed = price(tiling);
     if (needed && (pipe->settled || !is_bought(tiling, needed, s)))
         return 0;

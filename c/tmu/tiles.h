@@ -56,7 +56,9 @@ struct tmu_tiling_axis {
 /* A polygon that is drawn from tiles. */
 struct tmu_tiling {
     struct tmu_pipe *pipe;
-    const struct tmu_plan *plan;
+    struct tmu_plan *plan;
+    struct tmu_iterations *iterations;
+    struct tmu_lod lods[TMU_UNITS];     /* of the plan's parts */
     struct tmu_tile_set *set;
     struct tmu_tiling_axis s, t;
     tmu_pass *draw;
@@ -74,18 +76,22 @@ struct tmu_tiling {
    without them, and its own, are as many as it needs made first. What is made then costs no more
    than what had been drawn, or would have been made at once: together at most twice the cheaper
    of both. */
-int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, const struct tmu_plan *plan,
-                    const struct tmu_iterations *iterations, const struct setup *s);
+int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, struct tmu_plan *plan,
+                    struct tmu_iterations *iterations, const struct setup *s);
 
-/* tile_lines.c. Draws the polygon's lines. */
-void tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s);
+/* tile_lines.c. Draws the polygon's lines; returns how many pixels were drawn one by one. */
+uint32 tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s);
+
+/* draw.c. Draws pixels of a line without tiles: by passes, or, where there are none (plan is 0, or
+   memory is short), one by one; returns how many of those. */
+int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
+                    const struct frame *frame, int32 x, int32 y, int32 count);
 
 /* tile_store.c. How many tiles of these pixels the pipe may have. */
 int32 tmu_tiles_room(const struct tmu_pipe *pipe, int32 pixel_bytes);
 
 /* tile_store.c. The chain's; one that was not used for long is given up for it. */
-struct tmu_tile_set *tmu_tile_set_find(const struct tmu_plan *plan, int32 pixel_bytes,
-                                       int32 shift);
+struct tmu_tile_set *tmu_tile_set_find(const struct tmu_tiling *tiling);
 
 /* tile_store.c. A number for the next polygon. */
 uint32 tmu_tiles_now(void);
