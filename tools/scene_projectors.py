@@ -4,10 +4,10 @@ by a projector, a camera the other way round.
 A mesh has one s and t a corner, so these are polygons of the scene, some for each frame: their
 corners are found here, as the 68020 finds those of meshes (tools.model_mesh), so that edges meet. A
 projector's picture is at Q, the depth before it, where the camera sees depth w; what is linear on
-the screen is 1 / w, s / w and t / w, and S Q / w, T Q / w and Q / w of the second unit. So its s and
-t are those in the picture and its w is w / Q: below 0 behind the projector. Next to the plane that
-it stands on they grow without end; a face with a corner there is cut, and what is CONE or more from
-the picture counts as behind.
+the screen is 1 / w, s / w and t / w, and S Q / w, T Q / w and Q / w of the second unit. So its s
+and t are those in the picture and its w is w / Q: below 0 behind the projector. Next to the plane
+that it stands on they grow without end; a face with a corner there is cut, and what is CONE or more
+from the picture counts as behind.
 """
 
 import math
@@ -133,8 +133,8 @@ class Faces:
     def shown(self, face: np.ndarray, number_: int, frame: int) -> list[np.ndarray]:
         """A face, or parts of it, whose coordinates units draw."""
         if len(face) > self.most:
-            fail(self.where, f"face {number_} has {len(face)} corners on the screen in frame {frame}; "
-                             f"with coordinates of their own {self.most} at most")
+            fail(self.where, f"face {number_} has {len(face)} corners on the screen in frame "
+                             f"{frame}; with coordinates of their own {self.most} at most")
         if fits(face):
             return [face]
         if not self.clamp_w:
