@@ -13,6 +13,7 @@ from tools.tmu.words import ASPECTS, FACTORS, FORMATS, FUNCTIONS, Words
 WIDTH, HEIGHT = 96, 64
 FRAMES = 6  # of a case
 ONE = 65536
+MOST = 3000  # s and t of two corners are less than twice as far apart
 KINDS = ("bilinear", "bilinear", "repeated", "trilinear", "modulate", "any", "point")
 
 
@@ -51,7 +52,7 @@ def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
     texels = [rng.choice((rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(3, 12)))
               for _ in "st"]
     if kind == "repeated":
-        texels = [rng.uniform(4, 40) * rng.choice((1, 1, 3)) for _ in "st"]
+        texels = [min(rng.uniform(4, 40) * rng.choice((1, 1, 3)), MOST / texel) for _ in "st"]
     skew = rng.choice((0, 0, rng.uniform(-1, 1)))
     turned = rng.randrange(3) == 0
     s0, t0 = (rng.choice((0, rng.uniform(-40, 300), rng.uniform(-4000, 4000))) for _ in "st")
