@@ -112,7 +112,7 @@ UNCALLED = (Step("clamping, inside the map", "tmu_point", "tmu_point_inside", "t
                  "tmu_bilinear_small"),
             Step("trilinear filtering, magnified", "tmu_double", "tmu_trilinear_double",
                  "tmu_bilinear_small"),
-            Step("a detail texture, too far away", "tmu_bilinear_perspective", "tmu_detail_away",
+            Step("a detail texture, too far away", "tmu_away", "tmu_detail_away",
                  "tmu_bilinear_perspective_small"),
             Step("a second unit that does not count", "tmu_bilinear", "tmu_decal",
                  "tmu_bilinear_small"))

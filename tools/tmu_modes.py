@@ -104,6 +104,7 @@ MODES = (
     Mode("tmu_point_perspective", "point, perspective", of(**DEEP), "deep"),
     Mode("tmu_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
          "bilinear"),
+    Mode("tmu_away", "the same, minified", of(BILINEAR, **DEEP), "away", "bilinear"),
     Mode("tmu_level_point", "point, perspective, all as deep", of(**DEEP), "level"),
     Mode("tmu_level_bilinear", "bilinear, perspective, all as deep", of(BILINEAR, **DEEP), "level",
          "bilinear"),

@@ -99,8 +99,7 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
     const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
     int32 from = least < most ? least : most, next;
 
-    bands->count = bands->bits = 0;
-    bands->every = ~(uint32)0;
+    bands->count = 0;
     for (; from <= most; from = next) {
         struct tmu_band *band = &bands->of[bands->count];
 
@@ -109,8 +108,6 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
         if (bands->count && is_same(band, band - 1))
             continue;
         bands->count++;
-        bands->bits |= band->bits;
-        bands->every &= band->bits;
     }
 }
 

@@ -6,6 +6,7 @@
 #include "polygon/lower.h"
 #include "polygon/outline.h"
 #include "tmu/tiles.h"
+#include "tmu/wide.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
@@ -123,13 +124,42 @@ static int32 is_constant(const struct plane *w)
     return w->at == (uint32)scale.one && !w->dx && !w->dy;
 }
 
+static int32 least_of(int32 a, int32 b)
+{
+    return a < b ? a : b;
+}
+
+/* W of the box's pixels. No pixel of the polygon has more than 2^30, so that a change by less than that
+   wraps nowhere. */
+static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
+                       const struct setup *s, const struct plane *w)
+{
+    const int32 left = s->box.left - at->planes.i, right = s->box.right - 1 - at->planes.i;
+    const int32 top = s->box.top - at->planes.j, bottom = s->box.bottom - 1 - at->planes.j;
+    const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
+    const int32 dx = (int32)w->dx, dy = (int32)w->dy;
+    const uint32 most = 1u << 30, across = tmu_magnitude(dx), down = tmu_magnitude(dy);
+
+    range->least = range->most = 0;
+    if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
+        return;
+    range->least = (int32)w->at + least_of(dx * left, dx * right) + least_of(dy * top, dy * bottom);
+    range->most = (int32)w->at - least_of(-dx * left, -dx * right)
+        - least_of(-dy * top, -dy * bottom);
+    if (range->least < 0)
+        range->least = 0;
+}
+
 static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
                          const struct iteration *of, uint32 unit)
 {
+    const struct plane *w = &at->planes.of[of->first + TMU_W];
+
     if (!planes_coordinates(&at->planes, s, of->first, &of->corners, &scale, of->divided))
         return 0;
     at->points[unit].lod = lod_base(&at->planes.of[of->first]);
-    at->divided[unit] = of->divided && !is_constant(&at->planes.of[of->first + TMU_W]);
+    find_range(&at->ranges[unit], at, s, w);
+    at->divided[unit] = of->divided && !is_constant(w);
     return 1;
 }
 

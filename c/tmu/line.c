@@ -138,8 +138,8 @@ static int32 draw_part(struct tmu_part *part, const struct tmu_row *row, int32 f
                        uint32 *to)
 {
     const struct tmu_bands *bands = part->bands;
-    const int32 before = part->upstream && bands->every & TMU_NEEDS_OTHER
-        && !(bands->bits & TMU_IS_OTHER);
+    const int32 before = part->upstream && part->every & TMU_NEEDS_OTHER
+        && !(part->bits & TMU_IS_OTHER);
     struct tmu_runs runs;
 
     if (before && !draw_part(part->upstream, row, first, count, work->other))

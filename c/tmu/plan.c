@@ -29,6 +29,29 @@ struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
     return to;
 }
 
+/* Which bands there may be over the polygon. */
+static void find_bands(struct tmu_part *part, const struct tmu_range *range)
+{
+    static const struct tmu_range one = {1 << 30, 1 << 30};
+    const struct tmu_range *sizes = part->by_w ? range : &one;
+    uint32 last = part->bands->count - 1;
+
+    part->band = 0;
+    if (sizes->least > 0) {
+        part->band = tmu_runs_band(part, 0, sizes->most);
+        last = tmu_runs_band(part, part->tmu->modes.dither ? TMU_DITHERS - 1 : 0, sizes->least);
+    }
+    if (range->least > 0)
+        part->looks_behind = 0;
+    part->is_one = part->band == last && !part->looks_behind;
+    part->bits = 0;
+    part->every = ~(uint32)0;
+    for (uint32 n = part->band; n <= last; n++) {
+        part->bits |= part->bands->of[n].bits;
+        part->every &= part->bands->of[n].bits;
+    }
+}
+
 /* 0: the unit's pixels have no passes. */
 static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit,
                        const struct tmu_iterations *iterations, int32 has_alpha)
@@ -54,9 +77,7 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
     part->looks_behind = modes->clamp_negative_w && !divides;
     part->ready = 0;
-    part->is_one = !part->looks_behind
-        && (part->bands->count == 1 || !(iterations->divided[points] || modes->dither));
-    part->band = part->is_one ? tmu_runs_band(part) : 0;
+    find_bands(part, &iterations->ranges[points]);
     for (uint32 band = 0; band < part->bands->count; band++)
         part->samplings[band].level = 0;
     return 1;
@@ -74,17 +95,17 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
     for (uint32 n = 0; n < pipe->chain.count && bits & TMU_NEEDS_OTHER; n++) {
         if (!find_part(part, pipe, n, iterations, has_alpha))
             return 0;
-        bits = part->bands->bits;
+        bits = part->bits;
         has_alpha = (bits & TMU_NEEDS_OTHER_ALPHA) != 0;
-        if (!place && part->bands->every & TMU_IS_OTHER)
+        if (!place && part->every & TMU_IS_OTHER)
             continue;                   /* nothing of this unit is seen */
         if (place)
             *place = part;
         place = &part->upstream;
-        plan->is_dithered |= part->tmu->modes.dither && part->bands->count > 1;
+        plan->is_dithered |= part->tmu->modes.dither && !part->is_one;
         lods |= plan->is_dithered || bits & varies;
         part++;
     }
-    plan->is_direct = (plan->parts[0].bands->every & TMU_IS_OWN) != 0;
+    plan->is_direct = (plan->parts[0].every & TMU_IS_OWN) != 0;
     return tmu_line_ready(lods);
 }

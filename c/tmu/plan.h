@@ -19,6 +19,9 @@ struct tmu_iterations {
     struct planes planes;
     struct tmu_point points[TMU_UNITS];         /* their LOD; pixels differ in the rest */
     int32 divided[TMU_UNITS];   /* w changes, and a unit divides by it */
+    struct tmu_range {
+        int32 least, most;      /* of W over the polygon's box; least is 0 where it may be below that */
+    } ranges[TMU_UNITS];
 };
 
 typedef void tmu_pass(const void *in, void *out, const void *constants, int32 count);
@@ -41,8 +44,9 @@ struct tmu_part {
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
     int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
-    int32 is_one;               /* all its pixels are of one band, */
-    uint32 band;                /* this one */
+    int32 is_one;               /* all its pixels are of one band */
+    uint32 band;                /* the first that there may be */
+    uint32 bits, every;         /* of those that there may be, as tmu_bands' */
     tmu_pass *coordinates;
     uint32 ready;               /* bit n: limits[n] are there */
     /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
@@ -82,8 +86,8 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
 /* Passes to a band's texels; 0: there are none, or memory is short. */
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
 
-/* runs.c. The band of pixels whose w is 1.0. */
-uint32 tmu_runs_band(struct tmu_part *part);
+/* runs.c. The band of pixels of a size of w, dither / 16 added to their LODs. */
+uint32 tmu_runs_band(struct tmu_part *part, int32 dither, int32 size);
 
 /* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
 void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,

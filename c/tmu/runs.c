@@ -70,11 +70,11 @@ static uint32 band_of(struct tmu_part *part, int32 dither, uint32 size, struct l
     return n;
 }
 
-uint32 tmu_runs_band(struct tmu_part *part)
+uint32 tmu_runs_band(struct tmu_part *part, int32 dither, int32 size)
 {
     struct limits between;
 
-    return part->bands->count == 1 ? 0 : band_of(part, 0, (uint32)1 << 30, &between);
+    return part->bands->count == 1 ? 0 : band_of(part, dither, (uint32)size, &between);
 }
 
 /* The band of the first of `left` pixels, and how many there are of it. */

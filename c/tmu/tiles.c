@@ -13,7 +13,7 @@ static int32 find_shift(const struct tmu_tiling *tiling)
         const int32 bits = lod->filter == TMU_BILINEAR ? part->tmu->modes.fraction_bits : 0;
         const int32 own = SHIFT_MOST + lod->level - bits;
 
-        if (part->bands->bits & TMU_NEEDS_OWN && own < shift)
+        if (part->bits & TMU_NEEDS_OWN && own < shift)
             shift = own;
     }
     return shift;
@@ -73,7 +73,7 @@ static void find_kinds(struct tmu_tiling *tiling)
     int32 units = 0, s = 0, t = 0;
 
     for (const struct tmu_part *part = tiling->plan->parts; part; part = part->upstream) {
-        if (!(part->bands->bits & TMU_NEEDS_OWN))
+        if (!(part->bits & TMU_NEEDS_OWN))
             continue;
         units++;
         s += part->tmu->modes.clamp_s;
