@@ -19,7 +19,8 @@ from .scene_file import Scene
 
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
          "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
-         "tx_rectangles", "glide_floor")
+         "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
+         "glide_lightmap")
 FRAMES = 4
 #: Conditions of the bench that a program can be run under.
 MACHINES = ("a1200", "a1200-fast")
@@ -28,6 +29,7 @@ MACHINES = ("a1200", "a1200-fast")
 def some_frames(scene: Scene, numbers: list[int]) -> Scene:
     """A scene of these frames alone, none before the last."""
     poses, views, objects, instances = [], [], [], []
+    places = [0]  # of objects among those that are kept
     for things, kept, table, rows, first, count in (
             (scene.objects, objects, scene.poses, poses, "pose", "poses"),
             (scene.instances, instances, scene.views, views, "view", "views")):
@@ -37,8 +39,9 @@ def some_frames(scene: Scene, numbers: list[int]) -> Scene:
             if seen:
                 kept.append(replace(each, first_frame=seen[0], **{first: len(rows), count: len(seen)}))
                 rows += [table[getattr(each, first) + ages[k]] for k in seen]
-    if len(objects) < len(scene.objects) and instances:
-        raise ValueError("instances are drawn before objects that are gone")
+            if kept is objects:
+                places.append(len(objects))
+    instances = [replace(each, before=places[each.before]) for each in instances]
     units, lists = [], []
     for first, count in scene.units.tolist():
         kept = [first] + [first + 1 + number for number in numbers if count > 1]

@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 8,
+    SCENE_VERSION = 9,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -122,6 +122,7 @@ struct scene_pipe {
     uint32 own;                 /* 2: the second has s, t and w of its own. An object's vertices are
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
+    uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose
