@@ -74,13 +74,14 @@ static int32 nearer(int32 found, int32 other, int32 lod)
 static int32 next_break(const struct tmu_modes *modes, int32 lod)
 {
     const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;
+    const int32 slope = modes->detail_max * LOD_ONE + (1 << scale) - 1;
     int32 found = (lod | (LOD_ONE - 1)) + 1;
 
     found = nearer(found, tmu_lod_least(modes) + 1, lod);
     found = nearer(found, tmu_lod_most(modes), lod);
     if (asks_for(modes, TMU_FACTOR_DETAIL)) {
         found = nearer(found, end - (LOD_ONE >> scale), lod);
-        found = nearer(found, end - ((modes->detail_max * LOD_ONE + (1 << scale) - 1) >> scale), lod);
+        found = nearer(found, end - (slope >> scale), lod);
     }
     return found;
 }

@@ -43,14 +43,14 @@ struct tmu_part {
     int32 first;                /* plane */
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
-    int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
+    int32 looks_behind;         /* does not divide; where w is negative its coordinates are 0 */
     int32 is_one;               /* all its pixels are of one band */
     uint32 band;                /* the first that there may be */
-    uint32 bits, every;         /* of those that there may be, as tmu_bands' */
+    uint32 bits, every;         /* those of any band that there may be, and of all */
     tmu_pass *coordinates;
     uint32 ready;               /* bit n: limits[n] are there */
-    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
-       the next one's. */
+    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not
+       below the next one's. */
     uint32 limits[TMU_DITHERS][TMU_BANDS];
     struct tmu_sampling samplings[TMU_BANDS];
 };
@@ -109,8 +109,8 @@ static inline int32 tmu_runs_next(struct tmu_runs *runs)
     return 1;
 }
 
-/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other bands
-   (*mixed = 1), or none. */
+/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other
+   bands (*mixed = 1), or none. */
 int32 tmu_runs_alike(struct tmu_plan *plan, int32 x, int32 y, int32 count, int32 *mixed);
 
 /* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
@@ -127,8 +127,8 @@ void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_mo
                       const struct tmu_factors *factors, const uint32 *local,
                       const uint32 *other, uint32 *to, int32 count);
 
-/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a unit
-   looks at them or is dithered; 0: there is none. */
+/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a
+   unit looks at them or is dithered; 0: there is none. */
 int32 tmu_line_ready(int32 lods);
 
 /* line.c. Draws pixels x to x + count - 1 of line y. 0: some have no passes, or memory is short:

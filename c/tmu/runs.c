@@ -1,7 +1,7 @@
 /* Where along a line a unit's pixels leave a band.
 
-   A LOD is the polygon's, bias, dither, less L = 256 log2 |w| + 256 * 30, rounded to the nearest. So it
-   reaches a band where |w| is below the first number whose logarithm is too large. */
+   A LOD is the polygon's, bias, dither and 30 * 256, less 256 log2 |w|, rounded to the nearest. So
+   it reaches a band where |w| is below the first number whose logarithm is too large. */
 #include "tmu/plan.h"
 #include "tmu/wide.h"
 
