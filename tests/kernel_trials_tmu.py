@@ -4,7 +4,6 @@ from kernel_checker import Trial
 from kernel_trials_tx import COUNTS, ROUNDS, pass_trial
 from tools import bench_tmu, tmu_examples
 
-WITH_MAP = "tmu_dithered"  # of 64 KB, in each call: fewer rounds
 IN_C = [name for name in bench_tmu.NAMES if name.endswith("_c")] + [
     f"{name}_c" for name in tmu_examples.IN_C_ALONE]
 NAMES = [name for name in bench_tmu.NAMES if not name.endswith("_c")] + IN_C
@@ -14,4 +13,4 @@ def trials() -> list[Trial]:
     """All of them, the same in every run."""
     return [pass_trial(name, count, 1000 * k + n, tmu_examples)
             for n, name in enumerate(NAMES)
-            for k, count in enumerate(COUNTS * (1 if name.startswith(WITH_MAP) else ROUNDS))]
+            for k, count in enumerate(COUNTS * ROUNDS)]

@@ -21,7 +21,6 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
     "tmu_divide_each": depth.divide_each,
     "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
-    "tmu_dithered": sample.dithered,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
     "tmu_add": combine.add, "tmu_combiner": combine.combine, "tmu_quads": sample.quads,
 }

@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 8,
+    SCENE_VERSION = 9,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -70,8 +70,8 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551 unit; with
-   4 flat, affine, glide or unit; none of these with a perspective. */
+/* With 2 bytes a pixel: flat, affine, dithered, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551
+   unit; with 4 flat, affine, dithered, glide or unit; none of these with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */

@@ -61,17 +61,6 @@ struct tmu_lods {
     const struct tmu_logarithm *logarithms;
 };
 
-/* Places on a map, or what they change by: 8.16. */
-struct tmu_texels {
-    int32 u, v;
-};
-
-/* Point sampling of 256x256 texels of 8 bits at places that are moved in turn. */
-struct tmu_dithering {
-    const uint8 *map;           /* at a multiple of 65,536 bytes */
-    int32 even[2], odd[2];      /* u and v from an even pixel to an odd one, and back */
-};
-
 /* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
    pixel: 4, of LODs 2, or 0 for the same everywhere. */
 struct tmu_mix {
@@ -100,7 +89,6 @@ void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
-void tmu_dithered(const void *start, void *pixels, const void *dithering, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);

@@ -9,7 +9,6 @@ void tmu_walk_c(const struct tx_call *call);
 void tmu_walk_clamp_c(const struct tx_call *call);
 void tmu_divide_c(const struct tx_call *call);
 void tmu_lod_c(const struct tx_call *call);
-void tmu_dithered_c(const struct tx_call *call);
 void tmu_point_c(const struct tx_call *call);
 void tmu_bilinear_c(const struct tx_call *call);
 void tmu_bilinear_565_c(const struct tx_call *call);
