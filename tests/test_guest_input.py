@@ -58,7 +58,8 @@ def every_mapper() -> Scene:
     scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
                        for n, mapper in enumerate(mappers[:7])]
     scene.materials += [Material("lit", texture=0, light=5),
-                        Material("lit_gouraud", texture=0, light=5)]
+                        Material("lit_gouraud", texture=0, light=5),
+                        Material("dithered", texture=0)]
     scene.vertices = np.full((6, 6), 65536)
     scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
     return scene
@@ -117,7 +118,7 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
         every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
-    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
+    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud, dithered = range(10)
     out = []
 
     def entry(source, table, index, field, *values, said=None):
@@ -140,7 +141,7 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     entry(widest, "textures", 0, "layout", columns)
     entry(widest, "materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
     entry(widest, "materials", 1, "perspective", 1, 4)
-    entry(every, "materials", flat, "mapper", 9, 10, M32)
+    entry(every, "materials", flat, "mapper", 10, 11, M32)
     entry(every, "materials", flat, "texture", 0)
     entry(every, "materials", gouraud, "texture", 0)
     entry(every, "materials", affine, "texture", linear, light, -1, 6)
@@ -150,8 +151,11 @@ def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
     for index in lit_flat, lit_gouraud:
         entry(every, "materials", index, "texture", linear, light, -1)
         entry(every, "materials", index, "light", page, -1, 6, M32)
-    entry(every, "materials", lit_gouraud, "gradients", 0, 1)
-    entry(every, "materials", lit_gouraud, "start", 0)
+    for index in lit_gouraud, dithered:
+        entry(every, "materials", index, "gradients", 0, 1)
+        entry(every, "materials", index, "start", 0)
+    entry(every, "materials", dithered, "texture", linear, light, -1)
+    entry(every, "materials", dithered, "perspective", 1, 4)
     entry(light_only, "vertices", 0, "shade", -1, 256 << 16, 2**31)
     entry(wide, "materials", 0, "colour", 65536)
     entry(every, "objects", gouraud, "vertices", 4)

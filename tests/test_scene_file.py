@@ -243,7 +243,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x8 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0x9 is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -377,6 +377,10 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
      r"materials\[0\].light: -1 is not from 0 to 0"),
     ({"materials": [Material("lit_gouraud", gradients="scanline", texture=0), Material()]},
      r"materials\[0\].mapper: 'lit_gouraud' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", start="truncated", texture=0), Material()]},
+     r"materials\[0\].mapper: 'dithered' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", perspective="pixel", texture=0), Material()]},
+     r"materials\[0\].perspective: 'pixel' needs mapper 'affine'"),
     ({"textures": [Texture(np.zeros((256, 256), np.uint8)), LIGHT],
       "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
       "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),

@@ -16,7 +16,8 @@ from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 SEED = int(os.environ.get("TMU_SEED", "1"))
 COUNT = int(os.environ.get("TMU_COUNT", "40"))
 BOOT = 100  # polygons
-PIXELS = ("rgb565", "rgba8888")
+BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
+PIXELS = tuple(BITS)
 
 
 def explain(seed: int, number: int, pixels: str, each: Case, expected: np.ndarray,
@@ -78,4 +79,5 @@ def test_frames_are_the_models(pixels: str, off: str | None) -> None:
     assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
     if off is None and not alone:
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
+        assert spans & {f"dithered_{BITS[pixels]}{end}" for end in ("", "_wrap")}, spans
         assert {"tmu_passes", "tmu_pixels"} < spans, spans

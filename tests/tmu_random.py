@@ -16,13 +16,14 @@ REACH = 8191 * ONE
 W_MAX = 1 << 30
 PALETTE, NCC = 0, 1024  # where tables lie in the texture memory
 MEMORY_BYTES = 1 << 17  # of all units, random
-KINDS = ("any",) * 8 + ("plain",) * 2 + ("trilinear",) * 2
+KINDS = ("any",) * 8 + ("plain",) * 2 + ("trilinear",) * 2 + ("dithered",) * 2
+ALONE = ("plain", "dithered")  # of one unit and one level
 
 
 @dataclass
 class Case:
     """One polygon and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
+    of weights, whether it is dithered; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
 
     units: list[tuple]
     vertices: list[tuple]
@@ -64,9 +65,9 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
              "limits": rng.choice((None, None, (rng.randrange(64), rng.randrange(64)))),
              "detail": (rng.randrange(-32, 32), rng.randrange(8), rng.randrange(256)),
              "ncc": rng.randrange(2), "bits": rng.choice((4, 4, 8)),
-             "memory": words.memory_bytes}
-    if kind == "plain":
-        found |= {"filters": ("point", "point"), "mode": "off",
+             "memory": words.memory_bytes, "dithered": int(kind == "dithered" or not rng.randrange(4))}
+    if kind in ALONE:
+        found |= {"filters": 2 * ("point" if kind == "plain" else "bilinear",), "mode": "off",
                   "clamp": ("wrap", "wrap") if rng.randrange(4) else ("clamp", "wrap")}
     if kind == "trilinear":
         found |= {"mode": "nearest", "blend": 1, "filters": ("bilinear", "bilinear")}
@@ -84,7 +85,8 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
         words.combine("blend", "one_minus_lod_fraction", "blend", "one_minus_lod_fraction")
     else:
         found |= combine(rng, words, number == count - 1)
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"]], found
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"],
+            found["dithered"]], found
 
 
 def depths(rng: random.Random, count: int, signs: bool) -> list[int]:
@@ -135,9 +137,9 @@ def case(seed: int, number: int) -> Case:
     """A polygon by its seed and number."""
     rng = random.Random(f"{seed}, {number}")
     kind = rng.choice(KINDS)
-    count = 1 if kind == "plain" else 2 if kind == "trilinear" else rng.choice((1, 1, 2, 2, 2))
+    count = 1 if kind in ALONE else 2 if kind == "trilinear" else rng.choice((1, 1, 2, 2, 2))
     own = count == 2 and kind == "any" and rng.randrange(2) == 0
-    perspective = rng.randrange(4) > (2 if kind == "plain" else 0)
+    perspective = rng.randrange(4) > (2 if kind in ALONE else 0)
     units, modes = [], []
     for n in range(count):
         other = rng.randrange(8) == 0  # the units need not agree

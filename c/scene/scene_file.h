@@ -114,6 +114,7 @@ struct scene_tmu {
     int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
+    uint32 dithered;            /* 1: points may stand in for the bilinear filter; or 0 */
 };
 
 /* Units in a row, the first nearest the frame. */
