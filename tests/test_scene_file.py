@@ -177,7 +177,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\x08"
+    assert data[:8] == b"TMAP\0\0\0\x09"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[200:204] == b"\0" + scene.palette[0].tobytes()
@@ -283,9 +283,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "at", 202, "textures[0].at: 202 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
-    ("scene_material", "mapper", 11, "materials[0].mapper: 11 is not from 0 to 10"),
+    ("scene_material", "mapper", 12, "materials[0].mapper: 12 is not from 0 to 11"),
+    ("scene_material", "mapper", 11, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "mapper", 10, "materials[0].unit: -1 is not from 0 to -1"),
-    ("scene_material", "mapper", 9, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "unit", 0, "materials[0].unit: 0 is not from -1 to -1"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
     ("scene_material", "light", 0, "materials[0].light: 0 is not from -1 to -1"),

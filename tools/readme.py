@@ -8,8 +8,8 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import (bench, bench_effects, bench_rules, bench_scenes, emulator, palette, polys,
-               readme_tx, run, scene, scene_file)
+from . import (bench, bench_effects, bench_rules, bench_scenes, dither_errors, emulator, palette,
+               polys, readme_tx, run, scene, scene_file)
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -51,7 +51,7 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (
                       "arbitrary", "tiled", "columns", "generated", "gouraud",
-                      "lit", "lit_gouraud")))
+                      "lit", "lit_gouraud", "dithered")))
 
 
 def accuracy_table(baseline: dict) -> str:
@@ -102,6 +102,10 @@ EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
                 ("texels and frame of 16 bits", "affine_16", 256),
                 ("the same, v's step 0, a texel a pixel: copied", "affine_16_copy", 256),
                 ("texels and frame of 32 bits", "affine_32", 256),
+                ("dithered points", "dithered", 256),
+                ("dithered points, v wraps", "dithered_wrap", 256),
+                ("dithered points of 16 bits", "dithered_16", 256),
+                ("dithered points of 32 bits", "dithered_32", 256),
                 ("lit, one level", "affine_lit", 256),
                 ("lit, a level each pixel", "affine_gouraud", 256))
 
@@ -193,6 +197,7 @@ def with_tables(text: str) -> str:
     text = with_table(text, "texture engine formats", readme_tx.formats_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
+    text = with_table(text, "dithered points", dither_errors.table())
     text = with_table(text, "perspective", perspective_table(measured, accuracy))
     rows = json.loads(POLYS_BASELINE.read_text())["rows"]
     return with_table(text, "polygons a second", polys.table(rows).rstrip())
