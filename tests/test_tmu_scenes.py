@@ -13,7 +13,7 @@ from tools.tmu.mipmap import levels
 from tools.tmu.words import FORMATS
 from tools.tx.images import read
 
-NAMES = ("glide_floor",)
+NAMES = ("glide_floor", "dithered")
 
 HEAD = """\
 width = 64

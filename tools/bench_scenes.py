@@ -18,7 +18,7 @@ from .scene_file import Scene
 
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
          "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
-         "tx_rectangles")
+         "tx_rectangles", "dithered")
 #: Drawn pixel by pixel so far, 170 million cycles a frame: no rows yet.
 SLOW = ("glide_floor",)
 FRAMES = 4
