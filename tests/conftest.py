@@ -1,11 +1,13 @@
 """Which tests come first: ``make test`` gives whole files to two processes in this order."""
 
+import tools  # noqa: F401  before NumPy, whose threads it limits
+
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
 LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
            "wide", "fuzz", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
            "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds", "readme",
-           "properties", "tx_core", "methods", "kernel_checker", "report", "emulator",
+           "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
            "still_steps")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 

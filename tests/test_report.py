@@ -18,7 +18,7 @@ from tools.paths import ACCURACY_BASELINE, BASELINE, ROOT
 
 SIZES = ((360, 740), (1280, 900))  # a phone, a desk; CSS pixels
 SECTIONS = ["ran", "scenes", "addx", "bench", "accuracy", "perspective", "hard", "polygons",
-            "whole", "tx"]
+            "whole", "tx", "tmu"]
 SCENE = "mappers"
 NAME = '<script>alert("rows & columns")</script>'
 
@@ -34,7 +34,7 @@ def made(tmp_path_factory) -> tuple[Path, Path]:
 
 
 def test_sections_stand_in_order_and_open_with_a_sentence(made) -> None:
-    """All ten, a paragraph under each title."""
+    """All eleven, a paragraph under each title."""
     text = (made[0] / report.PAGE).read_text()
     assert re.findall(r'<h2 id="(\w+)">', text) == SECTIONS
     for section in text.split("<h2")[1:]:

@@ -10,6 +10,7 @@ from PIL import Image
 
 from tools import emulator, model, run
 from tools.__main__ import FORMS, main
+from tools.emulator import CYCLES_PER_TICK
 from tools.errors import UserError
 from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
@@ -98,7 +99,7 @@ def test_run_json(folder, runs):
         frames, totals = about["frames"], about["totals"]
         assert [frame["number"] for frame in frames] == [0, 1, 2]
         for frame in frames:
-            assert frame["cycles"] > 64 * 48 and frame["cycles"] % 20 == 0
+            assert frame["cycles"] > 64 * 48 and frame["cycles"] % CYCLES_PER_TICK == 0
             assert frame["polygons"] == 2
             assert {kind.removesuffix("_wrap") for kind in frame["spans"]} == {
                 "fill", textured[form]}

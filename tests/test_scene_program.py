@@ -1,5 +1,5 @@
-"""Programs built for one scene: they draw what the full renderer draws, in the same time, and
-hold nothing else."""
+"""Programs built for one scene: they draw what the full renderer draws, as fast, and hold nothing
+else."""
 
 import json
 
@@ -69,8 +69,9 @@ material = "filtered"
 vertices = [[1, 1, 0, 0], [30, 2, 20, 0], [28, 30, 20, 20], [2, 28, 0, 20]]
 centre = [32, 0]
 """
-#: A program's file without maps, bytes, by gcc: the figure reached and 2 %.
-MOST = {"triangle": 10_180}
+#: A program's file without maps, bytes, by gcc: the figure reached, and 100 by which holes between
+#: held cache lines differ with every change of the renderer's addresses.
+MOST = {"triangle": 10_520}
 
 
 @pytest.fixture(scope="module")
@@ -99,16 +100,15 @@ def routines(out, name: str) -> set[str]:
     return {line.split()[1] for line in (out / f"{name}.map").read_text().splitlines()}
 
 
-def check(about: dict, out, name: str, first: int = 0) -> None:
-    """Holds a program to the full renderer's times, and its table to its file; ``first``: the
-    frame from which on times are compared.
+def check(about: dict, out, name: str) -> None:
+    """Holds a program to the full renderer's times, and its table to its file.
 
     That its frames are the full renderer's, byte for byte, is what the command refuses else;
     ``test_wrong_frame_is_refused`` has a look at that.
     """
     ticks = about["ticks"]
-    apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)][first:]
-    assert max(map(abs, apart)) <= scene_program.JITTER, (
+    apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)]
+    assert max(apart) <= scene_program.LONGER, (
         f"{name}: ticks beside the full renderer's by {apart}; "
         f"scripts/tmap scene-program {name}.toml")
     size = (out / name).stat().st_size
@@ -150,7 +150,7 @@ def test_flat_polygon(folder, tmp_path, capsys):
 def test_texture_units(folder, tmp_path, capsys):
     """Their engine too, as far as the scene calls for it: no levels, divides or combiner."""
     about = make(folder / "units.toml", tmp_path, capsys)
-    check(about, tmp_path, "units", first=1)  # the first one allocates: by what memory there is
+    check(about, tmp_path, "units")
     inside = routines(tmp_path, "units")
     assert {"span_affine_16", "span_affine_16_wrap"} & inside
     assert {"tx_threepoint_16", "tx_weights", "tx_command"} <= inside

@@ -2,12 +2,14 @@
 
 from dataclasses import replace
 
+import mode_tables
 import numpy as np
 import pytest
 
-from tools import accuracy, bench_modes, fuzz, model, tx_errors
-from tools.bench_modes import FIRST, KINDS, scene_of
+from tools import bench_modes, fuzz, model, tx_errors
+from tools.bench_modes import FIRST, scene_of
 from tools.errors import UserError
+from tools.modes import KINDS
 from tools.scene_file import IDENTITY
 from tools.scene_units import state_at
 from tools.tx import ideal
@@ -101,13 +103,8 @@ def test_pages_keep_all_bits_of_u() -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys) -> None:
-    """A line each, drawn by the machine, with errors."""
-    assert accuracy.command(str(tmp_path), ["tx"], "a1200-fast", False) == 0
-    text = (tmp_path / "tx.md").read_text()
-    lines = [line for line in text.splitlines() if line.startswith("| ")]
-    assert len(lines) == 1 + len(EVERY) and lines[1] in capsys.readouterr().out
-    for mode, line in zip(EVERY.values(), lines[1:]):
-        assert line.startswith(f"| {mode.title} | ") and line.count("|") == 7
+    """All of them."""
+    mode_tables.check(tmp_path, capsys, "tx", list(EVERY.values()))
 
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:

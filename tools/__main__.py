@@ -170,7 +170,8 @@ def parser() -> Parser:
     command.add_argument("--machine", **machines)
     command.add_argument("--set", action="append", metavar="NAME",
                          help="one set of polygons (small, medium, large, thin, steep; with depth: "
-                              "depth, deep), or the hard cases (hard); may be given several times")
+                              "depth, deep), texture engines' modes (tx, tmu), or the hard cases "
+                              "(hard); may be given several times")
     command.add_argument("--accept", action="store_true",
                          help="make the medium set the committed baseline")
 

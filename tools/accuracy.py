@@ -250,9 +250,9 @@ def as_json(found: dict) -> str:
 BASELINE_SETS = "medium", "depth"
 
 
-#: What --set takes besides the sets: the turning face, the scenes, the texture engine's modes,
-#: the page of hard cases.
-METHODS, SCENES, TX, HARD = "methods", "scenes", "tx", "hard"
+#: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
+#: of tools.engines), the page of hard cases.
+METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("tx", "tmu")
 
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
@@ -303,11 +303,12 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
     if folder.exists() and not folder.is_dir():
         raise UserError(f"{out}: is not a directory")
     known = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS]
-    unknown = set(names or ()) - {*known, METHODS, SCENES, TX, HARD}
+    others = [METHODS, SCENES, *ENGINES]
+    unknown = set(names or ()) - {*known, *others, HARD}
     if unknown:
         raise UserError(f"accuracy: no set is called {unknown.pop()}; "
-                        f"there are {', '.join(known)}, {METHODS}, {SCENES}, {TX} and {HARD}")
-    names = names or [*known, METHODS, SCENES, TX, HARD]
+                        f"there are {', '.join([*known, *others])} and {HARD}")
+    names = names or [*known, *others, HARD]
     sets = [name for name in names if name in known]
     machines, text, excess = [machine] if machine else list(MACHINES), "", []
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
@@ -328,13 +329,15 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
             folder.mkdir(parents=True, exist_ok=True)
             made = showcase.write(folder, machines[-1], lambda: progress.advance(task))
             text += f"\n{made}\n" if text else f"{made}\n"
-        if TX in names:
-            from . import tx_errors
+        for name in ENGINES:
+            if name in names:
+                from . import engines
 
-            progress.add_task("texture engine", total=None)
-            folder.mkdir(parents=True, exist_ok=True)
-            made = tx_errors.write(folder, machines[-1])
-            text += f"\n{made}\n" if text else f"{made}\n"
+                engine = engines.ENGINES[name]
+                progress.add_task(engine.title, total=None)
+                folder.mkdir(parents=True, exist_ok=True)
+                made = engines.write(folder, engine, machines[-1])
+                text += f"\n{made}\n" if text else f"{made}\n"
         if HARD in names:
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
@@ -344,7 +347,7 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
                 "swimming.png"] * bool(sets) + ["pieces.png"] * deep
                + ["methods.md", "methods.png", "methods.gif"] * (METHODS in names)
                + ["scenes.md and an animation of each"] * (SCENES in names)
-               + ["tx.md"] * (TX in names)
+               + [f"{name}.md" for name in ENGINES if name in names]
                + [f"{HARD}/index.html"] * (HARD in names))
     print(text + f"written to {out}: {', '.join(written)}")
     for line in excess:

@@ -1,7 +1,7 @@
 """``tmap bench``: measures every kernel, checks what it drew, reports and compares.
 
-Cycles are exact in this emulator: repeats agree to within one tick of the E-clock
-(20 cycles) in a whole measurement. The cost of calling is measured with a routine
+Cycles are exact in this emulator: repeats agree to within one tick of the clock (a colour clock,
+4 cycles) in a whole measurement. The cost of calling is measured with a routine
 that only returns, and subtracted.
 """
 
@@ -24,9 +24,10 @@ import matplotlib.pyplot as plt  # noqa: E402
 #: Name to (emulated machine, data in chip RAM).
 CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
               "a1200-mixed": ("a1200-fast", True)}
-#: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 5,000.
-TICKS = 5000
+#: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
+TICKS = 25_000
 ROUGH_CYCLES_PER_UNIT = 20
+NOTHING_REPEATS = 2000  # calls of the routine that only returns
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
          "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
@@ -64,7 +65,7 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
         return {kind: [] for kind in kinds} | whole
     for row in rows:
         row.case.repeats = repeats(row.units)
-    nothing = Case("nothing", repeats=2000)
+    nothing = Case("nothing", repeats=NOTHING_REPEATS)
     overhead, *results = call([nothing] + [row.case for row in rows], boot, on_case)
     per_call = overhead.cycles / nothing.repeats
     measured = {}
@@ -164,9 +165,9 @@ def write(found: dict, out: Path) -> None:
     text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
     text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
         + table(found["rules"], machines)
-    text += "\nThe texture engine's modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
+    text += "\nTexture engines' modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
         + table(found["modes"], machines)
-    text += "\nCycles that the first frame costs more: tables, tiles decoded:\n\n" \
+    text += "\nCycles that the first frame costs more: tables, texels decoded:\n\n" \
         + table(found["first_frames"], machines)
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")

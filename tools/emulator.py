@@ -56,7 +56,7 @@ OPTIONS = {
 STALL_SECONDS = 20.0
 #: The same where texture engines draw: a frame alone may take that long.
 PATIENT_SECONDS = 10 * STALL_SECONDS
-CYCLES_PER_TICK = 20  # CPU cycles in one tick of the E-clock, by which guests measure
+CYCLES_PER_TICK = 4  # CPU cycles in a colour clock, by which guests measure
 VERSION = "3.1.66"  # the cycle figures in this tree are those of this version
 
 EXCEPTIONS = {

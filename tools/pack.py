@@ -55,7 +55,7 @@ class Layout:
         self.program = program
         self.at: dict[Section, int] = {}
         parts = list(program.parts.values())
-        room = 2 * sum(p.section.size + CACHE for p in parts if not p.section.bss) + CACHE
+        room = 4 * sum(p.section.size + CACHE for p in parts if not p.section.bss) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
         self.full = 0  # up to here there is no hole
         entry = program.parts[program.symbols["start"][0]]
@@ -108,7 +108,7 @@ class Layout:
             self.at |= {p.section: at + offset for p, offset in zip(parts, offsets)}
             self.full += int(np.argmin(self.used[self.full:]))
             return
-        raise AssertionError("no room in twice the size")
+        raise AssertionError("no room in four times the size")
 
     def link(self) -> tuple[bytes, list[int], list[int]]:
         """The code's bytes, and where addresses of code and of cleared memory lie in it."""

@@ -8,8 +8,8 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import (bench, bench_effects, bench_rules, bench_scenes, dither_errors, emulator, palette,
-               polys, readme_tx, run, scene, scene_file)
+from . import (bench, bench_effects, bench_rules, bench_scenes, dither_errors, emulator, engines,
+               palette, polys, readme_modes, run, scene, scene_file)
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -193,8 +193,12 @@ def with_tables(text: str) -> str:
     text = with_table(text, "meshes", mesh_table(measured))
     text = with_table(text, "scenes", scenes_table(measured))
     text = with_table(text, "rules", rules_table(measured))
-    text = with_table(text, "texture engine modes", readme_tx.modes_table(measured))
-    text = with_table(text, "texture engine formats", readme_tx.formats_table(measured))
+    for engine in engines.ENGINES.values():
+        for what, make in (("modes", readme_modes.modes_table),
+                           ("formats", readme_modes.formats_table)):
+            text = with_table(text, f"{engine.title} {what}", make(measured, engine))
+    text = with_table(text, "Glide's steps", readme_modes.steps_table(measured))
+    text = with_table(text, "Glide's steps not called for", readme_modes.uncalled_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
     text = with_table(text, "dithered points", dither_errors.table())

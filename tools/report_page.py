@@ -8,8 +8,8 @@ import jinja2
 from markdown_it import MarkdownIt
 from markupsafe import Markup
 
-from . import (accuracy, bench, peers, polys, provenance, readme, readme_tx, report_pictures, run,
-               showcase)
+from . import (accuracy, bench, engines, peers, polys, provenance, readme, readme_modes,
+               report_pictures, run, showcase)
 from .cache import Entry
 from .emulator import MACHINES as EMULATED
 from .hard_report import every_case
@@ -28,7 +28,7 @@ BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)",
                "lines": "Cycles a line: edges and line tables",
                "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
                "frames": "Cycles a frame of whole scenes",
-               "modes": "Cycles a pixel of the texture engine's modes (_c: in plain C)",
+               "modes": "Cycles a pixel of texture engines' modes (_c: in plain C)",
                "first_frames": "Cycles more of the first frame of a mode"}
 #: Rows of the bench beside memory alone, and the row of memory that is their floor.
 FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx", "tiled",
@@ -142,8 +142,12 @@ def page(found: Found, pictures: Path) -> str:
         machines=names, machine=MACHINE, pictures=pictures.name, columns=peers.COLUMNS,
         versus=readme.table(measured), effects=readme.effects_table(measured),
         rules=readme.rules_table(measured), meshes=readme.mesh_table(measured),
-        whole=readme.scenes_table(measured), tx_modes=readme_tx.modes_table(measured),
-        tx_formats=readme_tx.formats_table(measured),
+        whole=readme.scenes_table(measured), steps=readme_modes.steps_table(measured),
+        uncalled=readme_modes.uncalled_table(measured),
+        engines={name: (readme_modes.modes_table(measured, engine),
+                        readme_modes.formats_table(measured, engine))
+                 for name, engine in engines.ENGINES.items()},
+        meant={name: engine.meant for name, engine in engines.ENGINES.items()},
         bench_source=Source(all_machines, measured),
         modes_source=Source(all_machines, measured, "DMA and interrupts off; what the first frame "
                             "makes is there but in its own column"),

@@ -21,7 +21,7 @@ from .scene_file import ONE, SETTINGS, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
-               f"DMA and interrupts off; measured in E-clock ticks of {CYCLES_PER_TICK} cycles")
+               f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40
 ROWS_MAX = 10  # frames that are listed one by one
 #: What a run writes and the next one replaces, run.json first: it describes the rest.

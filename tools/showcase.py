@@ -2,7 +2,7 @@
 
 Errors are taken against the exact curve where a material has a perspective, and against the
 exact plane elsewhere, over every ERROR_STEP-th frame; those of texture engines are their modes'
-(tools.tx_errors).
+(tools.engines).
 """
 
 from dataclasses import dataclass

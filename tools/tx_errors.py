@@ -1,23 +1,22 @@
-"""How far the texture engine's modes are off from what they are meant to draw (tools.tx.ideal).
+"""How far the N64's modes are off from what they are meant to draw (tools.tx.ideal).
 
 The texels are those in TMEM: what a format leaves of a picture is no error of a mode.
 """
 
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
-from . import bench_modes, model, provenance
-from .bench_modes import FIRST, HEIGHT, KINDS, WIDTH, scene_of
+from . import model
+from .bench_modes import FIRST, HEIGHT, WIDTH, scene_of
 from .scene_units import state_at
 from .tx import ideal
 from .tx.pixels import picture
 from .tx.polygon import SETTINGS, Vertex, prepare
 from .tx.state import State
-from .tx_modes import EVERY, Mode
+from .tx_modes import Mode
 
 
 class Pixels(NamedTuple):
@@ -31,7 +30,7 @@ class Pixels(NamedTuple):
 
 
 def pixels_of(mode: Mode, kind: str) -> Pixels:
-    """What is drawn of a mode; ``kind``: of bench_modes.KINDS."""
+    """What is drawn of a mode; ``kind``: of modes.KINDS."""
     scene = scene_of(mode, kind)
     state = state_at(scene, 0, FIRST)
     vertices = [Vertex(x, y, s, t, w, shade=shade) for x, y, s, t, shade, w in mode.vertices]
@@ -55,36 +54,3 @@ def error_of(mode: Mode, kind: str) -> ideal.Error:
     drawn = picture(model.render(scene_of(mode, kind), FIRST))[on.y, on.x]
     found = ideal.texels(on.state, on.surface, on.x, on.y, mode.filter)
     return ideal.error(drawn, ideal.combined(on.state, found, shades(on)))
-
-
-def cells(mode: Mode) -> list[str]:
-    """The largest error and the root of the mean square, on each kind of picture."""
-    return [f"{number:.{digits}f}" for kind in KINDS
-            for number, digits in zip(error_of(mode, kind), (1, 2))]
-
-
-TITLES = [f"{kind}: {what}" for kind in KINDS for what in ("largest", "rms")]
-
-
-def table(machine: str) -> str:
-    """Markdown: cycles and errors of all modes as a machine draws them, each frame being the
-    model's."""
-    rows = bench_modes.measure(machine, list(EVERY), plain=False)["modes"]
-    cycles = {row["name"]: row["cycles_per_pixel"] for row in rows}
-    lines = [f"| texture engine, {machine}; errors in 1/255 | cycles a pixel | "
-             + " | ".join(TITLES) + " |", "|---|--:|" + "--:|" * len(TITLES)]
-    for mode in EVERY.values():
-        found = [f"{cycles[bench_modes.ROW + mode.name]:.1f}", *cells(mode)]
-        lines.append(f"| {mode.title} | " + " | ".join(found) + " |")
-    return "\n".join(lines)
-
-
-def write(folder: Path, machine: str) -> str:
-    """tx.md; returns its table."""
-    about, made = provenance.record(), table(machine)
-    (folder / "tx.md").write_text(
-        "# The texture engine's modes\n\nPolygons of some 2,000 pixels, set-up included, tables "
-        "and tiles made before; DMA and interrupts off. Errors of R, G and B against exact "
-        "coordinates, filters and combiners, on a smooth texture and on noise. "
-        f"{about['emulator']}, {about['compiler']}, commit {about['commit']}.\n\n{made}\n")
-    return made

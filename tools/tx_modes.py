@@ -1,61 +1,36 @@
-"""Modes and formats of the texture engine that are priced: a material and a polygon each.
+"""Modes and formats of the N64's texture engine that are priced (tools.modes)."""
 
-Materials are what a scene's TOML says of them (tools.scene_tx); polygons have some 2,000 pixels.
-"""
+from dataclasses import dataclass
+from pathlib import Path
 
-from copy import deepcopy
-from dataclasses import dataclass, field
+from . import modes, scene_tx, scene_tx_build
+from .modes import OTHER, PICTURE, fixed
 
-from . import scene_tx
-
-PICTURE, OTHER = "picture.png", "other.png"  # what tiles show
-SIDE = 32  # texels of a picture
-
-#: x and y of a triangle turned off the axes, and of a square.
-TRIANGLE = ((20.3, 10.6), (90.9, 33.8), (43.6, 75.0))
-SQUARE = ((20, 16), (65, 16), (65, 61), (20, 61))
 SHADES = (60.5, 140.2, 250.7, 120.1)
-LEVEL = (1, 1, 1, 1)  # depths without perspective
-
-#: Corners by name: points, s and t, depths. "far" goes from a third of a texel a pixel to 12 of
-#: them, "near" to 2.
-POLYGONS = {
-    "turned": (TRIANGLE, ((3.2, 4.1), (54, 20.3), (12.4, 51.7)), LEVEL),
-    "inside": (TRIANGLE, ((3.2, 2.1), (28.7, 9.3), (10.4, 28.9)), LEVEL),
-    "outside": (TRIANGLE, ((-9.2, -6.1), (86, 10.3), (31.4, 57.7)), LEVEL),
-    "upright": (SQUARE, tuple((x - 13, y - 9) for x, y in SQUARE), LEVEL),
-    "between": (SQUARE, tuple((x - 12.5, y - 8.5) for x, y in SQUARE), LEVEL),
-    "deep": (TRIANGLE, ((3.2, 4.1), (74, 26.3), (16.4, 70.7)), (1, 2.2, 3.1)),
-    "near": (TRIANGLE, ((3.2, 4.1), (44, 16.3), (14.4, 50.7)), (1, 2.2, 3.1)),
-    "far": (TRIANGLE, ((3.2, 4.1), (144, 26.3), (16.4, 120.7)), (1, 6.2, 8.1)),
-}
 
 
 @dataclass(frozen=True)
-class Mode:
-    """What is drawn. ``filter``: of tools.tx.ideal.FILTERS, what it is meant to be."""
+class Mode(modes.Mode):
+    """A material with a table ``tx``."""
 
-    name: str
-    title: str
-    tx: dict = field(hash=False)
-    polygon: str = "turned"
-    filter: str = "point"
-    pixels: str = "rgba8888"
-    is_format: bool = False  # a texel format's, in the table of those
+    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "tx", "unit", "tx_plain,tx_passes", 0
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
         """x, y, s, t, shade, w; 16.16."""
-        points, texels, depths = POLYGONS[self.polygon]
-        return [tuple(round(c * 65536) for c in (*point, *st, shade, w))
+        points, texels, depths = self.POLYGONS[self.polygon]
+        return [fixed(*point, *st, shade, w)
                 for point, st, shade, w in zip(points, texels, SHADES, depths)]
 
-    def material(self) -> dict:
-        """The checked content of its ``tx``, every default filled in."""
-        where = f"mode {self.name}"
-        made = scene_tx.schema()(deepcopy(self.tx), where)
+    def check(self, made: dict, where: str) -> dict:
+        """A checked table, every default filled in."""
+        made = scene_tx.schema()(made, where)
         scene_tx.check(made, where)
         return made
+
+    def tables(self, spec: dict, folder: Path, frames: int, where: str) -> dict:
+        """An engine's display lists and DRAM."""
+        return scene_tx_build.build(spec, folder, frames, where)[1]
 
 
 def tile(form: str = "rgba16", **more) -> dict:
@@ -127,7 +102,7 @@ FORMATS = {"rgba16": ("point", "threepoint")} | {
     "yuv16": ("yuv_point", "yuv_filter")}
 
 OF_FORMATS = tuple(
-    Mode(name, f"{form}, {how}", of(tile(form), **more), filter=how, is_format=True)
+    Mode(name, f"{form}, {how}", of(tile(form), **more), filter=how)
     for form, names in FORMATS.items() if form not in ("rgba16", "yuv16")
     for name, how, more in zip(names, ("point", THREE), ({}, FILTERED)))
 

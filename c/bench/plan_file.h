@@ -37,13 +37,13 @@ struct plan_case {
     uint32 near_registers, far_registers;       /* bit n: register n */
     uint32 registers[15];
     uint32 repeats;             /* timed calls after the one whose memory is kept */
-    uint32 limit;               /* for the watchdog, 65,536 ticks each */
+    uint32 limit;               /* for the watchdog, 65,536 E-clocks each */
 };
 
 /* What a case leaves, behind near's and far's bytes after the first call. */
 struct plan_result {
     uint32 near, far;           /* their addresses */
-    uint32 ticks;               /* of all repeats */
+    uint32 ticks;               /* colour clocks, of all repeats */
     uint32 registers[15];
     int32 stack;                /* by how much sp was off */
 };

@@ -39,7 +39,7 @@ int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory,
     if (half != page->half || page->bytes < 2 * half * pitch) {
         page_forget(page);
         page->half = half;
-        page->bytes = mem_alloc(&page->texels, 2 * half * pitch, memory) ? 2 * half * pitch : 0;
+        page->bytes = mem_take(&page->texels, 2 * half * pitch, memory) ? 2 * half * pitch : 0;
     }
     page->map.texels = page->texels - first_row(page) * pitch;
     page->map.width = page->map.height = SIDE;

@@ -2,7 +2,7 @@
 
    render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
    writes frame_000.chunky and so on into the current directory and prints one line
-   a frame: number, E-clock ticks, polygons, pixels of each kind of span (with COUNT; then
+   a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
@@ -209,6 +209,8 @@ int main(void)
         return fail("not enough memory for the counts");
     if (!make_frame(&frame, &scene, kind))
         return fail("not enough memory for the frame");
+    if (scene_makes(&scene))
+        mem_reserve();
     if (!clock_open())
         return fail("another program uses CIA-B's timers");
     if (args[DCACHE] && !cache_data(1)) {

@@ -1,7 +1,7 @@
 /* scene - draws the frames of the one scene it holds into chunky dumps and times them.
 
    No arguments. It writes frame_000.chunky and so on into the current directory, as render
-   does, and prints a line a frame: E-clock ticks. tools/scene_program.py links it. */
+   does, and prints a line a frame: colour clocks. tools/scene_program.py links it. */
 #include "scene/scene.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -28,6 +28,8 @@ int main(void)
     frame.pixel_bytes = scene_pixel_bytes(scene.header->format);
     frame.pitch = frame.width * frame.pixel_bytes;
     mem_need(&frame.pixels, frame.pitch * frame.height, MEMORY_ANY);
+    if (scene_makes(&scene))
+        mem_reserve();
     if (!clock_open())
         return fail("another program uses CIA-B's timers\n");
     for (int32 number = 0; number < scene.header->frames; number++) {

@@ -103,6 +103,12 @@ enum scene_memory {
    the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 
+/* Whether memory is to be reserved for what texture units make while they draw. */
+static inline int32 scene_makes(const struct scene *scene)
+{
+    return (scene->header->units | scene->header->pipes) != 0;
+}
+
 /* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
 enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,
                                int32 number, const struct drawing *drawing, uint32 *ticks);

@@ -214,7 +214,7 @@ enum {
 
 struct frame_digest {
     uint32 sum, hash;
-    uint32 ticks;               /* of the E-clock */
+    uint32 ticks;               /* colour clocks */
     uint32 result;              /* enum polygon_result: why a polygon was refused, or 0 */
 };
 

@@ -19,7 +19,10 @@ uint32 program_load(const char *name);
 void program_unload(uint32 program);
 int32 program_run(uint32 program, const char *arguments, int32 bytes, const char *output);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
+int32 mem_take(void *address, int32 bytes, int32 kind);
+void mem_reserve(void);
 int32 mem_need(void *address, int32 bytes, int32 kind);
+int32 mem_need_take(void *address, int32 bytes, int32 kind);
 
 int32 clock_open(void);
 void clock_close(void);

@@ -84,7 +84,7 @@ static int32 is_fresh(struct tmu_kept *kept, const struct tmu *tmu, uint32 level
 static int32 room(void *address, uint32 *has, uint32 count, uint32 size)
 {
     if (*has < count)
-        *has = mem_alloc(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
+        *has = mem_take(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
     return *has > 0;
 }
 

@@ -12,7 +12,7 @@ static struct work *work;
 
 int32 tmu_line_ready(void)
 {
-    if (!work && !mem_alloc(&work, sizeof *work, MEMORY_ANY))
+    if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
         work = 0;
     return work != 0;
 }

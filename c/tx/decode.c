@@ -180,13 +180,13 @@ static int32 make_room(struct tx_kept *kept, uint32 texels, int32 quads)
     kept->decoded.quads = 0;
     if (kept->texels_room < texels) {
         kept->texels_room = 0;
-        if (!mem_alloc(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
+        if (!mem_take(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
             return 0;
         kept->texels_room = texels;
     }
     if (quads && kept->quads_room < texels) {
         kept->quads_room = 0;
-        if (!mem_alloc(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
+        if (!mem_take(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
             return 0;
         kept->quads_room = texels;
     }

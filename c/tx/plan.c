@@ -76,7 +76,7 @@ static const uint32 *find_reciprocals(void)
 {
     static uint32 *reciprocals;
 
-    if (!reciprocals && mem_alloc(&reciprocals, TX_RECIPROCALS * sizeof *reciprocals, MEMORY_ANY))
+    if (!reciprocals && mem_take(&reciprocals, TX_RECIPROCALS * sizeof *reciprocals, MEMORY_ANY))
         tx_divide_table_make(reciprocals);
     return reciprocals;
 }
@@ -89,7 +89,7 @@ static const struct tx_levels *find_levels(struct tx_unit *unit)
 
     if (unit->levels && unit->levels_made == tx->mode_generation)
         return unit->levels;
-    if (!unit->levels && !mem_alloc(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
+    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
         return 0;
     modes.lod = tx->modes.lod;
     modes.sharpen = tx->modes.sharpen;
@@ -150,7 +150,7 @@ static int32 find_tables(struct tx_plan *plan)
     plan->tables = unit->tables;
     if (unit->tables && unit->tables_made == unit->tx.mode_generation)
         return 1;
-    if (!unit->tables && !mem_alloc(&unit->tables, 4 * 256, MEMORY_ANY))
+    if (!unit->tables && !mem_take(&unit->tables, 4 * 256, MEMORY_ANY))
         return 0;
     for (int32 v = 0; v < 256; v++)
         for (int32 i = 0; i < 4; i++)

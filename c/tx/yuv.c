@@ -54,7 +54,7 @@ static int32 find_tables(struct tx_plan *plan)
     struct tx_unit *unit = plan->unit;
 
     if (!unit->yuv || unit->yuv_made != unit->tx.mode_generation) {
-        if (!unit->yuv && !mem_alloc(&unit->yuv, sizeof *unit->yuv, MEMORY_ANY))
+        if (!unit->yuv && !mem_take(&unit->yuv, sizeof *unit->yuv, MEMORY_ANY))
             return 0;
         tx_matrix_make(&unit->yuv->matrix, unit->tx.k);
         if (!plan->form.any)

@@ -1,8 +1,9 @@
-; Quiet mode and the E-clock. In quiet mode the program has the machine to
-; itself: no DMA, no interrupt but one, the watchdog that ends a routine which
-; never returns. CIA-B's chained timers are both clock and watchdog.
+; Quiet mode and the clock. In quiet mode the program has the machine to itself: no DMA, no
+; interrupt but one, the watchdog that ends a routine which never returns. CIA-B's chained timers
+; are watchdog and half of the clock; the other half is the beam.
 ;
-; One tick of the E-clock is 20 cycles of the CPU (709,379 Hz and 14.18758 MHz).
+; A colour clock, the clock's tick, is 4 cycles of the CPU, one of the E-clock, which the timers
+; count, 20 (709,379 Hz and 14.18758 MHz).
 
         include "amiga.i"
         include "routine.i"
@@ -15,6 +16,9 @@
 
 BEAM_LINES              equ     $1ff00  ; of vposr and vhposr
 BEAM_PLACE              equ     $40     ; colour clocks
+LINE                    equ     227     ; colour clocks in a raster line
+E_CLOCK                 equ     5       ; in an E-clock
+ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges are waited for
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 ICRB_TA                 equ     0
 ICRB_TB                 equ     1
@@ -245,10 +249,10 @@ watchdog:
 ;==============================================================================
 ; clock_start - starts the clock and the watchdog; in quiet mode only
 ;
-; in:      d0  int32  limit before the watchdog bites, in 65,536 ticks (92 ms)
+; in:      d0  int32  limit before the watchdog bites, in 65,536 E-clocks (92 ms)
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   -
+; reads:   the beam's position
 ; writes:  CIA-B timers A and B
 ; formats: -
 ; error:   limits from 1 to 65,535
@@ -266,21 +270,32 @@ watchdog:
         move.b  #$ff,ciatahi(a0)
         move.b  #CRBF_START_LOAD,ciacrb(a0)
         move.b  #CRAF_START_LOAD,ciacra(a0)
+        move.b  custom+vhposr+1,place
         rts
 
 ;==============================================================================
 ; clock_stop - stops the clock
 ;
 ; in:      -
-; out:     d0  uint32  ticks since clock_start, 20 CPU cycles each
+; out:     d0  uint32  colour clocks since clock_start, 4 CPU cycles each
 ; trashes: d0-d1/a0-a1
-; reads:   CIA-B timers A and B
+; reads:   CIA-B timers A and B, the beam's position
 ; writes:  -
 ; formats: -
-; error:   one tick; the pair's own constant cost is the caller's to subtract
+; error:   one colour clock; ROUGH of them where raster lines do not have LINE of them each (NTSC);
+;          the pair's own constant cost is the caller's to subtract
 ; cost:    -
 ;==============================================================================
+; The timers count E-clocks, whose place between two instructions is not known: a time is up to
+; two of them off. The beam's place in its line shows the rest.
+
         routine clock_stop
+        moveq   #0,d0
+        move.b  custom+vhposr+1,d0
+        moveq   #0,d1
+        move.b  place,d1
+        sub.l   d1,d0
+        movea.l d0,a1                   ; modulo LINE it is the time
         lea     ciab,a0
         move.b  #CRAF_STOP,ciacra(a0)
         move.b  #CRBF_STOP,ciacrb(a0)
@@ -290,14 +305,28 @@ watchdog:
         move.b  ciatblo(a0),d1
         move.l  limit,d0
         sub.l   d1,d0
-        swap    d0                      ; underflows of timer A: 65,536 ticks
+        swap    d0                      ; underflows of timer A: 65,536 E-clocks
         moveq   #0,d1
         move.b  ciatahi(a0),d1
         lsl.w   #8,d1
         move.b  ciatalo(a0),d1
         not.w   d1                      ; it counts down from $ffff
         move.w  d1,d0
-        rts
+        move.l  d0,d1
+        lsl.l   #2,d0
+        add.l   d1,d0                   ; E_CLOCK each
+        movea.l d0,a0
+        moveq   #ROUGH,d1
+        add.l   d1,d0
+        sub.l   a1,d0
+        divul.l #LINE,d1:d0             ; d1 = ROUGH + by how much the timers are ahead
+        move.l  a0,d0
+        cmp.w   #2*ROUGH,d1
+        bhi.s   .done
+        sub.l   d1,d0
+        moveq   #ROUGH,d1
+        add.l   d1,d0
+.done   rts
 
         section .data.clock,data
 timer_server                            ; never called: we poll
@@ -317,5 +346,6 @@ limit           ds.l    1
 old_intena      ds.w    1
 old_dmacon      ds.w    1
 quiet           ds.b    1
+place           ds.b    1               ; of the beam in its line, when the clock began
 old_flags       ds.b    1
-flags           ds.b    2
+flags           ds.b    1

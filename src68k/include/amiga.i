@@ -27,6 +27,7 @@ pr_CLI                  equ     172
 MEMF_CHIP               equ     2
 MEMF_FAST               equ     4
 MEMF_CLEAR              equ     $10000
+MEMF_LARGEST            equ     $20000
 MEMF_TOTAL              equ     $80000
 
 ; dos.library

@@ -1,0 +1,66 @@
+"""The texture engines whose modes are priced, and tables of what those cost and how far they are
+off what they are meant to draw.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import bench_modes, provenance, tmu_errors, tmu_modes, tx_errors, tx_modes
+from .modes import KINDS, Mode
+from .tx.ideal import Error
+
+
+@dataclass(frozen=True)
+class Engine:
+    """``name``: what commands call it; ``modes``, ``formats``, ``every``: its module's MODES,
+    FORMATS and EVERY; ``filtered``: its filter of texel formats' second row; ``meant``: what
+    errors are against."""
+
+    name: str
+    title: str
+    modes: tuple[Mode, ...]
+    formats: dict[str, tuple[str, str]]
+    every: dict[str, Mode]
+    filtered: str
+    error_of: Callable[[Mode, str], Error]
+    meant: str
+
+    def errors(self, mode: Mode) -> list[str]:
+        """The largest error and the root of the mean square, on each kind of picture."""
+        return [f"{number:.{digits}f}" for kind in KINDS
+                for number, digits in zip(self.error_of(mode, kind), (1, 2))]
+
+
+TITLES = [f"{kind}: {what}" for kind in KINDS for what in ("largest", "rms")]
+
+TX = Engine("tx", "texture engine", tx_modes.MODES, tx_modes.FORMATS, tx_modes.EVERY,
+            tx_modes.THREE, tx_errors.error_of, "exact coordinates, filters and combiners")
+TMU = Engine("tmu", "Glide's texture unit", tmu_modes.MODES, tmu_modes.FORMATS, tmu_modes.EVERY,
+             "bilinear", tmu_errors.error_of,
+             "exact coordinates, levels of detail, filters and combine units")
+ENGINES = {engine.name: engine for engine in (TX, TMU)}
+
+
+def table(engine: Engine, machine: str) -> str:
+    """Markdown: cycles and errors of all modes as a machine draws them, each frame being the
+    model's."""
+    rows = bench_modes.measure(machine, list(engine.every), plain=False)["modes"]
+    cycles = {row["name"]: row["cycles_per_pixel"] for row in rows}
+    lines = [f"| {engine.title}, {machine}; errors in 1/255 | cycles a pixel | "
+             + " | ".join(TITLES) + " |", "|---|--:|" + "--:|" * len(TITLES)]
+    for mode in engine.every.values():
+        found = [f"{cycles[bench_modes.ROW + mode.name]:.1f}", *engine.errors(mode)]
+        lines.append(f"| {mode.title} | " + " | ".join(found) + " |")
+    return "\n".join(lines)
+
+
+def write(folder: Path, engine: Engine, machine: str) -> str:
+    """NAME.md; returns its table."""
+    about, made = provenance.record(), table(engine, machine)
+    (folder / f"{engine.name}.md").write_text(
+        f"# Modes: {engine.title}\n\nPolygons of some 2,000 pixels, set-up included, tables "
+        "and decoded texels made before; DMA and interrupts off. Errors of R, G and B against "
+        f"{engine.meant}, on a smooth texture and on noise. "
+        f"{about['emulator']}, {about['compiler']}, commit {about['commit']}.\n\n{made}\n")
+    return made
