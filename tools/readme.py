@@ -102,10 +102,6 @@ EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
                 ("texels and frame of 16 bits", "affine_16", 256),
                 ("the same, v's step 0, a texel a pixel: copied", "affine_16_copy", 256),
                 ("texels and frame of 32 bits", "affine_32", 256),
-                ("dithered points", "dithered", 256),
-                ("dithered points, v wraps", "dithered_wrap", 256),
-                ("dithered points of 16 bits", "dithered_16", 256),
-                ("dithered points of 32 bits", "dithered_32", 256),
                 ("lit, one level", "affine_lit", 256),
                 ("lit, a level each pixel", "affine_gouraud", 256))
 
@@ -122,6 +118,25 @@ def effects_table(baseline: dict) -> str:
         lines.append(f"| {title} | " + " | ".join(f"{n:.1f}" for n in found)
                      + f" | {run.CLOCK_HZ / found[0]:,.0f} | {wrong:.0f} % |")
     return "\n".join(lines)
+
+
+#: Dithered points beside points: title, bench rows.
+DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
+                  ("8 bits, where v may wrap", "dithered_wrap", "affine_addx_wrap"),
+                  ("16 or 32 bits", "dithered_16", "affine_16"),
+                  ("16 or 32 bits, where v may wrap", "dithered_16_wrap", "affine_16_wrap"))
+
+
+def dithered_tables(baseline: dict) -> str:
+    """Markdown: what dithered points are off from the bilinear filter, and what they cost."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
+    lines = ["| cycles a pixel, dithered / points | " + " | ".join(MACHINES.values()) + " |",
+             "|---|" + "--:|" * len(MACHINES)]
+    for title, *names in DITHERED_LINES:
+        cells = [" / ".join(f"{figures[name, machine, 256]:.1f}" for name in names)
+                 for machine in MACHINES]
+        lines.append(f"| {title} | " + " | ".join(cells) + " |")
+    return "\n".join([dither_errors.table(), "", *lines])
 
 
 #: Meshes: title of a line, row.
@@ -201,7 +216,7 @@ def with_tables(text: str) -> str:
     text = with_table(text, "Glide's steps not called for", readme_modes.uncalled_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
-    text = with_table(text, "dithered points", dither_errors.table())
+    text = with_table(text, "dithered points", dithered_tables(measured))
     text = with_table(text, "perspective", perspective_table(measured, accuracy))
     rows = json.loads(POLYS_BASELINE.read_text())["rows"]
     return with_table(text, "polygons a second", polys.table(rows).rstrip())
