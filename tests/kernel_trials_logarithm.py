@@ -1,20 +1,15 @@
 """Trials of perspective by logarithms: tables, lines and spans against the model, and what the
 tables cost in precision against exact fractions."""
 
-from fractions import Fraction
-
 import numpy as np
 
 from kernel_checker import Memory, Trial, Write
 from kernel_trials_polygon import fields_check, first_of
-from kernel_trials_reciprocal import PITCH, constants_of, triangles
+from kernel_trials_reciprocal import PITCH, constants_of, emptied_lines, error, triangles
 from kernel_trials_span import BIAS, FRAME, picture_memory, texture
-from tools import bench_logarithm, bench_perspective, bench_reciprocal, layout
+from tools import bench_logarithm, bench_perspective, layout
 from tools import model_logarithm as model
-from tools.fixed import signed
 from tools.kernels import M32, Case
-
-STATED = 2048  # a texel in 32
 
 
 def make_trial() -> Trial:
@@ -35,18 +30,6 @@ def make_trial() -> Trial:
                  also=check)
 
 
-def error(deep, line, u, v, y: int) -> str | None:
-    """Some pixels against the planes themselves."""
-    for x in {0, line.n // 3, line.n}:
-        at = line.left + x - deep.i, y - deep.j
-        q = Fraction(deep.q.value(*at), 1 << 32)
-        for found, plane, base in ((u[x], deep.s, deep.base[0]), (v[x], deep.t, deep.base[1])):
-            off = signed(int(found) - base - int(plane.value(*at) / q), 32)
-            if abs(off) > min(model.bound(line), STATED):
-                return f"line {y}, pixel {x}: the model is {off} units off"
-    return None
-
-
 def lines_trial(deep, width: int, lines) -> Trial | None:
     """logarithm_lines on all lines of a polygon, those it leaves among them."""
     constants, *_ = constants_of(deep, None, width, lines)
@@ -65,19 +48,13 @@ def lines_trial(deep, width: int, lines) -> Trial | None:
             wanted = shape.unpack(bench_logarithm.entry(line))
             del wanted["spare"]
             if k % 4 == 0:
-                worst = worst or error(deep, line, *model.coordinates(line), each[2])
+                worst = worst or error(deep, line, {0, line.n // 3, line.n}, *model.coordinates(line),
+                                       each[2], model.bound(line))
         parts.append(fields_check(out + k * shape.size, "logarithm_line", wanted, {}, f"line {k}"))
-    entry = layout.load().struct("scanline")
-    table = int.from_bytes(memory.data[planes:planes + 4], "big")
     blank = bytes(shape.size * len(lines))
-    emptied = []
-    for k, ((left, right, _), line) in enumerate(zip(lines, made)):
-        last = (left if line and others else right) - 1 + BIAS
-        emptied.append(Write(table + k * entry.size + entry.fields["last"]["offset"],
-                             last.to_bytes(2, "big")))
     return Trial(Case("logarithm_lines", memory, pointers={"a0": plan, "a1": tables, "d0": out}),
                  f"{deep}, {len(lines)} lines, {others} left", {"d0": others},
-                 writes=[Write(out, blank, blank), *emptied],
+                 writes=[Write(out, blank, blank), *emptied_lines(memory, planes, lines, made)],
                  also=first_of([*(part[1] for part in parts), lambda _: worst]))
 
 

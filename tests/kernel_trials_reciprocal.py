@@ -76,16 +76,26 @@ def find_trial(deep, width: int, lines) -> Trial:
                  f"{deep}, pixel {x}, {y}", {"d0": 1}, writes=writes)
 
 
-def error(deep, line, u, v, y: int) -> str | None:
-    """The ends of pieces against the planes themselves."""
-    for x in {*range(0, line.n + 1, 1 << line.piece), line.n}:
+def error(deep, line, pixels, u, v, y: int, bound: int) -> str | None:
+    """Some pixels against the planes themselves: as far as ``bound`` and what is stated."""
+    for x in pixels:
         at = line.left + x - deep.i, y - deep.j
         q = Fraction(deep.q.value(*at), 1 << 32)
         for found, plane, base in ((u[x], deep.s, deep.base[0]), (v[x], deep.t, deep.base[1])):
             off = signed(int(found) - base - int(plane.value(*at) / q), 32)
-            if abs(off) > min(model.bound(line), STATED):
+            if abs(off) > min(bound, STATED):
                 return f"line {y}, pixel {x}: the model is {off} units off"
     return None
+
+
+def emptied_lines(memory: Memory, planes: int, lines, made: list) -> list[Write]:
+    """What a plan's lines are to others: empty those that were ``made``, if others were not."""
+    entry = layout.load().struct("scanline")
+    table = int.from_bytes(memory.data[planes:planes + 4], "big")
+    some_left = any(right > left and not line for (left, right, _), line in zip(lines, made))
+    return [Write(table + k * entry.size + entry.fields["last"]["offset"],
+                  ((left if line and some_left else right) - 1 + BIAS).to_bytes(2, "big"))
+            for k, ((left, right, _), line) in enumerate(zip(lines, made))]
 
 
 def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
@@ -99,9 +109,9 @@ def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
     at = bench_reciprocal.add_reciprocal_plan(memory, planes, constants,
                                               bench_reciprocal.table(memory), out)
     blank = bytes(shape.size)
+    made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
     parts, others, worst = [], 0, None
-    for k, each in enumerate(lines):
-        line = model.line(deep, constants, *each) if each[1] > each[0] else None
+    for k, (each, line) in enumerate(zip(lines, made)):
         wanted = {"n": -1 if each[1] > each[0] else each[1] - each[0] - 1}
         others += each[1] > each[0] and line is None
         if line:
@@ -109,20 +119,14 @@ def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
             del wanted["scale"]
             if not line.n >> piece:  # it takes no step
                 del wanted["dq"]
-            worst = worst or error(deep, line, *model.coordinates(line), each[2])
+            ends = {*range(0, line.n + 1, 1 << piece), line.n}  # of pieces
+            worst = worst or error(deep, line, ends, *model.coordinates(line), each[2],
+                                   model.bound(line))
         parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
-    entry = layout.load().struct("scanline")
-    table = int.from_bytes(memory.data[planes:planes + 4], "big")
-    writes = [Write(out, blank * len(lines), blank * len(lines))]
-    emptied = []
-    for k, (left, right, y) in enumerate(lines):
-        taken = right > left and model.line(deep, constants, left, right, y)
-        last = (left if taken and others else right) - 1 + BIAS
-        emptied.append(Write(table + k * entry.size + entry.fields["last"]["offset"],
-                             last.to_bytes(2, "big")))
     return Trial(Case("reciprocal_lines", memory, pointers={"a0": at}),
                  f"{deep}, pieces of 2^{piece}, {len(lines)} lines, {others} left",
-                 {"d0": others}, writes=writes + emptied,
+                 {"d0": others}, writes=[Write(out, blank * len(lines), blank * len(lines)),
+                                         *emptied_lines(memory, planes, lines, made)],
                  also=first_of([*(part[1] for part in parts), lambda _: worst]))
 
 

@@ -7,7 +7,10 @@ import zlib
 
 import mesh_cases
 import numpy as np
+from mesh_bad_files import wrong_meshes
 from tmu_bad_files import wrong_pipes
+from tx_bad_files import wrong_primitives
+from wrong_fields import Row, WrongFields
 
 from tools import emulator, fuzz, kernels, layout, model, scene_file
 from tools.kernels import Case
@@ -19,7 +22,6 @@ NOT_A_SCENE, NOT_A_PLAN = ": not a usable scene file: ", ": not a usable plan fi
 M32 = 0xFFFFFFFF
 #: Commands of one boot: finding a file among many is slow.
 TOGETHER = 80
-UNIT = 1 << 30
 
 
 def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
@@ -112,153 +114,51 @@ def lengths(header: str, data: bytes) -> list[int]:
             len(data) - 1]
 
 
-def wrong_mappers() -> list[tuple[bytes, int, int, str]]:
+def wrong_mappers() -> list[Row]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
-    every, wide, widest, light_only = map(scene_file.write, (
+    rows: list[Row] = []
+    every, wide, widest, light_only = (WrongFields(scene, rows) for scene in (
         every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
     flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud, dithered = range(10)
-    out = []
-
-    def entry(source, table, index, field, *values, said=None):
-        struct = SHAPES.struct(scene_file.TABLES[table])
-        at = SHAPES.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
-        out.extend((source, at + struct.fields[field]["offset"], value,
-                    said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
-
-    entry(every, "textures", page, "layout", 6, M32)
-    entry(every, "textures", page, "layout", linear, said="material.texture")
-    entry(every, "textures", page, "texel_bytes", 0, 2, M32)
-    entry(every, "textures", page, "at", 0, 82, len(every) - 124, M32 - 3)
+    every.entry("textures", page, "layout", 6, M32)
+    every.entry("textures", page, "layout", linear, said="material.texture")
+    every.entry("textures", page, "texel_bytes", 0, 2, M32)
+    every.entry("textures", page, "at", 0, 82, len(every.data) - 124, M32 - 3)
     for index, widths in ((page, (0, 4, 12, 512, M32, 2**31)), (linear, (0, 1025, M32, 2**31)),
                           (tiled, (0, 255, 512, M32)), (columns, (4, 48, 2**16, M32, 2**31)),
                           (margins, (8, 512, M32)), (light, (255, 128, M32))):
-        entry(every, "textures", index, "width", *widths, said=size)
-        entry(every, "textures", index, "height", *widths, said=size)
-    entry(wide, "textures", 0, "layout", linear, tiled, light)
-    entry(wide, "textures", 0, "texel_bytes", 1, 4)
-    entry(widest, "textures", 0, "layout", columns)
-    entry(widest, "materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
-    entry(widest, "materials", 1, "perspective", 1, 4)
-    entry(every, "materials", flat, "mapper", 10, 11, M32)
-    entry(every, "materials", flat, "texture", 0)
-    entry(every, "materials", gouraud, "texture", 0)
-    entry(every, "materials", affine, "texture", linear, light, -1, 6)
+        every.entry("textures", index, "width", *widths, said=size)
+        every.entry("textures", index, "height", *widths, said=size)
+    wide.entry("textures", 0, "layout", linear, tiled, light)
+    wide.entry("textures", 0, "texel_bytes", 1, 4)
+    widest.entry("textures", 0, "layout", columns)
+    widest.entry("materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
+    widest.entry("materials", 1, "perspective", 1, 4)
+    every.entry("materials", flat, "mapper", 10, 11, M32)
+    every.entry("materials", flat, "texture", 0)
+    every.entry("materials", gouraud, "texture", 0)
+    every.entry("materials", affine, "texture", linear, light, -1, 6)
     for field, past in (("edges", 3), ("gradients", 3), ("start", 2), ("clip", 2)):
-        entry(every, "materials", affine, field, past, M32)
-    entry(every, "materials", affine, "light", 0, light)
+        every.entry("materials", affine, field, past, M32)
+    every.entry("materials", affine, "light", 0, light)
     for index in lit_flat, lit_gouraud:
-        entry(every, "materials", index, "texture", linear, light, -1)
-        entry(every, "materials", index, "light", page, -1, 6, M32)
+        every.entry("materials", index, "texture", linear, light, -1)
+        every.entry("materials", index, "light", page, -1, 6, M32)
     for index in lit_gouraud, dithered:
-        entry(every, "materials", index, "gradients", 0, 1)
-        entry(every, "materials", index, "start", 0)
-    entry(every, "materials", dithered, "texture", linear, light, -1)
-    entry(every, "materials", dithered, "perspective", 1, 4)
-    entry(light_only, "vertices", 0, "shade", -1, 256 << 16, 2**31)
-    entry(wide, "materials", 0, "colour", 65536)
-    entry(every, "objects", gouraud, "vertices", 4)
-    entry(every, "objects", arbitrary, "vertices", 4)
-    entry(every, "vertices", 1, "shade", -1, 256 << 16, 2**31)
-    entry(every, "vertices", 2, "s", -1, (256 << 16) + 1, 61 << 16, 2**31, 2**31 - 1)
-    entry(every, "vertices", 2, "t", -1, (256 << 16) + 1, 2**31)
-    return out
-
-
-def wrong_meshes() -> list[tuple[bytes, int, int, str]]:
-    """As wrong_mappers, for meshes, instances and views."""
-    made = mesh_cases.boxes(1)
-    made.textures = [Texture(np.zeros((8, 8), np.uint8)),
-                     Texture(np.zeros((30, 7), np.uint8), "linear")]
-    made.instances[1].flags = 0
-    made.materials = [*made.materials, Material("arbitrary", texture=1)]
-    data, out = scene_file.write(made), []
-    header = SHAPES.struct("scene_header")
-    where = header.unpack(data)
-    def entry(table, index, field, *values, said=None):
-        struct = SHAPES.struct(scene_file.TABLES[table])
-        at = where[f"{table}_at"] + index * struct.size + struct.fields[field]["offset"]
-        name = said or f"{struct.name.removeprefix('scene_')}.{field}"
-        out.extend((data, at, value, name) for value in values)
-
-    for field, values in (("near_plane", (0, 255, 1 << 30, M32)), ("guard", (0, 5, 14, M32))):
-        out.extend((data, header.fields[field]["offset"], value, field) for value in values)
-    for field in "xyz":
-        entry("points", 3, field, (2048 << 16) + 1, 2**31, said="point")
-        entry("faces", 5, field, UNIT + 1, -UNIT - 1, said="face.x, y or z")
-    entry("normals", 2, "x", 16385 << 16, 0xBFFF << 16, 16385, said="normal")
-    entry("normals", 2, "z", 16385 << 16, said="normal")
-    for field in ("xx", "yz", "zz"):
-        entry("views", 4, field, UNIT + 1, 2**31, said="view.xx to zz")
-    for field in ("x0", "y0", "z0"):
-        entry("views", 4, field, 10240 << 16, -10240 << 16, said="view.x0, y0 or z0")
-    entry("corners", 6, "point", 8 << 16, M32)
-    entry("corners", 6, "point", 6, said="corner.normal")  # the lower word is the normal's
-    entry("faces", 1, "corner", 21, 24, M32, said="face.corners")
-    entry("faces", 1, "corners", 0, 2, 33, M32)
-    for many, one, past in (("points", "point", 9), ("normals", "normal", 7), ("faces", "face", 13)):
-        entry("meshes", 0, many, 0, 4097, M32)
-        entry("meshes", 0, one, past, M32, said=f"mesh.{many}")
-    entry("meshes", 0, "corners", 61, M32)
-    entry("meshes", 0, "corners", 3, said="face.corners")
-    entry("meshes", 0, "corner", 61, M32, said="mesh.corners")
-    entry("instances", 1, "mesh", 2, M32)
-    entry("instances", 1, "material", 7, M32)
-    entry("instances", 1, "material", 4, said="instance.flags")  # shades need light
-    entry("instances", 1, "material", 6, said="corner.s or t")
-    entry("instances", 2, "before", 3, M32)
-    entry("instances", 1, "view", 33, M32, said="instance.views")
-    entry("instances", 1, "views", 0, 33, M32)
-    entry("instances", 1, "first_frame", 4, M32)
-    entry("instances", 1, "flags", 4, M32)
-    entry("instances", 4, "dark", -1, 221 << 16, said="instance.dark or bright")
-    entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
-    entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles
-    return out
-
-
-def with_engine(scene: Scene) -> Scene:
-    """The scene in 16-bit pixels, with a texture engine whose list has one word."""
-    scene.format, scene.textures, scene.background = "rgba5551", [], 0
-    scene.units, scene.lists = np.array([[0, 1]]), np.array([[0, 1]])
-    scene.words = np.zeros((1, 2), np.int64)
-    return scene
-
-
-def wrong_primitives() -> list[tuple[bytes, int, int, str]]:
-    """As wrong_mappers, for what objects of texture engines are."""
-    kinds = ("rectangles", "coloured")
-    engines = [Material("unit", unit=0, primitive=kind) for kind in kinds]
-    made, boxes = with_engine(example(0)), with_engine(mesh_cases.boxes(1))
-    made.materials = [*engines, Material()]
-    made.vertices, made.poses = np.full((6, 6), 65536), np.array([scene_file.IDENTITY] * 4)
-    made.vertices[:, 2:4] = 7
-    made.objects = [Object(0, 0, 2, 0, 3, 0), Object(1, 2, 3, 0, 3, 0)]
-    boxes.materials = [Material()] * 6 + engines[1:]
-    out = []
-
-    def entry(scene, table, index, field, *values, said=None):
-        source, struct = scene_file.write(scene), SHAPES.struct(scene_file.TABLES[table])
-        at = SHAPES.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
-        out.extend((source, at + struct.fields[field]["offset"], value,
-                    said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
-
-    entry(made, "materials", 0, "primitive", 4, M32)
-    entry(made, "materials", 2, "primitive", 1, 4)
-    entry(made, "objects", 0, "vertices", 1, 3, 65)
-    entry(made, "objects", 0, "material", 1, said="object.vertices")
-    entry(made, "objects", 1, "vertices", 2)
-    for field in "xy":
-        entry(made, "vertices", 1, field, 1, M32)
-    for field in "st":
-        entry(made, "vertices", 0, field, 32768, -32769, 2**31)
-    for field in ("xx", "xy", "yx", "yy"):
-        entry(made, "poses", 1, field, 1, 65537, 2**31, said="pose.xx, xy, yx or yy")
-    for field in ("x0", "y0"):
-        entry(made, "poses", 2, field, 1, M32, said="pose.x0 or y0")
-    entry(boxes, "instances", 0, "material", 6)
-    return out
+        every.entry("materials", index, "gradients", 0, 1)
+        every.entry("materials", index, "start", 0)
+    every.entry("materials", dithered, "texture", linear, light, -1)
+    every.entry("materials", dithered, "perspective", 1, 4)
+    light_only.entry("vertices", 0, "shade", -1, 256 << 16, 2**31)
+    wide.entry("materials", 0, "colour", 65536)
+    every.entry("objects", gouraud, "vertices", 4)
+    every.entry("objects", arbitrary, "vertices", 4)
+    every.entry("vertices", 1, "shade", -1, 256 << 16, 2**31)
+    every.entry("vertices", 2, "s", -1, (256 << 16) + 1, 61 << 16, 2**31, 2**31 - 1)
+    every.entry("vertices", 2, "t", -1, (256 << 16) + 1, 2**31)
+    return rows
 
 
 def bad_scenes() -> list[tuple[bytes, str]]:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tools import bench_rules, bounds, emulator, fuzz, fuzz_polygons, layout, model, run
-from tools.bench_rules import AFFINE, CASES, DEEP, TURNED, WIDE, Case
+from tools.bench_rules import AFFINE, CASES, DEEP, GROUPS, TURNED, WIDE, Case
 from tools.scene_file import ONE, write
 
 MACHINE = "a1200-fast"
@@ -46,6 +46,22 @@ def test_counts_show_that_nothing_else_ran(pixels):
         others_same = [k for k in range(1, scene.frames) if figures[k]["spans"] != without[k]["spans"]]
         assert all(cases[k - 1].material.mapper == case.material.mapper
                    or cases[k - 1].lowered == case.lowered for k in others_same), case.rule
+
+
+def test_pictures_without_rules_of_other_groups():
+    """The bench compares each group's pictures without its own rules; here they are without those
+    of the other groups of their format."""
+    runs = []
+    for number, group in enumerate(GROUPS):
+        rules = {case.rule for case in BY_PIXELS[group[0].pixels]} - {case.rule for case in group}
+        runs += [(number, rule, bench_rules.scene_of(group)) for rule in sorted(rules)]
+    drawn = fuzz.draw([(scene, f"addx OFF {rule}") for _, rule, scene in runs], MACHINE)
+    assert {number for number, *_ in runs} == {0, 1}  # chunky frames, with and without perspective
+    for (number, rule, _), digests in zip(runs, drawn):
+        for frame, (picture, digest) in enumerate(zip(bench_rules.shown(number), digests, strict=True)):
+            assert fuzz.is_models(picture, digest), (
+                f"without {rule}: frame {frame} ({GROUPS[number][frame - 1].name}) is not the model's; "
+                "again: .deps/venv/bin/python -m pytest tests/test_lowering.py -k other_groups")
 
 
 def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polygons.Fuzzed:

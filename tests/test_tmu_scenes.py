@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from PIL import Image
+from engine_scenes import check_refused, compiled, explain, run_command, save_noise, scene_text
 
 from tools import model, run, scene_file, scene_pipes
-from tools.errors import UserError
 from tools.paths import SCENES
 from tools.scene import compile_scene
 from tools.tmu import images
@@ -15,13 +14,6 @@ from tools.tx.images import read
 
 NAMES = ("glide_floor", "dithered")
 
-HEAD = """\
-width = 64
-height = 48
-frames = {frames}
-format = "{pixels}"
-background = "#102030"
-"""
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
@@ -30,39 +22,32 @@ OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
 @pytest.fixture
 def folder(tmp_path):
     """A directory with pictures: noise 32x32, odd 24x20, long 64x4."""
-    rng = np.random.default_rng(3)
-    for name, size in (("noise", (32, 32)), ("odd", (20, 24)), ("long", (4, 64))):
-        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
-        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), long=(4, 64))
     return tmp_path
 
 
-def make(folder, glide: str, obj: str = SQUARE, pixels: str = "rgba8888", frames: int = 1,
-         more: str = ""):
-    """The compiled scene of one material, one object."""
-    (folder / "scene.toml").write_text(
-        HEAD.format(frames=frames, pixels=pixels)
-        + f"[materials]\nit = {{ {more}glide = {{ {glide} }} }}\n"
-        + f'[[objects]]\nmaterial = "it"\n{obj}\n')
-    return compile_scene(folder / "scene.toml")
+def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
+    """A scene of one material, one object."""
+    return scene_text(f"{more}glide = {{ {glide} }}", obj, **kinds)
+
+
+def make(folder, *args, **kinds):
+    """The compiled scene of ``text_of``."""
+    return compiled(folder, text_of(*args, **kinds))
 
 
 def units(*each: str) -> str:
     return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
 
 
-def check_frames(scene, name: str, off: str | None) -> None:
+def check_frames(scene, name: str, off: str | None, again: str = "") -> None:
     """Compares the guest's frames with the model's."""
     done = run.render(scene, "a1200-fast", "addx", off)
     for number, found in enumerate(done.frames):
         expected = model.render(scene, number)
-        wrong = np.argwhere(found != expected)
-        digits = 2 * scene.pixel.bytes
-        text = "".join(f"; pixel ({x}, {y}) is {found[y, x]:#0{digits + 2}x}, not "
-                       f"{expected[y, x]:#0{digits + 2}x}" for y, x in wrong[:1])
-        assert not len(wrong), (
-            f"{name}, frame {number}: {len(wrong)} pixels are not the model's{text}; again: "
-            f"scripts/tmap run tests/scenes/{name}.toml" + (f" --off {off}" if off else ""))
+        assert np.array_equal(found, expected), explain(
+            f"{name}, frame {number}", expected, found,
+            again or run_command(name, scene.frames, off))
         assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
 
 
@@ -121,8 +106,9 @@ def test_projected(folder):
                      's = "clamp", own = true, weights = 8')
         scene = make(folder, "perspective = true, " + both,
                      SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
-                     + OWN + "\nw1 = [1, 2, -3, -1]", "rgb565")
-        check_frames(scene, "a projected picture", None)
+                     + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
+        check_frames(scene, f"a projected picture, {form}", None,
+                     ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k projected")
 
 
 def test_equal_units_and_texels_are_there_once(folder):
@@ -181,11 +167,7 @@ MESSAGES = [
 @pytest.mark.parametrize("glide, message", MESSAGES)
 def test_refused(folder, glide, message):
     """One line that names file and field."""
-    with pytest.raises(UserError) as caught:
-        make(folder, glide)
-    text = str(caught.value)
-    assert text.startswith(f"{folder / 'scene.toml'}: materials.it.{message}"), text
-    assert "\n" not in text
+    check_refused(folder, text_of(glide), f"materials.it.{message}")
 
 
 @pytest.mark.parametrize("kinds, message", [
@@ -203,9 +185,7 @@ def test_refused(folder, glide, message):
      "objects[0].st1: material 'it' has no second unit with coordinates of its own"),
 ])
 def test_objects_refused(folder, kinds, message):
-    with pytest.raises(UserError) as caught:
-        make(folder, units(UNIT), **kinds)
-    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
+    check_refused(folder, text_of(units(UNIT), **kinds), message)
 
 
 MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
@@ -219,7 +199,4 @@ MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
     (MESH, "material: 'it' has a unit with coordinates of its own, which are for polygons only"),
 ])
 def test_coordinates_refused(folder, obj, message):
-    with pytest.raises(UserError) as caught:
-        make(folder, units(UNIT, UNIT + ", own = true"), obj)
-    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: objects[0].{message}"), \
-        caught.value
+    check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

@@ -2,10 +2,9 @@
 
 import numpy as np
 import pytest
-from PIL import Image
+from engine_scenes import compiled, explain, many_text, save_noise
 
 from tools import model, run
-from tools.scene import compile_scene
 
 SIDE = 40  # pixels of a polygon's place
 TILE = 'image = "noise.png", width = 12, height = 16'
@@ -36,8 +35,7 @@ ENGINES = {
 def folder(tmp_path_factory):
     """A directory with noise, 12x16."""
     path = tmp_path_factory.mktemp("pages")
-    noise = np.random.default_rng(6).integers(0, 256, (16, 12, 3), np.uint8)
-    Image.fromarray(noise).save(path / "noise.png")
+    save_noise(path, 6, noise=(16, 12))
     return path
 
 
@@ -45,26 +43,22 @@ def folder(tmp_path_factory):
 def test_rows_are_made_as_they_are_needed(folder, pixels):
     """Polygons of one engine after the other, each at rows of its own: the model's pictures."""
     columns = max(len(ranges) for _, ranges in ENGINES.values())
-    text = (f'width = {SIDE * columns}\nheight = {SIDE * len(ENGINES)}\nframes = 1\n'
-            f'format = "{pixels}"\nbackground = "#102030"\n[materials]\n')
-    text += "".join(f'm{n} = {{ tx = {{ {tx} }} }}\n' for n, (tx, _) in enumerate(ENGINES.values()))
+    text = many_text(SIDE * columns, SIDE * len(ENGINES), pixels, (tx for tx, _ in ENGINES.values()))
     for n, (_, ranges) in enumerate(ENGINES.values()):
         for k, (low, high) in enumerate(ranges):
             left, top = SIDE * k + 1, SIDE * n + 1
             rows = [[left, top, -1.3, low], [left + 37, top + 4.6, 13.4, low + 0.4],
                     [left + 9, top + 37.2, 5.5, high]]
             text += f'[[objects]]\nmaterial = "m{n}"\nvertices = {rows}\n'
-    (folder / f"{pixels}.toml").write_text(text)
-    scene = compile_scene(folder / f"{pixels}.toml")
+    scene = compiled(folder, text)
     done = run.render(scene, "a1200-fast", "addx")
     expected = model.render(scene, 0)
     for n, (name, (_, ranges)) in enumerate(ENGINES.items()):
         for k, (low, high) in enumerate(ranges):
             part = np.s_[SIDE * n:SIDE * (n + 1), SIDE * k:SIDE * (k + 1)]
-            wrong = np.argwhere(done.frames[0][part] != expected[part])
-            assert not len(wrong), (
-                f"{name}, t from {low} to {high}, polygon {k}: {len(wrong)} pixels are not the "
-                f"model's, the first one at {wrong[0].tolist()[::-1]} of it; again: "
+            found = done.frames[0][part]
+            assert np.array_equal(found, expected[part]), explain(
+                f"{name}, t from {low} to {high}, polygon {k}", expected[part], found,
                 f".deps/venv/bin/python -m pytest tests/test_tx_pages.py -k {pixels}")
         assert all(span.startswith("affine") for span in done.executed[n]["spans"]), \
             f"{name}: drawn by {list(done.executed[n]['spans'])}, not by the plain mappers"

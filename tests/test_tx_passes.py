@@ -3,10 +3,9 @@ its modes, texels straight into 16-bit pixels, the second cycle's texel alone.""
 
 import numpy as np
 import pytest
-from PIL import Image
+from engine_scenes import compiled, explain, many_text, save_noise
 
 from tools import model, run
-from tools.scene import compile_scene
 
 COLUMNS, SIDE, GAP = 5, 22, 26
 YUV = 'image = "noise.png", format = "yuv16", width = 16, height = 16'
@@ -90,8 +89,7 @@ def corners(n: int, tx: str) -> str:
 def folder(tmp_path_factory):
     """A directory with noise, 16x16."""
     path = tmp_path_factory.mktemp("passes")
-    noise = np.random.default_rng(9).integers(0, 256, (16, 16, 3), np.uint8)
-    Image.fromarray(noise).save(path / "noise.png")
+    save_noise(path, 9, noise=(16, 16))
     return path
 
 
@@ -99,23 +97,18 @@ def folder(tmp_path_factory):
 def test_passes_are_the_models(folder, pixels):
     """One frame of all engines: each triangle is the model's, drawn as it is to be."""
     lines = -(-len(ENGINES) // COLUMNS)
-    text = (f'width = {GAP * COLUMNS + 6}\nheight = {GAP * lines + 4}\nframes = 1\n'
-            f'format = "{pixels}"\nbackground = "#102030"\n[materials]\n')
-    text += "".join(f'm{n} = {{ tx = {{ {tx} }} }}\n' for n, (tx, _) in enumerate(ENGINES.values()))
+    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, (tx for tx, _ in ENGINES.values()))
     for n, (tx, _) in enumerate(ENGINES.values()):
         text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, tx)}\n'
-    (folder / f"{pixels}.toml").write_text(text)
-    scene = compile_scene(folder / f"{pixels}.toml")
+    scene = compiled(folder, text)
     done = run.render(scene, "a1200-fast", "addx")
     expected = model.render(scene, 0)
     for n, (name, (_, by_passes)) in enumerate(ENGINES.items()):
         left, top = GAP * (n % COLUMNS), GAP * (n // COLUMNS)
         part = np.s_[top:top + GAP, left:left + GAP]
-        wrong = np.argwhere(done.frames[0][part] != expected[part])
-        text = "".join(f"; ({left + x}, {top + y}) is {done.frames[0][part][y, x]:#x}, not "
-                       f"{expected[part][y, x]:#x}" for y, x in wrong[:1])
-        assert not len(wrong), (
-            f"{name}: {len(wrong)} pixels are not the model's{text}; again: "
+        found = done.frames[0][part]
+        assert np.array_equal(found, expected[part]), explain(
+            f"{name}, from ({left}, {top}) on", expected[part], found,
             f".deps/venv/bin/python -m pytest tests/test_tx_passes.py -k {pixels}")
         assert len(np.unique(expected[part])) > 20, f"{name}: hardly any colours"
         spans = list(done.executed[n]["spans"])

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from engine_scenes import HEAD, check_refused, compiled, scene_text
 from PIL import Image
-from test_tx_scenes import HEAD, ONE, SQUARE, TILE, make, scene_of
+from test_tx_scenes import ONE, SQUARE, TILE, make, scene_of
 
 from tools import emulator, model, scene_file
 from tools.errors import UserError
@@ -89,8 +90,7 @@ def test_a_material_of_several_kinds_becomes_several(folder):
     text = scene_of(SHADED, CORNERS.replace("]]", ", 255]]").replace("], ", ", 255], "))
     for more in (CORNERS + "\n" + COLOURS, CORNERS + "\n" + COLOURS, "sides = 5\nradius = 9"):
         text += f'[[objects]]\nmaterial = "it"\n{more}\n'
-    (folder / "scene.toml").write_text(text)
-    scene = compile_scene(folder / "scene.toml")
+    scene = compiled(folder, text)
     assert [(m.primitive, m.unit) for m in scene.materials] == [("polygons", 0), ("coloured", 0)]
     assert [o.material for o in scene.objects] == [0, 1, 1, 0]
     assert len(scene.units) == 1
@@ -147,11 +147,7 @@ def rectangle(more: str = "", box: str = BOX) -> str:
 ])
 def test_refused(folder, tx, obj, message):
     """One line that names file and field."""
-    with pytest.raises(UserError) as caught:
-        make(folder, tx, obj, pixels="rgba5551")
-    text = str(caught.value)
-    assert text.startswith(f"{folder / 'scene.toml'}: {message}"), text
-    assert "\n" not in text
+    check_refused(folder, scene_of(tx, obj, pixels="rgba5551"), message)
 
 
 def test_refused_by_other_scenes(folder):
@@ -159,10 +155,8 @@ def test_refused_by_other_scenes(folder):
     with pytest.raises(UserError, match='tx.cycles: "copy" is for scenes in rgba5551'):
         make(folder, COPY, BOX)
     for obj, field in ((BOX, "rectangle"), (CORNERS + "\n" + COLOURS, "colours")):
-        text = scene_of("", obj).replace("tx = {  }", 'colour = "#ffffff"')
-        (folder / "scene.toml").write_text(text)
-        with pytest.raises(UserError, match=rf"objects\[0\].{field}: material 'it' has no text"):
-            compile_scene(folder / "scene.toml")
+        check_refused(folder, scene_text('colour = "#ffffff"', obj),
+                      f"objects[0].{field}: material 'it' has no text")
 
 
 def test_the_readmes_example(folder):

@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from PIL import Image
+from engine_scenes import (HEAD, check_refused, compiled, explain, run_command, save_noise,
+                           scene_text)
 
 from tools import emulator, fuzz, model, run, scene_file, scene_units
 from tools.errors import UserError
@@ -14,13 +15,6 @@ from tools.tx import images
 NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv", "tx_rectangles")
 MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
 
-HEAD = """\
-width = 64
-height = 48
-frames = {frames}
-format = "{pixels}"
-background = "#102030"
-"""
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32], [0, 32, 0, 32]]"
 TILE = 'image = "noise.png", format = "rgba16"'
 
@@ -28,26 +22,19 @@ TILE = 'image = "noise.png", format = "rgba16"'
 @pytest.fixture
 def folder(tmp_path):
     """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16."""
-    rng = np.random.default_rng(3)
-    for name, size in (("noise", (32, 32)), ("odd", (20, 24)), ("wide", (4, 1030)),
-                       ("palettes", (16, 16)), ("half", (5, 16))):
-        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
-        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), wide=(4, 1030), palettes=(16, 16),
+               half=(5, 16))
     return tmp_path
 
 
-def scene_of(tx: str, obj: str = SQUARE, pixels: str = "rgba8888", frames: int = 1,
-             more: str = "") -> str:
+def scene_of(tx: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
     """A scene's text: one material, one object."""
-    return (HEAD.format(frames=frames, pixels=pixels)
-            + f'[materials]\nit = {{ {more}tx = {{ {tx} }} }}\n'
-            + f'[[objects]]\nmaterial = "it"\n{obj}\n')
+    return scene_text(f"{more}tx = {{ {tx} }}", obj, **kinds)
 
 
 def make(folder, *args, **kinds):
     """The compiled scene of ``scene_of``."""
-    (folder / "scene.toml").write_text(scene_of(*args, **kinds))
-    return compile_scene(folder / "scene.toml")
+    return compiled(folder, scene_of(*args, **kinds))
 
 
 WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
@@ -66,23 +53,14 @@ def drawn() -> dict[str | None, dict[str, tuple]]:
             for off in WAYS}
 
 
-def explain(name: str, scene, number: int, expected: np.ndarray, off: str | None) -> str:
-    """What differs in a frame, drawn once more."""
-    found = run.render(scene, "a1200-fast", "addx", off).frames[number]
-    wrong = np.argwhere(found != expected)
-    digits = 2 + 2 * scene.pixel.bytes
-    text = "".join(f"; pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not "
-                   f"{expected[y, x]:#0{digits}x}" for y, x in wrong[:1])
-    return (f"{name}, frame {number}: {len(wrong)} pixels are not the model's{text}; again: "
-            f"scripts/tmap run tests/scenes/{name}.toml --frames {scene.frames}"
-            + (f" --off {off}" if off else ""))
-
-
 def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
     """Compares the guest's first frames with the model's."""
     scene, right, digests = found
     for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
-        assert fuzz.is_models(expected, digest), explain(name, scene, number, expected, off)
+        assert fuzz.is_models(expected, digest), explain(
+            f"{name}, frame {number}", expected,
+            run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
+            run_command(name, scene.frames, off))
         assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
 
 
@@ -275,11 +253,7 @@ MESSAGES = [
 @pytest.mark.parametrize("tx, message", MESSAGES)
 def test_refused(folder, tx, message):
     """One line that names file and field."""
-    with pytest.raises(UserError) as caught:
-        make(folder, tx)
-    text = str(caught.value)
-    assert text.startswith(f"{folder / 'scene.toml'}: materials.it.{message}"), text
-    assert "\n" not in text
+    check_refused(folder, scene_of(tx), f"materials.it.{message}")
 
 
 @pytest.mark.parametrize("kinds, message", [
@@ -299,9 +273,7 @@ def test_refused(folder, tx, message):
 ])
 def test_refused_besides(folder, kinds, message):
     """What does not fit the scene, the material or the vertices."""
-    with pytest.raises(UserError) as caught:
-        make(folder, ONE, **kinds)
-    assert str(caught.value).startswith(f"{folder / 'scene.toml'}: {message}"), caught.value
+    check_refused(folder, scene_of(ONE, **kinds), message)
 
 
 def test_the_readmes_example(folder):

@@ -1,8 +1,8 @@
 """Scene files whose texture units, as Glide's, cannot be: file, place, value, field."""
 
 import numpy as np
+from wrong_fields import Row, WrongFields
 
-from tools import layout, scene_file
 from tools.scene_file import IDENTITY, Material, Object, Scene
 
 M32 = 0xFFFFFFFF
@@ -21,23 +21,14 @@ def scene() -> Scene:
                  pipes=np.array([[0, 1, 0], [0, 2, 2]]), tmu_memory=bytes(256))
 
 
-def wrong_pipes() -> list[tuple[bytes, int, int, str]]:
-    """As wrong_mappers of test_guest_input."""
-    shapes, source, out = layout.load(), scene_file.write(scene()), []
-
-    def entry(table, index, field, *values, said=None):
-        struct = shapes.struct(scene_file.TABLES[table])
-        at = shapes.struct("scene_header").unpack(source)[f"{table}_at"] + index * struct.size
-        out.extend((source, at + struct.fields[field]["offset"], value,
-                    said or f"{struct.name.removeprefix('scene_')}.{field}") for value in values)
-
-    def header(field, *values):
-        at = shapes.struct("scene_header").fields[field]["offset"]
-        out.extend((source, at, value, "tmu_memory or tmu_memory_at") for value in values)
-
+def wrong_pipes() -> list[Row]:
+    """What must be said of each is the field, behind the name of what has it."""
+    rows: list[Row] = []
+    wrong = WrongFields(scene(), rows)
+    entry, memory = wrong.entry, "tmu_memory or tmu_memory_at"
     registers = "tmu.mode, lod, detail or base"
-    header("tmu_memory", 257, 1 << 20, M32)
-    header("tmu_memory_at", 0, 2, len(source), M32 - 7)
+    wrong.header("tmu_memory", 257, 1 << 20, M32, said=memory)
+    wrong.header("tmu_memory_at", 0, 2, len(wrong.data), M32 - 7, said=memory)
     entry("tmus", 1, "mode", LOCAL | 6 << 8, LOCAL | 15 << 8, LOCAL | 6 << 14, LOCAL | 7 << 23,
           said=registers)
     entry("tmus", 0, "lod", 1 << 23, M32, said=registers)
@@ -62,4 +53,4 @@ def wrong_pipes() -> list[tuple[bytes, int, int, str]]:
     entry("vertices", 0, "w", 0, M32)
     entry("vertices", 5, "w", 0, M32)
     entry("vertices", 7, "w", 0, (1 << 30) + 1, 1 << 31)
-    return out
+    return rows

@@ -7,10 +7,9 @@ import numpy as np
 from . import layout
 from . import model_logarithm as logarithms
 from . import model_reciprocal as reciprocals
-from .bench_mappers import first_difference
-from .bench_perspective import LINES, RATIO, polygon_lines
+from .bench_perspective import LINES, RATIO, case_of_lines, first_wrong_line, polygon_lines
 from .bench_perspective import add_plan as planes_plan
-from .fixed import signed
+from .bench_reciprocal import constants_fields, lines_left
 from .kernels import M32, Arena, Case, Result
 from .model_reciprocal import swap
 
@@ -55,38 +54,17 @@ def entry(each: logarithms.Logarithmic) -> bytes:
 
 def span_case(length: int):
     """A table of lines of one length, by logarithms."""
-    rng = np.random.default_rng(length)
-    count = min(128, max(16, 2048 // length))
-    pitch = length + 4
-    bias = layout.load().constants["EDGE_BIAS"]
-    arena, far = Arena(), Arena()
-    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
-    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    lines = [line(k, length, RATIO, rng) for k in range(count)]
-    expected = np.zeros((count, pitch), np.uint8)
-    for k, each in enumerate(lines):
-        u, v = logarithms.coordinates(each)
-        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
-    frame_at = far.add(bytes(pitch * count))
-    plan_at = arena.struct(
-        "logarithm_span",
-        dict(lines=arena.add(b"".join(map(entry, lines))), logs=log_table(arena),
-             powers=power_table(arena, lines)),
-        dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch)
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
-        return first_difference(expected, found.reshape(expected.shape))
-
-    return count * length, Case("span_logarithm", arena, pointers={"a0": plan_at}, far=far), check
+    return case_of_lines(
+        "span_logarithm", "logarithm_span", length, lambda k, rng: line(k, length, RATIO, rng),
+        logarithms.coordinates,
+        lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), logs=log_table(arena),
+                                  powers=power_table(arena, lines)))
 
 
 def add_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
     """Adds a reciprocal_plan with its constants, and the tables but for the powers."""
-    longs = {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in
-             zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)}
-    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **longs, ku=signed(constants.k[0]),
-                        kv=signed(constants.k[1]), limit=0, piece=0, table=0, to=0)
+    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
+                        limit=0, piece=0, table=0, to=0)
     return plan, arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
                               parts=logarithms.parts())
 
@@ -101,13 +79,7 @@ def lines_case():
     plan, tables = add_plan(arena, planes_plan(arena, deep, lines, to_at), constants)
 
     def check(result: Result) -> str | None:
-        if result.registers["d0"]:
-            return f"{result.registers['d0']} lines are left to others"
-        for k, each in enumerate(expected):
-            found = shape.unpack(result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size])
-            for field, value in shape.unpack(entry(each)).items():
-                if found[field] != value and field != "spare":
-                    return f"line {k}: {field} is {found[field]}, expected {value}"
-        return None
+        return lines_left(result) or first_wrong_line(
+            shape, result.memory[to_at:], [entry(each) for each in expected], ("spare",))
 
     return LINES, Case("logarithm_lines", arena, pointers={"a0": plan, "a1": tables, "d0": to_at}), check

@@ -46,33 +46,52 @@ def entry(each: Ends, setting: str) -> bytes:
     return shapes.struct("perspective_line").pack(**fields)
 
 
-def span_case(setting: str, ratio: int, length: int):
-    """A table of lines of one length."""
+def case_of_lines(kernel: str, plan: str, length: int, line, coordinates, near, **fields):
+    """A span over a table of lines of one length. ``line`` makes the k-th of k and random numbers,
+    ``coordinates`` are u and v of its pixels; ``near`` puts lines and tables into an arena, the
+    pointers to them are the plan's, as ``fields`` are."""
     rng = np.random.default_rng(length)
     count = min(128, max(16, 2048 // length))
     pitch = length + 4
     shapes = layout.load()
-    bias = shapes.constants["EDGE_BIAS"]
     arena, far = Arena(), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = far.add(picture.tobytes(), shapes.constants["ARENA_ALIGN"])
-    lines = [line(k, length, ratio, rng) for k in range(count)]
-    table, expected = b"", np.zeros((count, pitch), np.uint8)
+    lines = [line(k, rng) for k in range(count)]
+    expected = np.zeros((count, pitch), np.uint8)
     for k, each in enumerate(lines):
-        table += entry(each, setting)
-        u, v = coordinates(each, setting)
+        u, v = coordinates(each)
         expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
     frame_at = far.add(bytes(pitch * count))
-    plan_at = arena.struct("perspective_span", dict(lines=arena.add(table)),
-                           dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch,
-                           longest=way(setting).piece)
+    plan_at = arena.struct(plan, near(arena, lines),
+                           dict(row=frame_at - shapes.constants["EDGE_BIAS"], map=map_at),
+                           count=count, pitch=pitch, **fields)
 
     def check(result: Result) -> str | None:
         found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
         return first_difference(expected, found.reshape(expected.shape))
 
-    kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
     return count * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
+
+
+def first_wrong_line(shape, found: bytes, entries: list[bytes], but=()) -> str | None:
+    """Of a table of structs: the first field that is another than expected, ``but`` for some."""
+    for k, expected in enumerate(entries):
+        made = shape.unpack(found[k * shape.size:(k + 1) * shape.size])
+        for field, value in shape.unpack(expected).items():
+            if made[field] != value and field not in but:
+                return f"line {k}: {field} is {made[field]}, expected {value}"
+    return None
+
+
+def span_case(setting: str, ratio: int, length: int):
+    """A table of lines of one length."""
+    return case_of_lines(
+        "span_perspective_curves" if setting in CURVES else "span_perspective_pieces",
+        "perspective_span", length, lambda k, rng: line(k, length, ratio, rng),
+        lambda each: coordinates(each, setting),
+        lambda arena, lines: dict(lines=arena.add(b"".join(entry(each, setting) for each in lines))),
+        longest=way(setting).piece)
 
 
 def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
@@ -143,12 +162,7 @@ def lines_case(setting: str):
     plan_at = add_plan(arena, deep, lines, to_at, setting)
 
     def check(result: Result) -> str | None:
-        for k, each in enumerate(expected):
-            found = result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size]
-            wanted, found = shape.unpack(entry(each, setting)), shape.unpack(found)
-            for field, value in wanted.items():
-                if found[field] != value and (field not in ENOUGH or setting in CURVES):
-                    return f"line {k}: {field} is {found[field]}, expected {value}"
-        return None
+        return first_wrong_line(shape, result.memory[to_at:], [entry(each, setting) for each in expected],
+                                () if setting in CURVES else ENOUGH)
 
     return LINES, Case("perspective_lines", arena, pointers={"a0": plan_at}), check

@@ -4,8 +4,8 @@ import numpy as np
 
 from . import layout
 from . import model_reciprocal as reciprocals
-from .bench_mappers import first_difference
-from .bench_perspective import LINES, NEAR, RATIO, add_plan, polygon_lines
+from .bench_perspective import (LINES, NEAR, RATIO, add_plan, case_of_lines, first_wrong_line,
+                                polygon_lines)
 from .fixed import signed
 from .kernels import M32, Arena, Case, Result
 
@@ -43,40 +43,30 @@ def entry(each: reciprocals.Reciprocal) -> bytes:
 
 def span_case(m: int, length: int):
     """A table of lines of one length, by reciprocals."""
-    rng = np.random.default_rng(length)
-    count = min(128, max(16, 2048 // length))
-    pitch = length + 4
-    bias = layout.load().constants["EDGE_BIAS"]
-    arena, far = Arena(), Arena()
-    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
-    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    lines = [line(k, length, m, rng) for k in range(count)]
-    expected = np.zeros((count, pitch), np.uint8)
-    for k, each in enumerate(lines):
-        u, v = reciprocals.coordinates(each)
-        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
-    frame_at = far.add(bytes(pitch * count))
-    plan_at = arena.struct(
-        "reciprocal_span",
-        dict(lines=arena.add(b"".join(map(entry, lines))), table=table(arena)),
-        dict(row=frame_at - bias, map=map_at), count=count, pitch=pitch)
+    return case_of_lines(
+        f"span_reciprocal_{m}", "reciprocal_span", length, lambda k, rng: line(k, length, m, rng),
+        reciprocals.coordinates,
+        lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), table=table(arena)))
 
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
-        return first_difference(expected, found.reshape(expected.shape))
 
-    return count * length, Case(f"span_reciprocal_{m}", arena, pointers={"a0": plan_at},
-                                far=far), check
+def constants_fields(constants) -> dict:
+    """What a reciprocal_plan has of its polygon's constants."""
+    longs = zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)
+    return {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in longs} \
+        | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1])}
 
 
 def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int,
                         shape: str = "reciprocal_plan") -> int:
     """Adds a reciprocal_plan with its constants."""
-    longs = {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in
-             zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)}
-    return arena.struct(shape, dict(planes=planes_at, table=table_at, to=to_at), **longs,
-                        ku=signed(constants.k[0]), kv=signed(constants.k[1]), limit=constants.limit,
-                        piece=constants.piece)
+    return arena.struct(shape, dict(planes=planes_at, table=table_at, to=to_at),
+                        **constants_fields(constants), limit=constants.limit, piece=constants.piece)
+
+
+def lines_left(result: Result) -> str | None:
+    """What is wrong where no line is to be left to others."""
+    left = result.registers["d0"]
+    return f"{left} lines are left to others" if left else None
 
 
 def lines_case(m: int):
@@ -90,13 +80,7 @@ def lines_case(m: int):
                                   to_at)
 
     def check(result: Result) -> str | None:
-        if result.registers["d0"]:
-            return f"{result.registers['d0']} lines are left to others"
-        for k, each in enumerate(expected):
-            found = shape.unpack(result.memory[to_at + k * shape.size:to_at + (k + 1) * shape.size])
-            for field, value in shape.unpack(entry(each)).items():
-                if found[field] != value and field != "scale":
-                    return f"line {k}: {field} is {found[field]}, expected {value}"
-        return None
+        return lines_left(result) or first_wrong_line(
+            shape, result.memory[to_at:], [entry(each) for each in expected], ("scale",))
 
     return LINES, Case("reciprocal_lines", arena, pointers={"a0": plan_at}), check

@@ -17,15 +17,17 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_walk": sample.walk, "tmu_walk_small": sample.walk_small,
     "tmu_walk_clamp": sample.walk_clamp, "tmu_walk_inside": sample.walk_inside,
     "tmu_point": sample.point, "tmu_bilinear": sample.bilinear,
+    "tmu_bilinear_8": sample.bilinear_8, "tmu_quads_8": sample.quads_8,
     "tmu_bilinear_565": sample.bilinear_565, "tmu_store_565": sample.store_565,
     "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
     "tmu_divide_each": depth.divide_each,
     "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
-    "tmu_add": combine.add, "tmu_combiner": combine.combine, "tmu_quads": sample.quads,
+    "tmu_modulate_rgb": combine.modulate_rgb, "tmu_add": combine.add, "tmu_alpha": combine.alpha,
+    "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line, "tmu_quads": sample.quads,
 }
-#: Tables, made by C alone.
-IN_C_ALONE = ("tmu_quads", "tmu_logarithms")
+#: Tables, and what chooses passes: C alone.
+IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")
 #: Other input of a pass: beside it there is no C.
 FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
          "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide"}

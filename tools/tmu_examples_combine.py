@@ -1,7 +1,13 @@
 """Examples of the passes that mix texels: between levels, and the combine unit."""
 
+from dataclasses import astuple, fields, replace
+
 import numpy as np
 
+from . import layout
+from .tmu.combine import combined, detail_factor
+from .tmu.functions import FACTORS, FUNCTIONS, combination
+from .tmu.state import Combination, Modes
 from .tx_example import Example, any_texels, pixels
 
 BENCH = 256  # pixels of what is measured
@@ -48,9 +54,27 @@ def modulate(rng, count: int) -> Example:
     return mix.example("tmu_modulate", texels, texels * ((mix.other ^ mix.flip) + 1) >> 8)
 
 
+def modulate_rgb(rng, count: int) -> Example:
+    texels, mix = any_texels(rng, count), Mix(rng, count)
+    found = texels * ((mix.other ^ mix.flip) + 1) >> 8
+    found[:, 3] = texels[:, 3]
+    return mix.example("tmu_modulate_rgb", texels, found)
+
+
 def add(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
     return mix.example("tmu_add", texels, np.minimum(texels + mix.other, 255))
+
+
+def alpha(rng, count: int) -> Example:
+    texels, alphas = any_texels(rng, count), any_texels(rng, count)
+    step = 0 if rng.random() < 0.3 and count != BENCH else 4
+    found = texels.copy()
+    found[:, 3] = alphas[np.arange(count) * step // 4, 0]
+    inverted = rng.choice((0, 255), 4)
+    return Example("tmu_alpha", pixels(texels), pixels(found ^ inverted), count, "tmu_alphas",
+                   {"step": step, "inverted": int.from_bytes(pixels(inverted), "big")},
+                   {"alphas": pixels(alphas)})
 
 
 def combine(rng, count: int) -> Example:
@@ -69,3 +93,54 @@ def combine(rng, count: int) -> Example:
     found = np.clip(found, 0, 255) ^ invert
     return Example("tmu_combiner", bytes(4), found.astype(np.uint8).tobytes(), count, "tmu_inputs",
                    steps | {"flip": flip, "invert": invert}, blocks, stride=4)
+
+
+def any_half(rng) -> Combination:
+    """Glide's functions and factors, and what registers can say besides."""
+    if rng.random() < 0.8:
+        return combination(str(rng.choice(list(FUNCTIONS))), str(rng.choice(list(FACTORS))),
+                           int(rng.random() < 0.2))
+    half = Combination(*(int(n) for n in rng.integers(0, 2, 7)))
+    return replace(half, mselect=int(rng.integers(0, 8)),
+                   add_alpha_local=half.add_alpha_local * (1 - half.add_local))
+
+
+def any_modes(rng) -> Modes:
+    """Of the combine unit: halves that agree, or an alpha that is left alone, or any."""
+    rgb = any_half(rng)
+    halves = (rgb, combination("local"), replace(rgb, invert=int(rng.integers(0, 2))),
+              any_half(rng))
+    return Modes(rgb=rgb, alpha=halves[rng.choice(4, p=(0.3, 0.2, 0.1, 0.4))],
+                 trilinear=int(rng.integers(0, 2)), detail_bias=int(rng.integers(-1, 10)),
+                 detail_scale=int(rng.integers(0, 8)),
+                 detail_max=int(rng.choice((0, 255, rng.integers(0, 256)))))
+
+
+def modes_bytes(modes: Modes) -> list[int]:
+    """struct tmu_modes."""
+    values = {field.name: getattr(modes, field.name) for field in fields(modes)}
+    values |= {name: list(astuple(values[name])) for name in ("rgb", "alpha")}
+    return list(layout.load().struct("tmu_modes").pack(**values))
+
+
+def combine_line(rng, count: int) -> Example:
+    """All pixels' levels are alike, their fractions may differ."""
+    modes, local, other = any_modes(rng), any_texels(rng, count), any_texels(rng, count)
+    has_other, has_alpha, is_one = rng.random(3) < (0.85, 0.6, 0.6)
+    level = int(rng.integers(0, 9))
+    fractions = np.full(count, rng.choice((0, 255, rng.integers(0, 256)))) if is_one \
+        else rng.integers(0, 256, count)
+    lod = level * 256 + fractions
+    details = detail_factor(modes, lod)
+    found = combined(modes, lod, local.astype(np.int64), other * int(has_other))
+    found[:, 3] *= has_alpha
+    blocks = {"other": pixels(other), "details": details.astype(np.uint8).tobytes(),
+              "fractions": fractions.astype(np.uint8).tobytes()}
+    step = int(not is_one)
+    flip = 255 * (modes.trilinear & level)
+    known = [int(n) if rng.random() < 0.7 and is_one else -1 for n in (details[0], fractions[0])]
+    known.append(flip if rng.random() < 0.8 else -1)
+    return Example("tmu_combine_line", pixels(local), pixels(found), count, "tmu_combine_call",
+                   {"modes": modes_bytes(modes), "detail_step": step, "fraction_step": step,
+                    "odd": level & 1, "has_other": has_other, "has_alpha": has_alpha, "spare": 0}
+                   | dict(zip(("detail", "fraction", "flip"), known)), blocks)

@@ -101,6 +101,21 @@ def quad_bytes(corners: np.ndarray) -> bytes:
     return longs(np.stack(rows, 1))
 
 
+def quad_8_bytes(corners: np.ndarray) -> bytes:
+    """struct tmu_quad_8 of the same."""
+    c00, c10, c01, c11 = (corners[:, k].astype(np.int64) for k in range(4))
+    rows = []
+    for high, low in ((0, 2), (1, 3)):
+        for channels in (c10 - c00, 256 * c00, c11 - c01, 256 * c01):
+            rows.append(channels[:, high] * 65536 + channels[:, low])
+    return longs(np.stack(rows, 1))
+
+
+def quads_8(rng, count: int) -> Example:
+    corners = any_texels(rng, 4 * count).reshape(count, 4, 4)
+    return Example("tmu_quads_8", pixels(corners), quad_8_bytes(corners), count)
+
+
 def quads(rng, count: int) -> Example:
     corners = any_texels(rng, 4 * count).reshape(count, 4, 4)
     return Example("tmu_quads", pixels(corners), quad_bytes(corners), count)
@@ -118,16 +133,16 @@ class Level:
         return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
                          for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
 
-    def decoded(self, has_quads: bool) -> tuple[str, dict[str, int], dict[str, bytes]]:
-        """struct tmu_decoded: name, values, blocks."""
+    def decoded(self, to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
+        """struct tmu_decoded: name, values, blocks; ``to_bytes``: of its quads, or without."""
         rows, columns = self.texels.shape[:2]
         blocks = {"texels": pixels(self.texels)}
-        if has_quads:
+        if to_bytes:
             y, x = np.divmod(np.arange(rows * columns), columns)
-            blocks["quads"] = quad_bytes(self.corners(x, y))
+            blocks["quads"] = to_bytes(self.corners(x, y))
         return "tmu_decoded", dict(
             mask_s=columns - 1 << 4, mask_t=rows - 1 << 4, columns_bits=columns.bit_length() - 1,
-            rows_bits=rows.bit_length() - 1) | ({} if has_quads else {"quads": 0}), blocks
+            rows_bits=rows.bit_length() - 1) | ({} if to_bytes else {"quads": 0}), blocks
 
 
 def level(rng) -> Level:
@@ -144,15 +159,27 @@ def coordinates(rng, count: int) -> np.ndarray:
     return np.where(rng.random((count, 2)) < 0.1, edge, some)
 
 
+def filtered(st: np.ndarray, ground: Level, bits: int) -> np.ndarray:
+    """Texels [n][4] by weights of ``bits`` bits."""
+    one = 1 << bits
+    corners = ground.corners(*(st >> bits).T)
+    fs, ft = (st & one - 1).T
+    weights = np.stack([(one - fs) * (one - ft), fs * (one - ft), (one - fs) * ft, fs * ft], 1)
+    return (weights[:, :, None] * corners).sum(1) >> 2 * bits
+
+
 def bilinear(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), level(rng)
     if count == BENCH:  # each pair of fractions once, in no order
         st = (st & ~15) + rng.permuted(np.stack(np.divmod(np.arange(256), 16), 1), axis=0)
-    corners = ground.corners(*(st >> 4).T)
-    fs, ft = (st & 15).T
-    weights = np.stack([(16 - fs) * (16 - ft), fs * (16 - ft), (16 - fs) * ft, fs * ft], 1)
-    drawn = (weights[:, :, None] * corners).sum(1) >> 8
-    return Example("tmu_bilinear", pairs(st), pixels(drawn), count, *ground.decoded(True))
+    return Example("tmu_bilinear", pairs(st), pixels(filtered(st, ground, 4)), count,
+                   *ground.decoded(quad_bytes))
+
+
+def bilinear_8(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), level(rng)
+    return Example("tmu_bilinear_8", pairs(st), pixels(filtered(st, ground, 8)), count,
+                   *ground.decoded(quad_8_bytes))
 
 
 def packed(texels: bytes) -> bytes:
@@ -170,7 +197,7 @@ def bilinear_565(rng, count: int) -> Example:
 def point(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), level(rng)
     return Example("tmu_point", pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
-                   *ground.decoded(False))
+                   *ground.decoded())
 
 
 def store_565(rng, count: int) -> Example:

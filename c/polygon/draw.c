@@ -256,13 +256,8 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    s.frame = frame;
-    s.material = material;
     s.form = drawing->form;
-    s.off = drawing->off;
-    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
-    s.given = vertices;
-    s.count = count;
+    setup_begin(&s, frame, vertices, count, material, drawing);
     if (begins_outside(&s) && lower_to_nothing(&s))
         return POLYGON_EMPTY;
     s.vertices = material_vertices(vertices, count, material);

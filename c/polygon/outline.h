@@ -6,6 +6,7 @@
 
 #include "polygon/clip.h"
 #include "polygon/lower.h"
+#include "polygon/planes.h"
 #include "scene/scene_file.h"
 
 /* What outlines are made in: of one polygon at a time. */
@@ -76,6 +77,20 @@ static inline void outline_lines(struct setup *s, void (*edges)(const struct edg
     plan.dudx = s->span.dudx;
     plan.dvdx = s->span.dvdx;
     scissor(&plan);
+}
+
+/* Makes both for a polygon whose planes planes.h finds: a table without coordinates. */
+static inline enum polygon_result outline_flat(struct setup *s)
+{
+    enum polygon_result result;
+
+    s->vertices = planes_vertices(s->given, s->count);
+    result = outline_find(s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
+                  scissor_flat);
+    return POLYGON_DRAWN;
 }
 
 #endif

@@ -39,4 +39,17 @@ struct setup {
     struct perspective_plan *perspective;
 };
 
+/* As the caller gives it; not `form`, which texture units do not ask for. */
+static inline void setup_begin(struct setup *s, const struct frame *frame,
+                               const struct vertex *vertices, int32 count,
+                               const struct material *material, const struct drawing *drawing)
+{
+    s->frame = frame;
+    s->material = material;
+    s->off = drawing->off;
+    s->counts = drawing->counts ? &drawing->counts[material->number] : 0;
+    s->given = vertices;
+    s->count = count;
+}
+
 #endif

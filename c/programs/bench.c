@@ -52,6 +52,8 @@ static const struct kernel c_kernels[] = {
     PASS(tmu_bilinear_565_c), PASS(tmu_store_565_c), PASS(tmu_quads_c),
     PASS(tmu_lerp_c), PASS(tmu_scale_c), PASS(tmu_modulate_c), PASS(tmu_add_c),
     PASS(tmu_combiner_c), PASS(tmu_divide_c), PASS(tmu_lod_c), PASS(tmu_logarithms_c),
+    PASS(tmu_alpha_c), PASS(tmu_bilinear_8_c),
+    PASS(tmu_quads_8_c), PASS(tmu_modulate_rgb_c), PASS(tmu_combine_line_c),
     {0, 0}
 };
 

@@ -39,16 +39,22 @@ static void make_texels(uint32 *to, const struct tmu *tmu, const struct tmu_leve
             *to++ = bytes.low[memory[address & mask]] ^ bytes.high[memory[(address + 1) & mask]];
 }
 
-static void make_quads(struct tmu_quad *to, const uint32 *texels, const struct tmu_level *level)
+static void make_quads(void *to, int32 bits, const uint32 *texels, const struct tmu_level *level)
 {
+    struct tmu_quad_8 *quad_8 = to;
+    struct tmu_quad *quad = to;
+
     for (uint32 j = 0; j < level->rows; j++) {
         const uint32 *upper = texels + j * level->columns;
         const uint32 *lower = texels + ((j + 1) & (level->rows - 1)) * level->columns;
 
-        for (uint32 i = 0; i < level->columns; i++, to++) {
+        for (uint32 i = 0; i < level->columns; i++) {
             const uint32 next = (i + 1) & (level->columns - 1);
 
-            tmu_quad_make(to, upper[i], upper[next], lower[i], lower[next]);
+            if (bits == 8)
+                tmu_quad_8_make(quad_8++, upper[i], upper[next], lower[i], lower[next]);
+            else
+                tmu_quad_make(quad++, upper[i], upper[next], lower[i], lower[next]);
         }
     }
 }
@@ -67,7 +73,7 @@ static int32 is_fresh(struct tmu_kept *kept, const struct tmu *tmu, uint32 level
     const struct tmu_modes *modes = &tmu->modes;
     uint32 key[TMU_LEVEL_KEY], differs = 0;
 
-    key[0] = 1 | (uint32)modes->odd << 1 | (uint32)modes->split << 2 | (uint32)modes->wide << 3
+    key[0] = 1 | (uint32)(modes->fraction_bits == 8) << 12 | (uint32)modes->odd << 1 | (uint32)modes->split << 2 | (uint32)modes->wide << 3
         | (uint32)modes->aspect << 4 | (uint32)modes->ncc_table << 8 | (uint32)modes->format << 16
         | level << 24;
     key[1] = modes->base;
@@ -113,9 +119,9 @@ int32 tmu_decode(const struct tmu *tmu, uint32 level, int32 quads, struct tmu_ke
     }
     if (!quads)
         return 1;
-    if (!room(&kept->quads, &kept->quads_room, count, sizeof *kept->quads))
+    if (!room(&kept->quads, &kept->quads_room, count, sizeof(struct tmu_quad)))
         return 0;
-    make_quads(kept->quads, kept->texels, &at);
+    make_quads(kept->quads, tmu->modes.fraction_bits, kept->texels, &at);
     kept->decoded.quads = kept->quads;
     return 1;
 }

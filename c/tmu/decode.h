@@ -12,11 +12,11 @@ struct tmu_kept {
     struct tmu_decoded decoded;
     uint32 key[TMU_LEVEL_KEY];  /* what it was made from */
     uint32 *texels;
-    struct tmu_quad *quads;
+    void *quads;                /* as decoded.quads */
     uint32 texels_room, quads_room;     /* elements */
 };
 
-/* Makes *kept fit a unit's level, with quads or at least its texels, unless it does already; 0:
+/* Makes *kept fit a unit's level, with quads for its weights or at least its texels, unless it does already; 0:
    memory is short. Memory is the system's and kept for the next time. */
 int32 tmu_decode(const struct tmu *tmu, uint32 level, int32 quads, struct tmu_kept *kept);
 

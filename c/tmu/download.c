@@ -137,21 +137,33 @@ enum tmu_result tmu_download(struct tmu *tmu, uint32 start, uint32 levels,
     return TMU_DONE;
 }
 
-enum tmu_result tmu_download_rows(struct tmu *tmu, uint32 start, uint32 levels,
-                                  const struct tmu_texture *texture, uint32 level,
-                                  uint32 first, uint32 last, const void *texels)
+/* As place; the level too. */
+static enum tmu_result place_level(const struct tmu *tmu, struct tmu_modes *modes, uint32 start,
+                                   uint32 levels, const struct tmu_texture *texture, uint32 level,
+                                   struct tmu_level *to)
 {
-    struct tmu_modes modes = tmu->modes;
-    const enum tmu_result result = place(tmu, &modes, start, levels, texture);
-    struct tmu_level to;
+    const enum tmu_result result = place(tmu, modes, start, levels, texture);
 
     if (result != TMU_DONE)
         return result;
     if (level > TMU_LEVEL_LAST)
         return TMU_BAD_LEVEL;
+    tmu_find_level(modes, level, to);
+    return TMU_DONE;
+}
+
+enum tmu_result tmu_download_rows(struct tmu *tmu, uint32 start, uint32 levels,
+                                  const struct tmu_texture *texture, uint32 level,
+                                  uint32 first, uint32 last, const void *texels)
+{
+    struct tmu_modes modes = tmu->modes;
+    struct tmu_level to;
+    const enum tmu_result result = place_level(tmu, &modes, start, levels, texture, level, &to);
+
+    if (result != TMU_DONE)
+        return result;
     if (level < texture->largest || level > texture->smallest || !tmu_holds(&modes, level))
         return TMU_LEVEL_NOT_HELD;
-    tmu_find_level(&modes, level, &to);
     if (first > last || last >= to.rows)
         return TMU_BAD_ROWS;
     copy(tmu, &modes, level, first, last, texels);
@@ -164,13 +176,10 @@ enum tmu_result tmu_download_level(struct tmu *tmu, uint32 start, uint32 levels,
                                    const void *texels)
 {
     struct tmu_modes modes = tmu->modes;
-    const enum tmu_result result = place(tmu, &modes, start, levels, texture);
     struct tmu_level to;
+    const enum tmu_result result = place_level(tmu, &modes, start, levels, texture, level, &to);
 
     if (result != TMU_DONE)
         return result;
-    if (level > TMU_LEVEL_LAST)
-        return TMU_BAD_LEVEL;
-    tmu_find_level(&modes, level, &to);
     return tmu_download_rows(tmu, start, levels, texture, level, 0, to.rows - 1, texels);
 }

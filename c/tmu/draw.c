@@ -133,16 +133,13 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     struct tmu_plan plan;
     int32 passes;
 
-    s->vertices = planes_vertices(s->given, s->count);
-    result = outline_find(s);
+    result = outline_flat(s);
     if (result != POLYGON_DRAWN)
         return result;
-    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
-                  scissor_flat);
     if (!find_planes(&at, s, &of[0], 0)
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
-    passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at));
+    passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
     line = s->edges.lines;
     for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
@@ -182,12 +179,7 @@ enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct ver
     }
     if (check != TMU_DONE)
         return refuse(pipe, check);
-    s.frame = frame;
-    s.material = material;
-    s.off = drawing->off;
-    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
-    s.given = vertices;
-    s.count = count;
+    setup_begin(&s, frame, vertices, count, material, drawing);
     if (tmu_lower_to_plain(&s, pipe, &plain, &vertices))
         return polygon_draw(frame, vertices, count, &plain, drawing);
     return draw_planes(&s, pipe, of);

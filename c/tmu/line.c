@@ -18,9 +18,10 @@ int32 tmu_line_ready(void)
 }
 
 /* other: 0 where there is nothing upstream. */
-static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint32 *other,
+static void combine(const struct tmu_sampling *from, const struct tmu *tmu, const uint32 *other,
                     uint32 *to, int32 count)
 {
+    const struct tmu_lod *lod = &from->lod;
     const uint8 detail = (uint8)tmu_detail_factor(&tmu->modes, lod->value);
     const uint8 fraction = (uint8)lod->value;
     struct tmu_factors factors;
@@ -29,7 +30,7 @@ static void combine(const struct tmu *tmu, const struct tmu_lod *lod, const uint
     factors.fractions = &fraction;
     factors.detail_step = factors.fraction_step = 0;
     factors.flip = tmu->modes.trilinear && lod->odd ? 255 : 0;
-    tmu_combine_line(tmu, &factors, work->texels, other, to, count);
+    tmu_combine_line(&from->combining, &tmu->modes, &factors, work->texels, other, to, count);
 }
 
 static void find_coordinates(const struct tmu_plan *plan, const struct tmu_sampling *from, int32 x,
@@ -50,19 +51,22 @@ void tmu_plan_draw(const struct tmu_plan *plan, const struct frame *frame, int32
     uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
     const uint32 *other = 0;
 
-    if (plan->is_direct && frame->pixel_bytes == 2) {
-        find_coordinates(plan, &plan->units[0], x, y, count);
-        tmu_bilinear_565(work->coordinates, pixels, plan->units[0].level, count);
+    if (plan->is_direct) {
+        find_coordinates(plan, &plan->units[plan->last], x, y, count);
+        tmu_bilinear_565(work->coordinates, pixels, plan->units[plan->last].level, count);
         return;
     }
-    for (uint32 n = plan->first + 1; n--; other = work->other) {
+    for (uint32 n = plan->first + 1; n-- > plan->last; other = work->other) {
         const struct tmu_sampling *from = &plan->units[n];
-        uint32 *to = n ? work->other : colours;
+        uint32 *to = n > plan->last ? work->other : colours;
+        const int32 is_local = tmu_shows(&from->combining, TMU_TERM_LOCAL);
 
-        find_coordinates(plan, from, x, y, count);
-        from->sample(work->coordinates, from->combines ? work->texels : to, from->level, count);
-        if (from->combines)
-            combine(plan->pipe->chain.units[n], &from->lod, other, to, count);
+        if (from->combining.reads & TMU_READS_LOCAL) {
+            find_coordinates(plan, from, x, y, count);
+            from->sample(work->coordinates, is_local ? to : work->texels, from->level, count);
+        }
+        if (!is_local)
+            combine(from, plan->pipe->chain.units[n], other, to, count);
     }
     if (frame->pixel_bytes == 2)
         tmu_store_565(colours, pixels, 0, count);

@@ -115,18 +115,14 @@ static int32 find_page(struct tmu_pipe *pipe, const struct showing *shown, int32
 {
     const struct tmu *tmu = pipe->chain.units[0];
     struct tmu_page *page = &pipe->page;
-    uint32 key[TMU_PAGE_KEY], differs = 0;
+    uint32 key[TMU_PAGE_KEY];
     struct making making;
 
     key[0] = (uint32)pixel_bytes;
     key[1] = tmu->mode_generation;
     key[2] = tmu->memory_generation;
     key[3] = tmu->table_generation;
-    for (int32 i = 0; i < TMU_PAGE_KEY; i++) {
-        differs |= key[i] ^ page->key[i];
-        page->key[i] = key[i];
-    }
-    if (differs)
+    if (page_differs(page->key, key, TMU_PAGE_KEY))
         page_forget(&page->page);
     if (page_has(&page->page, rows))
         return 1;

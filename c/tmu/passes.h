@@ -34,11 +34,22 @@ struct tmu_quad {
     struct tmu_pair rb, ga;
 };
 
+/* The same for weights of 8 bits: upper + fs * upper_s has 256 times the channel between the upper
+   two texels in each word, lower + fs * lower_s between the lower two. */
+struct tmu_pair_8 {
+    uint32 upper_s, upper, lower_s, lower;
+};
+
+struct tmu_quad_8 {
+    struct tmu_pair_8 rb, ga;
+};
+
 /* A level as texels of four bytes. A coordinate's texel is texels[row << columns_bits | column]:
-   column = s >> 4 modulo 2^columns_bits, row alike. */
+   column = s >> 4 (or 8, where weights have 8 bits) modulo 2^columns_bits, row alike. */
 struct tmu_decoded {
     const uint32 *texels;       /* R G B A */
-    const struct tmu_quad *quads;       /* the same order; 0 without a filter */
+    const void *quads;          /* struct tmu_quad, or tmu_quad_8, in the same order; 0 without a
+                                   filter */
     uint16 mask_s, mask_t;      /* (columns - 1) << 4, (rows - 1) << 4 */
     uint16 columns_bits, rows_bits;
 };
@@ -79,11 +90,20 @@ struct tmu_inputs {
     uint16 flip, invert;        /* 255, or 0 */
 };
 
+/* A byte for each texel's alpha, `step` bytes from pixel to pixel, and the bits of the texels,
+   R G B A, that are inverted then. */
+struct tmu_alphas {
+    const uint8 *alphas;
+    int32 step;
+    uint32 inverted;
+};
+
 /* limits: 2^(31 + (k + 1/2) / 256) rounded down, k = 0 to 255. */
 void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits);
 
 /* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
 void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+void tmu_quad_8_make(struct tmu_quad_8 *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
 
 void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
@@ -92,10 +112,13 @@ void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void tmu_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_scale(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_modulate(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_modulate_rgb(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_add(const void *texels, void *mixed, const void *mix, int32 count);
+void tmu_alpha(const void *texels, void *results, const void *alphas, int32 count);
 void tmu_combiner(const void *nothing, void *results, const void *inputs, int32 count);
 void tmu_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
 

@@ -64,7 +64,7 @@ static inline uint32 sum(const struct tmu_pair *pair, uint32 fs, uint32 ft)
 
 static inline uint32 filtered(const struct tmu_decoded *level, uint32 st)
 {
-    const struct tmu_quad *quad = level->quads + index_of(level, st);
+    const struct tmu_quad *quads = level->quads, *quad = quads + index_of(level, st);
     const uint32 fs = st >> 16 & 15, ft = st & 15;
 
     return (sum(&quad->rb, fs, ft) & 0xff00ff00u) | (sum(&quad->ga, fs, ft) >> 8 & 0x00ff00ffu);
@@ -84,6 +84,34 @@ void tmu_bilinear_c(const struct tx_call *call)
     do
         *out++ = filtered(call->constants, *in++);
     while (--count > 0);
+}
+
+/* Of both sides' words, two channels each: their upper bytes. */
+static inline uint32 weighed(const struct tmu_pair_8 *pair, uint32 fs, uint32 ft)
+{
+    const uint32 upper = pair->upper + fs * pair->upper_s, lower = pair->lower + fs * pair->lower_s;
+    const uint32 first = (upper >> 16) * (256 - ft) + (lower >> 16) * ft;
+    const uint32 second = (upper & 0xffff) * (256 - ft) + (lower & 0xffff) * ft;
+
+    return (first & 0xff0000) | second >> 16;
+}
+
+void tmu_bilinear_8_c(const struct tx_call *call)
+{
+    const struct tmu_decoded *level = call->constants;
+    const uint32 mask_s = level->mask_s << 4, mask_t = level->mask_t << 4;
+    const struct tmu_quad_8 *quads = level->quads;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        const uint32 st = *in++, s = st >> 16 & mask_s, t = st & mask_t;
+        const struct tmu_quad_8 *quad = &quads[t >> 8 << level->columns_bits | s >> 8];
+
+        *out++ = weighed(&quad->rb, st >> 16 & 255, st & 255) << 8
+            | weighed(&quad->ga, st >> 16 & 255, st & 255);
+    } while (--count > 0);
 }
 
 void tmu_bilinear_565_c(const struct tx_call *call)
@@ -116,6 +144,18 @@ void tmu_quads_c(const struct tx_call *call)
 
     do {
         tmu_quad_make(out++, in[0], in[1], in[2], in[3]);
+        in += 4;
+    } while (--count > 0);
+}
+
+void tmu_quads_8_c(const struct tx_call *call)
+{
+    const uint32 *in = call->in;
+    struct tmu_quad_8 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        tmu_quad_8_make(out++, in[0], in[1], in[2], in[3]);
         in += 4;
     } while (--count > 0);
 }

@@ -73,6 +73,22 @@ void tmu_modulate_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
+void tmu_modulate_rgb_c(const struct tx_call *call)
+{
+    const struct tmu_mix *mix = call->constants;
+    const uint8 *others = (const uint8 *)mix->other;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        const uint32 a = *in++, b = next(mix, &others) ^ mix->flip;
+
+        *out++ = product(a >> 24, b >> 24) << 24 | product(a >> 16, b >> 16) << 16
+            | product(a >> 8, b >> 8) << 8 | (a & 255);
+    } while (--count > 0);
+}
+
 /* Two channels' sums, 255 at most. */
 static inline uint32 sums(uint32 a, uint32 b)
 {
@@ -93,6 +109,20 @@ void tmu_add_c(const struct tx_call *call)
         const uint32 a = *in++, b = next(mix, &others);
 
         *out++ = sums(a >> 8, b >> 8) << 8 | sums(a, b);
+    } while (--count > 0);
+}
+
+void tmu_alpha_c(const struct tx_call *call)
+{
+    const struct tmu_alphas *from = call->constants;
+    const uint8 *alphas = from->alphas;
+    const uint32 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do {
+        *out++ = ((*in++ & 0xffffff00) | *alphas) ^ from->inverted;
+        alphas += from->step;
     } while (--count > 0);
 }
 

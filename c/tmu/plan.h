@@ -4,6 +4,7 @@
 
 #include "polygon/planes.h"
 #include "scene/scene_file.h"
+#include "tmu/combining.h"
 #include "tmu/unit.h"
 
 /* Numbers of planes. */
@@ -28,14 +29,14 @@ struct tmu_sampling {
     tmu_pass *coordinates, *sample;
     struct tmu_steps steps;
     const struct tmu_decoded *level;
-    int32 combines;             /* or else its texels are its colours */
+    struct tmu_combining combining;
 };
 
 struct tmu_plan {
     const struct tmu_pipe *pipe;
     const struct planes *planes;
     struct tmu_sampling units[TMU_UNITS];
-    uint32 first;               /* the unit furthest upstream that counts */
+    uint32 first, last;         /* the units furthest upstream and downstream that count */
     int32 is_direct;            /* a pass makes 16-bit pixels of coordinates */
 };
 
@@ -43,9 +44,10 @@ struct tmu_plan {
    several. */
 int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod);
 
-/* Finds the passes for a polygon; 0: there are none for these modes, or memory is short. */
+/* Finds the passes for a polygon; 0: there are none for these modes, or memory is short.
+   pixel_bytes: of the frame. */
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
-                    const struct tmu_iterations *iterations);
+                    const struct tmu_iterations *iterations, int32 pixel_bytes);
 
 /* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
    flip: 255 where odd levels turn them round. */
@@ -56,9 +58,10 @@ struct tmu_factors {
 };
 
 /* combine_line.c. Makes a line of local and other texels, R G B A; other: 0 where there is nothing
-   upstream. `to` may be `other`, but not local. */
-void tmu_combine_line(const struct tmu *tmu, const struct tmu_factors *factors,
-                      const uint32 *local, const uint32 *other, uint32 *to, int32 count);
+   upstream. `to` is neither. */
+void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_modes *modes,
+                      const struct tmu_factors *factors, const uint32 *local,
+                      const uint32 *other, uint32 *to, int32 count);
 
 /* line.c. The memory that lines are drawn in, made when it is first asked for; 0: there is none. */
 int32 tmu_line_ready(void);

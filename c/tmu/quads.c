@@ -20,3 +20,17 @@ void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, ui
     pair_make(&quad->rb, c00 >> 8, c10 >> 8, c01 >> 8, c11 >> 8);
     pair_make(&quad->ga, c00, c10, c01, c11);
 }
+
+static void pair_8_make(struct tmu_pair_8 *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+{
+    pair->upper_s = (c10 & FIELD) - (c00 & FIELD);
+    pair->upper = (c00 & FIELD) << 8;
+    pair->lower_s = (c11 & FIELD) - (c01 & FIELD);
+    pair->lower = (c01 & FIELD) << 8;
+}
+
+void tmu_quad_8_make(struct tmu_quad_8 *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+{
+    pair_8_make(&quad->rb, c00 >> 8, c10 >> 8, c01 >> 8, c11 >> 8);
+    pair_8_make(&quad->ga, c00, c10, c01, c11);
+}

@@ -100,12 +100,9 @@ static enum polygon_result draw_planes(struct setup *s, struct tx_unit *unit,
 
     if (unit->tx.modes.cycle == TX_COPY)        /* not by a page */
         return tx_refused(unit, TX_CYCLE_TYPE);
-    s->vertices = planes_vertices(s->given, s->count);
-    result = outline_find(s);
+    result = outline_flat(s);
     if (result != POLYGON_DRAWN)
         return result;
-    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
-                  scissor_flat);
     if (!tx_planes_find(&planes, s, needs->divided,
                         (needs->inputs & TX_INPUT_SHADE) != 0, colours))
         return tx_refused(unit, TX_COORDINATE_RANGE);
@@ -155,12 +152,7 @@ static enum polygon_result draw(const struct frame *frame, const struct vertex *
     check = judge(unit, vertices, count);
     if (check != TX_DONE)
         return tx_refused(unit, check);
-    s.frame = frame;
-    s.material = material;
-    s.off = drawing->off;
-    s.counts = drawing->counts ? &drawing->counts[material->number] : 0;
-    s.given = vertices;
-    s.count = count;
+    setup_begin(&s, frame, vertices, count, material, drawing);
     tx_lower_inputs(&needs, &s, &unit->tx, colours);
     if (tx_lower_to_flat(&needs, &s))
         result = draw_flat(&s, constant_colour(&unit->tx, &needs.shade), drawing);

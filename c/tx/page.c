@@ -235,14 +235,10 @@ int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pix
 {
     struct tx_page *page = &unit->page;
     static struct making making;
-    uint32 key[TX_PAGE_KEY], differs = 0;
+    uint32 key[TX_PAGE_KEY];
 
     find_key(key, &unit->tx, unit->tx.primitive_tile, pixel_bytes, &needs->shade);
-    for (int32 i = 0; i < TX_PAGE_KEY; i++) {
-        differs |= key[i] ^ page->key[i];
-        page->key[i] = key[i];
-    }
-    if (differs)
+    if (page_differs(page->key, key, TX_PAGE_KEY))
         page_forget(&page->page);
     if (page_has(&page->page, rows))
         return 1;

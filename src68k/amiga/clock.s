@@ -1,6 +1,5 @@
-; Quiet mode and the clock. In quiet mode the program has the machine to itself: no DMA, no
-; interrupt but one, the watchdog that ends a routine which never returns. CIA-B's chained timers
-; are watchdog and half of the clock; the other half is the beam.
+; The clock. CIA-B's chained timers are half of it, and the watchdog of quiet mode; the other half is
+; the beam.
 ;
 ; A colour clock, the clock's tick, is 4 cycles of the CPU, one of the E-clock, which the timers
 ; count, 20 (709,379 Hz and 14.18758 MHz).
@@ -8,29 +7,14 @@
         include "amiga.i"
         include "routine.i"
 
-        xdef    quiet_leave
-        xdef    quiet
+        xdef    ciab_base
         xref    sys_base
-        xref    fault_number
-        xref    fault_enter
 
 BEAM_LINES              equ     $1ff00  ; of vposr and vhposr
 BEAM_PLACE              equ     $40     ; colour clocks
 LINE                    equ     227     ; colour clocks in a raster line
 E_CLOCK                 equ     5       ; in an E-clock
 ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges are waited for
-FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
-ICRB_TA                 equ     0
-ICRB_TB                 equ     1
-ICRF_TB                 equ     2
-ICRF_ALL                equ     $1f
-ICRF_OTHERS             equ     $1c     ; alarm, serial, index: not the timers
-ICRF_SETCLR             equ     $80
-CRAF_START_LOAD         equ     %00010001       ; continuous, counts E-clock
-CRAF_STOP               equ     %00000000
-CRBF_START_LOAD         equ     %01010001       ; counts underflows of timer A
-CRBF_STOP               equ     %01000000
-VECTOR_LEVEL_6          equ     $78
 
 ;==============================================================================
 ; clock_open - takes CIA-B's two timers
@@ -102,112 +86,6 @@ ciab_name       dc.b    'ciab.resource',0
         moveq   #ICRB_TB,d0
         lvo     RemICRVector
 .done   movea.l (sp)+,a6
-        rts
-
-;==============================================================================
-; quiet_enter - switches DMA and interrupts off, all but the watchdog
-;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
-; formats: -
-; error:   calls do not nest; clock_open must have succeeded
-; cost:    -
-;==============================================================================
-        routine quiet_enter
-        movem.l a5/a6,-(sp)
-        movea.l sys_base,a6
-        lvo     Disable
-        lea     custom,a0
-        move.w  intenar(a0),old_intena
-        move.w  dmaconr(a0),old_dmacon
-        move.w  #$7fff,intena(a0)
-        move.w  #$7fff,dmacon(a0)
-        lea     install_watchdog(pc),a5
-        lvo     Supervisor
-        movea.l ciab_base,a6
-        moveq   #ICRF_ALL,d0
-        lvo     AbleICR
-        move.l  d0,old_icr
-        move.b  ciab+ciaicr,old_flags   ; reading forgets them
-        move.b  #ICRF_SETCLR|ICRF_TB,ciab+ciaicr
-        lea     custom,a0
-        move.w  #INTF_SETCLR|INTF_INTEN|INTF_EXTER,intena(a0)
-        st      quiet
-        movem.l (sp)+,a5/a6
-        rts
-
-install_watchdog:                       ; in supervisor mode
-        movec   vbr,a0
-        move.l  VECTOR_LEVEL_6(a0),old_level_6
-        move.l  #watchdog,VECTOR_LEVEL_6(a0)
-        rte
-
-remove_watchdog:
-        movec   vbr,a0
-        move.l  old_level_6,VECTOR_LEVEL_6(a0)
-        rte
-
-; Level 6 has other sources than CIA-B. One of those has to wait until quiet_leave,
-; pending: it is masked, and the watchdog with it.
-watchdog:
-        move.b  ciab+ciaicr,flags
-        btst    #ICRB_TB,flags
-        bne.s   .bite
-        move.w  #INTF_EXTER,custom+intena
-        rte
-.bite   move.l  #FAULT_WATCHDOG,fault_number
-        move.w  #INTF_INTEN,custom+intena
-        jmp     fault_enter
-
-;==============================================================================
-; quiet_leave - restores what quiet_enter changed
-;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  DMACON, INTENA, the level 6 vector
-; formats: -
-; error:   does nothing outside quiet mode
-; cost:    -
-;==============================================================================
-        routine quiet_leave
-        movem.l a5/a6,-(sp)
-        tst.b   quiet
-        beq     .done
-        sf      quiet
-        lea     custom,a0
-        move.w  #$7fff,intena(a0)
-        move.b  #CRAF_STOP,ciab+ciacra
-        move.b  #CRBF_STOP,ciab+ciacrb
-        move.b  #ICRF_ALL,ciab+ciaicr
-        tst.b   ciab+ciaicr
-        movea.l sys_base,a6
-        lea     remove_watchdog(pc),a5
-        lvo     Supervisor
-        movea.l ciab_base,a6
-        move.l  old_icr,d0
-        or.l    #ICRF_SETCLR,d0
-        lvo     AbleICR
-        moveq   #ICRF_OTHERS,d0         ; what was pending is so again
-        and.b   old_flags,d0
-        beq.s   .none_pending
-        or.w    #ICRF_SETCLR,d0
-        lvo     SetICR
-.none_pending
-        lea     custom,a0
-        move.w  old_dmacon,d0
-        or.w    #INTF_SETCLR,d0
-        move.w  d0,dmacon(a0)
-        move.w  old_intena,d0
-        or.w    #INTF_SETCLR,d0
-        move.w  d0,intena(a0)
-        movea.l sys_base,a6
-        lvo     Enable
-.done   movem.l (sp)+,a5/a6
         rts
 
 ;==============================================================================
@@ -340,12 +218,5 @@ timer_code      rts
 
         section .bss.clock,bss
 ciab_base       ds.l    1
-old_icr         ds.l    1
-old_level_6     ds.l    1
 limit           ds.l    1
-old_intena      ds.w    1
-old_dmacon      ds.w    1
-quiet           ds.b    1
 place           ds.b    1               ; of the beam in its line, when the clock began
-old_flags       ds.b    1
-flags           ds.b    1

@@ -2,6 +2,7 @@
         include "layout.i"
         include "number.i"
         include "reciprocal_lines.i"
+        include "logarithm_lines.i"
 
 ; On the stack: q at the line's first possible pixel; of u and v 64 C there, a line's step of
 ; it, K and half a unit of 8.8; lines left, lines not taken.
@@ -26,29 +27,6 @@ BIAS    equ     7                       ; parts lie on chords up to 11.5 below, 
 ; What the first loop leaves to the second.
 line_base equ   logarithm_line_power_u  ; the scale's part
 line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
-
-; \1, q.hi, as the scale wants it.
-scaled  macro
-        lsl.l   d7,\1
-        lsr.l   #4,\1
-        mulu.l  d4,\1
-        endm
-
-; \2 = 2^(\1 / OCTAVE) in 1/OCTAVE, straight between octaves. \1 loses its fraction.
-mantissa macro
-        bfextu  \1{32-LOGARITHM_BITS:LOGARITHM_BITS},\2
-        bset    #LOGARITHM_BITS,\2
-        bfextu  \1{27-LOGARITHM_BITS:5},\1
-        lsl.l   \1,\2
-        endm
-
-; What is left of a line that is not taken: a5 the row of u or of v.
-step_c  macro
-        movem.l (a5)+,d0-d3
-        add.l   d1,d3
-        addx.l  d0,d2
-        movem.l d2-d3,-16(a5)
-        endm
 
 ;==============================================================================
 ; logarithm_lines - what spans by logarithms need to know of each line
@@ -274,15 +252,7 @@ step_c  macro
         movea.l perspective_plan_lines(a5),a0
         move.l  perspective_plan_count(a5),d1
         movea.l row_to(sp),a1
-.empty  tst.w   logarithm_line_n(a1)
-        bmi.s   .keep
-        move.w  scanline_left(a0),d2
-        subq.w  #1,d2
-        move.w  d2,scanline_last(a0)
-.keep   lea     scanline_sizeof(a0),a0
-        lea     logarithm_line_sizeof(a1),a1
-        subq.l  #1,d1
-        bne.s   .empty
+        empty_taken logarithm_line
 .all    lea     row_sizeof(sp),sp
         movem.l (sp)+,d2-d7/a2-a6
         rts
@@ -291,43 +261,7 @@ step_c  macro
         move.w  #-1,logarithm_line_n(a1)
         bra     .next
 
-        ; Another scale than the line's before. d7 is shift:factor, d4 the factor.
-.scale  move.w  d7,scale(sp)
-        movem.l perspective_plan_q+screen_plane_dx(a5),d0-d1
-        lsr.l   #4,d1
-        move.l  d0,d2
-        ror.l   #4,d2
-        and.l   #$f0000000,d2
-        or.l    d2,d1
-        asr.l   #4,d0
-        mulu.l  d4,d2:d1
-        muls.l  d4,d0
-        add.l   d2,d0
-        lsr.w   #8,d7
-        lsl.l   d7,d0
-        move.l  d1,d2
-        lsl.l   d7,d1
-        neg.w   d7
-        add.w   #32,d7
-        lsr.l   d7,d2
-        or.l    d2,d0
-        add.l   d1,d1
-        moveq   #0,d1
-        addx.l  d1,d0                   ; to the nearest
-        swap    d0
-        move.l  d0,scale_dq(sp)
-        moveq   #32+33,d1
-        sub.w   d7,d1                   ; shift + 33
-        swap    d1
-        lsl.l   #6,d1                   ; octaves, 1/256 units
-        sub.l   #(LOGARITHM_MIDDLE<<8)-BIAS-128,d1
-        move.l  a0,d2
-        movea.l row_tables(sp),a0
-        sub.w   #16,d4
-        lsl.w   #6,d4
-        add.l   logarithm_tables_parts(a0,d4.w),d1
-        movea.l d2,a0
-        move.l  d1,scale_base(sp)
+.scale  scale_found
         bra     .same
 
 ; Sixteenths that a q whose upper 6 bits are 32 and more fits with.

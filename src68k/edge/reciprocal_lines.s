@@ -144,15 +144,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         movea.l perspective_plan_lines(a5),a0
         movea.l reciprocal_plan_to(a6),a1
         move.l  perspective_plan_count(a5),d1
-.empty  tst.w   reciprocal_line_n(a1)
-        bmi.s   .keep
-        move.w  scanline_left(a0),d2
-        subq.w  #1,d2
-        move.w  d2,scanline_last(a0)
-.keep   lea     scanline_sizeof(a0),a0
-        lea     reciprocal_line_sizeof(a1),a1
-        subq.l  #1,d1
-        bne.s   .empty
+        empty_taken reciprocal_line
 .all    lea     row_sizeof(sp),sp
         return_all
 

@@ -73,6 +73,16 @@ ciatbhi                 equ     $700
 ciaicr                  equ     $d00
 ciacra                  equ     $e00
 ciacrb                  equ     $f00
+ICRB_TA                 equ     0
+ICRB_TB                 equ     1
+ICRF_TB                 equ     2
+ICRF_ALL                equ     $1f
+ICRF_OTHERS             equ     $1c     ; alarm, serial, index: not the timers
+ICRF_SETCLR             equ     $80
+CRAF_START_LOAD         equ     %00010001       ; continuous, counts E-clock
+CRAF_STOP               equ     %00000000
+CRBF_START_LOAD         equ     %01010001       ; counts underflows of timer A
+CRBF_STOP               equ     %01000000
 
 ; Call a library routine whose base is already in a6.
 lvo     macro

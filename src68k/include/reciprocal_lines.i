@@ -45,6 +45,21 @@ ends_sorted macro
         bhi     .other
         endm
 
+; Makes the d1 lines from a0 on that are taken, by their structs \1 at a1, empty to others. Uses
+; d2.
+empty_taken macro
+.empty\@
+        tst.w   \1_n(a1)
+        bmi.s   .keep\@
+        move.w  scanline_left(a0),d2
+        subq.w  #1,d2
+        move.w  d2,scanline_last(a0)
+.keep\@ lea     scanline_sizeof(a0),a0
+        lea     \1_sizeof(a1),a1
+        subq.l  #1,d1
+        bne.s   .empty\@
+        endm
+
 ; \1 times 3/2, V where it does not fit. \2: lsr or asr. Uses \3.
 three_halves macro
         move.l  \1,\3

@@ -55,3 +55,34 @@ tmu_factor macro
         eor.b   d5,\1
         add.l   a2,\1
         endm
+
+; Writes the texel: d0 = R-B- and d3 = -G-A. On to the next one, at .pixels, or the end.
+tmu_mix_close macro
+        eor.l   d0,d3
+        and.l   d7,d3
+        eor.l   d3,d0
+        move.l  d0,(a1)+
+        cmpa.l  a6,a0
+        bne.s   .pixels
+        return_all
+        endm
+
+; d0's lower word = the lower bytes of d0 and d1 multiplied, and the bytes above them. Uses d2-d4;
+; d6 is 255.
+tmu_products macro
+        move.w  d0,d2
+        move.w  d1,d3
+        and.w   d6,d2
+        and.w   d6,d3
+        addq.w  #1,d3
+        mulu.w  d3,d2
+        move.w  d0,d3
+        move.w  d1,d4
+        lsr.w   #8,d3
+        lsr.w   #8,d4
+        addq.w  #1,d4
+        mulu.w  d4,d3
+        lsr.w   #8,d2
+        move.b  d2,d3
+        move.w  d3,d0
+        endm

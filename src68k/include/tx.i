@@ -81,6 +81,52 @@ tx_rounds macro
         lsr.l   #3,d7
         endm
 
+; The texels of s:t at a0 by point sampling, 8 a round: all of a routine. \1: the struct at a2,
+; whose texel is \3 from its first one after a shift right by \2.
+tx_texels macro
+        movem.l d2-d7/a2-a3,-(sp)
+        tx_rounds
+        move.l  \1_mask_s(a2),d4       ; and mask_t
+        move.w  \1_columns_bits(a2),d5
+        movea.l \1_texels(a2),a2
+        lsl.l   #2,d6
+        lea     .pixels(pc,d6.l),a3
+        jmp     (a3,d6.l*4)
+.pixels rept    8
+        move.l  (a0)+,d0                ; 20 bytes
+        moveq   #0,d2
+        and.l   d4,d0
+        tx_index
+        lsr.l   #\2,d2
+        move.l  (a2,\3),(a1)+
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts
+        endm
+
+; Writes s:t, the integers of d0 and d1 in 16.16, to a1, 8 pixels a round; d2, d3 their steps,
+; d6 and d7 as tx_rounds leaves them. s is SSss, t swapped, so that its word is where it is
+; wanted: ttTT. Uses d4-d5/a0.
+tx_step macro
+        swap    d1
+        move.l  d3,d5
+        swap    d5                      ; --TT
+        swap    d3
+        clr.w   d3                      ; tt--
+        lea     .pixels(pc,d6.l*4),a0
+        jmp     (a0,d6.l*8)
+.pixels rept    8
+        move.l  d0,d4                   ; 12 bytes
+        move.w  d1,d4
+        add.l   d2,d0
+        add.l   d3,d1
+        addx.w  d5,d1
+        move.l  d4,(a1)+
+        endr
+        dbra    d7,.pixels
+        endm
+
 ; The word of \1 that is nearest to the long.
 tx_nearest macro
         add.l   \1,\1
@@ -106,4 +152,18 @@ tx_converted macro
         add.w   d0,d1
         add.w   d0,d2
         add.w   d0,d3
+        endm
+
+; Two channels in one product, of the way to others: d3 = 256 of the texel's -G-A and d4, their
+; product, d1 = that of -R-B. In: d0 = R-B- of the texel, d1 = R G B A of the other, d2 factor,
+; d3 = -G-A, d7 = 00ff00ff. Uses d4.
+tx_between macro
+        lsl.l   #8,d3
+        lsr.l   #8,d1
+        add.l   d4,d3
+        move.l  d0,d4
+        and.l   d7,d1
+        lsr.l   #8,d4
+        sub.l   d4,d1
+        muls.l  d2,d1
         endm

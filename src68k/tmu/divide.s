@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "quotient.i"
 
 ;==============================================================================
 ; tmu_divide - a level's coordinates with perspective
@@ -32,7 +33,6 @@
 
 FEW     equ     8                       ; pixels: shorter lines are divided
 MOST    equ     $40000000               ; w
-NEGATIVE equ    $a0000000               ; r, from here on
 LIMIT   equ     $60000000               ; gg + w
 
 ; On the stack.
@@ -50,80 +50,6 @@ first_r equ     40
 w_end   equ     44
 axis    equ     48
 locals  equ     52
-
-; d5 = u - half, d6 = r of magnitudes d5 = s, d4 = w, the quotient's sign that of a6. d7 = 30 -
-; shift, d2 = w. Uses d4.
-quotient macro
-        rol.l   d7,d5
-        move.l  d5,d6
-        and.l   mask(sp),d6
-        eor.l   d6,d5
-        divu.l  d4,d6:d5
-        move.l  a6,d4
-        bpl.s   .up\@
-        neg.l   d5
-        tst.l   d6
-        beq.s   .up\@
-        subq.l  #1,d5
-        neg.l   d6
-        add.l   d2,d6
-.up\@   sub.l   a4,d5
-        endm
-
-; |\1|
-magnitude macro
-        tst.l   \1
-        bpl.s   .plus\@
-        neg.l   \1
-.plus\@
-        endm
-
-; Writes \1, cut to 0 to a5, or modulo 2^16 where that is 2^32 - 1. Uses \1.
-put     macro
-        cmp.l   a5,\1
-        bls.s   .put\@
-        tst.l   \1
-        bmi.s   .zero\@
-        move.l  a5,\1
-        bra.s   .put\@
-.zero\@ moveq   #0,\1
-.put\@  move.w  \1,(a1)
-        addq.l  #4,a1
-        endm
-
-; On to the next pixel by differences. \1, \2: where r is outside; where it is inside then.
-step    macro
-        add.l   d3,d2
-        add.l   d1,d0
-        add.l   d5,d4
-        cmp.l   d2,d0
-        bhs.s   \1
-\2      sub.l   d6,d1
-        endm
-
-; At \1 r is outside: puts it right and goes on at \2.
-correct macro
-\1      cmp.l   #NEGATIVE,d0
-        bhs.s   .low\@
-        addq.l  #1,d4
-        addq.l  #1,d5
-        add.l   d3,d6
-        add.l   d3,d6
-        sub.l   d2,d1
-        sub.l   d2,d0
-        cmp.l   d2,d0
-        blo.s   \2
-        bra.s   \1
-.low\@  subq.l  #1,d4
-        subq.l  #1,d5
-        sub.l   d3,d6
-        sub.l   d3,d6
-        add.l   d2,d1
-        add.l   d2,d0
-        cmp.l   d2,d0
-        blo.s   \2
-        bra.s   \1
-        endm
 
         routine tmu_divide,a0,a1,a2,d0
         save_all

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tx.i"
         include "tmu.i"
 
 ;==============================================================================
@@ -33,20 +34,7 @@
         sub.l   d3,d4
         eor.l   d3,d0                   ; R-B-, 256 of each
         muls.l  d2,d4
-        lsl.l   #8,d3
-        lsr.l   #8,d1
-        add.l   d4,d3
-        move.l  d0,d4
-        and.l   d7,d1
-        lsr.l   #8,d4
-        sub.l   d4,d1
-        muls.l  d2,d1
+        tx_between
         lsr.l   #8,d3
         add.l   d1,d0
-        eor.l   d0,d3
-        and.l   d7,d3
-        eor.l   d3,d0
-        move.l  d0,(a1)+
-        cmpa.l  a6,a0
-        bne.s   .pixels
-        return_all
+        tmu_mix_close

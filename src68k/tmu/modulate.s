@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tmu.i"
 
 ;==============================================================================
 ; tmu_modulate - texels times others, channel by channel
@@ -16,27 +17,6 @@
 ; error:   none
 ; cost:    bench row tmu_modulate
 ;==============================================================================
-
-; d0's lower word = the lower bytes of d0 and d1 multiplied, and the bytes above them. Uses d2-d4;
-; d6 is 255.
-products macro
-        move.w  d0,d2
-        move.w  d1,d3
-        and.w   d6,d2
-        and.w   d6,d3
-        addq.w  #1,d3
-        mulu.w  d3,d2
-        move.w  d0,d3
-        move.w  d1,d4
-        lsr.w   #8,d3
-        lsr.w   #8,d4
-        addq.w  #1,d4
-        mulu.w  d4,d3
-        lsr.w   #8,d2
-        move.b  d2,d3
-        move.w  d3,d0
-        endm
-
         routine tmu_modulate,a0,a1,a2,d0
         movem.l d2-d7/a2-a3,-(sp)
         lea     (a0,d0.l*4),a3
@@ -48,10 +28,10 @@ products macro
         move.l  (a2),d1
         adda.l  d5,a2
         eor.l   d7,d1
-        products
+        tmu_products
         swap    d0
         swap    d1
-        products
+        tmu_products
         swap    d0
         move.l  d0,(a1)+
         cmpa.l  a3,a0

@@ -18,22 +18,4 @@
 ; cost:    bench row tmu_point
 ;==============================================================================
         routine tmu_point,a0,a1,a2,d0
-        movem.l d2-d7/a2-a3,-(sp)
-        tx_rounds
-        move.l  tmu_decoded_mask_s(a2),d4       ; and mask_t
-        move.w  tmu_decoded_columns_bits(a2),d5
-        movea.l tmu_decoded_texels(a2),a2
-        lsl.l   #2,d6
-        lea     .pixels(pc,d6.l),a3
-        jmp     (a3,d6.l*4)
-.pixels rept    8
-        move.l  (a0)+,d0                ; 20 bytes
-        moveq   #0,d2
-        and.l   d4,d0
-        tx_index
-        lsr.l   #2,d2
-        move.l  (a2,d2.l),(a1)+
-        endr
-        dbra    d7,.pixels
-        movem.l (sp)+,d2-d7/a2-a3
-        rts
+        tx_texels tmu_decoded,2,d2.l

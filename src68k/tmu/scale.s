@@ -31,10 +31,4 @@
         mulu.l  d2,d3
         mulu.l  d2,d0
         lsr.l   #8,d3
-        eor.l   d0,d3
-        and.l   d7,d3
-        eor.l   d3,d0
-        move.l  d0,(a1)+
-        cmpa.l  a6,a0
-        bne.s   .pixels
-        return_all
+        tmu_mix_close

@@ -17,8 +17,7 @@
 ; error:   none
 ; cost:    bench rows tmu_walk, tmu_walk_small
 ;==============================================================================
-; As in tx_walk s is SSss, t swapped, ttTT. From shift 17 on they have more fraction bits: those
-; are in registers of their own.
+; From shift 17 on s and t have more than 16 fraction bits: those are in registers of their own.
 
 ; Takes \1 bits off below d0 and d1: they are the upper bits of \2 and \3. d7 is their mask.
 low_bits macro
@@ -49,22 +48,7 @@ low_bits macro
         swap    d5
         sub.l   d5,d0
         sub.l   d5,d1
-        swap    d1
-        move.l  d3,d5
-        swap    d5                      ; --TT
-        swap    d3
-        clr.w   d3                      ; tt--
-        lea     .pixels(pc,d6.l*4),a0
-        jmp     (a0,d6.l*8)
-.pixels rept    8
-        move.l  d0,d4                   ; 12 bytes
-        move.w  d1,d4
-        add.l   d2,d0
-        add.l   d3,d1
-        addx.w  d5,d1
-        move.l  d4,(a1)+
-        endr
-        dbra    d7,.pixels
+        tx_step
         movem.l (sp)+,d2-d7/a3-a4
         rts
 

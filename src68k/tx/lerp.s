@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tx.i"
 
 ;==============================================================================
 ; tx_lerp - texels between others
@@ -42,14 +43,7 @@
         sub.l   d3,d4
         muls.l  d2,d4
         eor.l   d3,d0                   ; R-B-, 256 of each
-        lsl.l   #8,d3
-        lsr.l   #8,d1
-        add.l   d4,d3
-        move.l  d0,d4
-        and.l   d7,d1
-        lsr.l   #8,d4
-        sub.l   d4,d1
-        muls.l  d2,d1
+        tx_between
         add.l   d6,d3
         lsr.l   #8,d3
         add.l   d6,d0

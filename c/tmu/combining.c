@@ -1,0 +1,150 @@
+#include "tmu/combining.h"
+
+/* Half of the combine unit, with what its terms hang on. */
+struct half {
+    const struct tmu_combination *by;
+    int32 is_alpha;
+    int32 other;                /* is not 0 */
+    uint32 factor;              /* that is selected: 1 to 5, 0 none */
+    int32 is_whole;             /* m is 256 everywhere */
+};
+
+/* The factor of all pixels; -1: it differs. */
+static int32 factor_of(const struct half *half, const struct tmu_known *known)
+{
+    int32 m = 0;
+
+    switch (half->factor) {
+    case 0: break;
+    case TMU_FACTOR_DETAIL: m = known->detail; break;
+    case TMU_FACTOR_LOD_FRACTION: m = known->fraction; break;
+    default: return -1;
+    }
+    return m < 0 || known->flip < 0 ? -1 : m ^ known->flip ^ (half->by->reverse ? 0 : 255);
+}
+
+/* Alpha's own channel has two names: `own` is the one to go by. */
+static void open_half(struct half *half, const struct tmu_combination *by,
+                      const struct tmu_known *known, int32 has_other, int32 is_alpha, uint32 own)
+{
+    int32 value;
+
+    half->by = by;
+    half->is_alpha = is_alpha;
+    half->other = has_other && !by->zero_other;
+    half->factor = by->mselect > TMU_FACTOR_LOD_FRACTION
+        || (by->mselect == TMU_FACTOR_OTHER_ALPHA && !has_other) ? 0 : by->mselect;
+    if (is_alpha && (half->factor == TMU_FACTOR_LOCAL || half->factor == TMU_FACTOR_LOCAL_ALPHA))
+        half->factor = own;
+    value = factor_of(half, known);
+    half->is_whole = value == 255;
+    if (!value && !by->sub_local)       /* other / 256 */
+        half->other = 0;
+}
+
+/* Of (other - local) m + local, or without the last. */
+static enum tmu_term difference(const struct half *half, int32 adds)
+{
+    if (!adds)
+        return half->other ? TMU_TERM_ANY : TMU_TERM_ZERO;
+    if (half->is_whole)
+        return half->other ? TMU_TERM_OTHER : TMU_TERM_ZERO;
+    if (half->factor == TMU_FACTOR_LOCAL)
+        return TMU_TERM_ANY;
+    return half->other ? TMU_TERM_BLEND : TMU_TERM_REST;
+}
+
+static enum tmu_term find_term(const struct half *half)
+{
+    const struct tmu_combination *by = half->by;
+    const int32 adds = by->add_local || (half->is_alpha && by->add_alpha_local);
+
+    if (by->add_alpha_local && !half->is_alpha)
+        return TMU_TERM_ANY;
+    if (by->sub_local)
+        return difference(half, adds);
+    if (!half->other)
+        return adds ? TMU_TERM_LOCAL : TMU_TERM_ZERO;
+    if (half->is_whole)
+        return adds ? TMU_TERM_SUM : TMU_TERM_OTHER;
+    if (half->factor == TMU_FACTOR_LOCAL)
+        return adds ? TMU_TERM_PRODUCT_SUM : TMU_TERM_PRODUCT;
+    return adds ? TMU_TERM_SCALED_SUM : TMU_TERM_SCALED;
+}
+
+static int32 has_factor(enum tmu_term term)
+{
+    return term >= TMU_TERM_REST || term == TMU_TERM_ANY;
+}
+
+static uint32 reads_of(const struct half *half, enum tmu_term term)
+{
+    static const uint8 texels[] = {
+        TMU_READS_LOCAL | TMU_READS_OTHER, 0, TMU_READS_LOCAL, TMU_READS_OTHER,
+        TMU_READS_LOCAL | TMU_READS_OTHER, TMU_READS_LOCAL, TMU_READS_OTHER,
+        TMU_READS_LOCAL | TMU_READS_OTHER, TMU_READS_LOCAL | TMU_READS_OTHER,
+        TMU_READS_LOCAL | TMU_READS_OTHER, TMU_READS_LOCAL | TMU_READS_OTHER
+    };
+    uint32 reads = texels[term];
+
+    if (reads & TMU_READS_OTHER && half->is_alpha)
+        reads |= TMU_READS_OTHER_ALPHA;
+    if (has_factor(term) && half->factor == TMU_FACTOR_OTHER_ALPHA)
+        reads |= TMU_READS_OTHER | TMU_READS_OTHER_ALPHA;
+    if (has_factor(term) && half->factor == TMU_FACTOR_LOCAL_ALPHA)
+        reads |= TMU_READS_LOCAL;
+    return reads;
+}
+
+static int32 is_alike(const struct half *rgb, enum tmu_term term, const struct half *alpha,
+                      enum tmu_term other)
+{
+    return term == other && term != TMU_TERM_ANY
+        && (!has_factor(term)
+            || (rgb->factor == alpha->factor && rgb->by->reverse == alpha->by->reverse));
+}
+
+static void add_alpha(struct tmu_combining *to, const struct half *rgb, const struct half *alpha)
+{
+    const enum tmu_term term = find_term(alpha);
+
+    to->alpha = (uint8)term;
+    to->reads |= (uint8)reads_of(alpha, term);
+    to->alpha_way = is_alike(rgb, to->rgb, alpha, term) ? TMU_ALPHA_ALIKE
+        : term == TMU_TERM_ZERO || term == TMU_TERM_LOCAL || term == TMU_TERM_OTHER
+        ? TMU_ALPHA_TAKEN : TMU_ALPHA_COMBINED;
+    if (to->alpha_way != TMU_ALPHA_COMBINED && alpha->by->invert)
+        to->inverted |= 255;
+}
+
+void tmu_known_find(struct tmu_known *known, const struct tmu_modes *modes,
+                    const struct tmu_lod *lod)
+{
+    known->detail = tmu_detail_factor(modes, lod->value);
+    known->fraction = lod->value & 255;
+    known->flip = modes->trilinear && lod->odd ? 255 : 0;
+}
+
+void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
+                        const struct tmu_known *known, int32 has_other, int32 has_alpha)
+{
+    struct half rgb, alpha;
+    enum tmu_term term;
+
+    open_half(&rgb, &modes->rgb, known, has_other, 0, 0);
+    term = find_term(&rgb);
+    if (term == TMU_TERM_ZERO)
+        term = TMU_TERM_ANY;
+    to->rgb = (uint8)term;
+    to->reads = (uint8)reads_of(&rgb, term);
+    to->inverted = term != TMU_TERM_ANY && modes->rgb.invert ? 0xffffff00 : 0;
+    to->alpha = TMU_TERM_ANY;
+    to->alpha_way = TMU_ALPHA_UNSEEN;
+    if (has_alpha) {
+        open_half(&alpha, &modes->alpha, known, has_other, 1, rgb.factor == TMU_FACTOR_LOCAL
+                  ? TMU_FACTOR_LOCAL : TMU_FACTOR_LOCAL_ALPHA);
+        add_alpha(to, &rgb, &alpha);
+    }
+    if (!has_other)
+        to->reads &= TMU_READS_LOCAL;
+}

@@ -1,0 +1,47 @@
+        include "routine.i"
+        include "layout.i"
+        include "tmu.i"
+
+;==============================================================================
+; tmu_modulate_rgb - texels times others, channel by channel, but for alpha
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const tmu_mix*  the others; flip
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   both
+; writes:  the texels
+; formats: m = other, inverted by flip: texel * (m + 1) >> 8; A is the texel's
+; error:   none
+; cost:    bench row tmu_modulate_rgb
+;==============================================================================
+        routine tmu_modulate_rgb,a0,a1,a2,d0
+        movem.l d2-d7/a2-a3,-(sp)
+        lea     (a0,d0.l*4),a3
+        move.l  tmu_mix_flip(a2),d7
+        move.l  tmu_mix_other_step(a2),d5
+        movea.l tmu_mix_other(a2),a2
+        move.w  #255,d6
+.pixels move.l  (a0)+,d0
+        move.l  (a2),d1
+        adda.l  d5,a2
+        eor.l   d7,d1
+        move.w  d0,d2
+        move.w  d1,d3
+        lsr.w   #8,d2
+        lsr.w   #8,d3
+        addq.w  #1,d3
+        mulu.w  d3,d2
+        move.b  d0,d2
+        move.w  d2,d0
+        swap    d0
+        swap    d1
+        tmu_products
+        swap    d0
+        move.l  d0,(a1)+
+        cmpa.l  a3,a0
+        bne.s   .pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts
