@@ -37,6 +37,7 @@ class Polygons:
     case: Callable[[int, int, str], Any]  # of a seed, a number, a format of pixels
     scene: Callable[[list, int, str], Scene]  # of cases, the seed, pixels
     lines: Callable[[Any], list[str]]  # all there is to know of a case
+    boot: int = BOOT
 
     def asked(self, name: str) -> str | None:
         return os.environ.get(f"{self.engine}_{name}")
@@ -66,8 +67,8 @@ class Polygons:
         """Compares all frames, many in a boot; the rules and the spans that drew them."""
         numbers = self.numbers(off)
         wrong, rules, spans = [], set(), set()
-        for k in range(0, len(numbers), BOOT):
-            cases = [self.case(self.seed, number, pixels) for number in numbers[k:k + BOOT]]
+        for k in range(0, len(numbers), self.boot):
+            cases = [self.case(self.seed, number, pixels) for number in numbers[k:k + self.boot]]
             made = self.scene(cases, self.seed, pixels)
             done = run.render(made, "a1200-fast", "addx", off)
             rules |= {rule for material in done.executed for rule in material["rules"]}

@@ -126,6 +126,12 @@ def test_pixel_counts_are_the_models(folder, runs):
         assert frame["pixels"] == sum(polygon.pixels for polygon in polygons)
 
 
+def test_how_long_animations_show_a_frame():
+    """1.6 seconds in all, between 40 ms a frame and 200."""
+    assert [run.gif_frame_ms(frames) for frames in (1, 8, 12, 16, 40, 1000)] \
+        == [200, 200, 130, 100, 40, 40]
+
+
 def test_pictures_are_the_dumps(runs):
     out = runs["a1200-fast", "addx"]
     palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
@@ -139,7 +145,7 @@ def test_pictures_are_the_dumps(runs):
                 assert picture.mode == "P"
                 assert (np.array(picture.convert("RGB")) == colours).all()
             animation.seek(number)
-            assert animation.info["duration"] == 40
+            assert animation.info["duration"] == 200
             assert (np.array(animation.convert("RGB")) == colours).all()
 
 

@@ -6,25 +6,59 @@ TMU_SEED and TMU_COUNT choose others; TMU_CASE draws one of them alone.
 import numpy as np
 import pytest
 from engine_polygons import Polygons, vertex_lines
-from tmu_random import Case, case, scene
+from tmu_random import FAR, HEIGHT, WIDTH, Case, case, scene
 
-from tools import model
+from tools import model, scene_pipes
 from tools.scene_file import read, write
+from tools.tmu import polygon
+from tools.tmu.lod import chosen, level_of_detail
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
 BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
 PIXELS = tuple(BITS)
+BOOT = 15  # polygons: each one's levels, decoded for the passes, stay in memory
 
 
 def lines(each: Case) -> list[str]:
     """All there is to know of a polygon."""
-    return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}",
-            *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
+    return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
+            f"kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
             *vertex_lines(each.vertices)]
 
 
-POLYGONS = Polygons("TMU", 40, lambda seed, number, _: case(seed, number), scene, lines)
+POLYGONS = Polygons("TMU", 60, lambda seed, number, _: case(seed, number), scene, lines, BOOT)
 SEED = POLYGONS.seed
+
+
+def levels(each: Case) -> list[set[int]]:
+    """Which levels each unit draws the polygon's pixels from."""
+    made = scene([each], SEED, "rgb565")
+    units, frame = scene_pipes.units_of(made, 0), np.zeros((HEIGHT, WIDTH), np.uint16)
+    settings = model.Settings(edges=each.edges, clip=each.clip, mapper="tiled")
+    half = len(each.vertices) // (1 + each.own)
+    screen, found = [v[:2] for v in each.vertices[:half]], []
+    for n, unit in enumerate(units):
+        corners = each.vertices[half * (n and each.own):][:half]
+        sharing = [unit] if each.own else units
+        divided = any(u.modes.perspective for u in sharing)
+        at = polygon.points(screen, [(s, t, w) for _, _, s, t, _, w in corners], divided, frame,
+                            settings)
+        if at:
+            point = at[1]
+            lod = level_of_detail(unit.modes, point.base, point.w, point.x, point.y)
+            found.append(set(np.unique(chosen(unit.modes, lod)).tolist()))
+    return found
+
+
+def test_polygons_with_many_levels() -> None:
+    """The generator makes them in all ways in which levels are drawn."""
+    cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
+    many = [(each, most) for each in cases
+            if (most := max(map(len, levels(each)), default=0)) > 2]
+    assert {each.kind for each, _ in many} >= FAR
+    assert max(most for _, most in many) > 5
+    assert {modes["mode"] for each, _ in many for modes in each.modes} == {"nearest",
+                                                                         "nearest_dither"}
 
 
 def test_the_polygons_differ() -> None:
@@ -52,7 +86,10 @@ def test_the_polygons_differ() -> None:
 def test_frames_are_the_models(pixels: str, off: str | None) -> None:
     """Each polygon in a frame of its own, many in a boot: with the rules of lowering, without."""
     rules, spans = POLYGONS.draw(pixels, off)
+    assert off or "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
     if off is None and not POLYGONS.asked("CASE"):
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
         assert spans & {f"dithered_{BITS[pixels]}{end}" for end in ("", "_wrap")}, spans
-        assert {"tmu_passes", "tmu_pixels"} < spans, spans
+        assert "tmu_passes" in spans, spans
+    if off and not POLYGONS.asked("CASE"):
+        assert "tmu_pixels" in spans and "tmu_passes" not in spans, spans

@@ -1,18 +1,22 @@
 """Scenes with Glide's texture units: what TOML may say, what it becomes, and the guest's frames."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from engine_scenes import check_refused, compiled, explain, run_command, save_noise, scene_text
 
-from tools import model, run, scene_file, scene_pipes
+from tools import emulator, fuzz, model, run, scene_file, scene_pipes
 from tools.paths import SCENES
 from tools.scene import compile_scene
+from tools.scene_file import Scene
 from tools.tmu import images
 from tools.tmu.mipmap import levels
 from tools.tmu.words import FORMATS
 from tools.tx.images import read
 
-NAMES = ("glide_floor", "dithered")
+NAMES = ("dithered", "glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
+WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
 
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
@@ -51,10 +55,34 @@ def check_frames(scene, name: str, off: str | None, again: str = "") -> None:
         assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
 
 
+def shown(name: str, off: str | None) -> Scene:
+    """A scene's first frame; without rules, when every pixel takes its time, its middle."""
+    whole = compile_scene(SCENES / f"{name}.toml", 1)
+    if not off:
+        return whole
+    width, height = whole.width // 8 * 4, whole.height // 2
+    poses = whole.poses.copy()  # meshes have the middle of the frame before them anyway
+    poses[:, 4:] -= np.array([whole.width - width, whole.height - height]) << 15
+    return replace(whole, width=width, height=height, poses=poses)
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[tuple, tuple]:
+    """The scenes by name and the rules that are off, and the guest's digests, all of one boot."""
+    scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
+    found = fuzz.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
+                      patience=emulator.PATIENT_SECONDS)
+    return {key: (scene, digest) for (key, scene), digest in zip(scenes.items(), found)}
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("off", [None, "all"])
-def test_frames_are_the_models(name: str, off: str | None) -> None:
-    check_frames(compile_scene(SCENES / f"{name}.toml", 1), name, off)
+def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
+    scene, digests = drawn[name, off]
+    if not fuzz.is_models(model.render(scene, 0), digests[0]):
+        check_frames(scene, name, off)
+        raise AssertionError(f"{name}: the first frame is the model's in a boot of its own only")
+    assert len(np.unique(model.render(scene, 0))) > 30, f"{name}: hardly any colours"
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -109,6 +137,20 @@ def test_projected(folder):
                      + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
         check_frames(scene, f"a projected picture, {form}", None,
                      ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k projected")
+
+
+def test_slide(folder):
+    """Both units' coordinates move, each by its own way, and nothing else."""
+    both = units(UNIT + ', combine = { function = "blend", factor = "local" }',
+                 UNIT + ", own = true")
+    scene = make(folder, both, SQUARE + "\n" + OWN + "\nslide = [8, -16]\nslide1 = [0.5, 1]",
+                 frames=3)
+    corners = scene.vertices.reshape(3, 8, 6)
+    moved = np.repeat([[8, -16], [0.5, 1]], 4, axis=0) * 65536
+    for age in range(3):
+        assert np.array_equal(corners[age, :, 2:4], corners[0, :, 2:4] + age * moved), age
+    assert np.array_equal(np.delete(corners, [2, 3], 2), np.delete(corners[[0] * 3], [2, 3], 2))
+    assert [(obj.first_frame, obj.poses) for obj in scene.objects] == [(0, 1), (1, 1), (2, 1)]
 
 
 def test_equal_units_and_texels_are_there_once(folder):
@@ -183,12 +225,13 @@ def test_refused(folder, glide, message):
      "objects[0].vertices: s of two corners: 8192 apart or more"),
     ({"obj": SQUARE + "\n" + OWN},
      "objects[0].st1: material 'it' has no second unit with coordinates of its own"),
+    ({"obj": SQUARE + "\nslide1 = [1, 0]"},
+     "objects[0].slide1: material 'it' has no second unit with coordinates of its own"),
+    ({"obj": SQUARE + "\nslide = [0, 8000]", "frames": 2},
+     "objects[0].slide: frame 1: t must be above -8192 and below 8192"),
 ])
 def test_objects_refused(folder, kinds, message):
     check_refused(folder, text_of(units(UNIT), **kinds), message)
-
-
-MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
 
 
 @pytest.mark.parametrize("obj, message", [
@@ -196,7 +239,6 @@ MESH = 'points = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\nfaces = [[0, 1, 2]]'
     (SQUARE + "\nst1 = [[0, 0], [8, 0], [8, 8]]", "st1: must have 4 entries, not 3"),
     (SQUARE + "\n" + OWN + "\nw1 = [1, 1, 0, 1]", "w1[2]: must not be 0"),
     (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8192 to 8192"),
-    (MESH, "material: 'it' has a unit with coordinates of its own, which are for polygons only"),
 ])
 def test_coordinates_refused(folder, obj, message):
     check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

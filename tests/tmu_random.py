@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tools.model import FAR
+from tools.model import FAR as BEYOND
 from tools.pixel_formats import FORMATS as PIXELS
 from tools.scene_file import IDENTITY, Material, Object, Scene
 from tools.tmu.words import ASPECTS, FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, MIPMAPS, Words
@@ -16,15 +16,18 @@ REACH = 8191 * ONE
 W_MAX = 1 << 30
 PALETTE, NCC = 0, 1024  # where tables lie in the texture memory
 MEMORY_BYTES = 1 << 17  # of all units, random
-KINDS = ("any",) * 8 + ("plain",) * 2 + ("trilinear",) * 2 + ("dithered",) * 2
+KINDS = ("any",) * 8 + ("plain", "trilinear", "levels") * 2 + ("detail", "pass")
+FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
+DITHERED = 7  # of so many polygons one is
 ALONE = ("plain", "dithered")  # of one unit and one level
 
 
 @dataclass
 class Case:
-    """One polygon and its units; ``units``: registers, bytes of memory, where it begins, bits
+    """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
     of weights, whether it is dithered; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
 
+    kind: str
     units: list[tuple]
     vertices: list[tuple]
     edges: str
@@ -52,8 +55,10 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
     largest = rng.choice((0, 0, 0, 1, 2, 3, rng.randrange(9)))
     smallest = rng.randrange(largest, 9)
     levels = rng.choice(("both", "both", "both", "even", "odd"))
-    if kind == "trilinear" and count == 2:
-        levels, largest, smallest = ("odd", "even")[number], 0, 8
+    if kind in FAR:
+        levels, largest, smallest = "both", 0, 8
+    if kind == "trilinear":
+        levels = ("odd", "even")[number]
     if not any(n % 2 in LEVELS[levels] for n in range(largest, smallest + 1)):
         levels = "both"
     found = {"format": form, "aspect": aspect, "levels": levels, "largest": largest,
@@ -65,12 +70,17 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
              "limits": rng.choice((None, None, (rng.randrange(64), rng.randrange(64)))),
              "detail": (rng.randrange(-32, 32), rng.randrange(8), rng.randrange(256)),
              "ncc": rng.randrange(2), "bits": rng.choice((4, 4, 8)),
-             "memory": words.memory_bytes, "dithered": int(kind == "dithered" or not rng.randrange(4))}
+             "memory": words.memory_bytes}
     if kind in ALONE:
         found |= {"filters": 2 * ("point" if kind == "plain" else "bilinear",), "mode": "off",
                   "clamp": ("wrap", "wrap") if rng.randrange(4) else ("clamp", "wrap")}
-    if kind == "trilinear":
-        found |= {"mode": "nearest", "blend": 1, "filters": ("bilinear", "bilinear")}
+    if kind in FAR:
+        found |= {"mode": rng.choice(("nearest", "nearest", "nearest_dither")), "blend": 0,
+                  "bias": rng.choice((0, 0, rng.randrange(-8, 8))), "bits": 4}
+    if kind in ("trilinear", "pass"):
+        found |= {"blend": 1, "filters": ("bilinear", "bilinear")}
+    if kind == "detail":
+        found["detail"] = (rng.randrange(9), rng.randrange(8), rng.choice((255, rng.randrange(256))))
     words.source(8 * rng.randrange(64), levels, largest, smallest, aspect, form)
     words.mipmap(found["mode"], bool(found["blend"]))
     words.filter(*found["filters"])
@@ -81,27 +91,35 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
     words.ncc_select(found["ncc"])
     if found["limits"] and kind == "any":
         words.fields |= dict(zip(("lod_min", "lod_max"), found["limits"]))
-    if kind == "trilinear" and count == 2 and not number:
+    if kind == "trilinear" and not number:
         words.combine("blend", "one_minus_lod_fraction", "blend", "one_minus_lod_fraction")
+    elif kind == "pass":
+        words.blend_levels(rng.choice(("odd", "even")))
+        words.combine(*("blend_local", rng.choice(("lod_fraction", "one_minus_lod_fraction"))) * 2)
+    elif kind == "detail" and not number:
+        words.combine(*(rng.choice(("blend", "blend", "scale_other")),
+                        rng.choice(("detail", "one_minus_detail"))) * 2)
     else:
         found |= combine(rng, words, number == count - 1)
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"],
-            found["dithered"]], found
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"]], found
 
 
-def depths(rng: random.Random, count: int, signs: bool) -> list[int]:
-    """w of corners: alike, or far apart; ``signs``: some below 0."""
+def depths(rng: random.Random, count: int, signs: bool, far: bool) -> list[int]:
+    """w of corners: alike, or far apart; ``signs``: some below 0; ``far``: none alike."""
     base, deepest = rng.choice((1, 1, rng.uniform(0.1, 300))), rng.choice((1, 1.5, 4, 40, 2000))
-    if rng.randrange(8) == 0:
+    if far:
+        base, deepest = 1, rng.choice((20, 100, 1000, 2000))
+    elif rng.randrange(8) == 0:
         base, deepest = 1 / 256, 1 << 22
-    found = [min(max(round(base * deepest ** rng.random() * ONE), 256), W_MAX)
-             for _ in range(count)]
+    parts = [rng.choice((0, 1, rng.random())) if far else rng.random() for _ in range(count)]
+    found = [min(max(round(base * deepest**part * ONE), 256), W_MAX) for part in parts]
     return [w * rng.choice((1, -1)) if signs else w for w in found]
 
 
-def coordinates(rng: random.Random, around: list[complex]) -> list[tuple[int, int]]:
-    """s and t of corners, in 16.16: mostly turned and scaled as the polygon is."""
-    texels = rng.choice((rng.uniform(0, 8), rng.uniform(8, 80), rng.uniform(80, 600), 4000))
+def coordinates(rng: random.Random, around: list[complex], far: bool) -> list[tuple[int, int]]:
+    """s and t of corners, in 16.16: mostly turned and scaled as the polygon is; ``far``: so that
+    texels are larger than pixels where it is near."""
+    texels = rng.uniform(4, 80) if far else rng.choice((rng.uniform(0, 8), rng.uniform(8, 80), rng.uniform(80, 600), 4000))
     s0, t0 = (rng.choice((0, rng.uniform(-40, 300), rng.uniform(-4000, 4000))) for _ in range(2))
     flat = rng.randrange(3) == 0
     found = [(s0 + texels * (c.real if flat else rng.uniform(-1, 1)),
@@ -109,27 +127,28 @@ def coordinates(rng: random.Random, around: list[complex]) -> list[tuple[int, in
     return [tuple(max(-REACH, min(round(v * ONE), REACH)) for v in pair) for pair in found]
 
 
-def vertices(rng: random.Random, own: bool) -> list[tuple]:
+def vertices(rng: random.Random, own: bool, far: bool) -> list[tuple]:
     """Corners round a middle, some of them beyond the frame, some polygons slivers; ``own``: and
-    once more for the second unit."""
+    once more for the second unit; ``far``: with many levels."""
     count = rng.choice((3, 3, 4, 4, 5, 7))
     x0, y0 = rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)
-    size = rng.choice((rng.uniform(2, 12), rng.uniform(12, 40), rng.uniform(40, 300)))
+    size = rng.choice((rng.uniform(12, 40) if far else rng.uniform(2, 12), rng.uniform(12, 40),
+                       rng.uniform(40, 300)))
     thin = rng.choice((1, 1, 1, 1, 0.02)) * np.exp(1j * rng.random())
     turn = rng.choice((0.125, 0.125, rng.random()))
     angles = sorted((turn + (k + rng.uniform(0, 0.6)) / count) % 1 for k in range(count))
     if count == 4 and rng.randrange(2):
         angles = [turn + k / 4 for k in range(4)]
     around = [np.exp(2j * np.pi * angle) for angle in angles]
-    screen = [(max(-FAR, min(round(v * ONE), FAR - 1)) for v in (x0 + size * p.real,
+    screen = [(max(-BEYOND, min(round(v * ONE), BEYOND - 1)) for v in (x0 + size * p.real,
                                                                   y0 + size * p.imag))
               for p in (complex(c.real, c.imag * abs(thin)) * thin / abs(thin) for c in around)]
     places = [tuple(p) for p in screen]
     out = []
     for second in range(1 + own):
-        ws = depths(rng, count, bool(second) and rng.randrange(2) == 0)
+        ws = depths(rng, count, bool(second) and rng.randrange(2) == 0, far)
         out += [(*place, *texel, 0, w)
-                for place, texel, w in zip(places, coordinates(rng, around), ws)]
+                for place, texel, w in zip(places, coordinates(rng, around, far), ws)]
     return out
 
 
@@ -137,16 +156,20 @@ def case(seed: int, number: int) -> Case:
     """A polygon by its seed and number."""
     rng = random.Random(f"{seed}, {number}")
     kind = rng.choice(KINDS)
-    count = 1 if kind in ALONE else 2 if kind == "trilinear" else rng.choice((1, 1, 2, 2, 2))
-    own = count == 2 and kind == "any" and rng.randrange(2) == 0
-    perspective = rng.randrange(4) > (2 if kind in ALONE else 0)
+    if number % DITHERED == 0:
+        kind = "dithered"
+    dithered = int(kind == "dithered" or number % DITHERED == 1)  # it need not have an effect
+    count = (1 if kind in (*ALONE, "pass") else 2 if kind in ("trilinear", "detail")
+             else rng.choice((1, 1, 2, 2, 2)))
+    own = count == 2 and kind in ("any", "levels") and rng.randrange(2) == 0
+    perspective = kind in FAR or rng.randrange(4) > (2 if kind in ALONE else 0)
     units, modes = [], []
     for n in range(count):
-        other = rng.randrange(8) == 0  # the units need not agree
+        other = kind not in FAR and rng.randrange(8) == 0  # the units need not agree
         row, found = unit(rng, kind, n, count, perspective != other)
-        units.append(row)
-        modes.append(found)
-    return Case(units, vertices(rng, own), rng.choice(("subpixel", "exact")),
+        units.append([*row, dithered])
+        modes.append(found | {"dithered": dithered})
+    return Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, modes)
 
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_tmu, bench_tx, layout,
-               maps, model)
+from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_screen, bench_tmu,
+               bench_tx, layout, maps, model)
 from .bench_dithered import dithered_rows
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
@@ -356,6 +356,8 @@ def pixel_rows(chip: bool) -> list[Row]:
         rows.append(Row(f"floor_{name}", 1024, *floor_case(name)))
     rows += [Row(name, bench_tx.LENGTH, *bench_tx.pass_case(name)) for name in bench_tx.NAMES]
     rows += [Row(name, bench_tx.LENGTH, *bench_tmu.pass_case(name)) for name in bench_tmu.NAMES]
+    rows += [Row(name, bench_screen.SCREENS[name.removesuffix("_c")][0],
+                 *bench_screen.screen_case(name)) for name in bench_screen.NAMES]
     for row in rows:
         row.case.chip = chip
     return rows

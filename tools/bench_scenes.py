@@ -1,7 +1,8 @@
 """Bench rows of whole scenes: cycles a frame, clearing included, on the machines they run on.
 
-Some frames from all their length; each must be the model's. With texture engines the first is
-drawn twice, and counts the second time: tables are made and tiles decoded by then.
+Some frames from all their length; each must be the model's. With texture engines the first, with
+Glide's units all of them are drawn twice, and count the second time: tables are made, tiles and
+levels decoded by then.
 """
 
 from dataclasses import replace
@@ -18,9 +19,8 @@ from .scene_file import Scene
 
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
          "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
-         "tx_rectangles", "dithered")
-#: Drawn pixel by pixel so far, 170 million cycles a frame: no rows yet.
-SLOW = ("glide_floor",)
+         "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
+         "glide_lightmap", "dithered")
 FRAMES = 4
 #: Conditions of the bench that a program can be run under.
 MACHINES = ("a1200", "a1200-fast")
@@ -29,6 +29,7 @@ MACHINES = ("a1200", "a1200-fast")
 def some_frames(scene: Scene, numbers: list[int]) -> Scene:
     """A scene of these frames alone, none before the last."""
     poses, views, objects, instances = [], [], [], []
+    places = [0]  # of objects among those that are kept
     for things, kept, table, rows, first, count in (
             (scene.objects, objects, scene.poses, poses, "pose", "poses"),
             (scene.instances, instances, scene.views, views, "view", "views")):
@@ -38,8 +39,9 @@ def some_frames(scene: Scene, numbers: list[int]) -> Scene:
             if seen:
                 kept.append(replace(each, first_frame=seen[0], **{first: len(rows), count: len(seen)}))
                 rows += [table[getattr(each, first) + ages[k]] for k in seen]
-    if len(objects) < len(scene.objects) and instances:
-        raise ValueError("instances are drawn before objects that are gone")
+            if kept is objects:
+                places.append(len(objects))
+    instances = [replace(each, before=places[each.before]) for each in instances]
     units, lists = [], []
     for first, count in scene.units.tolist():
         kept = [first] + [first + 1 + number for number in numbers if count > 1]
@@ -55,7 +57,8 @@ def shown(name: str) -> tuple[Scene, list[np.ndarray]]:
     """Some frames of a scene, and the model's pictures of them."""
     whole = compile_scene(SCENES / f"{name}.toml")
     numbers = [k * whole.frames // FRAMES for k in range(FRAMES)]
-    scene = some_frames(whole, numbers[:1] * (len(whole.units) > 0) + numbers)
+    before = numbers if len(whole.pipes) else numbers[:1] if len(whole.units) else []
+    scene = some_frames(whole, before + numbers)
     return scene, [model.render(scene, number) for number in range(scene.frames)]
 
 

@@ -92,9 +92,10 @@ def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) 
     return Shape(points, [[c.vertex_index for c in ring] for ring in rings], texels, normals)
 
 
-def listed(spec: dict, where: str) -> Shape:
-    """The mesh of an object with points and faces; ``where`` is the object."""
-    points, faces, texels = spec["points"], spec["faces"], spec["uvs"]
+def listed(spec: dict, where: str, uvs: str = "uvs") -> Shape:
+    """The mesh of an object with points and faces; ``where`` is the object, ``uvs`` the field with
+    the texture coordinates."""
+    points, faces, texels = spec["points"], spec["faces"], spec[uvs]
     for i, face in enumerate(faces):
         for k, point in enumerate(face):
             if point >= len(points):
@@ -103,11 +104,11 @@ def listed(spec: dict, where: str) -> Shape:
         if len(texels) == 1:  # the same on every face
             texels = texels * len(faces)
         if len(texels) != len(faces):
-            fail(f"{where}.uvs", f"must have {len(faces)} entries, one a face, or one for all; "
+            fail(f"{where}.{uvs}", f"must have {len(faces)} entries, one a face, or one for all; "
                                  f"not {len(texels)}")
         for i, (face, corners) in enumerate(zip(faces, texels)):
             if len(face) != len(corners):
-                fail(f"{where}.uvs[{min(i, len(spec['uvs']) - 1)}]",
+                fail(f"{where}.{uvs}[{min(i, len(spec[uvs]) - 1)}]",
                      f"must have {len(face)} entries, one a corner of face {i}; "
                      f"not {len(corners)}")
         texels = [[tuple(corner) for corner in face] for face in texels]

@@ -23,6 +23,7 @@ CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40
+GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # of a whole animation, where that is no slower
 ROWS_MAX = 10  # frames that are listed one by one
 #: What a run writes and the next one replaces, run.json first: it describes the rest.
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky",
@@ -129,7 +130,7 @@ def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Ren
             "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""),
             {SCENE_NAME: write(scene)}, machine, directory,
             lambda output: bar.update(task, completed=output.count("\n")),
-            patience=emulator.PATIENT_SECONDS if len(scene.units) else None)
+            patience=emulator.PATIENT_SECONDS if len(scene.units) + len(scene.pipes) else None)
         if done.code:
             raise UserError(f"render: return code {done.code}; "
                             + emulator.last_words(done.output))
@@ -162,6 +163,11 @@ def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
     return picture
 
 
+def gif_frame_ms(frames: int) -> int:
+    """How long an animation shows a frame; GIFs count hundredths of a second."""
+    return max(GIF_FRAME_MS, min(GIF_LEAST_MS // frames // 10 * 10, GIF_SLOWEST_MS))
+
+
 def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
     """Writes dumps, pictures and run.json."""
     pictures = []
@@ -173,7 +179,7 @@ def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> N
         pictures.append(picture)
     if len(pictures) > 1:
         pictures[0].save(folder / "animation.gif", save_all=True, append_images=pictures[1:],
-                         duration=GIF_FRAME_MS, loop=0, optimize=False)
+                         duration=gif_frame_ms(len(pictures)), loop=0, optimize=False)
     (folder / "run.json").write_text(as_json(about))
 
 

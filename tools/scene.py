@@ -11,14 +11,14 @@ from pathlib import Path
 
 import numpy as np
 
-from . import (layout, materials, scene_glide, scene_glide_build, scene_primitives, scene_space,
-               scene_tx, scene_tx_build)
+from . import (layout, materials, scene_glide, scene_glide_build, scene_primitives,
+               scene_projectors, scene_space, scene_tx, scene_tx_build)
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
 from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, fixed, inside
 from .model_shading import LIT
 from .pixel_formats import FORMATS
-from .scene_file import Object, Scene
+from .scene_file import IDENTITY, Object, Scene
 
 ONE = 65536  # 1.0 in 16.16
 CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
@@ -273,6 +273,24 @@ def object_corners(obj: dict, material: dict, texture: dict | None, ramp: tuple[
     return scene_glide.with_own(made, obj) if scene_glide.has_own(material) else made
 
 
+def each_frame(obj: dict, corners: np.ndarray, poses: np.ndarray, material: dict,
+               where: str) -> list[tuple[np.ndarray, np.ndarray, int]]:
+    """A polygon or rectangle as objects: vertices and poses in 16.16, first frame. More than one
+    where vertices are others in each frame."""
+    if not scene_glide.slides(obj):
+        return [(corners, poses, obj["first"])]
+    return [(scene_glide.slid(corners, obj, material, age, where), poses[age:age + 1],
+             obj["first"] + age) for age in range(len(poses))]
+
+
+def from_space(obj: dict, material: dict, space: scene_space.Space, lives: int, where: str
+               ) -> list[tuple[np.ndarray, np.ndarray, int]]:
+    """An object in space that is no mesh: as ``each_frame``."""
+    faces, still = scene_projectors.Faces(obj, material, space, where), np.array([IDENTITY])
+    return [(corners, still, obj["first"] + age) for age in range(lives)
+            for corners in faces.polygons(obj["first"] + age, age)]
+
+
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
                   space: scene_space.Space, where: str) -> tuple[list, list, list]:
     """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
@@ -284,25 +302,30 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
         at = f"{where}objects[{i}]"
         material = spec["materials"][obj["material"]]
         texture = spec["textures"].get(material.get("texture"))
-        if scene_space.is_mesh(obj):
+        last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
+        lives = last - obj["first"] + 1
+        if scene_space.is_mesh(obj) and not scene_glide.has_own(material):
             space.place(obj, (material_number[obj["material"]], material, texture,
                               ramps.get(obj["material"])), len(objects), at)
             continue
-        corners = object_corners(obj, material, texture, ramps.get(obj["material"]), at)
-        last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
-        lives = last - obj["first"] + 1
-        if lives < 1:
-            continue
-        motion = fixed([pose_at(obj, age, spec["frames"]) for age in range(lives)])
-        if scene_primitives.is_rectangle(obj):
-            motion = scene_primitives.whole_pixels(motion)
-        check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)
-        objects.append(Object(material_number[obj["material"]], len(vertices), len(corners),
-                              len(poses), lives, obj["first"]))
-        vertices += corners.tolist()
-        poses += motion.tolist()
-        for noun, made in (("vertices", vertices), ("frames of objects", poses)):
-            if len(made) > limits["SCENE_COUNT_MAX"]:
+        if scene_space.is_mesh(obj):
+            made = from_space(obj, material, space, lives, at)
+        else:
+            corners = object_corners(obj, material, texture, ramps.get(obj["material"]), at)
+            if lives < 1:
+                continue
+            motion = fixed([pose_at(obj, age, spec["frames"]) for age in range(lives)])
+            if scene_primitives.is_rectangle(obj):
+                motion = scene_primitives.whole_pixels(motion)
+            check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)
+            made = each_frame(obj, corners, motion, material, at)
+        for corners, motion, first in made:
+            objects.append(Object(material_number[obj["material"]], len(vertices), len(corners),
+                                  len(poses), len(motion), first))
+            vertices += corners.tolist()
+            poses += motion.tolist()
+        for noun, rows_ in (("vertices", vertices), ("frames of objects", poses)):
+            if len(rows_) > limits["SCENE_COUNT_MAX"]:
                 fail(at, f"more than {limits['SCENE_COUNT_MAX']} {noun} in the scene")
     return objects, vertices, poses
 

@@ -14,6 +14,7 @@ from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
 
 FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
 REACH = 8192  # s and t: below, and above -REACH; and how far apart those of two corners may be
+LEAST_W = 1 / 65536  # how far w is from 0
 NO_MIPMAP = "none"  # the picture alone
 #: The bilinear filter, or moved points instead of it.
 BILINEAR = ("exact", "dithered")
@@ -76,10 +77,12 @@ def schema():
 
 
 def coordinates_fields(corners: int) -> dict:
-    """The fields of a polygon for its corners' coordinates of the second unit."""
+    """The fields of a polygon for its corners' coordinates of the second unit, and for what moves
+    them."""
     place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-16384, 16384)
+    way = rows(place, 2, 2), None
     return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None),
-            "w1": (rows(depth, 3, corners // 2), None)}
+            "w1": (rows(depth, 3, corners // 2), None), "slide": way, "slide1": way}
 
 
 def has_own(material: dict) -> bool:
@@ -121,18 +124,38 @@ def with_own(corners: np.ndarray, obj: dict) -> np.ndarray:
     return np.concatenate([corners, own])
 
 
+def slid(corners: np.ndarray, obj: dict, material: dict, age: int, where: str) -> np.ndarray:
+    """An object's vertices as the file has them, so many frames after it appeared."""
+    made = corners.copy()
+    second = len(made) // 2 if has_own(material) else len(made)
+    for field, part in (("slide", made[:second]), ("slide1", made[second:])):
+        if obj[field] is not None:
+            part[:, 2:4] += fixed([[age * step for step in obj[field]]])
+            check_range((part[:, 2:4] / 65536).tolist(), f"{where}.{field}: frame {age}")
+    return made
+
+
+def slides(obj: dict) -> bool:
+    """Whether an object's s and t move."""
+    return any(obj.get(field) is not None for field in ("slide", "slide1"))
+
+
 def check_object(obj: dict, material: dict, where: str) -> None:
     """Refuses an object that lacks what its material's second unit needs, or has too much."""
     st, name = obj.get("st1"), obj["material"]
+    if obj.get("slide") is not None and "glide" not in material:
+        fail(f"{where}.slide", f"material {name!r} has no texture unit of Glide's")
     if not has_own(material):
-        for field in ("st1", "w1"):
+        for field in ("st1", "w1", "slide1"):
             if obj.get(field) is not None:
                 fail(f"{where}.{field}", f"material {name!r} has no second unit with coordinates "
                                          "of its own")
         return
+    if "points" in obj or "mesh" in obj:
+        return  # tools.scene_projectors
     if "sides" not in obj and "vertices" not in obj:
-        fail(f"{where}.material", f"{name!r} has a unit with coordinates of its own, which are for "
-                                  "polygons only")
+        fail(f"{where}.material", f"{name!r} has a unit with coordinates of its own, which "
+                                  "rectangles have not")
     if st is None:
         fail(f"{where}.st1", f"is missing: material {name!r} has a unit with coordinates of its "
                              "own")
@@ -141,7 +164,7 @@ def check_object(obj: dict, material: dict, where: str) -> None:
         if obj[field] is not None and len(obj[field]) != corners:
             fail(f"{where}.{field}", f"must have {corners} entries, not {len(obj[field])}")
     for i, w in enumerate(obj["w1"] or []):
-        if abs(w) < 1 / 65536:
+        if abs(w) < LEAST_W:
             fail(f"{where}.w1[{i}]", "must not be 0")
     check_range(st, f"{where}.st1")
 

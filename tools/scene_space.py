@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
-               scene_tx_build, space)
-from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
+               scene_projectors, scene_tx_build, space)
+from .fields import REQUIRED, fail, integer, join, named, number, one_of, rows, table, text
 from .map_range import check_engine, check_map, extent_of, fixed, inside
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
@@ -42,11 +42,12 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, 1000), None),
         "mapping": (one_of("uv", "environment", "shade", "none"), None),
         "normals": (one_of("file", "smooth", "faces"), None),
-        "triangles": (flag, False), "two_sided": (flag, False)}
+        "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
+    uvs = rows(rows(texel, 3, corners), 1, most), None
     return {"mesh": {"mesh": (text, REQUIRED)} | placing,
             "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
                        "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
-                       "uvs": (rows(rows(texel, 3, corners), 1, most), None)} | placing}
+                       "uvs": uvs, "uvs1": uvs} | placing}
 
 
 def schema(limits: dict[str, int]) -> dict:
@@ -60,7 +61,7 @@ def schema(limits: dict[str, int]) -> dict:
         "fov": (number(1, 170), 60.0),  # degrees, across the frame's width
         "near": (number(limits["W_MIN"] / ONE, 1000), 0.125), "keys": (rows(key, 1, 1000), None)})
     light = table({"direction": (place, REQUIRED), "ambient": (number(0, 1), 0.25)})
-    return {"camera": (camera, None),
+    return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
             "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
 
 
@@ -92,6 +93,8 @@ def check(spec: dict, where: str) -> None:
         if focal > most:
             fail(f"{where}camera.fov", f"is too narrow for {spec['width']} pixels: a focal length "
                                        f"of {focal:.0f} pixels; {most} at most")
+    for name, projector in spec["projectors"].items():
+        fill_keys(projector, ("eye", "target"), join(f"{where}projectors", name))
     if not np.any(spec["light"]["direction"]):
         fail(f"{where}light.direction", "must have a length")
     for i, obj in enumerate(spec["objects"]):
@@ -103,6 +106,8 @@ def check(spec: dict, where: str) -> None:
         if not np.any(obj["axis"]):
             fail(f"{at}.axis", "must have a length")
         fill_keys(obj, ("position", "rotation"), at)
+        scene_projectors.check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
+                                      at)
         material = spec["materials"][obj["material"]]
         mapper = materials.mapper_of(material)
         allowed = MAPPINGS.get(mapper, ("uv",) if mapper == "arbitrary" else ("uv", "environment"))
@@ -136,14 +141,26 @@ class Space:
             self.focal = space.focal_length(spec["width"], spec["camera"]["fov"])
             self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
 
+    def wishes_of(self, obj: dict, material: dict) -> Wishes:
+        """What an object's mesh is drawn with."""
+        mapper = materials.mapper_of(material)
+        return Wishes(
+            obj["size"], obj["normals"], obj["mapping"], has_light(material),
+            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
+            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+
+    def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
+                  ) -> mesh_build.Tables:
+        """The tables of an object with a unit of Glide's, with the coordinates of one field."""
+        size = scene_glide_build.size_of(material)
+        return self.build(obj, "glide", (size, extent_of(size)), self.wishes_of(obj, material),
+                          where, uvs)
+
     def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
         """The number of an object's mesh; the same one for the same wishes."""
         size = (texture["width"], texture["height"]) if texture else (256, 256)
         mapper = materials.mapper_of(material)
-        wishes = Wishes(
-            obj["size"], obj["normals"], obj["mapping"], has_light(material),
-            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
-            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+        wishes = self.wishes_of(obj, material)
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
         if mapper == "glide":
             size = scene_glide_build.size_of(material)
@@ -158,20 +175,20 @@ class Space:
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
-    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes,
-              where: str) -> mesh_build.Tables:
+    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes, where: str,
+              uvs: str = "uvs") -> mesh_build.Tables:
         """The tables of an object's mesh, refused where the material cannot draw it.
-        ``map_size``: sides in texels; s and t at the far ends."""
+        ``map_size``: sides in texels; s and t at the far ends. ``uvs``: the field with those."""
         size, extent = map_size
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
         shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
-            mesh_file.listed(obj, where)
+            mesh_file.listed(obj, where, uvs)
         if obj["normals"] == "file" and shape.normals is None:
             fail(f"{where}.normals", '"file", but not every corner has a normal there')
         if obj["mapping"] == "uv":
             if shape.texels is None:
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
-            texels_at = at if "mesh" in obj else f"{where}.uvs"
+            texels_at = at if "mesh" in obj else f"{where}.{uvs}"
             faces = [[(0, 0, *texel) for texel in face] for face in shape.texels]
             if mapper == "unit":
                 for face in faces:

@@ -65,7 +65,7 @@ def show(name: str, machine: str, folder: Path) -> Shown:
         raise UserError(f"{name}: a frame of one colour")
     first, *others = [run.picture_of(frame, scene) for frame in drawn.frames]
     first.save(folder / f"{name}.gif", save_all=True, append_images=others,
-               duration=run.GIF_FRAME_MS, loop=0)
+               duration=run.gif_frame_ms(scene.frames), loop=0)
     return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
 
 

@@ -123,3 +123,15 @@ def lod(rng, count: int) -> Example:
     return Example("tmu_lod", longs(start), words(found), count, "tmu_lods",
                    {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
                    {"logarithms": logarithms()})
+
+
+def details(rng, count: int) -> Example:
+    """LODs on the slope of a detail factor: above 0, below the most."""
+    end, scale = 256 * int(rng.integers(1, 32)), int(rng.integers(0, 8))
+    if count == BENCH:
+        end, scale = 2048, 5
+    first = max(end - ((256 << 8 - scale) - 1), 0)
+    lods = rng.integers(first, end + 1, count)
+    lods[rng.random(count) < 0.1] = first
+    return Example("tmu_details", words(lods), ((end - lods) >> 8 - scale).astype(np.uint8).tobytes(),
+                   count, "tmu_nearness", {"end": end, "shift": 8 - scale})

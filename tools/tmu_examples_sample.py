@@ -203,3 +203,12 @@ def point(rng, count: int) -> Example:
 def store_565(rng, count: int) -> Example:
     texels = pixels(any_texels(rng, count))
     return Example("tmu_store_565", texels, packed(texels), count)
+
+
+def interleave(rng, count: int) -> Example:
+    """Pixel n is number n // 4 of array n % 4."""
+    room = (count + 3) // 4 + int(rng.integers(0, 5))
+    quarters = any_texels(rng, 4 * room)
+    found = [quarters[n % 4 * room + n // 4] for n in range(count)]
+    return Example("tmu_interleave", pixels(quarters), pixels(np.array(found)), count,
+                   "tmu_quarters", {"bytes": 4 * room})

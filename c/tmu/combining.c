@@ -117,14 +117,6 @@ static void add_alpha(struct tmu_combining *to, const struct half *rgb, const st
         to->inverted |= 255;
 }
 
-void tmu_known_find(struct tmu_known *known, const struct tmu_modes *modes,
-                    const struct tmu_lod *lod)
-{
-    known->detail = tmu_detail_factor(modes, lod->value);
-    known->fraction = lod->value & 255;
-    known->flip = modes->trilinear && lod->odd ? 255 : 0;
-}
-
 void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,
                         const struct tmu_known *known, int32 has_other, int32 has_alpha)
 {

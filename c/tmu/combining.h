@@ -35,15 +35,13 @@ struct tmu_combining {
     uint32 inverted;            /* afterwards: 255 for each channel, R G B A, that is */
 };
 
-/* Factors that come from the level of detail, where they are the same for all pixels; -1: they
-   differ. flip: 255 where odd levels turn factors round, or else 0. */
+enum { TMU_UNKNOWN = -1 };
+
+/* Factors that come from the level of detail, where they are the same for all pixels; TMU_UNKNOWN:
+   they differ. flip: 255 where odd levels turn factors round, or else 0. */
 struct tmu_known {
     int32 detail, fraction, flip;
 };
-
-/* Where there is one LOD only. */
-void tmu_known_find(struct tmu_known *known, const struct tmu_modes *modes,
-                    const struct tmu_lod *lod);
 
 /* has_other: there is a unit upstream. has_alpha: somebody wants the alpha of the result. */
 void tmu_combining_find(struct tmu_combining *to, const struct tmu_modes *modes,

@@ -130,7 +130,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     static struct tmu_iterations at;
     const struct scanline *line;
     enum polygon_result result;
-    struct tmu_plan plan;
+    static struct tmu_plan plan;
+    uint32 missed = 0;
     int32 passes;
 
     result = outline_flat(s);
@@ -144,15 +145,16 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
-        if (count > 0 && passes)
-            tmu_plan_draw(&plan, s->frame, x, y, count);
-        else if (count > 0)
+        if (count > 0 && !(passes && tmu_plan_draw(&plan, s->frame, x, y, count))) {
             draw_line(&pipe->chain, &at, s->frame, x, x + count, y);
+            missed += (uint32)count;
+        }
     }
     if (s->counts) {
         s->counts->polygons++;
-        s->counts->pixels[passes ? SPAN_TMU_PASSES : SPAN_TMU_PIXELS] += lines_pixels(
-            s->edges.lines, s->box.bottom - s->box.top);
+        s->counts->pixels[SPAN_TMU_PIXELS] += missed;
+        s->counts->pixels[SPAN_TMU_PASSES] += lines_pixels(
+            s->edges.lines, s->box.bottom - s->box.top) - missed;
     }
     return POLYGON_DRAWN;
 }
@@ -193,9 +195,11 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->own = 0;
     pipe->result = TMU_DONE;
     pipe->memory = memory;
-    for (int32 unit = 0; unit < TMU_UNITS; unit++)
+    for (int32 unit = 0; unit < TMU_UNITS; unit++) {
+        pipe->bands[unit].count = 0;
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
             pipe->levels[unit][level] = none;
+    }
     page_init(&pipe->page.page);
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;

@@ -1,4 +1,4 @@
-/* A line of a polygon, pass by pass. */
+/* A line of a polygon: run by run of each unit, pass by pass. */
 #include "system/system.h"
 #include "tmu/plan.h"
 
@@ -8,66 +8,237 @@ struct work {
     uint32 texels[SCENE_SIDE_MAX], other[SCENE_SIDE_MAX], colours[SCENE_SIDE_MAX];
 };
 
-static struct work *work;
+/* The same where pixels' LODs are asked for. */
+struct depths {
+    uint16 lods[SCENE_SIDE_MAX];
+    uint8 details[SCENE_SIDE_MAX];
+    uint32 quarters[4][SCENE_SIDE_MAX / 4];     /* of a line: each fourth pixel */
+    struct tmu_logarithm logarithms[TMU_LOGARITHMS];
+};
 
-int32 tmu_line_ready(void)
+static struct work *work;
+static struct depths *depths;
+
+int32 tmu_line_ready(int32 lods)
 {
     if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
         work = 0;
-    return work != 0;
+    if (!lods || depths)
+        return work != 0;
+    if (mem_take(&depths, sizeof *depths, MEMORY_ANY))
+        tmu_logarithms_make(depths->logarithms, tmu_logarithms);
+    else
+        depths = 0;
+    return work && depths;
 }
 
-/* other: 0 where there is nothing upstream. */
-static void combine(const struct tmu_sampling *from, const struct tmu *tmu, const uint32 *other,
-                    uint32 *to, int32 count)
+/* LODs of a run's pixels; x: the first one's. */
+static void find_lods(const struct tmu_runs *runs, const struct tmu_row *row, int32 x, int32 count)
 {
-    const struct tmu_lod *lod = &from->lod;
-    const uint8 detail = (uint8)tmu_detail_factor(&tmu->modes, lod->value);
-    const uint8 fraction = (uint8)lod->value;
+    const struct tmu_modes *modes = &runs->part->tmu->modes;
+    struct tmu_iterators at;
+    struct tmu_lods lods;
+
+    at.w = runs->part->by_w ? runs->at.w : 1 << 30;
+    lods.w = runs->part->by_w ? runs->by.w : 0;
+    lods.least = (int16)tmu_lod_least(modes);
+    lods.most = (int16)tmu_lod_most(modes);
+    lods.logarithms = depths->logarithms;
+    for (int32 i = 0; i < 4; i++) {
+        int32 lod = runs->part->lod - 256;
+
+        if (modes->dither)
+            lod += tmu_dither(x + (i << row->step_bits), row->y);
+        lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
+    }
+    tmu_lod(&at, depths->lods, &lods, count);
+}
+
+/* What of a run's factors comes from LODs. */
+static void find_factors(struct tmu_factors *factors, const struct tmu_runs *runs,
+                         const struct tmu_row *row, int32 x)
+{
+    const struct tmu_part *part = runs->part;
+    const struct tmu_modes *modes = &part->tmu->modes;
+    const struct tmu_band *band = &part->bands->of[runs->band];
+    const int32 alike = (!part->by_w || !runs->by.w) && (!modes->dither || row->step_bits);
+    const int32 count = alike ? 1 : runs->count;
+    struct tmu_nearness nearness;
+
+    factors->details = &band->detail;
+    factors->fractions = &band->fraction;
+    factors->detail_step = factors->fraction_step = 0;
+    factors->flip = band->flip;
+    if (!(band->bits & (TMU_DETAILS_DIFFER | TMU_FRACTIONS_DIFFER)))
+        return;
+    find_lods(runs, row, x, count);
+    if (band->bits & TMU_FRACTIONS_DIFFER) {
+        factors->fractions = (const uint8 *)depths->lods + 1;
+        factors->fraction_step = alike ? 0 : sizeof *depths->lods;
+    }
+    if (band->bits & TMU_DETAILS_DIFFER) {
+        nearness.end = (int16)(modes->detail_bias * 256);
+        nearness.shift = (uint16)(8 - modes->detail_scale);
+        tmu_details(depths->lods, depths->details, &nearness, count);
+        factors->details = depths->details;
+        factors->detail_step = !alike;
+    }
+}
+
+static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
+{
+    static const struct tmu_iterators none = {0, 0, 0};
+    const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
+
+    steps->s = is_none ? 0 : runs->by.s;
+    steps->t = is_none ? 0 : runs->by.t;
+    steps->w = runs->by.w;
+    runs->part->coordinates(is_none ? &none : &runs->at, work->coordinates, steps, runs->count);
+}
+
+/* How a run's texels are found, with its coordinates; 0: they are not. */
+static const struct tmu_sampling *find_sampling(struct tmu_runs *runs)
+{
+    struct tmu_sampling *from = &runs->part->samplings[runs->band];
+
+    if (!from->level && !tmu_sampling_find(runs->part, runs->band))
+        return 0;
+    find_coordinates(runs, &from->steps);
+    return from;
+}
+
+/* A run by its own unit; x: its first pixel. other: what comes from upstream; 0: nothing, or nobody
+   asks. */
+static int32 draw_run(struct tmu_runs *runs, const struct tmu_row *row, int32 x,
+                      const uint32 *other, uint32 *to)
+{
+    const struct tmu_part *part = runs->part;
+    const struct tmu_band *band = &part->bands->of[runs->band];
+    const struct tmu_sampling *from;
     struct tmu_factors factors;
 
-    factors.details = &detail;
-    factors.fractions = &fraction;
-    factors.detail_step = factors.fraction_step = 0;
-    factors.flip = tmu->modes.trilinear && lod->odd ? 255 : 0;
-    tmu_combine_line(&from->combining, &tmu->modes, &factors, work->texels, other, to, count);
-}
-
-static void find_coordinates(const struct tmu_plan *plan, const struct tmu_sampling *from, int32 x,
-                             int32 y, int32 count)
-{
-    struct tmu_iterators at;
-
-    at.s = (int32)planes_at(plan->planes, from->first + TMU_S, x, y);
-    at.t = (int32)planes_at(plan->planes, from->first + TMU_T, x, y);
-    at.w = (int32)planes_at(plan->planes, from->first + TMU_W, x, y);
-    from->coordinates(&at, work->coordinates, &from->steps, count);
-}
-
-void tmu_plan_draw(const struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
-                   int32 count)
-{
-    uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
-    uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
-    const uint32 *other = 0;
-
-    if (plan->is_direct) {
-        find_coordinates(plan, &plan->units[plan->last], x, y, count);
-        tmu_bilinear_565(work->coordinates, pixels, plan->units[plan->last].level, count);
-        return;
+    if (band->bits & TMU_NEEDS_OWN) {
+        from = find_sampling(runs);
+        if (!from)
+            return 0;
+        from->sample(work->coordinates, band->bits & TMU_IS_OWN ? to : work->texels, from->level,
+                     runs->count);
     }
-    for (uint32 n = plan->first + 1; n-- > plan->last; other = work->other) {
-        const struct tmu_sampling *from = &plan->units[n];
-        uint32 *to = n > plan->last ? work->other : colours;
-        const int32 is_local = tmu_shows(&from->combining, TMU_TERM_LOCAL);
+    if (!(band->bits & TMU_IS_OWN)) {
+        find_factors(&factors, runs, row, x);
+        tmu_combine_line(&band->combining, &part->tmu->modes, &factors, work->texels, other, to,
+                         runs->count);
+    }
+    return 1;
+}
 
-        if (from->combining.reads & TMU_READS_LOCAL) {
-            find_coordinates(plan, from, x, y, count);
-            from->sample(work->coordinates, is_local ? to : work->texels, from->level, count);
+/* A row's pixels `first` to `first` + count - 1 by a unit and those upstream. What comes from there
+   is drawn before, if all runs need it, or run by run. */
+static int32 draw_part(struct tmu_part *part, const struct tmu_row *row, int32 first, int32 count,
+                       uint32 *to)
+{
+    const struct tmu_bands *bands = part->bands;
+    const int32 before = part->upstream && bands->every & TMU_NEEDS_OTHER
+        && !(bands->bits & TMU_IS_OTHER);
+    struct tmu_runs runs;
+
+    if (before && !draw_part(part->upstream, row, first, count, work->other))
+        return 0;
+    tmu_runs_open(&runs, part, row, first, count);
+    for (int32 done = 0; tmu_runs_next(&runs); done += runs.count) {
+        const uint32 bits = part->upstream ? bands->of[runs.band].bits : 0;
+        const uint32 *other = before ? work->other + done : 0;
+
+        if (bits & TMU_IS_OTHER) {
+            if (!draw_part(part->upstream, row, first + done, runs.count, to + done))
+                return 0;
+            continue;
         }
-        if (!is_local)
-            combine(from, plan->pipe->chain.units[n], other, to, count);
+        if (bits & TMU_NEEDS_OTHER && !before) {
+            if (!draw_part(part->upstream, row, first + done, runs.count, work->other))
+                return 0;
+            other = work->other;
+        }
+        if (!draw_run(&runs, row, row->x + ((first + done) << row->step_bits), other, to + done))
+            return 0;
     }
-    if (frame->pixel_bytes == 2)
-        tmu_store_565(colours, pixels, 0, count);
+    return 1;
+}
+
+/* As four lines of each fourth pixel: dithering is the same all along them. */
+static int32 draw_quarters(struct tmu_plan *plan, struct tmu_row *row, int32 count, uint32 *to)
+{
+    const int32 x = row->x;
+    struct tmu_quarters quarters;
+
+    row->step_bits = 2;
+    for (int32 i = 0; i < 4 && i < count; i++) {
+        row->x = x + i;
+        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, depths->quarters[i]))
+            return 0;
+    }
+    quarters.bytes = sizeof depths->quarters[0];
+    tmu_interleave(depths->quarters, to, &quarters, count);
+    return 1;
+}
+
+/* Texels as pixels, the filter's of 16 bits without a store of their own. */
+static int32 draw_direct(struct tmu_part *part, const struct tmu_row *row, uint8 *pixels,
+                         int32 pixel_bytes, int32 count)
+{
+    const struct tmu_sampling *from;
+    struct tmu_runs runs;
+
+    tmu_runs_open(&runs, part, row, 0, count);
+    for (; tmu_runs_next(&runs); pixels += runs.count * pixel_bytes) {
+        from = find_sampling(&runs);
+        if (!from)
+            return 0;
+        if (pixel_bytes == 4) {
+            from->sample(work->coordinates, pixels, from->level, runs.count);
+        } else if (from->sample == tmu_bilinear) {
+            tmu_bilinear_565(work->coordinates, pixels, from->level, runs.count);
+        } else {
+            from->sample(work->coordinates, work->texels, from->level, runs.count);
+            tmu_store_565(work->texels, pixels, 0, runs.count);
+        }
+    }
+    return 1;
+}
+
+static int32 draw_row(struct tmu_plan *plan, struct tmu_row *row, uint8 *pixels,
+                      int32 pixel_bytes, int32 count, int32 mixed)
+{
+    uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
+
+    if (plan->is_direct && !mixed)
+        return draw_direct(plan->parts, row, pixels, pixel_bytes, count);
+    if (!(mixed ? draw_quarters(plan, row, count, to)
+          : draw_part(plan->parts, row, 0, count, to)))
+        return 0;
+    if (pixel_bytes == 2)
+        tmu_store_565(to, pixels, 0, count);
+    return 1;
+}
+
+int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                    int32 count)
+{
+    const int32 bytes = frame->pixel_bytes;
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * bytes;
+    struct tmu_row row;
+
+    row.x = x;
+    row.y = y;
+    for (int32 left = count; ; left -= count, row.x = x += count, pixels += count * bytes) {
+        int32 mixed = 0;
+
+        row.step_bits = 0;
+        if (plan->is_dithered)
+            count = tmu_runs_alike(plan, x, y, left, &mixed);
+        if (!draw_row(plan, &row, pixels, bytes, count, mixed))
+            return 0;
+        if (count == left)
+            return 1;
+    }
 }

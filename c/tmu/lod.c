@@ -27,6 +27,11 @@ int32 tmu_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy)
     return (tmu_logarithm(most.hi, most.lo) - 36 * LOD_ONE) / 2;
 }
 
+int32 tmu_dither(int32 x, int32 y)
+{
+    return pattern[y & 3][x & 3] * (LOD_ONE / 16);
+}
+
 /* Before it is clamped. */
 static int32 unclamped(const struct tmu *tmu, const struct tmu_point *point)
 {
@@ -40,7 +45,7 @@ static int32 unclamped(const struct tmu *tmu, const struct tmu_point *point)
     }
     lod += tmu->modes.lod_bias * (LOD_ONE / 4);
     if (tmu->modes.dither)
-        lod += pattern[point->y & 3][point->x & 3] * (LOD_ONE / 16);
+        lod += tmu_dither(point->x, point->y);
     return lod;
 }
 
@@ -51,23 +56,39 @@ static int32 is_drawn(const struct tmu_modes *modes, int32 level)
     return !(modes->split || modes->trilinear) || (level & 1) == modes->odd;
 }
 
-void tmu_find_lod(const struct tmu *tmu, const struct tmu_point *point, struct tmu_lod *lod)
+int32 tmu_lod_least(const struct tmu_modes *modes)
 {
-    const struct tmu_modes *modes = &tmu->modes;
-    const int32 least = modes->lod_min * (LOD_ONE / 4);
-    int32 most = modes->lod_max * (LOD_ONE / 4), level;
+    return modes->lod_min * (LOD_ONE / 4);
+}
 
-    if (most > TMU_LEVEL_LAST * LOD_ONE)
-        most = TMU_LEVEL_LAST * LOD_ONE;
-    lod->value = unclamped(tmu, point);
-    if (lod->value < least)
-        lod->value = least;
-    if (lod->value > most)
-        lod->value = most;
-    level = lod->value / LOD_ONE;
+int32 tmu_lod_most(const struct tmu_modes *modes)
+{
+    const int32 most = modes->lod_max * (LOD_ONE / 4);
+
+    return most < TMU_LEVEL_LAST * LOD_ONE ? most : TMU_LEVEL_LAST * LOD_ONE;
+}
+
+void tmu_lod_at(const struct tmu_modes *modes, int32 value, struct tmu_lod *lod)
+{
+    int32 level = value / LOD_ONE;
+
+    lod->value = value;
     lod->odd = level & 1;
     if (!is_drawn(modes, level) && level < TMU_LEVEL_LAST)
         level++;
     lod->level = (uint8)level;
-    lod->filter = lod->value == least ? modes->magnify : modes->minify;
+    lod->filter = value == tmu_lod_least(modes) ? modes->magnify : modes->minify;
+}
+
+void tmu_find_lod(const struct tmu *tmu, const struct tmu_point *point, struct tmu_lod *lod)
+{
+    const struct tmu_modes *modes = &tmu->modes;
+    const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
+    int32 value = unclamped(tmu, point);
+
+    if (value < least)
+        value = least;
+    if (value > most)
+        value = most;
+    tmu_lod_at(modes, value, lod);
 }

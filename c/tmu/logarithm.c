@@ -1,7 +1,5 @@
+#include "tmu/passes.h"
 #include "tmu/pixel.h"
-
-/* Entry k: 2^(31 + (k + 1/2) / 256), rounded down. tools/tmu_logarithms.py works them out. */
-extern const uint32 tmu_logarithms[256];
 
 int32 tmu_logarithm(uint32 hi, uint32 lo)
 {

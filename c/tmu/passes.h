@@ -72,6 +72,17 @@ struct tmu_lods {
     const struct tmu_logarithm *logarithms;
 };
 
+/* From LODs to detail factors. */
+struct tmu_nearness {
+    int16 end;                  /* 8.8: the LOD from which on they are 0 */
+    uint16 shift;               /* 1 to 8: of what LODs lie below it */
+};
+
+/* Arrays of each fourth texel of a line, from its first one, its second one, ... on. */
+struct tmu_quarters {
+    int32 bytes;                /* from array to array */
+};
+
 /* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
    pixel: 4, of LODs 2, or 0 for the same everywhere. */
 struct tmu_mix {
@@ -98,7 +109,10 @@ struct tmu_alphas {
     uint32 inverted;
 };
 
-/* limits: 2^(31 + (k + 1/2) / 256) rounded down, k = 0 to 255. */
+/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. tools/tmu_logarithms.py works them out. */
+extern const uint32 tmu_logarithms[256];
+
+/* limits: as in tmu_logarithms. */
 void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits);
 
 /* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
@@ -109,6 +123,8 @@ void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
+void tmu_details(const void *lods, void *factors, const void *nearness, int32 count);
+void tmu_interleave(const void *texels, void *line, const void *quarters, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);

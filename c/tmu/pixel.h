@@ -46,6 +46,13 @@ int32 tmu_logarithm(uint32 hi, uint32 lo);
 int32 tmu_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy);
 void tmu_find_lod(const struct tmu *tmu, const struct tmu_point *point, struct tmu_lod *lod);
 
+/* lod.c: what LODs are cut to, where the limits cross the upper one; what stands for a LOD that is
+   cut already; what dithering adds to pixels' LODs, 0.0 to 15/16. */
+int32 tmu_lod_least(const struct tmu_modes *modes);
+int32 tmu_lod_most(const struct tmu_modes *modes);
+void tmu_lod_at(const struct tmu_modes *modes, int32 value, struct tmu_lod *lod);
+int32 tmu_dither(int32 x, int32 y);
+
 /* levels.c: a level's place and size; whether the modes' map has it. */
 void tmu_find_level(const struct tmu_modes *modes, uint32 level, struct tmu_level *to);
 int32 tmu_holds(const struct tmu_modes *modes, uint32 level);

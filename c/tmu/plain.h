@@ -10,6 +10,8 @@ void tmu_walk_c(const struct tx_call *call);
 void tmu_walk_clamp_c(const struct tx_call *call);
 void tmu_divide_c(const struct tx_call *call);
 void tmu_lod_c(const struct tx_call *call);
+void tmu_details_c(const struct tx_call *call);
+void tmu_interleave_c(const struct tx_call *call);
 void tmu_point_c(const struct tx_call *call);
 void tmu_bilinear_c(const struct tx_call *call);
 void tmu_bilinear_8_c(const struct tx_call *call);

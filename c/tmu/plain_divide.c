@@ -91,6 +91,28 @@ void tmu_lod_c(const struct tx_call *call)
     }
 }
 
+void tmu_details_c(const struct tx_call *call)
+{
+    const struct tmu_nearness *nearness = call->constants;
+    const uint16 *lods = call->in;
+    uint8 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = (uint8)((nearness->end - *lods++) >> nearness->shift);
+    while (--count > 0);
+}
+
+void tmu_interleave_c(const struct tx_call *call)
+{
+    const struct tmu_quarters *quarters = call->constants;
+    const uint8 *in = call->in;
+    uint32 *out = call->out;
+
+    for (int32 i = 0; i < call->count; i++)
+        *out++ = *(const uint32 *)(in + (i & 3) * quarters->bytes + (i & ~3));
+}
+
 void tmu_logarithms_c(const struct tx_call *call)
 {
     tmu_logarithms_make(call->out, call->in);

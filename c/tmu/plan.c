@@ -2,109 +2,89 @@
 
 int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod)
 {
-    struct tmu_point least, most;
-    struct tmu_lod other;
-
-    least.w = most.w = 1 << 30;
-    least.x = least.y = most.x = most.y = 0;
-    least.lod = TMU_LOD_LEAST;
-    most.lod = TMU_LOD_MOST;
-    tmu_find_lod(tmu, &least, lod);
-    tmu_find_lod(tmu, &most, &other);
-    return lod->value == other.value;
-}
-
-/* Whether all pixels have one LOD. */
-static int32 find_lod(const struct tmu *tmu, const struct tmu_iterations *iterations,
-                      uint32 points, struct tmu_lod *lod)
-{
-    struct tmu_point point;
-
-    if (tmu_only_lod(tmu, lod))
-        return 1;
-    if (iterations->divided[points] || tmu->modes.dither)
-        return 0;
-    point.w = 1 << 30;
-    point.lod = iterations->points[points].lod;
-    point.x = point.y = 0;
-    tmu_find_lod(tmu, &point, lod);
-    return 1;
-}
-
-/* Passes to one level's texels. */
-static int32 find_sampling(struct tmu_sampling *to, const struct tmu *tmu, struct tmu_kept *levels,
-                           const struct tmu_iterations *iterations, uint32 points)
-{
-    const struct plane *of = &iterations->planes.of[points ? TMU_OWN : TMU_S];
     const struct tmu_modes *modes = &tmu->modes;
-    int32 linear, bits;
+    const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
 
-    if (!find_lod(tmu, iterations, points, &to->lod)
-        || (iterations->divided[points] && (!modes->perspective || modes->table_quotients)))
+    tmu_lod_at(modes, least < most ? least : most, lod);
+    return least >= most;
+}
+
+struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
+{
+    struct tmu_sampling *to = &part->samplings[band];
+    const struct tmu_lod *lod = &part->bands->of[band].lod;
+    const struct tmu_modes *modes = &part->tmu->modes;
+    const int32 linear = lod->filter == TMU_BILINEAR, bits = linear ? modes->fraction_bits : 4;
+
+    if (!tmu_decode(part->tmu, lod->level, linear, &part->levels[lod->level]))
         return 0;
-    linear = to->lod.filter == TMU_BILINEAR;
-    bits = linear ? modes->fraction_bits : 4;
-    if (!tmu_decode(tmu, to->lod.level, linear, &levels[to->lod.level]))
-        return 0;
-    to->level = &levels[to->lod.level].decoded;
-    to->first = points ? TMU_OWN : TMU_S;
-    to->coordinates = iterations->divided[points] ? tmu_divide
-        : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
+    to->level = &part->levels[lod->level].decoded;
     to->sample = !linear ? tmu_point : bits == 8 ? tmu_bilinear_8 : tmu_bilinear;
-    to->steps.s = (int32)of[TMU_S].dx;
-    to->steps.t = (int32)of[TMU_T].dx;
-    to->steps.w = (int32)of[TMU_W].dx;
-    to->steps.shift = (uint16)(18 - bits + to->lod.level);
+    to->steps.shift = (uint16)(18 - bits + lod->level);
     to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
     to->steps.behind = modes->clamp_negative_w;
     to->steps.spare = 0;
     to->steps.last_s = modes->clamp_s ? (uint16)(to->level->mask_s << (bits - 4)) : 0xffff;
     to->steps.last_t = modes->clamp_t ? (uint16)(to->level->mask_t << (bits - 4)) : 0xffff;
-    return !(modes->rgb.add_local && modes->rgb.add_alpha_local);
+    return to;
 }
 
-/* Whether nothing of a unit is seen but what comes from upstream. */
-static int32 is_passed(struct tmu_combining *combining, const struct tmu_modes *modes,
-                       int32 has_other, int32 has_alpha)
+/* 0: the unit's pixels have no passes. */
+static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit,
+                       const struct tmu_iterations *iterations, int32 has_alpha)
 {
-    struct tmu_known known;
+    const uint32 points = tmu_has_own(&pipe->chain) ? unit : 0;
+    const struct tmu *tmu = pipe->chain.units[unit];
+    const struct tmu_modes *modes = &tmu->modes;
+    const int32 divides = iterations->divided[points] && modes->perspective;
 
-    known.detail = known.fraction = -1;
-    known.flip = modes->trilinear ? -1 : 0;
-    tmu_combining_find(combining, modes, &known, has_other, has_alpha);
-    return tmu_shows(combining, TMU_TERM_OTHER);
+    if ((divides && modes->table_quotients)
+        || (modes->rgb.add_local && modes->rgb.add_alpha_local))
+        return 0;
+    tmu_bands_find(&pipe->bands[unit], tmu, unit + 1 < pipe->chain.count, has_alpha);
+    part->upstream = 0;
+    part->tmu = tmu;
+    part->levels = pipe->levels[unit];
+    part->bands = &pipe->bands[unit];
+    part->iterations = iterations;
+    part->first = points ? TMU_OWN : TMU_S;
+    part->lod = iterations->points[points].lod + modes->lod_bias * 64;
+    part->by_w = modes->perspective;
+    part->coordinates = divides ? tmu_divide
+        : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
+    part->looks_behind = modes->clamp_negative_w && !divides;
+    part->ready = 0;
+    part->is_one = !part->looks_behind
+        && (part->bands->count == 1 || !(iterations->divided[points] || modes->dither));
+    part->band = part->is_one ? tmu_runs_band(part) : 0;
+    for (uint32 band = 0; band < part->bands->count; band++)
+        part->samplings[band].level = 0;
+    return 1;
 }
 
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
                     const struct tmu_iterations *iterations, int32 pixel_bytes)
 {
-    const struct tmu_chain *chain = &pipe->chain;
-    int32 has_alpha = pixel_bytes == 4;
-    struct tmu_known known;
+    const uint32 varies = TMU_DETAILS_DIFFER | TMU_FRACTIONS_DIFFER;
+    struct tmu_part **place = 0, *part = plan->parts;
+    int32 lods = 0, has_alpha = pixel_bytes == 4;
+    uint32 bits = TMU_NEEDS_OTHER;
 
-    plan->pipe = pipe;
-    plan->planes = &iterations->planes;
-    plan->last = 0;
-    for (uint32 n = 0; n < chain->count; n++) {
-        struct tmu_combining *combining = &plan->units[n].combining;
-        const struct tmu_modes *modes = &chain->units[n]->modes;
-        const int32 has_other = n + 1 < chain->count;
-
-        plan->first = n;
-        if (!is_passed(combining, modes, has_other, has_alpha)) {
-            if (!find_sampling(&plan->units[n], chain->units[n], pipe->levels[n], iterations,
-                               tmu_has_own(chain) ? n : 0))
-                return 0;
-            tmu_known_find(&known, modes, &plan->units[n].lod);
-            tmu_combining_find(combining, modes, &known, has_other, has_alpha);
-        }
-        if (n == plan->last && tmu_shows(combining, TMU_TERM_OTHER))
-            plan->last = n + 1;
-        if (!(combining->reads & TMU_READS_OTHER))
-            break;
-        has_alpha = (combining->reads & TMU_READS_OTHER_ALPHA) != 0;
+    plan->is_dithered = 0;
+    for (uint32 n = 0; n < pipe->chain.count && bits & TMU_NEEDS_OTHER; n++) {
+        if (!find_part(part, pipe, n, iterations, has_alpha))
+            return 0;
+        bits = part->bands->bits;
+        has_alpha = (bits & TMU_NEEDS_OTHER_ALPHA) != 0;
+        if (!place && part->bands->every & TMU_IS_OTHER)
+            continue;                   /* nothing of this unit is seen */
+        if (place)
+            *place = part;
+        place = &part->upstream;
+        plan->is_dithered |= part->tmu->modes.dither && part->bands->count > 1;
+        lods |= plan->is_dithered || bits & varies;
+        part++;
     }
-    plan->is_direct = pixel_bytes == 2 && plan->units[plan->last].sample == tmu_bilinear
-        && tmu_shows(&plan->units[plan->last].combining, TMU_TERM_LOCAL);
-    return tmu_line_ready();
+    plan->is_direct = (plan->parts[0].bands->every & TMU_IS_OWN) != 0;
+    return tmu_line_ready(lods);
 }

@@ -10,7 +10,8 @@
 /* Numbers of planes. */
 enum tmu_iterated {
     TMU_S, TMU_T, TMU_W,
-    TMU_OWN = 4                 /* the first of the unit with points of its own */
+    TMU_OWN = 4,                /* the first of the unit with points of its own */
+    TMU_DITHERS = 16
 };
 
 /* What is iterated over a polygon. */
@@ -22,22 +23,51 @@ struct tmu_iterations {
 
 typedef void tmu_pass(const void *in, void *out, const void *constants, int32 count);
 
-/* One unit's texels, and what becomes of them. */
+/* How a band's texels are found, from its first use on. */
 struct tmu_sampling {
+    const struct tmu_decoded *level;    /* 0 before that */
+    tmu_pass *sample;
+    struct tmu_steps steps;     /* s, t and w are each run's */
+};
+
+/* One unit's part in a polygon. */
+struct tmu_part {
+    struct tmu_part *upstream;  /* 0: nothing that counts */
+    const struct tmu *tmu;
+    struct tmu_kept *levels;
+    const struct tmu_bands *bands;
+    const struct tmu_iterations *iterations;
     int32 first;                /* plane */
-    struct tmu_lod lod;
-    tmu_pass *coordinates, *sample;
-    struct tmu_steps steps;
-    const struct tmu_decoded *level;
-    struct tmu_combining combining;
+    int32 lod;                  /* the polygon's and the bias */
+    int32 by_w;                 /* pixels' LODs go by their w */
+    int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
+    int32 is_one;               /* all its pixels are of one band, */
+    uint32 band;                /* this one */
+    tmu_pass *coordinates;
+    uint32 ready;               /* bit n: limits[n] are there */
+    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
+       the next one's. */
+    uint32 limits[TMU_DITHERS][TMU_BANDS];
+    struct tmu_sampling samplings[TMU_BANDS];
 };
 
 struct tmu_plan {
-    const struct tmu_pipe *pipe;
-    const struct planes *planes;
-    struct tmu_sampling units[TMU_UNITS];
-    uint32 first, last;         /* the units furthest upstream and downstream that count */
-    int32 is_direct;            /* a pass makes 16-bit pixels of coordinates */
+    struct tmu_part parts[TMU_UNITS];   /* the first is nearest the pixel */
+    int32 is_dithered;
+    int32 is_direct;            /* texels are pixels */
+};
+
+/* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
+struct tmu_row {
+    int32 x, y, step_bits;      /* 0 or 2 */
+};
+
+/* Pieces of a row in which all that chooses a unit's passes is the same. */
+struct tmu_runs {
+    struct tmu_part *part;
+    struct tmu_iterators at, by;        /* the first pixel's, and its steps */
+    uint32 band;
+    int32 count, left, dither;
 };
 
 /* The LOD of all pixels where the limits of a unit's levels leave one only; 0: they leave
@@ -48,6 +78,36 @@ int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod);
    pixel_bytes: of the frame. */
 int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
                     const struct tmu_iterations *iterations, int32 pixel_bytes);
+
+/* Passes to a band's texels; 0: there are none, or memory is short. */
+struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
+
+/* runs.c. The band of pixels whose w is 1.0. */
+uint32 tmu_runs_band(struct tmu_part *part);
+
+/* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
+void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
+                   int32 first, int32 count);
+
+/* runs.c. The run behind this one. */
+void tmu_runs_find(struct tmu_runs *runs);
+
+/* The next run; 0: there is none. Where w passes 0 or wraps a new one begins. */
+static inline int32 tmu_runs_next(struct tmu_runs *runs)
+{
+    runs->left -= runs->count;
+    if (!runs->left)
+        return 0;
+    if (runs->part->is_one)
+        runs->count = runs->left;
+    else
+        tmu_runs_find(runs);
+    return 1;
+}
+
+/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other bands
+   (*mixed = 1), or none. */
+int32 tmu_runs_alike(struct tmu_plan *plan, int32 x, int32 y, int32 count, int32 *mixed);
 
 /* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
    flip: 255 where odd levels turn them round. */
@@ -63,11 +123,13 @@ void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_mo
                       const struct tmu_factors *factors, const uint32 *local,
                       const uint32 *other, uint32 *to, int32 count);
 
-/* line.c. The memory that lines are drawn in, made when it is first asked for; 0: there is none. */
-int32 tmu_line_ready(void);
+/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a unit
+   looks at them or is dithered; 0: there is none. */
+int32 tmu_line_ready(int32 lods);
 
-/* line.c. Draws pixels x to x + count - 1 of line y. */
-void tmu_plan_draw(const struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
-                   int32 count);
+/* line.c. Draws pixels x to x + count - 1 of line y. 0: some have no passes, or memory is short:
+   whoever calls draws them all. */
+int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                    int32 count);
 
 #endif

@@ -3,8 +3,8 @@
 #define TMU_UNIT_H
 
 #include "polygon/page.h"
+#include "tmu/bands.h"
 #include "tmu/decode.h"
-#include "tmu/pixel.h"
 
 enum { TMU_PAGE_KEY = 4 };
 
@@ -28,6 +28,7 @@ struct tmu_pipe {
     int32 memory;               /* enum memory_kind, of what is made ready */
     struct tmu_page page;
     struct tmu_kept levels[TMU_UNITS][TMU_LEVEL_LAST + 1];      /* decoded for the passes */
+    struct tmu_bands bands[TMU_UNITS];
 };
 
 /* A pipe of units that are there already, none of them with points of its own. */
