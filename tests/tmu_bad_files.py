@@ -18,7 +18,7 @@ def scene() -> Scene:
                  [Object(0, 0, 3, 0, 1, 0), Object(1, 3, 6, 0, 1, 0), Object(2, 9, 3, 0, 1, 0)],
                  vertices, np.array([IDENTITY]), "rgb565",
                  tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0]] * 2),
-                 pipes=np.array([[0, 1, 0], [0, 2, 2]]), tmu_memory=bytes(256))
+                 pipes=np.array([[0, 1, 0, 0], [0, 2, 2, 0]]), tmu_memory=bytes(256))
 
 
 def wrong_pipes() -> list[Row]:

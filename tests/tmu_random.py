@@ -8,6 +8,7 @@ import numpy as np
 from tools.model import FAR as BEYOND
 from tools.pixel_formats import FORMATS as PIXELS
 from tools.scene_file import IDENTITY, Material, Object, Scene
+from tools.scene_pipes import PREFILTER_KB
 from tools.tmu.words import ASPECTS, FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, MIPMAPS, Words
 
 WIDTH, HEIGHT = 48, 32
@@ -183,7 +184,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
         materials.append(Material("glide", each.edges, clip=each.clip, unit=n))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices
-        pipes.append([len(tmus), len(each.units), 2 * each.own])
+        pipes.append([len(tmus), len(each.units), 2 * each.own, PREFILTER_KB << 10])
         tmus += each.units
     ground, dot = PIXELS[pixels].flat([(16, 32, 48), (240, 24, 24)])
     materials.append(Material(colour=dot))

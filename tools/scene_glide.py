@@ -8,6 +8,7 @@ import numpy as np
 from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
 from .map_range import fixed
 from .mipmap import FILTERS as MIPMAP_FILTERS
+from .scene_pipes import PREFILTER_KB
 from .scene_tx import flag
 from .tmu.state import LAST_LEVEL
 from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
@@ -19,6 +20,7 @@ NO_MIPMAP = "none"  # the picture alone
 #: The bilinear filter, or moved points instead of it.
 BILINEAR = ("exact", "dithered")
 SIDE = 256
+PREFILTER_MOST = 8192  # KB of prefiltered tiles
 NARROWEST = 8  # how many times a side may be as long as the other
 
 
@@ -73,7 +75,9 @@ def one_of_numbers(*numbers: int):
 
 def schema():
     """The check of a material's ``glide``."""
-    return table({"perspective": (flag, False), "units": (rows(unit_schema(), 1, 2), REQUIRED)})
+    return table({"perspective": (flag, False),
+                  "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
+                  "units": (rows(unit_schema(), 1, 2), REQUIRED)})
 
 
 def coordinates_fields(corners: int) -> dict:

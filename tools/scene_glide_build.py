@@ -123,11 +123,11 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
             made = [row_of(unit, glide["perspective"], folder, memory, f"{at}.units[{n}]")
                     for n, unit in enumerate(glide["units"])]
             known[key] = len(pipes), glide["units"]
-            pipes.append([len(tmus), len(made), 2 * has_own(material)])
+            pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10])
             tmus += made
         numbers[name], glide["units"] = known[key]
     return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, 10),
-                     "pipes": np.array(pipes, np.int64).reshape(-1, 3),
+                     "pipes": np.array(pipes, np.int64).reshape(-1, 4),
                      "tmu_memory": bytes(memory.data)}
 
 

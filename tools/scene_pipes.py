@@ -15,14 +15,16 @@ UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
 W_MAX = 1 << 30
 NO_TABLE = -1
+PREFILTER_KB = 1024  # of prefiltered tiles, unless a pipe says otherwise
 PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
 RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
-#: palette and NCC tables lie, two settings; a pipe's first unit, how many, which have coordinates of their own.
+#: palette and NCC tables lie, two settings; a pipe's first unit, how many, which have coordinates of
+#: their own, bytes that prefiltered tiles may take.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
                     "fraction_bits", "dithered"),
-           "pipes": ("tmu", "tmus", "own")}
+           "pipes": ("tmu", "tmus", "own", "prefilter")}
 
 
 def empty(table: str) -> np.ndarray:
@@ -50,7 +52,7 @@ def unit_of(scene, number: int) -> Unit:
 
 def units_of(scene, pipe: int) -> list[Unit]:
     """The models of a pipe's units, the first nearest the frame."""
-    first, count, _ = scene.pipes[pipe].tolist()
+    first, count, *_ = scene.pipes[pipe].tolist()
     return [unit_of(scene, first + n) for n in range(count)]
 
 
@@ -123,8 +125,10 @@ def check(scene, name: str) -> None:
                         "of 8")
     for i, row in enumerate(scene.tmus.tolist()):
         check_unit(row, len(scene.tmu_memory), name, f"tmus[{i}]")
-    for i, (first, count, own) in enumerate(scene.pipes.tolist()):
+    for i, (first, count, own, prefilter) in enumerate(scene.pipes.tolist()):
         if not (1 <= count <= UNITS and 0 <= first <= len(scene.tmus) - count):
             raise UserError(f"{name}: pipes[{i}].tmus: {first} and {count} of {len(scene.tmus)}")
         if own and (own, count) != (2, 2):
             raise UserError(f"{name}: pipes[{i}].own: {own} is no hint for {count} units")
+        if not 0 <= prefilter < 1 << 32:
+            raise UserError(f"{name}: pipes[{i}].prefilter: {prefilter} bytes")

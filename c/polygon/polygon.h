@@ -102,6 +102,7 @@ enum span_kind {
     SPAN_DITHERED, SPAN_DITHERED_WRAP, SPAN_DITHERED_16, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32,
     SPAN_DITHERED_32_WRAP,
     SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PASSES, SPAN_TMU_PIXELS,
+    SPAN_TMU_TILES,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -132,6 +133,7 @@ enum rule {
     RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
     RULE_TMU_PLAIN,             /* one unit's points of one level: an affine span of its pixels */
     RULE_TMU_PASSES,            /* as RULE_TX_PASSES */
+    RULE_TMU_TILES,             /* one LOD, not divided, drawn often enough: from prefiltered tiles */
     RULES
 };
 

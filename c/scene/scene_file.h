@@ -123,6 +123,7 @@ struct scene_pipe {
     uint32 own;                 /* 2: the second has s, t and w of its own. An object's vertices are
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
+    uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose

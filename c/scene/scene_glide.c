@@ -112,6 +112,7 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
             units[n] = &scene->tmu[from->tmu + n];
         tmu_pipe_init(&scene->pipe[i], units, from->tmus, kind);
         tmu_chain_hints(&scene->pipe[i].chain, from->own);
+        tmu_pipe_prefilter(&scene->pipe[i], from->prefilter);
     }
     return 1;
 }
@@ -129,6 +130,12 @@ polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material)
 {
     return scene_has_own(scene, material) ? draw_own : tmu_polygon_draw;
+}
+
+void scene_settle_pipes(const struct scene *scene, int32 settled)
+{
+    for (uint32 i = 0; i < scene->header->pipes; i++)
+        scene->pipe[i].settled = settled;
 }
 
 const char *scene_why_pipe_refused(const struct scene *scene)

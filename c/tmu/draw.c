@@ -5,7 +5,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "tmu/plan.h"
+#include "tmu/tiles.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
@@ -102,6 +102,15 @@ static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
     }
 }
 
+int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
+                    const struct frame *frame, int32 x, int32 y, int32 count)
+{
+    if (plan && tmu_plan_draw(plan, frame, x, y, count))
+        return 0;
+    draw_line(&pipe->chain, at, frame, x, x + count, y);
+    return count;
+}
+
 static int32 lod_base(const struct plane *of)
 {
     return tmu_lod_base((int32)of[TMU_S].dx, (int32)of[TMU_T].dx, (int32)of[TMU_S].dy,
@@ -128,11 +137,12 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
                                        const struct iteration *of)
 {
     static struct tmu_iterations at;
+    static struct tmu_tiling tiling;
     const struct scanline *line;
     enum polygon_result result;
     static struct tmu_plan plan;
     uint32 missed = 0;
-    int32 passes;
+    int32 passes, tiles;
 
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
@@ -141,19 +151,20 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
+    tiles = passes && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
+    if (tiles)
+        missed = tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+    for (int32 y = tiles ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
-        if (count > 0 && !(passes && tmu_plan_draw(&plan, s->frame, x, y, count))) {
-            draw_line(&pipe->chain, &at, s->frame, x, x + count, y);
-            missed += (uint32)count;
-        }
+        if (count > 0)
+            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
     }
     if (s->counts) {
         s->counts->polygons++;
         s->counts->pixels[SPAN_TMU_PIXELS] += missed;
-        s->counts->pixels[SPAN_TMU_PASSES] += lines_pixels(
+        s->counts->pixels[tiles ? SPAN_TMU_TILES : SPAN_TMU_PASSES] += lines_pixels(
             s->edges.lines, s->box.bottom - s->box.top) - missed;
     }
     return POLYGON_DRAWN;
@@ -195,6 +206,8 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->own = 0;
     pipe->result = TMU_DONE;
     pipe->memory = memory;
+    pipe->prefilter = TMU_TILES_BYTES;
+    pipe->settled = 0;
     for (int32 unit = 0; unit < TMU_UNITS; unit++) {
         pipe->bands[unit].count = 0;
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
@@ -204,4 +217,9 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;
     return tmu_chain_init(&pipe->chain, units, count);
+}
+
+void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes)
+{
+    pipe->prefilter = bytes;
 }

@@ -136,6 +136,40 @@ void tmu_store_565_c(const struct tx_call *call)
     while (--count > 0);
 }
 
+/* Rows 128 to 255 lie before row 0. */
+static inline int32 index_on_page(uint32 s, uint32 t)
+{
+    return (int16)((t >> 16 & 0xff00) | s >> 24);
+}
+
+void tmu_tile_16_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_paging *paging = call->constants;
+    const uint16 *page = paging->pixels;
+    const int32 left = paging->left;
+    uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
+    const uint32 ds = (uint32)paging->s << left, dt = (uint32)paging->t << left;
+    uint16 *out = call->out;
+
+    for (int32 i = 0; i < call->count; i++, s += ds, t += dt)
+        *out++ = page[index_on_page(s, t)];
+}
+
+void tmu_tile_32_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_paging *paging = call->constants;
+    const uint32 *page = paging->pixels;
+    const int32 left = paging->left;
+    uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
+    const uint32 ds = (uint32)paging->s << left, dt = (uint32)paging->t << left;
+    uint32 *out = call->out;
+
+    for (int32 i = 0; i < call->count; i++, s += ds, t += dt)
+        *out++ = page[index_on_page(s, t)];
+}
+
 void tmu_quads_c(const struct tx_call *call)
 {
     const uint32 *in = call->in;
