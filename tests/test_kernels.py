@@ -5,6 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import kernel_checker
+import kernel_trials_dithered
 import kernel_trials_edge
 import kernel_trials_lit
 import kernel_trials_logarithm
@@ -48,7 +49,7 @@ ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, ke
          kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_perspective,
          kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
          kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
-         kernel_trials_tmu, kernel_trials_screen)
+         kernel_trials_tmu, kernel_trials_screen, kernel_trials_dithered)
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 

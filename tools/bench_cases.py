@@ -12,6 +12,7 @@ import numpy as np
 
 from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_screen, bench_tmu,
                bench_tx, layout, maps, model)
+from .bench_dithered import dithered_rows
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
@@ -329,6 +330,7 @@ def pixel_rows(chip: bool) -> list[Row]:
                            ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
         rows += wide_rows(length)
+        rows += [Row(*row) for row in dithered_rows(length)]
         rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))
         rows.append(Row("affine_column", length,
                         *span_case("span_affine_column", "addx", length, du=0)))

@@ -44,8 +44,8 @@ def modes_table(baseline: dict, engine: Engine) -> str:
     for mode in engine.modes:
         cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
         cells += [f"{figures[f'{ROW}{mode.name}{PLAIN_END}', PLAIN_MACHINE]:,.0f}",
-                  f"{ratio(figures, mode.name):.1f}",
-                  thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE])]
+                  f"{ratio(figures, mode.name):.1f}"] if mode.in_c else ["", ""]
+        cells.append(thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE]))
         rows.append([mode.title, *cells, *engine.errors(mode)])
     return lines_of("cycles a pixel; errors in 1/255", [
         *MACHINES.values(), "plain C, fast RAM", "times", "first frame, kcycles more",

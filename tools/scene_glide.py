@@ -17,6 +17,8 @@ FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
 REACH = 8192  # s and t: below, and above -REACH; and how far apart those of two corners may be
 LEAST_W = 1 / 65536  # how far w is from 0
 NO_MIPMAP = "none"  # the picture alone
+#: The bilinear filter, or moved points instead of it.
+BILINEAR = ("exact", "dithered")
 SIDE = 256
 PREFILTER_MOST = 8192  # KB of prefiltered tiles
 NARROWEST = 8  # how many times a side may be as long as the other
@@ -58,6 +60,7 @@ def unit_schema():
         "max_level": (level, None), "detail": (detail, detail({}, "")),
         "levels": (one_of(*LEVELS), "both"), "trilinear": (flag, False),
         "combine": (combined, combined({}, "")), "weights": (one_of_numbers(4, 8), 4),
+        "bilinear": (one_of(*BILINEAR), BILINEAR[0]),
         "clamp_w": (flag, False), "own": (flag, False)})
 
 

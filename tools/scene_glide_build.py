@@ -105,7 +105,8 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: Memory, where: s
     if texels.ncc is not None:
         registers = words_of_ncc(texels.ncc)
         ncc = memory.put(np.concatenate([registers, registers]).astype(">u4").tobytes())
-    return [*words.words(), memory.put(held), len(held), palette, ncc, unit["weights"]]
+    return [*words.words(), memory.put(held), len(held), palette, ncc, unit["weights"],
+            unit["bilinear"] == "dithered"]
 
 
 def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
@@ -125,7 +126,7 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
             pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10])
             tmus += made
         numbers[name], glide["units"] = known[key]
-    return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, 9),
+    return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, 10),
                      "pipes": np.array(pipes, np.int64).reshape(-1, 4),
                      "tmu_memory": bytes(memory.data)}
 

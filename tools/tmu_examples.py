@@ -24,7 +24,6 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_divide_each": depth.divide_each,
     "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
     "tmu_details": depth.details, "tmu_interleave": sample.interleave,
-    "tmu_dithered": sample.dithered,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
     "tmu_modulate_rgb": combine.modulate_rgb, "tmu_add": combine.add, "tmu_alpha": combine.alpha,
     "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line, "tmu_quads": sample.quads,

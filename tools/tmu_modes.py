@@ -101,6 +101,10 @@ MODES = (
          filter="bilinear"),
     Mode("tmu_double", "bilinear, texels of 2 pixels", of(BILINEAR), "double", "bilinear"),
     Mode("tmu_eightfold", "bilinear, texels of 8 pixels", of(BILINEAR), "eightfold", "bilinear"),
+    *(Mode(f"tmu_dithered{end}", f"bilinear by dithered points{title}",
+           of(BILINEAR | {"bilinear": "dithered"}), polygon, "bilinear", in_c=False)
+      for end, title, polygon in (("", "", "turned"),
+                                  ("_eightfold", ", texels of 8 pixels", "eightfold"))),
     Mode("tmu_point_perspective", "point, perspective", of(**DEEP), "deep"),
     Mode("tmu_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
          "bilinear"),

@@ -70,8 +70,8 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551 unit; with
-   4 flat, affine, glide or unit; none of these with a perspective. */
+/* With 2 bytes a pixel: flat, affine, dithered, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551
+   unit; with 4 flat, affine, dithered, glide or unit; none of these with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
@@ -114,6 +114,7 @@ struct scene_tmu {
     int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
+    uint32 dithered;            /* 1: points may stand in for the bilinear filter; or 0 */
 };
 
 /* Units in a row, the first nearest the frame. */

@@ -57,22 +57,6 @@ void tmu_point_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tmu_dithered_c(const struct tx_call *call)
-{
-    const struct tmu_texels *start = call->in;
-    const struct tmu_dithering *dithering = call->constants;
-    uint32 u = (uint32)start->u, v = (uint32)start->v;
-    uint8 *out = call->out;
-
-    for (int32 i = 0; i < call->count; i++) {
-        const int32 *step = i & 1 ? dithering->odd : dithering->even;
-
-        *out++ = dithering->map[(v >> 8 & 0xff00) | (u >> 16 & 255)];
-        u += (uint32)step[0];
-        v += (uint32)step[1];
-    }
-}
-
 static inline uint32 sum(const struct tmu_pair *pair, uint32 fs, uint32 ft)
 {
     return pair->corner + fs * (pair->s + ft * pair->st) + ft * pair->t;

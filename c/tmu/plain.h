@@ -12,7 +12,6 @@ void tmu_divide_c(const struct tx_call *call);
 void tmu_lod_c(const struct tx_call *call);
 void tmu_details_c(const struct tx_call *call);
 void tmu_interleave_c(const struct tx_call *call);
-void tmu_dithered_c(const struct tx_call *call);
 void tmu_point_c(const struct tx_call *call);
 void tmu_bilinear_c(const struct tx_call *call);
 void tmu_bilinear_8_c(const struct tx_call *call);

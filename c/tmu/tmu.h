@@ -132,6 +132,9 @@ struct tmu_modes {
     uint8 detail_scale;
     uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
     uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
+    uint8 dithered;             /* 1: moved points stand in for the bilinear filter where they can
+                                   (unit.h); 0: it is exact */
+    uint8 spare[3];
     uint32 base;                /* bytes: where level 0 would start */
 };
 
@@ -200,6 +203,9 @@ enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits);
 
 /* by_table: 0 or 1. Exact quotients are the faster ones in polygons. */
 enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
+
+/* dithered: 0 or 1. The polygons that it changes are in unit.h. */
+enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered);
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t);
 
 /* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */

@@ -10,6 +10,7 @@ enum { TMU_PAGE_KEY = 4 };
 
 enum tmu_limits {
     TMU_REACH = 8192,           /* s and t: below, and above -TMU_REACH */
+    TMU_DITHERED_MARGIN = 2,    /* more than points are moved and leave the vertices' range */
     TMU_TILES_BYTES = 1 << 20   /* of prefiltered tiles, unless a pipe says otherwise */
 };
 
@@ -50,7 +51,11 @@ void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes);
 polygon_routine tmu_polygon_draw;
 
 /* lower.c. Whether the plain mappers draw it: by a page that shows the level, with the material
-   for them in *plain and the vertices relative to the page. */
+   for them in *plain and the vertices relative to the page. So they do, whatever rules are off, for
+   a unit whose mode `dithered` is 1, the bilinear filter of one level alone, no other unit, no
+   divide (w the same at all vertices and above 0 where there would be one), and vertices
+   TMU_DITHERED_MARGIN texels or more from where texels would be clamped: by MAPPER_DITHERED, s and
+   t in texels of that level, rounded down. */
 int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
                          const struct vertex **vertices);
 
