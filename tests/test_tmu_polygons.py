@@ -65,7 +65,7 @@ def test_the_polygons_differ() -> None:
     cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
     units = [modes for each in cases for modes in each.modes]
     for key, names in (("format", FORMATS), ("aspect", ASPECTS), ("mode", MIPMAPS),
-                       ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("blend", (0, 1)),
+                       ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("pieces", (0, 8, 16)), ("blend", (0, 1)),
                        ("perspective", (False, True)), ("clamp_w", (False, True))):
         assert {modes[key] for modes in units} == set(names), key
     assert len({modes["clamp"] for modes in units}) == len({m["filters"] for m in units}) == 4

@@ -23,7 +23,7 @@ FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
 @dataclass
 class Case:
     """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
+    of weights, subdivision; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
 
     kind: str
     units: list[tuple]
@@ -68,7 +68,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
              "limits": rng.choice((None, None, (rng.randrange(64), rng.randrange(64)))),
              "detail": (rng.randrange(-32, 32), rng.randrange(8), rng.randrange(256)),
              "ncc": rng.randrange(2), "bits": rng.choice((4, 4, 8)),
-             "memory": words.memory_bytes}
+             "pieces": rng.choice((0, 8, 16)), "memory": words.memory_bytes}
     if kind == "plain":
         found |= {"filters": ("point", "point"), "mode": "off",
                   "clamp": ("wrap", "wrap") if rng.randrange(4) else ("clamp", "wrap")}
@@ -99,7 +99,8 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
                         rng.choice(("detail", "one_minus_detail"))) * 2)
     else:
         found |= combine(rng, words, number == count - 1)
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"]], found
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"],
+            found["pieces"]], found
 
 
 def depths(rng: random.Random, count: int, signs: bool, far: bool) -> list[int]:

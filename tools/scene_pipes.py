@@ -3,11 +3,13 @@
 Formats stand in c/scene/scene_file.h.
 """
 
+from dataclasses import replace
+
 import numpy as np
 
 from .errors import UserError
 from .tmu.registers import NCC_REGISTERS, modes_of, ncc_of, words_of
-from .tmu.state import VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
+from .tmu.state import SUBDIVISIONS, VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
 
 UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
@@ -19,7 +21,7 @@ RESERVED_MODE = 1 << 31  # of no meaning here
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
 #: palette and NCC tables lie; a pipe's first unit, how many, which have coordinates of their own.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
-                    "fraction_bits"),
+                    "fraction_bits", "subdivision"),
            "pipes": ("tmu", "tmus", "own")}
 
 
@@ -35,8 +37,8 @@ def longs(scene, at: int, count: int) -> np.ndarray:
 
 def unit_of(scene, number: int) -> Unit:
     """The model of a unit."""
-    *words, memory, size, palette, ncc, bits = scene.tmus[number].tolist()
-    unit = Unit(modes_of(*words, bits),
+    *words, memory, size, palette, ncc, bits, pixels = scene.tmus[number].tolist()
+    unit = Unit(replace(modes_of(*words, bits), subdivision=pixels),
                 np.frombuffer(scene.tmu_memory, np.uint8, size, memory))
     if palette != NO_TABLE:
         unit.palette = unpacked(longs(scene, palette, 256))[:, :3]
@@ -86,7 +88,7 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
 
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
     """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
-    *words, memory, count, palette, ncc, bits = row
+    *words, memory, count, palette, ncc, bits, pixels = row
     for column, word in zip(COLUMNS["tmus"], words):
         if not 0 <= word < 1 << 32:
             raise UserError(f"{name}: {where}.{column}: {word} is no register")
@@ -102,6 +104,8 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
             raise UserError(f"{name}: {where}.{column}: {at} of {size} bytes")
     if bits not in (VOODOO_BITS, VOODOO2_BITS):
         raise UserError(f"{name}: {where}.fraction_bits: {bits} is neither 4 nor 8")
+    if pixels not in SUBDIVISIONS:
+        raise UserError(f"{name}: {where}.subdivision: {pixels} is none of 0, 8 and 16")
     try:
         modes = modes_of(*words, bits)
     except UserError as error:

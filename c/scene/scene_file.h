@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 8,
+    SCENE_VERSION = 9,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -114,6 +114,7 @@ struct scene_tmu {
     int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
+    uint32 subdivision;         /* pixels: 0, 8 or 16 */
 };
 
 /* Units in a row, the first nearest the frame. */

@@ -101,6 +101,7 @@ enum tmu_result {
     TMU_BAD_FACTOR,
     TMU_BAD_FLAG,               /* neither 0 nor 1 */
     TMU_BAD_FRACTION_BITS,      /* neither 4 nor 8 */
+    TMU_BAD_SUBDIVISION,        /* neither 0 nor 8 nor 16 */
     TMU_BAD_REGISTER,           /* bits that are set stand for nothing a unit has */
     TMU_BAD_UNITS,              /* none, or more than there can be */
     TMU_BAD_COORDINATE,         /* s or t of a polygon: see tmu_polygon_draw */
@@ -132,6 +133,8 @@ struct tmu_modes {
     uint8 detail_scale;
     uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
     uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
+    uint8 subdivision;          /* tmu_subdivision: 0, 8 or 16 pixels */
+    uint8 spare[3];
     uint32 base;                /* bytes: where level 0 would start */
 };
 
@@ -200,6 +203,21 @@ enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits);
 
 /* by_table: 0 or 1. Exact quotients are the faster ones in polygons. */
 enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
+
+/* How often the s and t of polygons are divided by w: 0, at each pixel, or only each 8 or 16 pixels.
+   A line's pixels, as the frame cuts it, are counted from its first one on, and pieces of so many
+   begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the one where the next piece
+   begins, or for the line's last piece at its last pixel, s and t are the exact quotients, 32 bits, by
+   all rules for w; pixel i of the piece has first + i * step, step = (next - first) / pixels between
+   them, rounded down, all modulo 2^32. So w is not looked at outside the line. A pixel's level goes
+   by its own w as ever. Units whose quotients go by the table, and all units in a row of which one
+   dithers its level, do not follow this: they divide each pixel.
+
+   With w and W, above 0, at a piece's ends and r = sqrt(W / w), s is off the true one by up to
+   |next - first| * |r - 1| / (r + 1), which is how far u * r^2 / (1 + u * (r^2 - 1)) lies from u at
+   u = 1 / (r + 1); and, because quotients and steps are rounded down, by up to `pixels` * 2^-18 more
+   downwards. */
+enum tmu_result tmu_subdivision(struct tmu *tmu, uint32 pixels);
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t);
 
 /* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */

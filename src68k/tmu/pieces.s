@@ -1,0 +1,332 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; tmu_pieces - a level's coordinates with perspective, divided at the ends of pieces
+;
+; in:      a0  const tmu_iterators*  at the first pixel of the run's first piece
+;          a1  tmu_coordinates*  coordinates
+;          a2  const tmu_steps*  what they change by, the level, the piece
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the iterators, the steps
+; writes:  the coordinates
+; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients as tmu_divide has them, 32 bits, at a piece's
+;          first pixel and at the next piece's, or at the line's last one; from the first on, pixel by
+;          pixel, their difference modulo 2^32 over the pixels between them, rounded down; then
+;          (value >> shift) - half, cut to 0 to last_s, or modulo 2^16 where that is 0xffff
+; error:   none
+; cost:    bench rows tmu_pieces, tmu_pieces_16, tmu_pieces_clamp, tmu_pieces_small
+;==============================================================================
+; A piece ends where the next one begins, so each costs two quotients. Where nothing is clamped and
+; coordinates have their fraction within 16 bits, whole pieces go as tmu_walk does; what is left of
+; them at both ends of the run, and other levels, through .part.
+
+; On the stack.
+piece   equ     0                       ; what s, t and w change by in a whole piece
+whole   equ     12                      ; pieces to do
+bits    equ     16
+scale   equ     20                      ; 16 - shift; below 0 where pixels go one by one
+count   equ     24                      ; pixels to do, from the piece on
+left    equ     28                      ; of the line
+skip    equ     32
+steps   equ     36
+drawn   equ     40                      ; pixels of a part
+length  equ     44                      ; pixels from a part's first quotients to the next
+locals  equ     48
+
+; \1 = the quotient of \1 = s by d3 = w, above 0. d5 = 2 w, d4 = 30. Uses d2.
+quotient macro
+        move.l  \1,d2
+        asr.l   #1,d2
+        add.l   d3,d2
+        cmp.l   d5,d2
+        bhs     .odd                    ; 32 bits are too few
+        sub.l   d3,d2
+        asr.l   #1,d2
+        lsl.l   d4,\1
+        divs.l  d3,d2:\1
+        tst.l   d2
+        bpl.s   .down\@
+        subq.l  #1,\1
+.down\@
+        endm
+
+; s and t at d0 and d1 and their steps d2 and d3 as tx_step has them: SSss, ttTT, tt--, d5 = TT.
+scaled  macro
+        move.l  scale(sp),d5
+        lsl.l   d5,d0
+        lsl.l   d5,d1
+        lsl.l   d5,d2
+        lsl.l   d5,d3
+        sub.l   a6,d0
+        sub.l   a6,d1
+        swap    d1
+        move.l  d3,d5
+        swap    d5
+        swap    d3
+        clr.w   d3
+        endm
+
+; \1 = \1 - \2 over d5 pixels, rounded down. Uses d4.
+step    macro
+        sub.l   \2,\1
+        divsl.l d5,d4:\1
+        tst.l   d4
+        bpl.s   .down\@
+        subq.l  #1,\1
+.down\@
+        endm
+
+; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits. Uses d4.
+last    macro
+        moveq   #0,d4
+        move.w  \1(a0),d4
+        addq.w  #1,d4
+        subq.l  #1,d4
+        movea.l d4,\2
+        endm
+
+        routine tmu_pieces,a0,a1,a2,d0
+        save_all
+        lea     -locals(sp),sp
+        move.l  d0,count(sp)
+        move.l  a2,steps(sp)
+        move.l  tmu_steps_left(a2),left(sp)
+        moveq   #0,d0
+        move.w  tmu_steps_skip(a2),d0
+        move.l  d0,skip(sp)
+        moveq   #0,d1
+        move.w  tmu_steps_bits(a2),d1
+        move.l  d1,bits(sp)
+        movem.l (a0),a3-a5
+        movem.l (a2),d2-d4
+        lsl.l   d1,d2
+        lsl.l   d1,d3
+        lsl.l   d1,d4
+        movem.l d2-d4,piece(sp)
+        moveq   #0,d2
+        move.w  tmu_steps_half(a2),d2
+        swap    d2
+        movea.l d2,a6
+        moveq   #-1,d2
+        cmp.l   tmu_steps_last_s(a2),d2         ; and last_t
+        bne.s   .form
+        moveq   #16,d2
+        sub.w   tmu_steps_shift(a2),d2
+        ext.l   d2
+.form   move.l  d2,scale(sp)
+        movea.l a2,a0
+        moveq   #4,d2
+        lsl.l   d1,d2
+        movea.l d2,a2                   ; bytes of a whole piece
+        bsr     .both
+        move.l  d0,d6                   ; of the piece's first pixel
+        move.l  d1,d7
+        tst.l   skip(sp)
+        bne     .part
+
+.pieces move.l  count(sp),d0
+        beq     .done
+        tst.l   scale(sp)
+        bmi     .part
+        move.l  left(sp),d1
+        subq.l  #1,d1
+        move.l  bits(sp),d4
+        lsr.l   d4,d0
+        lsr.l   d4,d1
+        cmp.l   d0,d1
+        bhs.s   .least
+        move.l  d1,d0
+.least  move.l  d0,whole(sp)
+        beq     .part
+        lsl.l   d4,d0
+        sub.l   d0,count(sp)
+        sub.l   d0,left(sp)
+
+.piece  adda.l  piece(sp),a3
+        adda.l  piece+4(sp),a4
+        adda.l  piece+8(sp),a5
+        move.l  a5,d3
+        ble     .odd
+        move.l  d3,d5
+        add.l   d5,d5
+        moveq   #30,d4
+        move.l  a3,d0
+        quotient d0
+        move.l  a4,d1
+        quotient d1
+.ended  move.l  bits(sp),d4
+        move.l  d0,d2
+        move.l  d1,d3
+        sub.l   d6,d2
+        sub.l   d7,d3
+        exg     d0,d6
+        exg     d1,d7
+        asr.l   d4,d2
+        asr.l   d4,d3
+        lea     (a1,a2.l),a0
+        scaled
+.pixels rept    8
+        move.l  d0,d4                   ; 12 bytes
+        move.w  d1,d4
+        add.l   d2,d0
+        add.l   d3,d1
+        addx.w  d5,d1
+        move.l  d4,(a1)+
+        endr
+        cmpa.l  a0,a1
+        bne.s   .pixels
+        subq.l  #1,whole(sp)
+        bne     .piece
+        bra     .pieces
+
+.odd    movea.l steps(sp),a0
+        bsr     .both
+        bra     .ended
+
+        ; Part of a piece, or one that goes pixel by pixel.
+.part   movea.l steps(sp),a0
+        move.l  a2,d4
+        lsr.l   #2,d4
+        move.l  d4,d2
+        sub.l   skip(sp),d2
+        cmp.l   count(sp),d2
+        bls.s   .inside
+        move.l  count(sp),d2
+.inside move.l  d2,drawn(sp)
+        sub.l   d2,count(sp)
+        move.l  left(sp),d5
+        sub.l   d4,left(sp)
+        subq.l  #1,d5
+        cmp.l   d4,d5
+        bls.s   .last
+        move.l  d4,d5
+.last   move.l  d5,length(sp)
+        move.l  d6,d0
+        move.l  d7,d1
+        moveq   #0,d2
+        moveq   #0,d3
+        tst.l   d5
+        beq.s   .stays                  ; the line's last pixel
+        movem.l (a0),d2-d4
+        muls.l  d5,d2
+        muls.l  d5,d3
+        muls.l  d5,d4
+        adda.l  d2,a3
+        adda.l  d3,a4
+        adda.l  d4,a5
+        bsr     .both
+        move.l  length(sp),d5
+        move.l  d0,d2
+        move.l  d1,d3
+        step    d2,d6
+        step    d3,d7
+        exg     d0,d6
+        exg     d1,d7
+        move.l  skip(sp),d5
+        move.l  d2,d4
+        muls.l  d5,d4
+        muls.l  d3,d5
+        add.l   d4,d0
+        add.l   d5,d1
+        clr.l   skip(sp)
+.stays  tst.l   scale(sp)
+        bmi.s   .single
+        scaled
+        move.l  drawn(sp),d4
+        lea     (a1,d4.l*4),a0
+        neg.l   d4
+        and.w   #7,d4                   ; pixels the first round lacks
+        mulu.w  #12,d4
+        move.l  #1,whole(sp)
+        jmp     .pixels(pc,d4.w)
+
+        ; Pixel by pixel, as tmu_walk_clamp.
+.single movem.l d6-d7/a3-a4,-(sp)
+        movea.l steps+16(sp),a0
+        last    tmu_steps_last_s,a3
+        last    tmu_steps_last_t,a4
+        moveq   #0,d6
+        move.w  tmu_steps_shift(a0),d6
+        moveq   #0,d7
+        move.w  tmu_steps_half(a0),d7
+        move.l  drawn+16(sp),d4
+        lea     (a1,d4.l*4),a0
+.pixel  move.l  d0,d4
+        asr.l   d6,d4
+        add.l   d2,d0
+        sub.l   d7,d4
+        cmp.l   a3,d4
+        bhi.s   .out_s
+.s_in   move.l  d1,d5
+        asr.l   d6,d5
+        add.l   d3,d1
+        sub.l   d7,d5
+        cmp.l   a4,d5
+        bhi.s   .out_t
+.t_in   swap    d4
+        move.w  d5,d4
+        move.l  d4,(a1)+
+        cmpa.l  a0,a1
+        bne.s   .pixel
+        movem.l (sp)+,d6-d7/a3-a4
+        bra     .pieces
+.out_s  tst.l   d4
+        bmi.s   .low_s
+        move.l  a3,d4
+        bra.s   .s_in
+.low_s  moveq   #0,d4
+        bra.s   .s_in
+.out_t  tst.l   d5
+        bmi.s   .low_t
+        move.l  a4,d5
+        bra.s   .t_in
+.low_t  moveq   #0,d5
+        bra.s   .t_in
+
+.done   lea     locals(sp),sp
+        return_all
+
+        ; d0, d1 = the quotients of a3 and a4 by a5. a0 = steps. Uses d2-d5.
+.both   move.l  a4,d0
+        bsr.s   .one
+        move.l  d0,d1
+        move.l  a3,d0
+.one    move.l  a5,d3
+        beq.s   .zero
+        bpl.s   .front
+        tst.w   tmu_steps_behind(a0)
+        bne.s   .zero
+.front  move.l  d0,d4
+        eor.l   d3,d4                   ; below 0: the quotient is
+        tst.l   d3
+        bpl.s   .w
+        neg.l   d3
+.w      tst.l   d0
+        bpl.s   .size
+        neg.l   d0
+.size   move.l  d0,d2
+        lsr.l   #1,d2
+        cmp.l   d3,d2
+        bhs.s   .cut
+        lsr.l   #1,d2
+        moveq   #30,d5
+        lsl.l   d5,d0
+        divu.l  d3,d2:d0
+        tst.l   d4
+        bpl.s   .found
+        neg.l   d0
+        tst.l   d2
+        beq.s   .found
+        subq.l  #1,d0
+.found  rts
+.zero   moveq   #0,d0
+        rts
+.cut    moveq   #-1,d0
+        lsr.l   #1,d0
+        tst.l   d4
+        bpl.s   .most
+        not.l   d0
+.most   rts
