@@ -68,7 +68,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
              "limits": rng.choice((None, None, (rng.randrange(64), rng.randrange(64)))),
              "detail": (rng.randrange(-32, 32), rng.randrange(8), rng.randrange(256)),
              "ncc": rng.randrange(2), "bits": rng.choice((4, 4, 8)),
-             "pieces": rng.choice((0, 8, 16)), "memory": words.memory_bytes}
+             "memory": words.memory_bytes}
     if kind == "plain":
         found |= {"filters": ("point", "point"), "mode": "off",
                   "clamp": ("wrap", "wrap") if rng.randrange(4) else ("clamp", "wrap")}
@@ -99,8 +99,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
                         rng.choice(("detail", "one_minus_detail"))) * 2)
     else:
         found |= combine(rng, words, number == count - 1)
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"],
-            found["pieces"]], found
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, found["bits"]], found
 
 
 def depths(rng: random.Random, count: int, signs: bool, far: bool) -> list[int]:
@@ -165,8 +164,12 @@ def case(seed: int, number: int) -> Case:
         row, found = unit(rng, kind, n, count, perspective != other)
         units.append(row)
         modes.append(found)
-    return Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
+    made = Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, modes)
+    for row, found in zip(units, modes):
+        found["pieces"] = rng.choice((0, 8, 16))
+        row.append(found["pieces"])
+    return made
 
 
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:

@@ -19,22 +19,27 @@
 ; error:   none
 ; cost:    bench rows tmu_pieces, tmu_pieces_16, tmu_pieces_clamp, tmu_pieces_small
 ;==============================================================================
-; A piece ends where the next one begins, so each costs two quotients. Where nothing is clamped and
-; coordinates have their fraction within 16 bits, whole pieces go as tmu_walk does; what is left of
-; them at both ends of the run, and other levels, through .part.
+; A piece ends where the next one begins, so each costs two quotients. From there on pieces go as
+; tmu_walk does, also where they might be clamped but both ends are inside: of 32 bits a piece with a
+; step of 2^28 at most goes through less than half.
 
 ; On the stack.
 piece   equ     0                       ; what s, t and w change by in a whole piece
 whole   equ     12                      ; pieces to do
 bits    equ     16
-scale   equ     20                      ; 16 - shift; below 0 where pixels go one by one
+scale   equ     20                      ; 16 - shift; -1 where an axis is clamped
 count   equ     24                      ; pixels to do, from the piece on
 left    equ     28                      ; of the line
 skip    equ     32
 steps   equ     36
 drawn   equ     40                      ; pixels of a part
 length  equ     44                      ; pixels from a part's first quotients to the next
-locals  equ     48
+shift   equ     48
+half    equ     52
+last_s  equ     56                      ; 2^32 - 1: wrapped
+last_t  equ     60
+clamps  equ     64                      ; 0: no axis
+locals  equ     68
 
 ; \1 = the quotient of \1 = s by d3 = w, above 0. d5 = 2 w, d4 = 30. Uses d2.
 quotient macro
@@ -53,9 +58,9 @@ quotient macro
 .down\@
         endm
 
-; s and t at d0 and d1 and their steps d2 and d3 as tx_step has them: SSss, ttTT, tt--, d5 = TT.
+; s and t at d0 and d1 and their steps d2 and d3, moved by d5, as tx_step has them: SSss, ttTT, tt--,
+; d5 = TT.
 scaled  macro
-        move.l  scale(sp),d5
         lsl.l   d5,d0
         lsl.l   d5,d1
         lsl.l   d5,d2
@@ -79,13 +84,29 @@ step    macro
 .down\@
         endm
 
-; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits. Uses d4.
+; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits. Uses d2.
 last    macro
-        moveq   #0,d4
-        move.w  \1(a0),d4
-        addq.w  #1,d4
-        subq.l  #1,d4
-        movea.l d4,\2
+        moveq   #0,d2
+        move.w  \1(a2),d2
+        addq.w  #1,d2
+        subq.l  #1,d2
+        move.l  d2,\2
+        endm
+
+; On to .single if the value d4 lies outside 0 to \1. d5 = shift. Uses d4.
+inside  macro
+        asr.l   d5,d4
+        sub.l   half(sp),d4
+        cmp.l   \1,d4
+        bhi     .single
+        endm
+
+; d4 = the last value of a whole piece from \1 on by \2. d5 = bits.
+at_end  macro
+        move.l  \2,d4
+        lsl.l   d5,d4
+        sub.l   \2,d4
+        add.l   \1,d4
         endm
 
         routine tmu_pieces,a0,a1,a2,d0
@@ -108,14 +129,22 @@ last    macro
         movem.l d2-d4,piece(sp)
         moveq   #0,d2
         move.w  tmu_steps_half(a2),d2
+        move.l  d2,half(sp)
         swap    d2
         movea.l d2,a6
+        last    tmu_steps_last_s,last_s(sp)
+        last    tmu_steps_last_t,last_t(sp)
+        moveq   #0,d3
+        move.w  tmu_steps_shift(a2),d3
+        move.l  d3,shift(sp)
+        moveq   #16,d4
+        sub.l   d3,d4
         moveq   #-1,d2
-        cmp.l   tmu_steps_last_s(a2),d2         ; and last_t
+        move.l  tmu_steps_last_s(a2),d3         ; and last_t
+        not.l   d3
+        move.l  d3,clamps(sp)
         bne.s   .form
-        moveq   #16,d2
-        sub.w   tmu_steps_shift(a2),d2
-        ext.l   d2
+        move.l  d4,d2
 .form   move.l  d2,scale(sp)
         movea.l a2,a0
         moveq   #4,d2
@@ -129,8 +158,6 @@ last    macro
 
 .pieces move.l  count(sp),d0
         beq     .done
-        tst.l   scale(sp)
-        bmi     .part
         move.l  left(sp),d1
         subq.l  #1,d1
         move.l  bits(sp),d4
@@ -144,6 +171,38 @@ last    macro
         lsl.l   d4,d0
         sub.l   d0,count(sp)
         sub.l   d0,left(sp)
+        bra     .piece
+
+        ; To a0, 4 pixels a round.
+.narrow movem.l d6-d7/a3,-(sp)
+        move.l  shift+12(sp),d7
+        moveq   #-16,d6
+        add.l   d7,d6
+        movea.l half+12(sp),a3
+        move.l  a1,d4
+        sub.l   a0,d4
+        and.w   #12,d4                  ; bytes the first round lacks
+        move.w  d4,d5
+        lsl.w   #2,d4
+        add.w   d5,d4
+        jmp     .fours(pc,d4.w)
+.fours  rept    4
+        move.l  d0,d4                   ; 20 bytes
+        asr.l   d6,d4
+        move.l  d1,d5
+        asr.l   d7,d5
+        sub.l   a6,d4
+        sub.w   a3,d5
+        add.l   d2,d0
+        move.w  d5,d4
+        add.l   d3,d1
+        move.l  d4,(a1)+
+        endr
+        cmpa.l  a0,a1
+        bne.s   .fours
+        movem.l (sp)+,d6-d7/a3
+        subq.l  #1,whole(sp)
+        beq     .pieces
 
 .piece  adda.l  piece(sp),a3
         adda.l  piece+4(sp),a4
@@ -167,7 +226,9 @@ last    macro
         asr.l   d4,d2
         asr.l   d4,d3
         lea     (a1,a2.l),a0
-        scaled
+        move.l  scale(sp),d5
+        bmi     .other
+.scale  scaled
 .pixels rept    8
         move.l  d0,d4                   ; 12 bytes
         move.w  d1,d4
@@ -178,15 +239,72 @@ last    macro
         endr
         cmpa.l  a0,a1
         bne.s   .pixels
-        subq.l  #1,whole(sp)
+.next   subq.l  #1,whole(sp)
         bne     .piece
         bra     .pieces
+
+        ; Pieces that may have to be clamped, or whose coordinates have more than 16 fraction bits.
+.other  tst.l   clamps(sp)
+        beq     .narrow
+        move.l  bits(sp),d5
+        at_end  d0,d2
+        move.l  shift(sp),d5
+        inside  last_s(sp)
+        move.l  d0,d4
+        inside  last_s(sp)
+        move.l  bits(sp),d5
+        at_end  d1,d3
+        move.l  shift(sp),d5
+        inside  last_t(sp)
+        move.l  d1,d4
+        inside  last_t(sp)
+        neg.l   d5
+        add.l   #16,d5
+        bpl     .scale
+
+        ; To a0, pixel by pixel as tmu_walk_clamp.
+.single movem.l d6-d7/a3-a4,-(sp)
+        movea.l last_s+16(sp),a3
+        movea.l last_t+16(sp),a4
+        move.l  shift+16(sp),d6
+        move.l  half+16(sp),d7
+.pixel  move.l  d0,d4
+        asr.l   d6,d4
+        add.l   d2,d0
+        sub.l   d7,d4
+        cmp.l   a3,d4
+        bhi.s   .out_s
+.s_in   move.l  d1,d5
+        asr.l   d6,d5
+        add.l   d3,d1
+        sub.l   d7,d5
+        cmp.l   a4,d5
+        bhi.s   .out_t
+.t_in   swap    d4
+        move.w  d5,d4
+        move.l  d4,(a1)+
+        cmpa.l  a0,a1
+        bne.s   .pixel
+        movem.l (sp)+,d6-d7/a3-a4
+        bra     .next
+.out_s  tst.l   d4
+        bmi.s   .low_s
+        move.l  a3,d4
+        bra.s   .s_in
+.low_s  moveq   #0,d4
+        bra.s   .s_in
+.out_t  tst.l   d5
+        bmi.s   .low_t
+        move.l  a4,d5
+        bra.s   .t_in
+.low_t  moveq   #0,d5
+        bra.s   .t_in
 
 .odd    movea.l steps(sp),a0
         bsr     .both
         bra     .ended
 
-        ; Part of a piece, or one that goes pixel by pixel.
+        ; Part of a piece.
 .part   movea.l steps(sp),a0
         move.l  a2,d4
         lsr.l   #2,d4
@@ -232,59 +350,19 @@ last    macro
         add.l   d4,d0
         add.l   d5,d1
         clr.l   skip(sp)
-.stays  tst.l   scale(sp)
-        bmi.s   .single
+.stays  move.l  drawn(sp),d4
+        lea     (a1,d4.l*4),a0
+        move.l  #1,whole(sp)
+        tst.l   clamps(sp)
+        bne     .single
+        move.l  scale(sp),d5
+        bmi     .narrow
         scaled
         move.l  drawn(sp),d4
-        lea     (a1,d4.l*4),a0
         neg.l   d4
         and.w   #7,d4                   ; pixels the first round lacks
         mulu.w  #12,d4
-        move.l  #1,whole(sp)
         jmp     .pixels(pc,d4.w)
-
-        ; Pixel by pixel, as tmu_walk_clamp.
-.single movem.l d6-d7/a3-a4,-(sp)
-        movea.l steps+16(sp),a0
-        last    tmu_steps_last_s,a3
-        last    tmu_steps_last_t,a4
-        moveq   #0,d6
-        move.w  tmu_steps_shift(a0),d6
-        moveq   #0,d7
-        move.w  tmu_steps_half(a0),d7
-        move.l  drawn+16(sp),d4
-        lea     (a1,d4.l*4),a0
-.pixel  move.l  d0,d4
-        asr.l   d6,d4
-        add.l   d2,d0
-        sub.l   d7,d4
-        cmp.l   a3,d4
-        bhi.s   .out_s
-.s_in   move.l  d1,d5
-        asr.l   d6,d5
-        add.l   d3,d1
-        sub.l   d7,d5
-        cmp.l   a4,d5
-        bhi.s   .out_t
-.t_in   swap    d4
-        move.w  d5,d4
-        move.l  d4,(a1)+
-        cmpa.l  a0,a1
-        bne.s   .pixel
-        movem.l (sp)+,d6-d7/a3-a4
-        bra     .pieces
-.out_s  tst.l   d4
-        bmi.s   .low_s
-        move.l  a3,d4
-        bra.s   .s_in
-.low_s  moveq   #0,d4
-        bra.s   .s_in
-.out_t  tst.l   d5
-        bmi.s   .low_t
-        move.l  a4,d5
-        bra.s   .t_in
-.low_t  moveq   #0,d5
-        bra.s   .t_in
 
 .done   lea     locals(sp),sp
         return_all
