@@ -167,7 +167,7 @@ def case(seed: int, number: int) -> Case:
     made = Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, modes)
     for row, found in zip(units, modes):
-        found["pieces"] = rng.choice((0, 8, 16))
+        found["pieces"] = rng.choice((0, 8, 8, 16, 16))
         row.append(found["pieces"])
     return made
 
