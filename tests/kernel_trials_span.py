@@ -98,16 +98,17 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
                 upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
                 code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
                 wide: int = 1, columns: dict[str, int] | None = None, light_at: int | None = None,
-                shades: list[int] | None = None, **plan_values: int) -> Trial:
+                shades: list[int] | None = None, placed: bool = False, **plan_values: int) -> Trial:
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
     each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel. ``light_at``: in the far arena; ``shades``: one
-    a line."""
+    a line. ``placed``: ``drawn`` is told the first pixel's x and the line's number too."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
     table = np.zeros(len(starts), shape.dtype)
     lines = []      # count, u, v and where the first pixel is
+    places = []     # x of that pixel and the line's number
     for index, (count, u, v) in enumerate(starts):
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by the edges' additions
@@ -115,6 +116,7 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         left = BIAS + index % 4 + 4 * int(rng.integers(4))
         for field, value in (packed | dict(left=left, last=left + count - 1)).items():
             table[index][field] = value
+        places.append((left - BIAS, index) if placed else ())
         row = len(starts) - 1 - index if upwards else index
         lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))
     memory = Memory(int(rng.integers(1 << 30)))
@@ -152,7 +154,7 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
         return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
             f"{line}: pixel {(offset - at) // wide}"
 
-    writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else ())), far=True)
+    writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else places[k])), far=True)
               for k, (count, u, v, at) in enumerate(lines) if count > 0]
     if code:
         writes.append(Write(near["code"] + size - 2 - len(code), code))

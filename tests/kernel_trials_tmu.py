@@ -4,7 +4,6 @@ from kernel_checker import Trial
 from kernel_trials_tx import COUNTS, ROUNDS, pass_trial
 from tools import bench_tmu, tmu_examples
 
-WITH_MAP = "tmu_dithered"  # of 64 KB, in each call: fewer rounds
 IN_C = [name for name in bench_tmu.NAMES if name.endswith("_c")] + [
     f"{name}_c" for name in tmu_examples.IN_C_ALONE]
 MANY = "tmu_combine_line"  # each function with each factor, for colour and for alpha
@@ -13,7 +12,7 @@ NAMES = [name for name in bench_tmu.NAMES if not name.endswith("_c")] + IN_C
 
 def rounds(name: str) -> int:
     """How often a pass is called with each count."""
-    return 1 if name.startswith(WITH_MAP) else 100 if name.startswith(MANY) else ROUNDS
+    return 100 if name.startswith(MANY) else ROUNDS
 
 
 def trials() -> list[Trial]:

@@ -15,7 +15,7 @@ from tools.scene_file import ONE
 
 WIDTH, HEIGHT = 96, 72
 LATTICE = 243  # units; odd, so that gradients have no end in binary
-REPEATING = ("affine", "tiled", "columns", "generated")  # mappers of maps that repeat
+REPEATING = ("affine", "tiled", "columns", "generated", "dithered")  # mappers of maps that repeat
 
 
 def planar(rng: random.Random, points) -> tuple:

@@ -57,9 +57,10 @@ def test_no_row_left_the_baseline(medium: list[dict]) -> None:
 def test_every_combination_has_a_row(medium: list[dict]) -> None:
     """18 combinations of the affine mapper, 3 of each other one (2 where a truncated start is not
     to be had), and a frontier."""
-    assert len(medium) == 18 + 3 * 7 + 2
+    assert len(medium) == 18 + 3 * 7 + 2 * 2
     assert {r["mapper"] for r in medium} == {"affine", "flat", "gouraud", "arbitrary", "tiled",
-                                             "columns", "generated", "lit", "lit_gouraud"}
+                                             "columns", "generated", "lit", "lit_gouraud",
+                                             "dithered"}
     assert any(r["frontier"] for r in medium) and not all(r["frontier"] for r in medium)
     assert row(medium, BEST)["texel_error_rms"] < row(
         medium, model.Settings("integer", "polygon", "truncated"))["texel_error_rms"] / 100

@@ -60,7 +60,8 @@ def every_mapper() -> Scene:
     scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
                        for n, mapper in enumerate(mappers[:7])]
     scene.materials += [Material("lit", texture=0, light=5),
-                        Material("lit_gouraud", texture=0, light=5)]
+                        Material("lit_gouraud", texture=0, light=5),
+                        Material("dithered", texture=0)]
     scene.vertices = np.full((6, 6), 65536)
     scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
     return scene
@@ -120,7 +121,7 @@ def wrong_mappers() -> list[Row]:
         every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
     size = "texture.width or texture.height"
     page, linear, tiled, columns, margins, light = range(6)
-    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud = range(9)
+    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud, dithered = range(10)
     every.entry("textures", page, "layout", 6, M32)
     every.entry("textures", page, "layout", linear, said="material.texture")
     every.entry("textures", page, "texel_bytes", 0, 2, M32)
@@ -135,7 +136,7 @@ def wrong_mappers() -> list[Row]:
     widest.entry("textures", 0, "layout", columns)
     widest.entry("materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
     widest.entry("materials", 1, "perspective", 1, 4)
-    every.entry("materials", flat, "mapper", 9, 10, M32)
+    every.entry("materials", flat, "mapper", 10, 11, M32)
     every.entry("materials", flat, "texture", 0)
     every.entry("materials", gouraud, "texture", 0)
     every.entry("materials", affine, "texture", linear, light, -1, 6)
@@ -145,8 +146,11 @@ def wrong_mappers() -> list[Row]:
     for index in lit_flat, lit_gouraud:
         every.entry("materials", index, "texture", linear, light, -1)
         every.entry("materials", index, "light", page, -1, 6, M32)
-    every.entry("materials", lit_gouraud, "gradients", 0, 1)
-    every.entry("materials", lit_gouraud, "start", 0)
+    for index in lit_gouraud, dithered:
+        every.entry("materials", index, "gradients", 0, 1)
+        every.entry("materials", index, "start", 0)
+    every.entry("materials", dithered, "texture", linear, light, -1)
+    every.entry("materials", dithered, "perspective", 1, 4)
     light_only.entry("vertices", 0, "shade", -1, 256 << 16, 2**31)
     wide.entry("materials", 0, "colour", 65536)
     every.entry("objects", gouraud, "vertices", 4)

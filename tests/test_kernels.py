@@ -1,10 +1,11 @@
-"""Every routine of src68k/math, mesh, polygon, edge, span, tx and tmu,
+"""Every routine of src68k/math, mesh, polygon, edge, span, tx, tmu and screen,
 called on the emulated A1200 and held to its contract block and to a reference in Python."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import kernel_checker
+import kernel_trials_dithered
 import kernel_trials_edge
 import kernel_trials_lit
 import kernel_trials_logarithm
@@ -16,6 +17,7 @@ import kernel_trials_pixel
 import kernel_trials_polygon
 import kernel_trials_reciprocal
 import kernel_trials_scanline
+import kernel_trials_screen
 import kernel_trials_span
 import kernel_trials_tiled
 import kernel_trials_tmu
@@ -38,14 +40,16 @@ CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C
                                  *(replace(IN_C, name=name, file="c/tx", summary="a pass in C")
                                    for name in kernel_trials_tx.IN_C),
                                  *(replace(IN_C, name=name, file="c/tmu", summary="a pass in C")
-                                   for name in kernel_trials_tmu.IN_C)]}
+                                   for name in kernel_trials_tmu.IN_C),
+                                 *(replace(IN_C, name=name, file="c/screen", summary="in C")
+                                   for name in kernel_trials_screen.IN_C)]}
 
 
 ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, kernel_trials_tiled,
          kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_perspective,
          kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
          kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
-         kernel_trials_tmu)
+         kernel_trials_tmu, kernel_trials_screen, kernel_trials_dithered)
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 

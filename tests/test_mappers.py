@@ -10,7 +10,7 @@ from PIL import Image
 from tools import model
 from tools.__main__ import main
 from tools.scene import compile_scene
-from tools.scene_file import SETTINGS
+from tools.scene_file import ON_PLANE, SETTINGS
 
 HEAD = """\
 width = 96
@@ -28,14 +28,15 @@ LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
          "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
          "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
-         "affine": ('texture = "small"', 700)}
+         "affine": ('texture = "small"', 700), "dithered": ('texture = "small"', 300)}
 #: Format: the mappers that draw it (of chunky ones tests/test_run.py has the affine one), machine.
 DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
-         "rgb565": (["columns", "affine"], "a1200"),
-         "rgba5551": (["columns", "affine"], "a1200-fast"), "rgba8888": (["affine"], "a1200")}
-SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short"},
-         "rgb565": {"columns_16", "affine_16", "affine_16_wrap"},
-         "rgba8888": {"affine_32", "affine_32_wrap"}}
+         "rgb565": (["columns", "affine", "dithered"], "a1200"),
+         "rgba5551": (["columns", "affine", "dithered"], "a1200-fast"),
+         "rgba8888": (["affine", "dithered"], "a1200")}
+SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap"} - {"dithered"},
+         "rgb565": {"columns_16", "affine_16", "affine_16_wrap", "dithered_16_wrap"},
+         "rgba8888": {"affine_32", "affine_32_wrap", "dithered_32_wrap"}}
 SPANS["rgba5551"] = SPANS["rgb565"]
 
 
@@ -47,7 +48,7 @@ def scene(pixels: str) -> str:
     materials = objects = ""
     mappers = DRAWN[pixels][0]
     wanted = [(mapper, *names) for mapper, *names in itertools.product(mappers, *choices.values())
-              if mapper != "lit_gouraud" or {"plane", "subtexel"} <= set(names)]
+              if mapper not in ON_PLANE or {"plane", "subtexel"} <= set(names)]
     for n, (mapper, *names) in enumerate(wanted):
         look, map_radius = LOOKS[mapper]
         settings = dict(zip(choices, names)) | ({"mapper": mapper} if map_radius else {})

@@ -86,6 +86,7 @@ HEAD_32 = HEAD.replace("frames", 'format = "rgba8888"\nframes')
     ('texture = "small", mapper = "lit", gradients = "scanline"',
      Material("lit", gradients="scanline", texture=0, light=1)),
     ('texture = "square", mapper = "lit_gouraud"', Material("lit_gouraud", texture=0, light=1)),
+    ('texture = "small", mapper = "dithered"', Material("dithered", texture=0)),
 ])
 def test_settings(folder, text, material):
     made = make(folder, text)
@@ -236,12 +237,20 @@ def test_16_bit_frames_of_the_model(folder):
     ([FLAT + ', start = "a\\nb"'], "materials.it.start: must be text on one line"),
     (['texture = "square", mapper = "cubic"'],
      "materials.it.mapper: 'cubic' is not one of affine, arbitrary, tiled, columns, generated, lit, "
-     "lit_gouraud"),
+     "lit_gouraud, dithered"),
     (['texture = "odd", mapper = "lit"'], 'materials.it.mapper: "lit" needs sides that are powers'),
     (['texture = "square", mapper = "lit_gouraud", gradients = "polygon"'],
      'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
     (['texture = "square", mapper = "lit_gouraud", start = "truncated"'],
      'materials.it.mapper: "lit_gouraud" needs gradients "plane" and start "subtexel"'),
+    (['texture = "square", mapper = "dithered", gradients = "scanline"'],
+     'materials.it.mapper: "dithered" needs gradients "plane" and start "subtexel"'),
+    (['texture = "square", mapper = "dithered", start = "truncated"'],
+     'materials.it.mapper: "dithered" needs gradients "plane" and start "subtexel"'),
+    (['texture = "square", mapper = "dithered", perspective = "every16"'],
+     'materials.it.perspective: "every16" needs the mapper "affine"'),
+    (['texture = "odd", mapper = "dithered"'],
+     'materials.it.mapper: "dithered" needs sides that are powers'),
     (['texture = "square", mapper = "lit"', TRIANGLE, HEAD_16], "materials.it.mapper: a scene in rgb565"),
     (['texture = "square", mapper = "lit"', shaped("shades = [256]")],
      "objects[0].shades[0]: must be from 0 to 255"),
@@ -269,11 +278,11 @@ def test_16_bit_frames_of_the_model(folder):
     ([FLAT, TRIANGLE, HEAD_16.replace("rgb565", "rgb555")],
      "format: 'rgb555' is not one of chunky, rgb565, rgba5551, rgba8888"),
     ([RAMP, TRIANGLE, HEAD_16], "materials.it.shades: a scene in rgb565 has flat colours and the "
-                                'mapper "affine" or "columns" only'),
+                                'mapper "affine" or "columns" or "dithered" only'),
     (['texture = "square", mapper = "tiled"', TRIANGLE, HEAD_16],
      "materials.it.mapper: a scene in rgb565 has"),
     (['texture = "small", mapper = "columns"', TRIANGLE, HEAD_32],
-     'materials.it.mapper: a scene in rgba8888 has flat colours and the mapper "affine" only'),
+     'materials.it.mapper: a scene in rgba8888 has flat colours and the mapper "affine" or "dithered" only'),
     (['texture = "square", perspective = "every16"', TRIANGLE, HEAD_16],
      "materials.it.perspective: a scene in rgb565 has none"),
     (['texture = "square", perspective = "pixel"', TRIANGLE, HEAD_32],

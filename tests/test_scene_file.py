@@ -177,7 +177,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not go through the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\x09"
+    assert data[:8] == b"TMAP\0\0\0\x0a"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[200:204] == b"\0" + scene.palette[0].tobytes()
@@ -243,7 +243,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0x9 is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0xa is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -283,9 +283,9 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_texture", "at", 202, "textures[0].at: 202 is not a multiple of 4"),
     ("scene_material", "texture", 0, "materials[0].texture: 0 is not from -1 to -1"),
     ("scene_material", "texture", -2, "materials[0].texture: -2 is not from -1 to -1"),
-    ("scene_material", "mapper", 11, "materials[0].mapper: 11 is not from 0 to 10"),
+    ("scene_material", "mapper", 12, "materials[0].mapper: 12 is not from 0 to 11"),
+    ("scene_material", "mapper", 11, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "mapper", 10, "materials[0].unit: -1 is not from 0 to -1"),
-    ("scene_material", "mapper", 9, "materials[0].unit: -1 is not from 0 to -1"),
     ("scene_material", "unit", 0, "materials[0].unit: 0 is not from -1 to -1"),
     ("scene_material", "mapper", 2, "materials[0].texture: -1 is not from 0 to 0"),
     ("scene_material", "light", 0, "materials[0].light: 0 is not from -1 to -1"),
@@ -377,6 +377,10 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
      r"materials\[0\].light: -1 is not from 0 to 0"),
     ({"materials": [Material("lit_gouraud", gradients="scanline", texture=0), Material()]},
      r"materials\[0\].mapper: 'lit_gouraud' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", start="truncated", texture=0), Material()]},
+     r"materials\[0\].mapper: 'dithered' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", perspective="pixel", texture=0), Material()]},
+     r"materials\[0\].perspective: 'pixel' needs mapper 'affine'"),
     ({"textures": [Texture(np.zeros((256, 256), np.uint8)), LIGHT],
       "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
       "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),

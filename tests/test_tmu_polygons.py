@@ -17,7 +17,8 @@ from tools.tmu import polygon
 from tools.tmu.lod import chosen, level_of_detail
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
-PIXELS = ("rgb565", "rgba8888")
+BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
+PIXELS = tuple(BITS)
 BOOT = 15  # polygons: each one's levels, decoded for the passes, stay in memory
 
 
@@ -111,6 +112,7 @@ def test_frames_are_the_models(pixels: str, off: str | None) -> None:
     assert off or "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
     if off is None and not POLYGONS.asked("CASE"):
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
+        assert spans & {f"dithered_{BITS[pixels]}{end}" for end in ("", "_wrap")}, spans
         assert "tmu_passes" in spans, spans
     if off and not POLYGONS.asked("CASE"):
         assert "tmu_pixels" in spans and "tmu_passes" not in spans, spans

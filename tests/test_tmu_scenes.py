@@ -15,7 +15,7 @@ from tools.tmu.mipmap import levels
 from tools.tmu.words import FORMATS
 from tools.tx.images import read
 
-NAMES = ("glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
+NAMES = ("dithered", "glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
 WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
 
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"

@@ -17,8 +17,8 @@ def scene() -> Scene:
                  [Material("glide", unit=0), Material("glide", unit=1), Material()],
                  [Object(0, 0, 3, 0, 1, 0), Object(1, 3, 6, 0, 1, 0), Object(2, 9, 3, 0, 1, 0)],
                  vertices, np.array([IDENTITY]), "rgb565",
-                 tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 8]] * 2),
-                 pipes=np.array([[0, 1, 0], [0, 2, 2]]), tmu_memory=bytes(256))
+                 tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0, 8]] * 2),
+                 pipes=np.array([[0, 1, 0, 0], [0, 2, 2, 0]]), tmu_memory=bytes(256))
 
 
 def wrong_pipes() -> list[Row]:
@@ -40,13 +40,14 @@ def wrong_pipes() -> list[Row]:
     entry("tmus", 0, "palette", 0, 2, M32 - 1, 1 << 31)
     entry("tmus", 0, "ncc", 164, 2, M32 - 1)
     entry("tmus", 1, "fraction_bits", 0, 5, M32)
+    entry("tmus", 1, "dithered", 2, M32)
     entry("tmus", 1, "subdivision", 1, 4, 32, M32)
     entry("pipes", 0, "tmus", 0, 3, M32)
     entry("pipes", 1, "tmu", 1, 2, M32, said="pipe.tmus")
     entry("pipes", 0, "own", 1, 2)
     entry("pipes", 1, "own", 1, 3, M32)
     entry("materials", 0, "unit", 2, M32)
-    entry("materials", 0, "mapper", 9, 11)
+    entry("materials", 0, "mapper", 10, 12)
     entry("materials", 0, "primitive", 1)
     entry("materials", 0, "edges", 0)
     entry("objects", 1, "vertices", 3, 5)

@@ -8,6 +8,7 @@ import numpy as np
 from tools.model import FAR as BEYOND
 from tools.pixel_formats import FORMATS as PIXELS
 from tools.scene_file import IDENTITY, Material, Object, Scene
+from tools.scene_pipes import PREFILTER_KB
 from tools.tmu.words import ASPECTS, FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, MIPMAPS, Words
 
 WIDTH, HEIGHT = 48, 32
@@ -18,12 +19,14 @@ PALETTE, NCC = 0, 1024  # where tables lie in the texture memory
 MEMORY_BYTES = 1 << 17  # of all units, random
 KINDS = ("any",) * 8 + ("plain", "trilinear", "levels") * 2 + ("detail", "pass")
 FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
+DITHERED = 7  # of so many polygons one is
+ALONE = ("plain", "dithered")  # of one unit and one level
 
 
 @dataclass
 class Case:
     """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights, subdivision; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
+    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
 
     kind: str
     units: list[tuple]
@@ -69,8 +72,8 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
              "detail": (rng.randrange(-32, 32), rng.randrange(8), rng.randrange(256)),
              "ncc": rng.randrange(2), "bits": rng.choice((4, 4, 8)),
              "memory": words.memory_bytes}
-    if kind == "plain":
-        found |= {"filters": ("point", "point"), "mode": "off",
+    if kind in ALONE:
+        found |= {"filters": 2 * ("point" if kind == "plain" else "bilinear",), "mode": "off",
                   "clamp": ("wrap", "wrap") if rng.randrange(4) else ("clamp", "wrap")}
     if kind in FAR:
         found |= {"mode": rng.choice(("nearest", "nearest", "nearest_dither")), "blend": 0,
@@ -154,16 +157,19 @@ def case(seed: int, number: int) -> Case:
     """A polygon by its seed and number."""
     rng = random.Random(f"{seed}, {number}")
     kind = rng.choice(KINDS)
-    count = (1 if kind in ("plain", "pass") else 2 if kind in ("trilinear", "detail")
+    if number % DITHERED == 0:
+        kind = "dithered"
+    dithered = int(kind == "dithered" or number % DITHERED == 1)  # it need not have an effect
+    count = (1 if kind in (*ALONE, "pass") else 2 if kind in ("trilinear", "detail")
              else rng.choice((1, 1, 2, 2, 2)))
     own = count == 2 and kind in ("any", "levels") and rng.randrange(2) == 0
-    perspective = kind in FAR or rng.randrange(4) > (2 if kind == "plain" else 0)
+    perspective = kind in FAR or rng.randrange(4) > (2 if kind in ALONE else 0)
     units, modes = [], []
     for n in range(count):
         other = kind not in FAR and rng.randrange(8) == 0  # the units need not agree
         row, found = unit(rng, kind, n, count, perspective != other)
-        units.append(row)
-        modes.append(found)
+        units.append([*row, dithered])
+        modes.append(found | {"dithered": dithered})
     made = Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, modes)
     for row, found in zip(units, modes):
@@ -182,7 +188,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
         materials.append(Material("glide", each.edges, clip=each.clip, unit=n))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices
-        pipes.append([len(tmus), len(each.units), 2 * each.own])
+        pipes.append([len(tmus), len(each.units), 2 * each.own, PREFILTER_KB << 10])
         tmus += each.units
     ground, dot = PIXELS[pixels].flat([(16, 32, 48), (240, 24, 24)])
     materials.append(Material(colour=dot))

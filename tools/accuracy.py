@@ -18,8 +18,8 @@ from .errors import UserError
 from .model import Settings
 from .model_shading import LIT
 from .paths import ACCURACY_BASELINE
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, SETTINGS, Material, Object, Scene, Texture,
-                         write)
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, Material, Object, Scene,
+                         Texture, write)
 
 MACHINES = ("a1200", "a1200-fast")
 #: Mappers that draw the same picture: a row is on the frontier among its own kind.
@@ -32,7 +32,7 @@ USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
 def usual(mapper: str) -> list[Settings]:
     """USUAL, as far as the mapper has them."""
     return [Settings(*each, mapper=mapper) for each in USUAL
-            if mapper != "lit_gouraud" or each[1:] == ("plane", "subtexel")]
+            if mapper not in ON_PLANE or each[1:] == ("plane", "subtexel")]
 
 
 def combinations() -> list[Settings]:

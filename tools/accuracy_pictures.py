@@ -18,7 +18,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
-         "lit": "p", "lit_gouraud": "h", "every16": "<", "every8": ">", "pixel": "P", "fine": "X"}
+         "lit": "p", "lit_gouraud": "h", "dithered": "*", "every16": "<", "every8": ">", "pixel": "P",
+         "fine": "X"}
 
 
 def drawn_by(row: dict) -> str:

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_tmu, bench_tx, layout,
-               maps, model)
+from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_screen, bench_tmu,
+               bench_tx, layout, maps, model)
+from .bench_dithered import dithered_rows
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
 from .bench_mesh import CASES as MESH_CASES
@@ -329,6 +330,7 @@ def pixel_rows(chip: bool) -> list[Row]:
                            ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat")):
             rows.append(Row(name, length, *span_case(f"span_{name}", form, length)))
         rows += wide_rows(length)
+        rows += [Row(*row) for row in dithered_rows(length)]
         rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))
         rows.append(Row("affine_column", length,
                         *span_case("span_affine_column", "addx", length, du=0)))
@@ -354,6 +356,8 @@ def pixel_rows(chip: bool) -> list[Row]:
         rows.append(Row(f"floor_{name}", 1024, *floor_case(name)))
     rows += [Row(name, bench_tx.LENGTH, *bench_tx.pass_case(name)) for name in bench_tx.NAMES]
     rows += [Row(name, bench_tx.LENGTH, *bench_tmu.pass_case(name)) for name in bench_tmu.NAMES]
+    rows += [Row(name, bench_screen.SCREENS[name.removesuffix("_c")][0],
+                 *bench_screen.screen_case(name)) for name in bench_screen.NAMES]
     for row in rows:
         row.case.chip = chip
     return rows

@@ -30,6 +30,7 @@ GOURAUD = Material("gouraud")
 FLAT = Material("flat", colour=77)
 DEEP = Material("affine", perspective="pixel", texture=0)
 ARBITRARY = Material("arbitrary", texture=2)
+DITHERED = Material("dithered", texture=0)
 
 #: Triangles inside the frame: of many pixels, and high ones of at most 8 and 16 pixels a line.
 WIDE = [(20.3, 10.6), (140.7, 50.2), (60.1, 120.4)]
@@ -86,6 +87,7 @@ CASES = (
     Case("still_u", AFFINE, WIDE, (heights(WIDE), TURNED[1]), "affine_column", "affine_addx"),
     Case("no_wrap", AFFINE, WIDE, TURNED, "affine_addx", "affine_addx_wrap"),
     Case("no_wrap_lit", LIT, WIDE, TURNED, "lit", "lit_wrap"),
+    Case("no_wrap_dithered", DITHERED, WIDE, TURNED, "dithered", "dithered_wrap"),
     Case("short", AFFINE, NARROW, TURNED, "affine_short", "affine_addx"),
     Case("short_wrap", AFFINE, NARROW, WRAPPED, "affine_short_wrap", "affine_addx_wrap"),
     Case("short_row", AFFINE, NARROW, (TURNED[0], heights(NARROW)), "affine_row_short",
@@ -100,6 +102,8 @@ CASES = (
          "affine_16_row", pixels="rgba5551"),
     *(Case("no_wrap", AFFINE, WIDE, TURNED, f"affine_{bits}", f"affine_{bits}_wrap", pixels=pixels)
       for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
+    *(Case("no_wrap_dithered", DITHERED, WIDE, TURNED, f"dithered_{bits}", f"dithered_{bits}_wrap",
+           pixels=pixels) for bits, pixels in ((16, "rgba5551"), (32, "rgba8888"))),
 )
 #: Cases that share a scene: of one format, and those with perspective apart, as the tables that it
 #: needs would be made for all the others too.

@@ -20,7 +20,7 @@ from .scene_file import Scene
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
          "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
          "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
-         "glide_lightmap")
+         "glide_lightmap", "dithered")
 FRAMES = 4
 #: Conditions of the bench that a program can be run under.
 MACHINES = ("a1200", "a1200-fast")

@@ -26,7 +26,7 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
     if example.table:
         constants["constants"] = arena.add(example.table)
     if example.struct:
-        pointers = {name: far.add(block, example.align)
+        pointers = {name: far.add(block, example.align) + example.within.get(name, 0)
                     for name, block in example.blocks.items()}
         for name, block in example.more.items():
             pointers[name] = far.add(bytes(len(block)))

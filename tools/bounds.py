@@ -42,7 +42,8 @@ the ends no more than the larger b, at a distance of i - x' a step cut to U: max
 by its nature, and 2 a0 + a1 + (i - c) U.
 
 **Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
-bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. What is held
+bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. Dithered points
+are moved by 3/8 texel at most, exactly: moves are whole units. What is held
 in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
 the range at a vertex, a step shrinks by 2B over the
 longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
@@ -58,6 +59,8 @@ from dataclasses import dataclass
 from . import bounds_perspective, ideal, model, model_tolerance
 from .fixed import ceil16, signed
 from .ideal import UNIT
+from .model_dithered import MOST as DITHERED
+from .model_dithered import moves
 from .model_edges import Edge
 from .model_spans import CUT
 from .model_texturing import Line, Settings
@@ -199,12 +202,14 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
     return along + (n + 1) * UNIT + c.g * rounded + (off + rounded) * c.step
 
 
-def found_at(line: Line, key: str, mapper: str, i: int) -> int:
-    """u or v of pixel i as the mapper steps it, 16.16 modulo 2^32."""
+def found_at(line: Line, key: str, mapper: str, i: int, y: int) -> int:
+    """u or v of pixel i of line y as the mapper steps it, 16.16 modulo 2^32."""
     start, cut = getattr(line, key), CUT.get(mapper, (0, 0))["uv".index(key)]
     if mapper == "generated":
         start &= ~0xFFFF
     step = signed(getattr(line, f"d{key}dx")) >> cut
+    if mapper == "dithered":
+        start += int(moves(i, i + 1, y)["uv".index(key)][0])
     return (start >> cut) + (i - line.left) * step << cut
 
 
@@ -269,7 +274,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
         for i in {left, right - 1} if left < right else ():
             for key, c in planes.items():
-                value = found_at(line, key, mapper, i)
+                value = found_at(line, key, mapper, i, y)
                 if settings.gradients == "scanline":
                     exact, bound = scanline_ideal(key, y, (sides[0][y], sides[1][y]), i, settings)
                     error = abs((value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST)
@@ -278,6 +283,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
                     bound = plane_bound(c, t, sides[0][y], i, y, settings)
                 cut = CUT.get(mapper, (0, 0))["uv".index(key)]
                 bound += (i - line.left + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
+                bound += DITHERED * (mapper == "dithered")
                 found.append((error, bound, key, (i, y)))
     if beyond is not None:
         most = max((bound for _, bound, *_ in found), default=0.0) + beyond

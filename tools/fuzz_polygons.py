@@ -17,7 +17,7 @@ from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
 from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Object,
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, ONE, SETTINGS, Material, Object,
                          Scene, Texture)
 
 BLOCK = 1000
@@ -167,10 +167,10 @@ def polygon(seed: int, number: int) -> Fuzzed:
     width, height = FRAMES[block % len(FRAMES)]
     points = visible_corners(rng, width, height)
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
-                         "lit_gouraud") + 4 * ("affine",))
+                         "lit_gouraud", "dithered") + 4 * ("affine",))
     choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
-    if mapper == "lit_gouraud":
+    if mapper in ON_PLANE:
         choices |= {"gradients": "plane", "start": "subtexel"}
     settings = Settings(mapper=mapper, **choices)
     if len(points) > 3 and settings.gradients == "polygon":

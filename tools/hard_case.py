@@ -19,7 +19,7 @@ UNIT = Fraction(1, 65536)
 FAR = 16384  # pixels and texels: coordinates reach from -FAR to FAR - UNIT
 MAPPERS = CHUNKY[1]  # of those who draw pixels of a byte
 #: Mappers whose map repeats in both directions: their coordinates may leave it.
-REPEATING = ("affine", "tiled", "columns", "generated", "lit", "lit_gouraud")
+REPEATING = ("affine", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered")
 SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture takes
 
 Points = list[tuple[Fraction, Fraction]]

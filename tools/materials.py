@@ -9,8 +9,8 @@ from . import images, palette, scene_glide, scene_tx
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ONE, SETTINGS, UNITS, Material, Texture,
-                         size_fault)
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, ONE, SETTINGS, UNITS, Material,
+                         Texture, size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
@@ -101,9 +101,9 @@ def check(spec: dict, where: str) -> None:
                                       'gradients "plane" and start "subtexel"')
         if material["tolerance"] and material["perspective"] == "none":
             fail(f"{at}.tolerance", "there is no perspective that could become less")
-        if mapper == "lit_gouraud" and (material["gradients"], material["start"]) != (
+        if mapper in ON_PLANE and (material["gradients"], material["start"]) != (
                 "plane", "subtexel"):
-            fail(f"{at}.mapper", '"lit_gouraud" needs gradients "plane" and start "subtexel"')
+            fail(f"{at}.mapper", f'"{mapper}" needs gradients "plane" and start "subtexel"')
         if "texture" not in material:
             continue
         if material["texture"] not in spec["textures"]:

@@ -69,7 +69,7 @@ class Polygon:
     def coordinates(self, line: Line, y: int, mapper: str = "affine"):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
-            return coordinates(line, mapper)
+            return coordinates(line, mapper, y)
         if self.is_level:
             return level(self.perspective, line.left, line.right, y)
         taken = self.taken(line, y)
@@ -247,7 +247,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
             height, width = texture.shape
             frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
         elif line.right > line.left:
-            frame[y, line.left:line.right] = pixels(line, mapper, texture, light) \
+            frame[y, line.left:line.right] = pixels(line, mapper, texture, light, y) \
                 if polygon.textured else colour
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from .fixed import M32, signed
+from .model_dithered import moves
 from .model_shading import LIT, rows
 from .model_texturing import Line
 
@@ -10,8 +11,9 @@ from .model_texturing import Line
 CUT = {"tiled": (0, 1), "columns": (3, 3)}
 
 
-def coordinates(line: Line, mapper: str = "affine") -> tuple[np.ndarray, np.ndarray]:
-    """u and v of a line's pixels as the mapper steps them, int64, 16.16 modulo 2^32."""
+def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a line's pixels as the mapper steps them, int64, 16.16 modulo 2^32; ``y`` of the
+    line counts where it moves points."""
     n = np.arange(line.right - line.left, dtype=np.int64)
     start, cuts = (line.u, line.v), CUT.get(mapper, (0, 0))
     if mapper == "generated":  # only the texel of the start counts
@@ -19,6 +21,8 @@ def coordinates(line: Line, mapper: str = "affine") -> tuple[np.ndarray, np.ndar
     steps = (signed(line.dudx), signed(line.dvdx))
     u, v = (((c >> cut) + n * (step >> cut)) << cut & M32
             for c, step, cut in zip(start, steps, cuts))
+    if mapper == "dithered":
+        u, v = (c + move & M32 for c, move in zip((u, v), moves(line.left, line.right, y)))
     return u, v
 
 
@@ -35,12 +39,13 @@ def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndar
 
 
 def pixels(line: Line, mapper: str, texture: np.ndarray | None,
-           light: np.ndarray | None = None) -> np.ndarray:
-    """A line's pixels. ``texture``: [v][u]; ``light``: [level][texel], or of one level."""
+           light: np.ndarray | None = None, y: int = 0) -> np.ndarray:
+    """A line's pixels. ``texture``: [v][u]; ``light``: [level][texel], or of one level; ``y`` as
+    ``coordinates`` has it."""
     if mapper == "generated":
         at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
         return texture.reshape(-1)[at & 0xFFFF]  # the margins repeat the map
-    u, v = (c >> 16 for c in coordinates(line, mapper))
+    u, v = (c >> 16 for c in coordinates(line, mapper, y))
     if mapper == "gouraud":
         return u & 255
     height, width = texture.shape

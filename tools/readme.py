@@ -8,8 +8,8 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import (bench, bench_effects, bench_rules, bench_scenes, emulator, engines, palette,
-               polys, readme_modes, run, scene, scene_file)
+from . import (bench, bench_effects, bench_rules, bench_scenes, dither_errors, emulator, engines,
+               palette, polys, readme_modes, run, scene, scene_file)
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -51,7 +51,7 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (
                       "arbitrary", "tiled", "columns", "generated", "gouraud",
-                      "lit", "lit_gouraud")))
+                      "lit", "lit_gouraud", "dithered")))
 
 
 def accuracy_table(baseline: dict) -> str:
@@ -118,6 +118,25 @@ def effects_table(baseline: dict) -> str:
         lines.append(f"| {title} | " + " | ".join(f"{n:.1f}" for n in found)
                      + f" | {run.CLOCK_HZ / found[0]:,.0f} | {wrong:.0f} % |")
     return "\n".join(lines)
+
+
+#: Dithered points beside points: title, bench rows.
+DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
+                  ("8 bits, where v may wrap", "dithered_wrap", "affine_addx_wrap"),
+                  ("16 or 32 bits", "dithered_16", "affine_16"),
+                  ("16 or 32 bits, where v may wrap", "dithered_16_wrap", "affine_16_wrap"))
+
+
+def dithered_tables(baseline: dict) -> str:
+    """Markdown: what dithered points are off from the bilinear filter, and what they cost."""
+    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
+    lines = ["| cycles a pixel, dithered / points | " + " | ".join(MACHINES.values()) + " |",
+             "|---|" + "--:|" * len(MACHINES)]
+    for title, *names in DITHERED_LINES:
+        cells = [" / ".join(f"{figures[name, machine, 256]:.1f}" for name in names)
+                 for machine in MACHINES]
+        lines.append(f"| {title} | " + " | ".join(cells) + " |")
+    return "\n".join([dither_errors.table(), "", *lines])
 
 
 #: Meshes: title of a line, row.
@@ -197,6 +216,7 @@ def with_tables(text: str) -> str:
     text = with_table(text, "Glide's steps not called for", readme_modes.uncalled_table(measured))
     accuracy = json.loads(ACCURACY_BASELINE.read_text())
     text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
+    text = with_table(text, "dithered points", dithered_tables(measured))
     text = with_table(text, "perspective", perspective_table(measured, accuracy))
     rows = json.loads(POLYS_BASELINE.read_text())["rows"]
     return with_table(text, "polygons a second", polys.table(rows).rstrip())

@@ -44,8 +44,8 @@ def modes_table(baseline: dict, engine: Engine) -> str:
     for mode in engine.modes:
         cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
         cells += [f"{figures[f'{ROW}{mode.name}{PLAIN_END}', PLAIN_MACHINE]:,.0f}",
-                  f"{ratio(figures, mode.name):.1f}",
-                  thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE])]
+                  f"{ratio(figures, mode.name):.1f}"] if mode.in_c else ["", ""]
+        cells.append(thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE]))
         rows.append([mode.title, *cells, *engine.errors(mode)])
     return lines_of("cycles a pixel; errors in 1/255", [
         *MACHINES.values(), "plain C, fast RAM", "times", "first frame, kcycles more",
@@ -112,7 +112,7 @@ UNCALLED = (Step("clamping, inside the map", "tmu_point", "tmu_point_inside", "t
                  "tmu_bilinear_small"),
             Step("trilinear filtering, magnified", "tmu_double", "tmu_trilinear_double",
                  "tmu_bilinear_small"),
-            Step("a detail texture, too far away", "tmu_bilinear_perspective", "tmu_detail_away",
+            Step("a detail texture, too far away", "tmu_away", "tmu_detail_away",
                  "tmu_bilinear_perspective_small"),
             Step("a second unit that does not count", "tmu_bilinear", "tmu_decal",
                  "tmu_bilinear_small"))

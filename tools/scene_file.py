@@ -10,7 +10,7 @@ from .errors import UserError
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
-from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, UNIT_FORMATS, UNITS, Texture,
+from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNIT_FORMATS, UNITS, Texture,
                              check_texture, linear, ordered, size_fault)
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
@@ -143,9 +143,9 @@ def check_material(scene: Scene, material: Material, name: str, where: str) -> N
             "affine", "plane", "subtexel"):
         raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper "
                         "'affine', gradients 'plane' and start 'subtexel'")
-    if material.mapper == "lit_gouraud" and (material.gradients, material.start) != (
+    if material.mapper in ON_PLANE and (material.gradients, material.start) != (
             "plane", "subtexel"):
-        raise UserError(f"{name}: {where}.mapper: 'lit_gouraud' needs gradients 'plane' and "
+        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} needs gradients 'plane' and "
                         "start 'subtexel'")
     none = layout.load().constants["NO_UNIT"]
     if material.mapper in UNITS:

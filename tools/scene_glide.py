@@ -8,6 +8,7 @@ import numpy as np
 from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
 from .map_range import fixed
 from .mipmap import FILTERS as MIPMAP_FILTERS
+from .scene_pipes import PREFILTER_KB
 from .scene_tx import flag
 from .tmu.state import LAST_LEVEL, SUBDIVISIONS
 from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
@@ -16,7 +17,10 @@ FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
 REACH = 8192  # s and t: below, and above -REACH; and how far apart those of two corners may be
 LEAST_W = 1 / 65536  # how far w is from 0
 NO_MIPMAP = "none"  # the picture alone
+#: The bilinear filter, or moved points instead of it.
+BILINEAR = ("exact", "dithered")
 SIDE = 256
+PREFILTER_MOST = 8192  # KB of prefiltered tiles
 NARROWEST = 8  # how many times a side may be as long as the other
 
 
@@ -56,6 +60,7 @@ def unit_schema():
         "max_level": (level, None), "detail": (detail, detail({}, "")),
         "levels": (one_of(*LEVELS), "both"), "trilinear": (flag, False),
         "combine": (combined, combined({}, "")), "weights": (one_of_numbers(4, 8), 4),
+        "bilinear": (one_of(*BILINEAR), BILINEAR[0]),
         "subdivision": (one_of_numbers(*SUBDIVISIONS), 0),
         "clamp_w": (flag, False), "own": (flag, False)})
 
@@ -71,7 +76,9 @@ def one_of_numbers(*numbers: int):
 
 def schema():
     """The check of a material's ``glide``."""
-    return table({"perspective": (flag, False), "units": (rows(unit_schema(), 1, 2), REQUIRED)})
+    return table({"perspective": (flag, False),
+                  "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
+                  "units": (rows(unit_schema(), 1, 2), REQUIRED)})
 
 
 def coordinates_fields(corners: int) -> dict:

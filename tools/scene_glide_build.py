@@ -106,7 +106,7 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: Memory, where: s
         registers = words_of_ncc(texels.ncc)
         ncc = memory.put(np.concatenate([registers, registers]).astype(">u4").tobytes())
     return [*words.words(), memory.put(held), len(held), palette, ncc, unit["weights"],
-            unit["subdivision"]]
+            unit["bilinear"] == "dithered", unit["subdivision"]]
 
 
 def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
@@ -123,11 +123,11 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
             made = [row_of(unit, glide["perspective"], folder, memory, f"{at}.units[{n}]")
                     for n, unit in enumerate(glide["units"])]
             known[key] = len(pipes), glide["units"]
-            pipes.append([len(tmus), len(made), 2 * has_own(material)])
+            pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10])
             tmus += made
         numbers[name], glide["units"] = known[key]
     return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, len(COLUMNS["tmus"])),
-                     "pipes": np.array(pipes, np.int64).reshape(-1, 3),
+                     "pipes": np.array(pipes, np.int64).reshape(-1, len(COLUMNS["pipes"])),
                      "tmu_memory": bytes(memory.data)}
 
 

@@ -15,14 +15,16 @@ UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
 W_MAX = 1 << 30
 NO_TABLE = -1
+PREFILTER_KB = 1024  # of prefiltered tiles, unless a pipe says otherwise
 PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
 RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
-#: palette and NCC tables lie; a pipe's first unit, how many, which have coordinates of their own.
+#: palette and NCC tables lie, three settings; a pipe's first unit, how many, which have coordinates of
+#: their own, bytes that prefiltered tiles may take.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
-                    "fraction_bits", "subdivision"),
-           "pipes": ("tmu", "tmus", "own")}
+                    "fraction_bits", "dithered", "subdivision"),
+           "pipes": ("tmu", "tmus", "own", "prefilter")}
 
 
 def empty(table: str) -> np.ndarray:
@@ -37,8 +39,8 @@ def longs(scene, at: int, count: int) -> np.ndarray:
 
 def unit_of(scene, number: int) -> Unit:
     """The model of a unit."""
-    *words, memory, size, palette, ncc, bits, pixels = scene.tmus[number].tolist()
-    unit = Unit(replace(modes_of(*words, bits), subdivision=pixels),
+    *words, memory, size, palette, ncc, bits, dithered, pixels = scene.tmus[number].tolist()
+    unit = Unit(replace(modes_of(*words, bits), dithered=dithered, subdivision=pixels),
                 np.frombuffer(scene.tmu_memory, np.uint8, size, memory))
     if palette != NO_TABLE:
         unit.palette = unpacked(longs(scene, palette, 256))[:, :3]
@@ -50,7 +52,7 @@ def unit_of(scene, number: int) -> Unit:
 
 def units_of(scene, pipe: int) -> list[Unit]:
     """The models of a pipe's units, the first nearest the frame."""
-    first, count, _ = scene.pipes[pipe].tolist()
+    first, count, *_ = scene.pipes[pipe].tolist()
     return [unit_of(scene, first + n) for n in range(count)]
 
 
@@ -88,7 +90,7 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
 
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
     """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
-    *words, memory, count, palette, ncc, bits, pixels = row
+    *words, memory, count, palette, ncc, bits, dithered, pixels = row
     for column, word in zip(COLUMNS["tmus"], words):
         if not 0 <= word < 1 << 32:
             raise UserError(f"{name}: {where}.{column}: {word} is no register")
@@ -104,6 +106,8 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
             raise UserError(f"{name}: {where}.{column}: {at} of {size} bytes")
     if bits not in (VOODOO_BITS, VOODOO2_BITS):
         raise UserError(f"{name}: {where}.fraction_bits: {bits} is neither 4 nor 8")
+    if dithered not in (0, 1):
+        raise UserError(f"{name}: {where}.dithered: {dithered} is neither 0 nor 1")
     if pixels not in SUBDIVISIONS:
         raise UserError(f"{name}: {where}.subdivision: {pixels} is none of 0, 8 and 16")
     try:
@@ -123,8 +127,10 @@ def check(scene, name: str) -> None:
                         "of 8")
     for i, row in enumerate(scene.tmus.tolist()):
         check_unit(row, len(scene.tmu_memory), name, f"tmus[{i}]")
-    for i, (first, count, own) in enumerate(scene.pipes.tolist()):
+    for i, (first, count, own, prefilter) in enumerate(scene.pipes.tolist()):
         if not (1 <= count <= UNITS and 0 <= first <= len(scene.tmus) - count):
             raise UserError(f"{name}: pipes[{i}].tmus: {first} and {count} of {len(scene.tmus)}")
         if own and (own, count) != (2, 2):
             raise UserError(f"{name}: pipes[{i}].own: {own} is no hint for {count} units")
+        if not 0 <= prefilter < 1 << 32:
+            raise UserError(f"{name}: pipes[{i}].prefilter: {prefilter} bytes")

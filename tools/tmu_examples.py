@@ -10,6 +10,7 @@ from collections.abc import Callable
 from . import tmu_examples_combine as combine
 from . import tmu_examples_depth as depth
 from . import tmu_examples_sample as sample
+from . import tmu_examples_tiles as tiles
 from .tx_example import Example
 
 #: Pass to the maker of its examples.
@@ -25,14 +26,13 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_pieces_clamp": depth.pieces_clamp, "tmu_pieces_small": depth.pieces_small,
     "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
     "tmu_details": depth.details, "tmu_interleave": sample.interleave,
-    "tmu_dithered": sample.dithered,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
     "tmu_modulate_rgb": combine.modulate_rgb, "tmu_add": combine.add, "tmu_alpha": combine.alpha,
     "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line, "tmu_quads": sample.quads,
-}
+} | tiles.MAKERS
 #: Tables, and what chooses passes: C alone.
 IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")
 #: Other input of a pass: beside it there is no C.
 FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
          "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide",
-         **dict.fromkeys(("tmu_pieces_16", "tmu_pieces_clamp", "tmu_pieces_small"), "tmu_pieces")}
+         **dict.fromkeys(("tmu_pieces_16", "tmu_pieces_clamp", "tmu_pieces_small"), "tmu_pieces")} | tiles.FORMS

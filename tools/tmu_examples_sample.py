@@ -216,17 +216,3 @@ def interleave(rng, count: int) -> Example:
     found = [quarters[n % 4 * room + n // 4] for n in range(count)]
     return Example("tmu_interleave", pixels(quarters), pixels(np.array(found)), count,
                    "tmu_quarters", {"bytes": 4 * room})
-
-
-def dithered(rng, count: int) -> Example:
-    """v stays on the map; u wraps."""
-    texels = np.random.default_rng(8).integers(0, 256, (256, 256), dtype=np.uint8)
-    u, v = int(rng.integers(1 << 24)), rng.integers(1 << 15, 255 << 16, 2)
-    step = np.array([rng.integers(-4 << 16, 4 << 16), (v[1] - v[0]) // count])
-    moved = rng.integers(-1 << 15, 1 << 15, 2)  # odd pixels, by up to half a texel
-    n = np.arange(count)[:, None]
-    column, row = ([u, v[0]] + n * step + (n & 1) * moved >> 16).T
-    return Example("tmu_dithered", longs([u, v[0]]), texels[row, column & 255].tobytes(), count,
-                   "tmu_dithering",
-                   {"even": (step + moved).tolist(), "odd": (step - moved).tolist()},
-                   {"map": texels.tobytes()}, align=1 << 16)

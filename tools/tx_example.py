@@ -12,7 +12,7 @@ class Example:
     """One call: bytes in and out, and the struct of constants, or a table that is them.
 
     ``blocks`` are what its fields point at, ``more`` what they point at and is written.
-    ``align``: of the blocks. ``stride``: bytes from pixel to pixel where the first ones of each
+    ``align``: of the blocks; ``within``: how far behind a block's first byte its field points. ``stride``: bytes from pixel to pixel where the first ones of each
     alone are written.
     """
 
@@ -27,6 +27,7 @@ class Example:
     table: bytes = b""
     stride: int = 0
     align: int = 4
+    within: dict[str, int] = field(default_factory=dict)
 
     def image(self, before: bytes) -> bytes:
         """The output as it must be, from what its memory held."""

@@ -25,14 +25,15 @@ static const uint8 layout_of[MAPPER_KINDS] = {
     [MAPPER_COLUMNS] = MAP_COLUMNS,
     [MAPPER_GENERATED] = MAP_MARGINS,
     [MAPPER_LIT] = MAP_PAGE,
-    [MAPPER_LIT_GOURAUD] = MAP_PAGE
+    [MAPPER_LIT_GOURAUD] = MAP_PAGE,
+    [MAPPER_DITHERED] = MAP_PAGE
 };
 
 /* Whether a material draws texels of 2 or 4 bytes. */
 static int32 draws_wide(const struct material *m, int32 bytes)
 {
     return m->mapper == MAPPER_AFFINE ? !m->perspective
-         : m->mapper == MAPPER_COLUMNS && bytes == 2;
+         : m->mapper == MAPPER_DITHERED || (m->mapper == MAPPER_COLUMNS && bytes == 2);
 }
 
 /* What the mapper needs of map and frame. */

@@ -33,7 +33,13 @@ span_routine *const kind_spans[SPAN_KINDS] = {
     [SPAN_AFFINE_16_COPY] = span_affine_16_copy,
     [SPAN_AFFINE_32] = span_affine_32,
     [SPAN_AFFINE_32_WRAP] = span_affine_32_wrap,
-    [SPAN_AFFINE_32_ROW] = span_affine_32_row
+    [SPAN_AFFINE_32_ROW] = span_affine_32_row,
+    [SPAN_DITHERED] = span_dithered,
+    [SPAN_DITHERED_WRAP] = span_dithered_wrap,
+    [SPAN_DITHERED_16] = span_dithered_16,
+    [SPAN_DITHERED_16_WRAP] = span_dithered_16_wrap,
+    [SPAN_DITHERED_32] = span_dithered_32,
+    [SPAN_DITHERED_32_WRAP] = span_dithered_32_wrap
 };
 
 const uint8 kind_lines[SPAN_KINDS] = {
@@ -69,7 +75,13 @@ const uint8 kind_lines[SPAN_KINDS] = {
     [SPAN_AFFINE_16_COPY] = LINES_ADDX,
     [SPAN_AFFINE_32] = LINES_ADDX,
     [SPAN_AFFINE_32_WRAP] = LINES_ADDX,
-    [SPAN_AFFINE_32_ROW] = LINES_ADDX
+    [SPAN_AFFINE_32_ROW] = LINES_ADDX,
+    [SPAN_DITHERED] = LINES_ADDX,
+    [SPAN_DITHERED_WRAP] = LINES_ADDX,
+    [SPAN_DITHERED_16] = LINES_ADDX,
+    [SPAN_DITHERED_16_WRAP] = LINES_ADDX,
+    [SPAN_DITHERED_32] = LINES_ADDX,
+    [SPAN_DITHERED_32_WRAP] = LINES_ADDX
 };
 
 const struct line_routines line_routines[LINE_FORMS] = {

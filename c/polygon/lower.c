@@ -1,6 +1,7 @@
 #include "polygon/lower.h"
 
 #include "polygon/counts.h"
+#include "polygon/dithered.h"
 #include "polygon/material.h"
 #include "polygon/shading.h"
 #include "polygon/tolerance.h"
@@ -106,7 +107,8 @@ static const struct {
     [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16, 0}, 0},
     [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 0},
     [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0, 0}, 1},
-    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1}
+    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1},
+    [MAPPER_DITHERED] = {{SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP}, 0}
 };
 
 enum span_kind lower_affine(const struct material *material, enum form form)
@@ -185,6 +187,11 @@ void lower_by_steps(struct setup *s)
         LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
               is_still(span->dvdx) && is_slow(span->dudx))
         LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
+    } else if (kind >= SPAN_DITHERED) {
+        dithered_span(s);
+        LOWER(NO_WRAP_DITHERED, DITHERED_WRAP, DITHERED, !s->texturing.wraps)
+        LOWER(NO_WRAP_DITHERED, DITHERED_16_WRAP, DITHERED_16, !s->texturing.wraps)
+        LOWER(NO_WRAP_DITHERED, DITHERED_32_WRAP, DITHERED_32, !s->texturing.wraps)
     }
     s->kind = kind;
 }

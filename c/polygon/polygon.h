@@ -79,6 +79,8 @@ enum mapper {
                                    first vertex */
     MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,
                                    START_SUBTEXEL */
+    MAPPER_DITHERED,            /* as MAPPER_AFFINE, points moved by up to 3/8 texel: see
+                                   span_dithered; GRADIENTS_PLANE, START_SUBTEXEL */
     MAPPER_UNIT,                /* by the material's texture unit: not by polygon_draw */
     MAPPER_GLIDE,               /* by its pipe of Glide's texture units: the same */
     MAPPER_KINDS
@@ -97,7 +99,10 @@ enum span_kind {
     SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
     SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY, SPAN_AFFINE_32,
     SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
+    SPAN_DITHERED, SPAN_DITHERED_WRAP, SPAN_DITHERED_16, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32,
+    SPAN_DITHERED_32_WRAP,
     SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PASSES, SPAN_TMU_PIXELS,
+    SPAN_TMU_TILES,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -120,6 +125,7 @@ enum rule {
     RULE_STILL_U,               /* u does not change along lines */
     RULE_NO_WRAP,               /* v wraps once in a line at most */
     RULE_NO_WRAP_LIT,           /* the same in the light */
+    RULE_NO_WRAP_DITHERED,      /* v, moved, does not */
     RULE_SHORT,                 /* no line is longer than the cache has room for: no loop; ... */
     RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
     RULE_TX_FLAT,               /* no texel reaches the combiner's result: flat */
@@ -127,6 +133,7 @@ enum rule {
     RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
     RULE_TMU_PLAIN,             /* one unit's points of one level: an affine span of its pixels */
     RULE_TMU_PASSES,            /* as RULE_TX_PASSES */
+    RULE_TMU_TILES,             /* one LOD, not divided, drawn often enough: from prefiltered tiles */
     RULES
 };
 

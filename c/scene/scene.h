@@ -90,6 +90,9 @@ int32 scene_has_own(const struct scene *scene, const struct scene_material *mate
 polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material);
 
+/* What was drawn is drawn again (1), or not (0): see struct tmu_pipe. */
+void scene_settle_pipes(const struct scene *scene, int32 settled);
+
 /* Why a pipe refused a polygon; 0: none did. */
 const char *scene_why_pipe_refused(const struct scene *scene);
 

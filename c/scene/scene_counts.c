@@ -11,14 +11,17 @@ static const char *const span_names[SPAN_KINDS] = {
     "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
     "lit_short", "lit_short_wrap",
     "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy", "affine_32",
-    "affine_32_wrap", "affine_32_row", "tx_passes", "tx_pixels", "tmu_passes", "tmu_pixels"
+    "affine_32_wrap", "affine_32_row", "dithered", "dithered_wrap", "dithered_16",
+    "dithered_16_wrap", "dithered_32", "dithered_32_wrap", "tx_passes", "tx_pixels", "tmu_passes",
+    "tmu_pixels", "tmu_tiles"
 };
 
 static const char *const rule_names[RULES] = {
     "outside", "equal_shades", "equal_levels", "no_light", "full_light", "constant_w",
     "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "unit_step",
-    "still_u", "no_wrap", "no_wrap_lit", "short", "short_wrap", "short_row", "short_gouraud",
-    "short_lit", "short_lit_wrap", "tx_flat", "tx_plain", "tx_passes", "tmu_plain", "tmu_passes"
+    "still_u", "no_wrap", "no_wrap_lit", "no_wrap_dithered", "short", "short_wrap", "short_row",
+    "short_gouraud", "short_lit", "short_lit_wrap", "tx_flat", "tx_plain", "tx_passes",
+    "tmu_plain", "tmu_passes", "tmu_tiles"
 };
 
 /* Sets counts to 0, or adds others to them. */
@@ -61,7 +64,9 @@ void counts_frame(struct scene_counts *counts, const struct scene *scene,
     counting.off = drawing->off;
     counting.counts = counts->frame;
     clear(counts->frame, counts->materials);
+    scene_settle_pipes(scene, 1);
     scene_draw(scene, frame, number, &counting);
+    scene_settle_pipes(scene, 0);
     sum_up(counts->totals, counts->frame, counts->materials);
 }
 

@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 9,
+    SCENE_VERSION = 10,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -70,8 +70,8 @@ struct scene_texture {
     uint32 at;                  /* of its texels */
 };
 
-/* With 2 bytes a pixel: flat, affine, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551 unit; with
-   4 flat, affine, glide or unit; none of these with a perspective. */
+/* With 2 bytes a pixel: flat, affine, dithered, columns, for PIXEL_RGB565 glide, for PIXEL_RGBA5551
+   unit; with 4 flat, affine, dithered, glide or unit; none of these with a perspective. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */
@@ -114,6 +114,7 @@ struct scene_tmu {
     int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
+    uint32 dithered;            /* 1: points may stand in for the bilinear filter; or 0 */
     uint32 subdivision;         /* pixels: 0, 8 or 16 */
 };
 
@@ -123,6 +124,7 @@ struct scene_pipe {
     uint32 own;                 /* 2: the second has s, t and w of its own. An object's vertices are
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
+    uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose

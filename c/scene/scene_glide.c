@@ -18,6 +18,8 @@ static enum tmu_result set_up(struct tmu *tmu, const struct scene_tmu *from, uin
     if (result == TMU_DONE)
         result = tmu_fraction_bits(tmu, from->fraction_bits);
     if (result == TMU_DONE)
+        result = tmu_bilinear_by(tmu, from->dithered);
+    if (result == TMU_DONE)
         result = tmu_subdivision(tmu, from->subdivision);
     if (result == TMU_DONE)
         result = tmu_registers(tmu, from->mode, from->lod, from->detail, from->base);
@@ -44,6 +46,8 @@ static const char *wrong_tmu(const struct scene *scene, const struct scene_tmu *
         return "tmu.fraction_bits";
     case TMU_BAD_SUBDIVISION:
         return "tmu.subdivision";
+    case TMU_BAD_FLAG:
+        return "tmu.dithered";
     default:
         return "tmu.mode, lod, detail or base";
     }
@@ -112,6 +116,7 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
             units[n] = &scene->tmu[from->tmu + n];
         tmu_pipe_init(&scene->pipe[i], units, from->tmus, kind);
         tmu_chain_hints(&scene->pipe[i].chain, from->own);
+        tmu_pipe_prefilter(&scene->pipe[i], from->prefilter);
     }
     return 1;
 }
@@ -129,6 +134,12 @@ polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material)
 {
     return scene_has_own(scene, material) ? draw_own : tmu_polygon_draw;
+}
+
+void scene_settle_pipes(const struct scene *scene, int32 settled)
+{
+    for (uint32 i = 0; i < scene->header->pipes; i++)
+        scene->pipe[i].settled = settled;
 }
 
 const char *scene_why_pipe_refused(const struct scene *scene)

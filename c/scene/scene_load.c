@@ -146,6 +146,12 @@ static int32 is_lit(uint32 mapper)
     return mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD;
 }
 
+/* u and v by one plane, to each first pixel. */
+static int32 needs_plane(uint32 mapper)
+{
+    return mapper == MAPPER_LIT_GOURAUD || mapper == MAPPER_DITHERED;
+}
+
 /* By texture units, of either kind. */
 static int32 is_unit(uint32 mapper)
 {
@@ -161,6 +167,7 @@ static int32 draws(uint32 mapper, uint32 format)
         return bytes == 4
             || (bytes == 2 && format == (mapper == MAPPER_UNIT ? PIXEL_RGBA5551 : PIXEL_RGB565));
     return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
+        || mapper == MAPPER_DITHERED
         || (bytes == 2 && mapper == MAPPER_COLUMNS);
 }
 
@@ -177,7 +184,7 @@ static const char *wrong_material(const struct scene *scene)
     /* What each mapper wants; MAP_LAYOUTS: none. */
     static const uint8 layouts[MAPPER_KINDS] = {
         MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS,
-        MAP_PAGE, MAP_PAGE, MAP_LAYOUTS, MAP_LAYOUTS
+        MAP_PAGE, MAP_PAGE, MAP_PAGE, MAP_LAYOUTS, MAP_LAYOUTS
     };
     const struct scene_header *h = scene->header;
     int32 bytes = scene_pixel_bytes(h->format);
@@ -194,10 +201,10 @@ static const char *wrong_material(const struct scene *scene)
         if (m->edges >= EDGES_KINDS || (is_unit(m->mapper) && m->edges == EDGES_INTEGER))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
-            || (m->mapper == MAPPER_LIT_GOURAUD && m->gradients != GRADIENTS_PLANE))
+            || (needs_plane(m->mapper) && m->gradients != GRADIENTS_PLANE))
             return "material.gradients";
         if (m->start >= START_KINDS
-            || (m->mapper == MAPPER_LIT_GOURAUD && m->start != START_SUBTEXEL))
+            || (needs_plane(m->mapper) && m->start != START_SUBTEXEL))
             return "material.start";
         if (m->clip >= CLIP_KINDS)
             return "material.clip";

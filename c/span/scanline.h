@@ -143,6 +143,7 @@ struct span_plan {
     const uint8 *light;         /* lit: the level's row; lit Gouraud: the light table */
     const uint32 *shades;       /* lit Gouraud: struct shade_plan's */
     fix16 dcdx;                 /* lit Gouraud: levels a pixel */
+    int32 odd;                  /* dithered: the first line's y, modulo 2 */
 };
 
 /* src68k/edge and src68k/span: contracts there. */
@@ -177,6 +178,12 @@ void span_affine_16_copy(const struct span_plan *plan);
 void span_affine_32(const struct span_plan *plan);
 void span_affine_32_wrap(const struct span_plan *plan);
 void span_affine_32_row(const struct span_plan *plan);
+void span_dithered(const struct span_plan *plan);
+void span_dithered_wrap(const struct span_plan *plan);
+void span_dithered_16(const struct span_plan *plan);
+void span_dithered_16_wrap(const struct span_plan *plan);
+void span_dithered_32(const struct span_plan *plan);
+void span_dithered_32_wrap(const struct span_plan *plan);
 void span_gouraud_short(const struct span_plan *plan);
 void span_lit_short(const struct span_plan *plan);
 void span_lit_short_wrap(const struct span_plan *plan);

@@ -74,13 +74,14 @@ static int32 nearer(int32 found, int32 other, int32 lod)
 static int32 next_break(const struct tmu_modes *modes, int32 lod)
 {
     const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;
+    const int32 slope = modes->detail_max * LOD_ONE + (1 << scale) - 1;
     int32 found = (lod | (LOD_ONE - 1)) + 1;
 
     found = nearer(found, tmu_lod_least(modes) + 1, lod);
     found = nearer(found, tmu_lod_most(modes), lod);
     if (asks_for(modes, TMU_FACTOR_DETAIL)) {
         found = nearer(found, end - (LOD_ONE >> scale), lod);
-        found = nearer(found, end - ((modes->detail_max * LOD_ONE + (1 << scale) - 1) >> scale), lod);
+        found = nearer(found, end - (slope >> scale), lod);
     }
     return found;
 }
@@ -99,8 +100,7 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
     const int32 least = tmu_lod_least(modes), most = tmu_lod_most(modes);
     int32 from = least < most ? least : most, next;
 
-    bands->count = bands->bits = 0;
-    bands->every = ~(uint32)0;
+    bands->count = 0;
     for (; from <= most; from = next) {
         struct tmu_band *band = &bands->of[bands->count];
 
@@ -109,8 +109,6 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
         if (bands->count && is_same(band, band - 1))
             continue;
         bands->count++;
-        bands->bits |= band->bits;
-        bands->every &= band->bits;
     }
 }
 

@@ -31,8 +31,6 @@ struct tmu_band {
 /* From the least LOD on. count is 0 before the first use. */
 struct tmu_bands {
     uint32 count;
-    uint32 bits;                /* those of any */
-    uint32 every;               /* those of all */
     uint32 key[TMU_BANDS_KEY];  /* what they were made from */
     struct tmu_band of[TMU_BANDS];
 };

@@ -5,7 +5,8 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "tmu/plan.h"
+#include "tmu/tiles.h"
+#include "tmu/wide.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
@@ -104,6 +105,15 @@ static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
     }
 }
 
+int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
+                    const struct frame *frame, int32 x, int32 y, int32 count)
+{
+    if (plan && tmu_plan_draw(plan, frame, x, y, count))
+        return 0;
+    draw_line(&pipe->chain, at, frame, x, x + count, y);
+    return count;
+}
+
 static int32 lod_base(const struct plane *of)
 {
     return tmu_lod_base((int32)of[TMU_S].dx, (int32)of[TMU_T].dx, (int32)of[TMU_S].dy,
@@ -116,13 +126,42 @@ static int32 is_constant(const struct plane *w)
     return w->at == (uint32)scale.one && !w->dx && !w->dy;
 }
 
+static int32 least_of(int32 a, int32 b)
+{
+    return a < b ? a : b;
+}
+
+/* W of the box's pixels. No pixel of the polygon has more than 2^30, so that a change by less than that
+   wraps nowhere. */
+static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
+                       const struct setup *s, const struct plane *w)
+{
+    const int32 left = s->box.left - at->planes.i, right = s->box.right - 1 - at->planes.i;
+    const int32 top = s->box.top - at->planes.j, bottom = s->box.bottom - 1 - at->planes.j;
+    const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
+    const int32 dx = (int32)w->dx, dy = (int32)w->dy;
+    const uint32 most = 1u << 30, across = tmu_magnitude(dx), down = tmu_magnitude(dy);
+
+    range->least = range->most = 0;
+    if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
+        return;
+    range->least = (int32)w->at + least_of(dx * left, dx * right) + least_of(dy * top, dy * bottom);
+    range->most = (int32)w->at - least_of(-dx * left, -dx * right)
+        - least_of(-dy * top, -dy * bottom);
+    if (range->least < 0)
+        range->least = 0;
+}
+
 static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
                          const struct iteration *of, uint32 unit)
 {
+    const struct plane *w = &at->planes.of[of->first + TMU_W];
+
     if (!planes_coordinates(&at->planes, s, of->first, &of->corners, &scale, of->divided))
         return 0;
     at->points[unit].lod = lod_base(&at->planes.of[of->first]);
-    at->divided[unit] = of->divided && !is_constant(&at->planes.of[of->first + TMU_W]);
+    find_range(&at->ranges[unit], at, s, w);
+    at->divided[unit] = of->divided && !is_constant(w);
     return 1;
 }
 
@@ -130,11 +169,12 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
                                        const struct iteration *of)
 {
     static struct tmu_iterations at;
+    static struct tmu_tiling tiling;
     const struct scanline *line;
     enum polygon_result result;
     static struct tmu_plan plan;
     uint32 missed = 0;
-    int32 passes;
+    int32 passes, tiles;
 
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
@@ -143,19 +183,20 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
+    tiles = passes && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
+    if (tiles)
+        missed = tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
-    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+    for (int32 y = tiles ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
-        if (count > 0 && !(passes && tmu_plan_draw(&plan, s->frame, x, y, count))) {
-            draw_line(&pipe->chain, &at, s->frame, x, x + count, y);
-            missed += (uint32)count;
-        }
+        if (count > 0)
+            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
     }
     if (s->counts) {
         s->counts->polygons++;
         s->counts->pixels[SPAN_TMU_PIXELS] += missed;
-        s->counts->pixels[SPAN_TMU_PASSES] += lines_pixels(
+        s->counts->pixels[tiles ? SPAN_TMU_TILES : SPAN_TMU_PASSES] += lines_pixels(
             s->edges.lines, s->box.bottom - s->box.top) - missed;
     }
     return POLYGON_DRAWN;
@@ -197,6 +238,8 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->own = 0;
     pipe->result = TMU_DONE;
     pipe->memory = memory;
+    pipe->prefilter = TMU_TILES_BYTES;
+    pipe->settled = 0;
     for (int32 unit = 0; unit < TMU_UNITS; unit++) {
         pipe->bands[unit].count = 0;
         for (int32 level = 0; level <= TMU_LEVEL_LAST; level++)
@@ -206,4 +249,9 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     for (int32 i = 0; i < TMU_PAGE_KEY; i++)
         pipe->page.key[i] = 0;
     return tmu_chain_init(&pipe->chain, units, count);
+}
+
+void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes)
+{
+    pipe->prefilter = bytes;
 }

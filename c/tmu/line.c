@@ -25,7 +25,7 @@ int32 tmu_line_ready(int32 lods)
         work = 0;
     if (!lods || depths)
         return work != 0;
-    if (mem_alloc(&depths, sizeof *depths, MEMORY_ANY))
+    if (mem_take(&depths, sizeof *depths, MEMORY_ANY))
         tmu_logarithms_make(depths->logarithms, tmu_logarithms);
     else
         depths = 0;
@@ -89,7 +89,7 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
 static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
 {
     const uint32 place = (uint32)(runs->end - runs->left);
-    const uint32 skip = place & ((1u << runs->part->bits) - 1);
+    const uint32 skip = place & ((1u << runs->part->piece_bits) - 1);
     struct tmu_iterators at;
 
     at.s = (int32)((uint32)runs->at.s - skip * (uint32)runs->by.s);
@@ -108,7 +108,7 @@ static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
     static const struct tmu_iterators none = {0, 0, 0};
     const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
 
-    if (runs->part->bits) {
+    if (runs->part->piece_bits) {
         find_pieces(runs, steps);
         return;
     }
@@ -160,8 +160,8 @@ static int32 draw_part(struct tmu_part *part, const struct tmu_row *row, int32 f
                        uint32 *to)
 {
     const struct tmu_bands *bands = part->bands;
-    const int32 before = part->upstream && bands->every & TMU_NEEDS_OTHER
-        && !(bands->bits & TMU_IS_OTHER);
+    const int32 before = part->upstream && part->every & TMU_NEEDS_OTHER
+        && !(part->bits & TMU_IS_OTHER);
     struct tmu_runs runs;
 
     if (before && !draw_part(part->upstream, row, first, count, work->other))
@@ -204,19 +204,21 @@ static int32 draw_quarters(struct tmu_plan *plan, struct tmu_row *row, int32 cou
     return 1;
 }
 
-/* The filter's texels as pixels of 16 bits, without a store of their own. */
-static int32 draw_direct(struct tmu_part *part, const struct tmu_row *row, uint16 *pixels,
-                         int32 count)
+/* Texels as pixels, the filter's of 16 bits without a store of their own. */
+static int32 draw_direct(struct tmu_part *part, const struct tmu_row *row, uint8 *pixels,
+                         int32 pixel_bytes, int32 count)
 {
     const struct tmu_sampling *from;
     struct tmu_runs runs;
 
     tmu_runs_open(&runs, part, row, 0, count);
-    for (; tmu_runs_next(&runs); pixels += runs.count) {
+    for (; tmu_runs_next(&runs); pixels += runs.count * pixel_bytes) {
         from = find_sampling(&runs);
         if (!from)
             return 0;
-        if (from->sample == tmu_bilinear) {
+        if (pixel_bytes == 4) {
+            from->sample(work->coordinates, pixels, from->level, runs.count);
+        } else if (from->sample == tmu_bilinear) {
             tmu_bilinear_565(work->coordinates, pixels, from->level, runs.count);
         } else {
             from->sample(work->coordinates, work->texels, from->level, runs.count);
@@ -231,8 +233,8 @@ static int32 draw_row(struct tmu_plan *plan, struct tmu_row *row, uint8 *pixels,
 {
     uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
 
-    if (pixel_bytes == 2 && !mixed && plan->is_direct)
-        return draw_direct(plan->parts, row, (uint16 *)pixels, count);
+    if (plan->is_direct && !mixed)
+        return draw_direct(plan->parts, row, pixels, pixel_bytes, count);
     if (!(mixed ? draw_quarters(plan, row, count, to)
           : draw_part(plan->parts, row, 0, count, to)))
         return 0;
@@ -244,23 +246,22 @@ static int32 draw_row(struct tmu_plan *plan, struct tmu_row *row, uint8 *pixels,
 int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
                     int32 count)
 {
-    const int32 bytes = frame->pixel_bytes, end = x + count;
+    const int32 bytes = frame->pixel_bytes;
     uint8 *pixels = frame->pixels + y * frame->pitch + x * bytes;
     struct tmu_row row;
-    int32 mixed;
 
-    row.y = y;
     row.x = x;
+    row.y = y;
     row.count = count;
-    row.step_bits = 0;
-    if (!plan->is_dithered)
-        return draw_row(plan, &row, pixels, bytes, count, 0);
-    for (; x < end; x += count, pixels += count * bytes) {
-        count = tmu_runs_alike(plan, x, y, end - x, &mixed);
-        row.x = x;
+    for (int32 left = count; ; left -= count, row.x = x += count, pixels += count * bytes) {
+        int32 mixed = 0;
+
         row.step_bits = 0;
+        if (plan->is_dithered)
+            count = tmu_runs_alike(plan, x, y, left, &mixed);
         if (!draw_row(plan, &row, pixels, bytes, count, mixed))
             return 0;
+        if (count == left)
+            return 1;
     }
-    return 1;
 }

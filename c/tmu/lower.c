@@ -5,57 +5,26 @@
 
 enum { SIDE = MAP_PAGE_SIDE };
 
-static void find_window(uint32 texels, uint32 level, struct page_window *window)
+/* bits: a texel is 2^bits of the page's wide. */
+static void find_window(uint32 texels, uint32 bits, struct page_window *window)
 {
     window->origin = 0;
     window->least = PAGE_LEAST_ROW;     /* of columns too: they repeat */
-    window->period = (fix16)(texels << level << 16);
+    window->period = (fix16)(texels << bits << 16);
 }
 
 /* Whether no texel is clamped. */
-static int32 is_inside(const struct setup *s, const fix16 *value, const struct page_window *window)
+static int32 is_inside(const struct setup *s, const fix16 *value, const struct page_window *window,
+                       int32 margin)
 {
-    const fix16 high = window->period - PAGE_MARGIN * 65536;
+    const fix16 low = margin * 65536, high = window->period - low;
 
     for (int32 i = 0; i < s->count; i++) {
-        if (*value < PAGE_MARGIN * 65536 || *value >= high)
+        if (*value < low || *value >= high)
             return 0;
         value += sizeof(struct vertex) / sizeof *value;
     }
     return 1;
-}
-
-/* A texel of the level is 2^level pixels wide; both axes repeat within the page. */
-static void make_row_16(uint16 *row, const struct tmu *tmu, const struct tmu_lod *lod,
-                        const struct tmu_level *level, uint32 v)
-{
-    const uint32 wide = 1u << lod->level;
-
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> lod->level;
-        uint16 pixel = i < level->columns
-            ? (uint16)tmu_frame_pixel(tmu_combine_pixel(tmu, lod, tmu_texel(tmu, level, i, v), 0), 2)
-            : row[u - (level->columns << lod->level)];
-
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
-    }
-}
-
-static void make_row_32(uint32 *row, const struct tmu *tmu, const struct tmu_lod *lod,
-                        const struct tmu_level *level, uint32 v)
-{
-    const uint32 wide = 1u << lod->level;
-
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> lod->level;
-        uint32 pixel = i < level->columns
-            ? tmu_frame_pixel(tmu_combine_pixel(tmu, lod, tmu_texel(tmu, level, i, v), 0), 4)
-            : row[u - (level->columns << lod->level)];
-
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
-    }
 }
 
 /* What a page's rows are made with. */
@@ -64,17 +33,53 @@ struct making {
     const struct tmu *tmu;
     const struct tmu_lod *lod;
     const struct tmu_level *level;
+    uint32 bits;                /* a texel is 2^bits pixels wide */
 };
+
+static uint32 pixel_of(const struct making *m, uint32 i, uint32 j, int32 pixel_bytes)
+{
+    return tmu_frame_pixel(tmu_combine_pixel(m->tmu, m->lod, tmu_texel(m->tmu, m->level, i, j), 0),
+                           pixel_bytes);
+}
+
+/* Both axes repeat within the page. */
+static void make_row_16(uint16 *row, const struct making *m, uint32 v)
+{
+    const uint32 wide = 1u << m->bits;
+
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint32 i = u >> m->bits;
+        uint16 pixel = i < m->level->columns ? (uint16)pixel_of(m, i, v, 2)
+            : row[u - (m->level->columns << m->bits)];
+
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
+    }
+}
+
+static void make_row_32(uint32 *row, const struct making *m, uint32 v)
+{
+    const uint32 wide = 1u << m->bits;
+
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint32 i = u >> m->bits;
+        uint32 pixel = i < m->level->columns ? pixel_of(m, i, v, 4)
+            : row[u - (m->level->columns << m->bits)];
+
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
+    }
+}
 
 /* Which row shows the same and is made, or end. */
 static int32 find_same(const struct making *m, int32 v, int32 from, int32 end)
 {
-    const int32 period = (int32)m->level->rows << m->lod->level;
+    const int32 period = (int32)m->level->rows << m->bits;
     const int32 beside = v < from ? v + 1 : v - 1, far = v < from ? v + period : v - period;
 
     if (from == end)
         return end;
-    return beside >> m->lod->level == v >> m->lod->level ? beside
+    return beside >> m->bits == v >> m->bits ? beside
         : far >= from && far < end ? far : end;
 }
 
@@ -82,7 +87,7 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
 {
     const struct making *m = context;
     const int32 bytes = m->page->map.texel_bytes, same = find_same(m, v, from, end);
-    const uint32 j = (uint32)v >> m->lod->level & (m->level->rows - 1);
+    const uint32 j = (uint32)v >> m->bits & (m->level->rows - 1);
     uint32 *row = (uint32 *)page_row(m->page, v);
 
     if (same != end) {
@@ -91,14 +96,21 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
         for (int32 k = 0; k < SIDE * bytes / 4; k++)
             row[k] = other[k];
     } else if (bytes == 2) {
-        make_row_16((uint16 *)row, m->tmu, m->lod, m->level, j);
+        make_row_16((uint16 *)row, m, j);
     } else {
-        make_row_32(row, m->tmu, m->lod, m->level, j);
+        make_row_32(row, m, j);
     }
 }
 
-static int32 find_page(struct tmu_pipe *pipe, const struct tmu_lod *lod,
-                       const struct tmu_level *level, int32 pixel_bytes,
+/* What of a unit's level a page shows, and how. */
+struct showing {
+    struct tmu_lod lod;
+    struct tmu_level level;
+    struct page_window columns, rows;
+    uint32 bits;                /* as struct making has it */
+};
+
+static int32 find_page(struct tmu_pipe *pipe, const struct showing *shown, int32 pixel_bytes,
                        const struct page_rows *rows)
 {
     const struct tmu *tmu = pipe->chain.units[0];
@@ -118,43 +130,102 @@ static int32 find_page(struct tmu_pipe *pipe, const struct tmu_lod *lod,
         return 0;
     making.page = &page->page;
     making.tmu = tmu;
-    making.lod = lod;
-    making.level = level;
+    making.lod = &shown->lod;
+    making.level = &shown->level;
+    making.bits = shown->bits;
     page_grow(&page->page, rows, make_row, &making);
     return 1;
 }
 
+/* Whether a page shows what the unit does, by a filter. */
+static int32 find_showing(const struct setup *s, const struct tmu_modes *modes, uint32 bits,
+                          int32 margin, struct showing *to)
+{
+    to->bits = bits;
+    tmu_find_level(modes, to->lod.level, &to->level);
+    find_window(to->level.columns, bits, &to->columns);
+    find_window(to->level.rows, bits, &to->rows);
+    return (!modes->clamp_s || is_inside(s, &s->given->s, &to->columns, margin))
+        && (!modes->clamp_t || is_inside(s, &s->given->t, &to->rows, margin));
+}
+
 /* One unit's points of one level, not divided. */
-static int32 is_plain(const struct setup *s, const struct tmu_pipe *pipe, struct tmu_lod *lod,
-                      struct tmu_level *level, struct page_window *columns,
-                      struct page_window *rows)
+static int32 is_plain(const struct setup *s, const struct tmu_pipe *pipe, struct showing *to)
 {
     const struct tmu *tmu = pipe->chain.units[0];
 
-    if (pipe->chain.count > 1 || !tmu_only_lod(tmu, lod) || lod->filter != TMU_POINT)
+    return pipe->chain.count == 1 && tmu_only_lod(tmu, &to->lod) && to->lod.filter == TMU_POINT
+        && find_showing(s, &tmu->modes, to->lod.level, PAGE_MARGIN, to);
+}
+
+/* s and t in texels of a level. */
+static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
+{
+    static struct vertex scaled[POLYGON_VERTICES_MAX];
+
+    for (int32 i = 0; i < s->count; i++) {
+        scaled[i] = s->given[i];
+        scaled[i].s >>= level;
+        scaled[i].t >>= level;
+    }
+    return scaled;
+}
+
+static int32 draws_page(const struct setup *s, struct tmu_pipe *pipe, const struct showing *shown,
+                        const struct page_rows *rows, struct material *plain)
+{
+    if (!find_page(pipe, shown, s->frame->pixel_bytes, rows))
         return 0;
-    tmu_find_level(&tmu->modes, lod->level, level);
-    find_window(level->columns, lod->level, columns);
-    find_window(level->rows, lod->level, rows);
-    return (!tmu->modes.clamp_s || is_inside(s, &s->given->s, columns))
-        && (!tmu->modes.clamp_t || is_inside(s, &s->given->t, rows));
+    page_material(plain, s->material, &pipe->page.page);
+    return 1;
+}
+
+/* Points are moved by less than a row beyond those that page_vertices finds. */
+static void add_rows(struct page_rows *rows)
+{
+    if (--rows->first < PAGE_LEAST_ROW || ++rows->last >= PAGE_LEAST_ROW + SIDE) {
+        rows->first = PAGE_LEAST_ROW;
+        rows->last = PAGE_LEAST_ROW + SIDE - 1;
+    }
+}
+
+static int32 lower_to_dithered(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
+                               const struct vertex **vertices)
+{
+    const struct tmu *tmu = pipe->chain.units[0];
+    const struct vertex *given = s->given;
+    struct showing shown;
+    struct page_rows rows;
+    int32 draws;
+
+    if (pipe->chain.count > 1 || !tmu_only_lod(tmu, &shown.lod)
+        || shown.lod.filter != TMU_BILINEAR
+        || (tmu->modes.perspective && !(given->w > 0 && lower_w_is_constant(s))))
+        return 0;
+    s->given = scale_vertices(s, shown.lod.level);
+    draws = find_showing(s, &tmu->modes, 0, TMU_DITHERED_MARGIN, &shown);
+    if (draws) {
+        *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
+        add_rows(&rows);
+        draws = draws_page(s, pipe, &shown, &rows, plain);
+        plain->mapper = MAPPER_DITHERED;
+    }
+    s->given = given;
+    return draws;
 }
 
 int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
                          const struct vertex **vertices)
 {
-    const int32 divided = pipe->chain.units[0]->modes.perspective;
-    struct page_window columns, rows;
-    struct page_rows shown;
-    struct tmu_level level;
-    struct tmu_lod lod;
+    const struct tmu_modes *modes = &pipe->chain.units[0]->modes;
+    struct page_rows rows;
+    struct showing shown;
 
-    if ((divided && !(s->given->w > 0 && APPLIES(CONSTANT_W, lower_w_is_constant(s))))
-        || !APPLIES(TMU_PLAIN, is_plain(s, pipe, &lod, &level, &columns, &rows)))
+    if (modes->dithered && lower_to_dithered(s, pipe, plain, vertices))
+        return 1;
+    if ((modes->perspective && !(s->given->w > 0 && APPLIES(CONSTANT_W, lower_w_is_constant(s))))
+        || !APPLIES(TMU_PLAIN, is_plain(s, pipe, &shown)))
         return 0;
-    *vertices = page_vertices(s, &columns, &rows, &shown);
-    if (!find_page(pipe, &lod, &level, s->frame->pixel_bytes, &shown))
-        return 0;
-    page_material(plain, s->material, &pipe->page.page);
-    return 1;
+    *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
+    return draws_page(s, pipe, &shown, &rows, plain);
 }

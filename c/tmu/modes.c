@@ -76,6 +76,17 @@ enum tmu_result tmu_subdivision(struct tmu *tmu, uint32 pixels)
     return TMU_DONE;
 }
 
+enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered)
+{
+    struct tmu_modes modes = tmu->modes;
+
+    if (dithered > 1)
+        return TMU_BAD_FLAG;
+    modes.dithered = (uint8)dithered;
+    tmu_set_modes(tmu, &modes);
+    return TMU_DONE;
+}
+
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t)
 {
     struct tmu_modes modes = tmu->modes;

@@ -86,15 +86,13 @@ struct tmu_quarters {
     int32 bytes;                /* from array to array */
 };
 
-/* Places on a map, or what they change by: 8.16. */
-struct tmu_texels {
-    int32 u, v;
-};
-
-/* Point sampling of 256x256 texels of 8 bits at places that are moved in turn. */
-struct tmu_dithering {
-    const uint8 *map;           /* at a multiple of 65,536 bytes */
-    int32 even[2], odd[2];      /* u and v from an even pixel to an odd one, and back */
+/* A page of the frame's pixels, and how a line goes over it. pixels: those of row 0 of 256, each 256
+   of them; rows 128 to 255 lie before it. s and t of the iterators and of their steps, times
+   2^left, are 8.24: column and row. left: 6 to 10. */
+struct tmu_paging {
+    int32 s, t;                 /* steps */
+    uint16 left, spare;
+    const void *pixels;
 };
 
 /* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
@@ -140,11 +138,12 @@ void tmu_pieces(const void *iterators, void *coordinates, const void *steps, int
 void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
 void tmu_details(const void *lods, void *factors, const void *nearness, int32 count);
 void tmu_interleave(const void *texels, void *line, const void *quarters, int32 count);
-void tmu_dithered(const void *start, void *pixels, const void *dithering, int32 count);
 void tmu_point(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
 void tmu_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tmu_tile_16(const void *iterators, void *pixels, const void *paging, int32 count);
+void tmu_tile_32(const void *iterators, void *pixels, const void *paging, int32 count);
 void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_scale(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_modulate(const void *texels, void *mixed, const void *mix, int32 count);

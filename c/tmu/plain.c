@@ -57,22 +57,6 @@ void tmu_point_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tmu_dithered_c(const struct tx_call *call)
-{
-    const struct tmu_texels *start = call->in;
-    const struct tmu_dithering *dithering = call->constants;
-    uint32 u = (uint32)start->u, v = (uint32)start->v;
-    uint8 *out = call->out;
-
-    for (int32 i = 0; i < call->count; i++) {
-        const int32 *step = i & 1 ? dithering->odd : dithering->even;
-
-        *out++ = dithering->map[(v >> 8 & 0xff00) | (u >> 16 & 255)];
-        u += (uint32)step[0];
-        v += (uint32)step[1];
-    }
-}
-
 static inline uint32 sum(const struct tmu_pair *pair, uint32 fs, uint32 ft)
 {
     return pair->corner + fs * (pair->s + ft * pair->st) + ft * pair->t;
@@ -150,6 +134,40 @@ void tmu_store_565_c(const struct tx_call *call)
     do
         *out++ = (uint16)packed(*in++);
     while (--count > 0);
+}
+
+/* Rows 128 to 255 lie before row 0. */
+static inline int32 index_on_page(uint32 s, uint32 t)
+{
+    return (int16)((t >> 16 & 0xff00) | s >> 24);
+}
+
+void tmu_tile_16_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_paging *paging = call->constants;
+    const uint16 *page = paging->pixels;
+    const int32 left = paging->left;
+    uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
+    const uint32 ds = (uint32)paging->s << left, dt = (uint32)paging->t << left;
+    uint16 *out = call->out;
+
+    for (int32 i = 0; i < call->count; i++, s += ds, t += dt)
+        *out++ = page[index_on_page(s, t)];
+}
+
+void tmu_tile_32_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_paging *paging = call->constants;
+    const uint32 *page = paging->pixels;
+    const int32 left = paging->left;
+    uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
+    const uint32 ds = (uint32)paging->s << left, dt = (uint32)paging->t << left;
+    uint32 *out = call->out;
+
+    for (int32 i = 0; i < call->count; i++, s += ds, t += dt)
+        *out++ = page[index_on_page(s, t)];
 }
 
 void tmu_quads_c(const struct tx_call *call)

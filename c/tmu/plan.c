@@ -23,12 +23,35 @@ struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
     to->steps.shift = (uint16)(18 - bits + lod->level);
     to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
     to->steps.behind = modes->clamp_negative_w;
-    to->steps.bits = (uint16)part->bits;
+    to->steps.bits = (uint16)part->piece_bits;
     to->steps.skip = to->steps.spare = 0;
     to->steps.left = 0;
     to->steps.last_s = modes->clamp_s ? (uint16)(to->level->mask_s << (bits - 4)) : 0xffff;
     to->steps.last_t = modes->clamp_t ? (uint16)(to->level->mask_t << (bits - 4)) : 0xffff;
     return to;
+}
+
+/* Which bands there may be over the polygon. */
+static void find_bands(struct tmu_part *part, const struct tmu_range *range)
+{
+    static const struct tmu_range one = {1 << 30, 1 << 30};
+    const struct tmu_range *sizes = part->by_w ? range : &one;
+    uint32 last = part->bands->count - 1;
+
+    part->band = 0;
+    if (sizes->least > 0) {
+        part->band = tmu_runs_band(part, 0, sizes->most);
+        last = tmu_runs_band(part, part->tmu->modes.dither ? TMU_DITHERS - 1 : 0, sizes->least);
+    }
+    if (range->least > 0)
+        part->looks_behind = 0;
+    part->is_one = part->band == last && !part->looks_behind;
+    part->bits = 0;
+    part->every = ~(uint32)0;
+    for (uint32 n = part->band; n <= last; n++) {
+        part->bits |= part->bands->of[n].bits;
+        part->every &= part->bands->of[n].bits;
+    }
 }
 
 /* 0: the unit's pixels have no passes. */
@@ -52,12 +75,12 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
     part->first = points ? TMU_OWN : TMU_S;
     part->lod = iterations->points[points].lod + modes->lod_bias * 64;
     part->by_w = modes->perspective;
-    part->bits = divides ? tmu_piece_bits(&pipe->chain, unit) : 0;
-    part->coordinates = part->bits ? tmu_pieces : divides ? tmu_divide
+    part->piece_bits = divides ? tmu_piece_bits(&pipe->chain, unit) : 0;
+    part->coordinates = part->piece_bits ? tmu_pieces : divides ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
     part->looks_behind = modes->clamp_negative_w && !divides;
-    part->is_one = part->bands->count == 1 && !part->looks_behind;
     part->ready = 0;
+    find_bands(part, &iterations->ranges[points]);
     for (uint32 band = 0; band < part->bands->count; band++)
         part->samplings[band].level = 0;
     return 1;
@@ -75,17 +98,17 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
     for (uint32 n = 0; n < pipe->chain.count && bits & TMU_NEEDS_OTHER; n++) {
         if (!find_part(part, pipe, n, iterations, has_alpha))
             return 0;
-        bits = part->bands->bits;
+        bits = part->bits;
         has_alpha = (bits & TMU_NEEDS_OTHER_ALPHA) != 0;
-        if (!place && part->bands->every & TMU_IS_OTHER)
+        if (!place && part->every & TMU_IS_OTHER)
             continue;                   /* nothing of this unit is seen */
         if (place)
             *place = part;
         place = &part->upstream;
-        plan->is_dithered |= part->tmu->modes.dither && part->bands->count > 1;
+        plan->is_dithered |= part->tmu->modes.dither && !part->is_one;
         lods |= plan->is_dithered || bits & varies;
         part++;
     }
-    plan->is_direct = pixel_bytes == 2 && plan->parts[0].bands->every & TMU_IS_OWN;
+    plan->is_direct = (plan->parts[0].every & TMU_IS_OWN) != 0;
     return tmu_line_ready(lods);
 }

@@ -19,6 +19,9 @@ struct tmu_iterations {
     struct planes planes;
     struct tmu_point points[TMU_UNITS];         /* their LOD; pixels differ in the rest */
     int32 divided[TMU_UNITS];   /* w changes, and a unit divides by it */
+    struct tmu_range {
+        int32 least, most;      /* of W over the polygon's box; least is 0 where it may be below that */
+    } ranges[TMU_UNITS];
 };
 
 typedef void tmu_pass(const void *in, void *out, const void *constants, int32 count);
@@ -40,13 +43,15 @@ struct tmu_part {
     int32 first;                /* plane */
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs go by their w */
-    int32 looks_behind;         /* where w is negative its coordinates are 0, and it does not divide */
-    int32 is_one;               /* all its pixels are drawn alike */
+    int32 looks_behind;         /* does not divide; where w is negative its coordinates are 0 */
+    int32 is_one;               /* all its pixels are of one band */
+    uint32 band;                /* the first that there may be */
+    uint32 bits, every;         /* those of any band that there may be, and of all */
     tmu_pass *coordinates;
-    int32 bits;                 /* of tmu_pieces; 0: every pixel is divided, or none */
+    int32 piece_bits;           /* of tmu_pieces; 0: every pixel is divided, or none */
     uint32 ready;               /* bit n: limits[n] are there */
-    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not below
-       the next one's. */
+    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not
+       below the next one's. */
     uint32 limits[TMU_DITHERS][TMU_BANDS];
     struct tmu_sampling samplings[TMU_BANDS];
 };
@@ -54,7 +59,7 @@ struct tmu_part {
 struct tmu_plan {
     struct tmu_part parts[TMU_UNITS];   /* the first is nearest the pixel */
     int32 is_dithered;
-    int32 is_direct;            /* texels are pixels of 16 bits: they may come from a pass */
+    int32 is_direct;            /* texels are pixels */
 };
 
 /* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
@@ -84,6 +89,9 @@ int32 tmu_plan_find(struct tmu_plan *plan, struct tmu_pipe *pipe,
 /* Passes to a band's texels; 0: there are none, or memory is short. */
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band);
 
+/* runs.c. The band of pixels of a size of w, dither / 16 added to their LODs. */
+uint32 tmu_runs_band(struct tmu_part *part, int32 dither, int32 size);
+
 /* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
 void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
                    int32 first, int32 count);
@@ -104,8 +112,8 @@ static inline int32 tmu_runs_next(struct tmu_runs *runs)
     return 1;
 }
 
-/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other bands
-   (*mixed = 1), or none. */
+/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other
+   bands (*mixed = 1), or none. */
 int32 tmu_runs_alike(struct tmu_plan *plan, int32 x, int32 y, int32 count, int32 *mixed);
 
 /* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
@@ -147,8 +155,8 @@ void tmu_pieces_open(struct tmu_pieces *pieces, const struct tmu_chain *chain,
 /* pieces.c. A R G B of the line's next pixel. */
 uint32 tmu_pieces_pixel(struct tmu_pieces *pieces);
 
-/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a unit
-   looks at them or is dithered; 0: there is none. */
+/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a
+   unit looks at them or is dithered; 0: there is none. */
 int32 tmu_line_ready(int32 lods);
 
 /* line.c. Draws pixels x to x + count - 1 of line y. 0: some have no passes, or memory is short:

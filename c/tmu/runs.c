@@ -1,7 +1,7 @@
 /* Where along a line a unit's pixels leave a band.
 
-   A LOD is the polygon's, bias, dither, less L = 256 log2 |w| + 256 * 30, rounded to the nearest. So it
-   reaches a band where |w| is below the first number whose logarithm is too large. */
+   A LOD is the polygon's, bias, dither and 30 * 256, less 256 log2 |w|, rounded to the nearest. So
+   it reaches a band where |w| is below the first number whose logarithm is too large. */
 #include "tmu/plan.h"
 #include "tmu/wide.h"
 
@@ -51,21 +51,44 @@ static int32 pixels_between(int32 w, int32 step, uint32 low, uint32 high, int32 
     return count < (uint32)left ? (int32)count : left;
 }
 
-/* The band of the first of `left` pixels, and how many there are of it. */
-static int32 pixels_of_band(struct tmu_part *part, int32 dither, int32 w, int32 step, int32 left,
-                            uint32 *band)
+/* Sizes from the lower limit on, below the upper one. */
+struct limits {
+    uint32 low, high;
+};
+
+/* The band of pixels of a size of w. */
+static uint32 band_of(struct tmu_part *part, int32 dither, uint32 size, struct limits *between)
 {
     const uint32 *limits = limits_of(part, dither);
-    const uint32 size = part->by_w ? tmu_magnitude(w) : (uint32)1 << 30;
     const uint32 last = part->bands->count - 1;
     uint32 n = 0;
 
     while (n < last && size < limits[n + 1])
         n++;
-    *band = n;
-    if (!part->by_w)
-        return pixels_between(w, step, 0, 0xffffffff, left);
-    return pixels_between(w, step, n < last ? limits[n + 1] : 0, limits[n], left);
+    between->low = n < last ? limits[n + 1] : 0;
+    between->high = limits[n];
+    return n;
+}
+
+uint32 tmu_runs_band(struct tmu_part *part, int32 dither, int32 size)
+{
+    struct limits between;
+
+    return part->bands->count == 1 ? 0 : band_of(part, dither, (uint32)size, &between);
+}
+
+/* The band of the first of `left` pixels, and how many there are of it. */
+static int32 pixels_of_band(struct tmu_part *part, int32 dither, int32 w, int32 step, int32 left,
+                            uint32 *band)
+{
+    struct limits between;
+
+    *band = band_of(part, dither, part->by_w ? tmu_magnitude(w) : (uint32)1 << 30, &between);
+    if (!part->by_w) {
+        between.low = 0;
+        between.high = 0xffffffff;
+    }
+    return pixels_between(w, step, between.low, between.high, left);
 }
 
 void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tmu_row *row,
@@ -88,7 +111,7 @@ void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tm
     runs->end = first + count;
     runs->line = row->count;
     runs->count = 0;
-    runs->band = 0;
+    runs->band = part->band;
 }
 
 static void step(int32 *at, int32 by, int32 count)

@@ -133,8 +133,10 @@ struct tmu_modes {
     uint8 detail_scale;
     uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
     uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
+    uint8 dithered;             /* 1: moved points stand in for the bilinear filter where they can
+                                   (unit.h); 0: it is exact */
     uint8 subdivision;          /* tmu_subdivision: 0, 8 or 16 pixels */
-    uint8 spare[3];
+    uint8 spare[2];
     uint32 base;                /* bytes: where level 0 would start */
 };
 
@@ -204,6 +206,8 @@ enum tmu_result tmu_fraction_bits(struct tmu *tmu, uint32 bits);
 /* by_table: 0 or 1. Exact quotients are the faster ones in polygons. */
 enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
 
+/* dithered: 0 or 1. The polygons that it changes are in unit.h. */
+enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered);
 /* How often the s and t of polygons are divided by w: 0, at each pixel, or only each 8 or 16 pixels.
    A line's pixels, as the frame cuts it, are counted from its first one on, and pieces of so many
    begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the one where the next piece

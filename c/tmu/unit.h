@@ -8,8 +8,10 @@
 
 enum { TMU_PAGE_KEY = 4 };
 
-enum tmu_reach {
-    TMU_REACH = 8192            /* s and t: below, and above -TMU_REACH */
+enum tmu_limits {
+    TMU_REACH = 8192,           /* s and t: below, and above -TMU_REACH */
+    TMU_DITHERED_MARGIN = 2,    /* more than points are moved and leave the vertices' range */
+    TMU_TILES_BYTES = 1 << 20   /* of prefiltered tiles, unless a pipe says otherwise */
 };
 
 /* A level as the plain mappers read it: pixels of the frame. */
@@ -25,6 +27,9 @@ struct tmu_pipe {
     const struct vertex *own;
     enum tmu_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
+    uint32 prefilter;           /* see tmu_pipe_prefilter */
+    int32 settled;              /* 1: what was drawn is drawn again, to be counted: that makes no
+                                   tiles worth while */
     struct tmu_page page;
     struct tmu_kept levels[TMU_UNITS][TMU_LEVEL_LAST + 1];      /* decoded for the passes */
     struct tmu_bands bands[TMU_UNITS];
@@ -34,6 +39,10 @@ struct tmu_pipe {
 enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, uint32 count,
                               int32 memory);
 
+/* How many bytes prefiltered tiles (tiles.h) may take, those of all pipes together; 0: the pipe does
+   without. A tile of a 16-bit frame has 128 KB, of a 32-bit one 256. The picture is the same. */
+void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes);
+
 /* Draws a convex polygon by the units of a material's pipe, into a frame of 2 (5/6/5) or 4 bytes
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
    vertices s and t, 0 to 256 along the longer side of a map whatever its size, those of two
@@ -42,7 +51,11 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
 polygon_routine tmu_polygon_draw;
 
 /* lower.c. Whether the plain mappers draw it: by a page that shows the level, with the material
-   for them in *plain and the vertices relative to the page. */
+   for them in *plain and the vertices relative to the page. So they do, whatever rules are off, for
+   a unit whose mode `dithered` is 1, the bilinear filter of one level alone, no other unit, no
+   divide (w the same at all vertices and above 0 where there would be one), and vertices
+   TMU_DITHERED_MARGIN texels or more from where texels would be clamped: by MAPPER_DITHERED, s and
+   t in texels of that level, rounded down. */
 int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material *plain,
                          const struct vertex **vertices);
 

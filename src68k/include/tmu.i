@@ -1,4 +1,5 @@
-; What the passes of Glide's texture unit share (structs: c/tmu/passes.h). After tx.i.
+; What the passes of Glide's texture unit share (structs: c/tmu/passes.h). After tx.i; with spans'
+; rounds, after span.i.
 
 ; The texels of coordinates by the parts of tmu_weights. \1: what writes a texel, \2: d7 for it.
 tmu_filter macro
@@ -85,4 +86,53 @@ tmu_products macro
         lsr.w   #8,d2
         move.b  d2,d3
         move.w  d3,d0
+        endm
+
+; S, Q and P of the coordinates \1 and \2, 8.24: \1 = uuu-, \3 = vv-U, \2 = Vv, its lower word. As
+; those of 16.16 in chain.i, but v has 8 bits more; left shifts of 6 at least keep its lowest 6 bits
+; 0, so that with the byte beside U there are 14 for what U overflows.
+pack_fine macro
+        rol.l   #8,\1                   ; uuuU
+        swap    \2                      ; vvVv
+        move.l  \2,\3
+        clr.w   \3
+        move.b  \1,\3
+        clr.b   \1
+        endm
+
+; The line of pixels, \1 bytes each, at a1: 16 a round, which is entered in its middle. d0, d4, d1
+; are S, Q and P, d2, d5, d3 their steps.
+tmu_paged macro
+        movem.l d2-d7/a3,-(sp)
+        move.l  d0,d7
+        subq.l  #1,d7
+        span_rounds_out 4
+        movem.l tmu_paging_s(a2),d2-d4  ; and left, in the upper word
+        movea.l tmu_paging_pixels(a2),a3
+        movem.l (a0),d0-d1
+        swap    d4
+        lsl.l   d4,d0
+        lsl.l   d4,d1
+        lsl.l   d4,d2
+        lsl.l   d4,d3
+        pack_fine d0,d1,d4
+        pack_fine d2,d3,d5
+        lea     .pixels(pc,d6.w*2),a0
+        lea     (a0,d6.w*4),a0
+        jmp     (a0,d6.w*8)
+.pixels rept    16
+        move.w  d1,d6                   ; Vv
+        move.b  d4,d6                   ; VU
+        add.l   d2,d0
+        addx.l  d5,d4
+        addx.w  d3,d1
+        ifeq    \1-2
+        move.w  (a3,d6.w*2),(a1)+
+        else
+        move.l  (a3,d6.w*4),(a1)+
+        endc
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d7/a3
+        rts
         endm

@@ -17,6 +17,7 @@ from ..fixed import signed
 from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
 from .coordinates import to_32
+from .dithered import lines
 from .lod import base
 from .state import ONE_W, Unit
 
@@ -80,6 +81,16 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
     return r << 24 | g << 16 | b << 8 | a
 
 
+def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) -> int:
+    """Draws the colours of a polygon's lines; gives the number of pixels."""
+    if polygon is None:
+        return 0
+    for y, (line, some) in enumerate(zip(polygon.lines, colours), polygon.top):
+        if line.right > line.left:
+            frame[y, line.left:line.right] = stored(frame, some)
+    return polygon.pixels
+
+
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
          settings: model.Settings) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
@@ -90,6 +101,10 @@ def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
     screen = [(v.x, v.y) for v in vertices]
     has_own = len(units) > 1 and vertices[0].own is not None
     shared = units[:1] if has_own else units
+    check([(v.s, v.t, v.w) for v in vertices], any(unit.modes.perspective for unit in shared))
+    dithered = lines(units, frame, vertices, settings)
+    if dithered:
+        return draw_lines(frame, *dithered)
     found = [points(screen, [(v.s, v.t, v.w) for v in vertices],
                     any(unit.modes.perspective for unit in shared), frame, settings)]
     if has_own:

@@ -52,8 +52,9 @@ class Modes:
     longer one >> aspect, ``wide``: s is the longer; ``odd``: which levels a ``split`` map has;
     ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255; ``base``: bytes,
     where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8;
-    ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact; ``subdivision``: pixels
-    from one exact quotient to the next, 8 or 16, 0: each."""
+    ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact; ``dithered``: 1: moved
+    points may stand in for the bilinear filter; ``subdivision``: pixels from one exact quotient to the
+    next, 8 or 16, 0: each."""
 
     perspective: int = 0
     minify: int = 0
@@ -80,6 +81,7 @@ class Modes:
     base: int = 0
     fraction_bits: int = VOODOO_BITS
     table_quotients: int = 0
+    dithered: int = 0
     subdivision: int = 0
 
     def __post_init__(self):

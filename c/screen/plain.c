@@ -1,0 +1,77 @@
+#include "screen/plain.h"
+
+/* 32 dots' bytes as longwords of the planes from `first` on. */
+static void store(uint8 *planes, int32 plane_pitch, const uint8 *dots, int32 first)
+{
+    planes += first * plane_pitch;
+    for (int32 plane = first; plane < 8; plane++) {
+        uint32 bits = 0;
+
+        for (int32 dot = 0; dot < 32; dot++)
+            bits = bits << 1 | (dots[dot] >> plane & 1u);
+        *(uint32 *)planes = bits;
+        planes += plane_pitch;
+    }
+}
+
+void c2p_8_c(const struct planar_plan *plan)
+{
+    const uint8 *pixels = plan->pixels;
+    uint8 *planes = plan->planes;
+
+    for (int32 y = 0; y < plan->rows; y++) {
+        for (int32 x = 0; x < plan->width; x += 32)
+            store(planes + (x >> 3), plan->plane_pitch, pixels + x, 0);
+        pixels += plan->pitch;
+        planes += plan->row_pitch;
+    }
+}
+
+void c2p_ham8_16_c(const struct planar_plan *plan)
+{
+    const uint8 *pixels = plan->pixels;
+    uint8 *planes = plan->planes;
+    uint8 dots[32];
+
+    for (int32 y = 0; y < plan->rows; y++) {
+        const uint16 *pixel = (const uint16 *)pixels;
+
+        for (int32 x = 0; x < plan->width; x += 8) {
+            for (int32 dot = 0; dot < 32; dot += HAM8_DOTS) {
+                const uint32 colour = *pixel++;
+
+                dots[dot] = (uint8)((colour >> 8 & 0xf8) | colour >> 13);
+                dots[dot + 1] = (uint8)(colour >> 3 & 0xfc);
+                dots[dot + 2] = (uint8)((colour << 3 & 0xf8) | (colour >> 2 & 7));
+                dots[dot + 3] = dots[dot + 2];
+            }
+            store(planes + (x >> 1), plan->plane_pitch, dots, 2);
+        }
+        pixels += plan->pitch;
+        planes += plan->row_pitch;
+    }
+}
+
+void c2p_ham8_32_c(const struct planar_plan *plan)
+{
+    const uint8 *pixels = plan->pixels;
+    uint8 *planes = plan->planes;
+    uint8 dots[32];
+
+    for (int32 y = 0; y < plan->rows; y++) {
+        const uint8 *from = pixels;
+
+        for (int32 x = 0; x < plan->width; x += 8) {
+            for (int32 dot = 0; dot < 32; dot += HAM8_DOTS) {
+                dots[dot] = from[0];
+                dots[dot + 1] = from[1];
+                dots[dot + 2] = from[2];
+                dots[dot + 3] = from[2];
+                from += 4;
+            }
+            store(planes + (x >> 1), plan->plane_pitch, dots, 2);
+        }
+        pixels += plan->pitch;
+        planes += plan->row_pitch;
+    }
+}

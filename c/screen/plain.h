@@ -1,0 +1,11 @@
+/* Chunky to planar in plain C, bit by bit: the yardsticks of the bench. */
+#ifndef SCREEN_PLAIN_H
+#define SCREEN_PLAIN_H
+
+#include "screen/planar.h"
+
+void c2p_8_c(const struct planar_plan *plan);
+void c2p_ham8_16_c(const struct planar_plan *plan);
+void c2p_ham8_32_c(const struct planar_plan *plan);
+
+#endif

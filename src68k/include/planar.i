@@ -1,0 +1,153 @@
+; What chunky to planar routines share.
+;
+; The 32 bits of a register are the combinations of five index bits, eight registers are told
+; apart by three more: a merge exchanges one of the five with one of the three.
+
+; Kept on the stack:
+BACK    equ     0                       ; from plane 3's next longword to plane 0's
+END     equ     4                       ; of the row's pixels
+ROWS    equ     8
+ROW     equ     12                      ; bytes of its pixels
+NEXT    equ     16                      ; from their end to the next row's
+NEXT_PLANE equ  20                      ; the same of the planes
+LOCALS  equ     24
+
+; Takes the plan in a0; after it a0 is the pixels, a1 plane 0, a2 the plane pitch and d5-d7
+; have masks. A pixel takes 1 << \1 bytes, 1 << \2 times those of a plane.
+planar_open macro
+        save_all
+        lea     -LOCALS(sp),sp
+        move.l  planar_plan_width(a0),d0
+        ifne    \1
+        lsl.l   #\1,d0
+        endc
+        move.l  d0,ROW(sp)
+        move.l  planar_plan_pitch(a0),d1
+        sub.l   d0,d1
+        move.l  d1,NEXT(sp)
+        lsr.l   #\2,d0
+        move.l  planar_plan_row_pitch(a0),d1
+        sub.l   d0,d1
+        move.l  d1,NEXT_PLANE(sp)
+        movea.l planar_plan_plane_pitch(a0),a2
+        moveq   #4,d0
+        sub.l   a2,d0
+        sub.l   a2,d0
+        sub.l   a2,d0
+        move.l  d0,BACK(sp)
+        move.l  planar_plan_rows(a0),ROWS(sp)
+        movea.l planar_plan_planes(a0),a1
+        movea.l planar_plan_pixels(a0),a0
+        move.l  #$00ff00ff,d5
+        move.l  #$33333333,d6
+        move.l  #$55555555,d7
+        endm
+
+; A row's begin; what follows is the loop, where the instruction cache's lines begin.
+planar_row macro
+.row    move.l  a0,d0
+        add.l   ROW(sp),d0
+        move.l  d0,END(sp)
+        bra.s   .longs
+        cnop    0,4
+        endm
+
+; The loop's and the row's end.
+planar_next macro
+        adda.l  BACK(sp),a1
+        move.l  #$00ff00ff,d5
+        cmpa.l  END(sp),a0
+        bne     .longs
+        adda.l  NEXT(sp),a0
+        adda.l  NEXT_PLANE(sp),a1
+        subq.l  #1,ROWS(sp)
+        bne     .row
+        lea     LOCALS(sp),sp
+        return_all
+        endm
+
+; The bits of \1 that mask \4 has with those of \2 that lie \3 to its left. Trashes d4.
+merge   macro
+        move.l  \2,d4
+        lsr.l   #\3,d4
+        eor.l   \1,d4
+        and.l   \4,d4
+        eor.l   d4,\1
+        ifeq    \3-1
+        add.l   d4,d4
+        else
+        lsl.l   #\3,d4
+        endc
+        eor.l   d4,\2
+        endm
+
+; Two longwords 16 bytes apart: both left words to \1, both right ones to \2.
+words   macro
+        move.l  \3(a0),\1
+        move.l  \1,\2
+        swap    \2
+        move.w  \3+16(a0),\1
+        move.w  \3+18(a0),\2
+        endm
+
+; What is kept of the first half of a group, until the other half is as far.
+keep_half macro
+        movea.l d3,a3
+        movea.l d1,a4
+        movea.l d2,a5
+        movea.l d0,a6
+        endm
+
+; The last merge: of the first half's \1 and the other one's \2, d5 = $f0f0f0f0, a plane
+; and the fourth one behind it. Each store to chip RAM has work of registers behind it.
+two_planes macro
+        move.l  \1,d4
+        lsl.l   #4,d4
+        eor.l   \2,d4
+        and.l   d5,d4
+        eor.l   d4,\2
+        move.l  \2,(a1)
+        lsr.l   #4,d4
+        move.l  \1,\2
+        eor.l   d4,\2
+        move.l  \2,(a1,a2.l*4)
+        endm
+
+; The same, of the two planes the second alone.
+upper_plane macro
+        move.l  \1,d4
+        lsr.l   #4,\2
+        eor.l   \2,d4
+        and.l   d5,d4
+        eor.l   d4,\2
+        move.l  \2,(a1,a2.l*4)
+        endm
+
+; The four bytes of each pixel red, green, blue and blue: exchanges pixel bit 1 and the
+; plane's bit 1 of d0 = reds, d2 = greens and d1 = blues, which come out as d1 and d3.
+merge_blue macro
+        move.l  d1,d3
+        lsr.l   #2,d3
+        move.l  d3,d4
+        eor.l   d0,d4
+        and.l   d6,d4
+        eor.l   d4,d0
+        eor.l   d2,d3
+        and.l   d6,d3
+        eor.l   d3,d2
+        lsl.l   #2,d3
+        eor.l   d1,d3
+        lsl.l   #2,d4
+        eor.l   d4,d1
+        endm
+
+; The six upper planes of a pixel's bytes.
+six_planes macro
+        upper_plane a3,d3
+        adda.l  a2,a1
+        upper_plane a4,d1
+        adda.l  a2,a1
+        two_planes a5,d2
+        adda.l  a2,a1
+        two_planes a6,d0
+        endm

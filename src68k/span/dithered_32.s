@@ -1,0 +1,23 @@
+        include "routine.i"
+        include "layout.i"
+        include "chain.i"
+        include "span.i"
+        include "dither.i"
+
+;==============================================================================
+; span_dithered_32 - span_dithered with 32-bit texels and pixels
+;
+; in:      a0  span_plan*  the table, the frame, the map, the steps, the moves
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
+; writes:  the pixels of the lines, nothing else
+; formats: as span_dithered, but for 32-bit texels and pixels, as span_affine_32 has them
+; error:   none, as span_dithered
+; cost:    bench row dithered_32
+;==============================================================================
+
+        routine span_dithered_32,a0
+        dither_chain_open
+        movea.l d4,a3
+        dither_chain_lines draw_wide,4,*4,pc

@@ -1,0 +1,22 @@
+"""The integer model's dithering: how far points are moved (src68k/span/dithered.s).
+
+The four points of 2x2 pixels are the corners of a square around their middle, turned so that along
+either axis they lie at -3, -1, 1 and 3 eighths of a texel. The bilinear filter's colour is the mean
+over all points within half a texel of a place, both ways; so the mean of the four stands in for it.
+A pixel's own point is off by 3/8 texel at most in u and in v, exactly: moves are whole units.
+"""
+
+import numpy as np
+
+#: 16.16 texels.
+EIGHTH = 0x2000
+#: Moves of u and v in eighths, [y & 1][x & 1].
+MOVES = np.array([[(-1, -3), (3, -1)], [(-3, 1), (1, 3)]], np.int64)
+#: The largest, in texels.
+MOST = 3 / 8
+
+
+def moves(left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
+    """What u and v of the pixels left to right - 1 of line y are moved by, 16.16."""
+    moved = MOVES[y & 1, np.arange(left, right) & 1] * EIGHTH
+    return moved[:, 0], moved[:, 1]
