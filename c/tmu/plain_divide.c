@@ -88,9 +88,10 @@ static int32 step_of(int32 from, int32 to, int32 pixels)
 
 void tmu_pieces_c(const struct tx_call *call)
 {
+    const struct tmu_iterators *start = call->in;
     const struct tmu_steps *step = call->constants;
-    struct tmu_iterators at = *(const struct tmu_iterators *)call->in;
-    int32 s0 = divided_at(at.s, at.w, step), t0 = divided_at(at.t, at.w, step);
+    int32 s_over_w = start->s, t_over_w = start->t, w = start->w;
+    int32 s0 = divided_at(s_over_w, w, step), t0 = divided_at(t_over_w, w, step);
     int32 skip = step->skip, left = step->left - 1, count = call->count;
     const int32 whole = 1 << step->bits;
     uint32 *out = call->out;
@@ -100,11 +101,11 @@ void tmu_pieces_c(const struct tx_call *call)
         int32 s = s0, t = t0, ds = 0, dt = 0;
 
         if (pixels) {
-            at.s = (int32)((uint32)at.s + (uint32)pixels * (uint32)step->s);
-            at.t = (int32)((uint32)at.t + (uint32)pixels * (uint32)step->t);
-            at.w = (int32)((uint32)at.w + (uint32)pixels * (uint32)step->w);
-            s0 = divided_at(at.s, at.w, step);
-            t0 = divided_at(at.t, at.w, step);
+            s_over_w = (int32)((uint32)s_over_w + (uint32)pixels * (uint32)step->s);
+            t_over_w = (int32)((uint32)t_over_w + (uint32)pixels * (uint32)step->t);
+            w = (int32)((uint32)w + (uint32)pixels * (uint32)step->w);
+            s0 = divided_at(s_over_w, w, step);
+            t0 = divided_at(t_over_w, w, step);
             ds = step_of(s, s0, pixels);
             dt = step_of(t, t0, pixels);
         }

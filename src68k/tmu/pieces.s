@@ -41,13 +41,14 @@ last_t  equ     60
 clamps  equ     64                      ; 0: no axis
 locals  equ     68
 
-; \1 = the quotient of \1 = s by d3 = w, above 0. d5 = 2 w, d4 = 30. Uses d2.
+; \1 = the quotient of \1 = s by d3 = w, above 0; \2: where 32 bits are too few. d5 = 2 w, d4 = 30.
+; Uses d2.
 quotient macro
         move.l  \1,d2
         asr.l   #1,d2
         add.l   d3,d2
         cmp.l   d5,d2
-        bhs     .odd                    ; 32 bits are too few
+        bhs     \2
         sub.l   d3,d2
         asr.l   #1,d2
         lsl.l   d4,\1
@@ -150,7 +151,7 @@ at_end  macro
         moveq   #4,d2
         lsl.l   d1,d2
         movea.l d2,a2                   ; bytes of a whole piece
-        bsr     .both
+        bsr     .ends
         move.l  d0,d6                   ; of the piece's first pixel
         move.l  d1,d7
         tst.l   skip(sp)
@@ -213,9 +214,9 @@ at_end  macro
         add.l   d5,d5
         moveq   #30,d4
         move.l  a3,d0
-        quotient d0
+        quotient d0,.odd
         move.l  a4,d1
-        quotient d1
+        quotient d1,.odd
 .ended  move.l  bits(sp),d4
         move.l  d0,d2
         move.l  d1,d3
@@ -328,6 +329,8 @@ at_end  macro
         moveq   #0,d3
         tst.l   d5
         beq.s   .stays                  ; the line's last pixel
+        cmp.l   d5,d4
+        beq.s   .to_next
         movem.l (a0),d2-d4
         muls.l  d5,d2
         muls.l  d5,d3
@@ -335,15 +338,29 @@ at_end  macro
         adda.l  d2,a3
         adda.l  d3,a4
         adda.l  d4,a5
-        bsr     .both
+        bsr     .ends
         move.l  length(sp),d5
         move.l  d0,d2
         move.l  d1,d3
         step    d2,d6
         step    d3,d7
-        exg     d0,d6
+        bra.s   .skip
+.to_next
+        adda.l  piece(sp),a3
+        adda.l  piece+4(sp),a4
+        adda.l  piece+8(sp),a5
+        bsr     .ends
+        move.l  bits(sp),d4
+        move.l  d0,d2
+        move.l  d1,d3
+        sub.l   d6,d2
+        sub.l   d7,d3
+        asr.l   d4,d2
+        asr.l   d4,d3
+.skip   exg     d0,d6
         exg     d1,d7
         move.l  skip(sp),d5
+        beq.s   .stays
         move.l  d2,d4
         muls.l  d5,d4
         muls.l  d3,d5
@@ -360,14 +377,26 @@ at_end  macro
         scaled
         move.l  drawn(sp),d4
         neg.l   d4
-        and.w   #7,d4                   ; pixels the first round lacks
-        mulu.w  #12,d4
-        jmp     .pixels(pc,d4.w)
+        and.l   #7,d4                   ; pixels the first round lacks
+        move.l  d4,drawn(sp)
+        add.l   d4,d4
+        add.l   drawn(sp),d4
+        jmp     .pixels(pc,d4.l*4)
 
 .done   lea     locals(sp),sp
         return_all
 
         ; d0, d1 = the quotients of a3 and a4 by a5. a0 = steps. Uses d2-d5.
+.ends   move.l  a5,d3
+        ble.s   .both
+        move.l  d3,d5
+        add.l   d5,d5
+        moveq   #30,d4
+        move.l  a3,d0
+        quotient d0,.both
+        move.l  a4,d1
+        quotient d1,.both
+        rts
 .both   move.l  a4,d0
         bsr.s   .one
         move.l  d0,d1
