@@ -151,16 +151,16 @@ def test_perspective():
 
 @pytest.mark.parametrize("size", [8, 16])
 def test_perspective_in_pieces(size):
-    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs: a value lies between
-    the line between exact quotients, which bends off the true one by
-    |difference of the ends| * |r - 1| / (r + 1), and what ``size`` roundings take from that."""
+    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs: a value is that
+    of the line between exact quotients, which bends off the true one by up to
+    |difference of the ends| * |r - 1| / (r + 1), less what ``size`` roundings take from it."""
     random, bent = np.random.default_rng(5), 0
     for count in (1, 2, size, size + 1, 2 * size, 70, 70, 70, 70):
         ends = np.exp(random.uniform(0, 5.7, 2)) * random.choice((1, -1)) * 3e6
         w = np.linspace(*ends, count).astype(np.int64)
         w = w[0] + np.arange(count) * ((w[-1] - w[0]) // max(count - 1, 1))
-        s = np.arange(count) * int(random.integers(-90000, 90000)) + int(random.integers(-1 << 20, 1 << 20))
         place = np.arange(count)
+        s = place * int(random.integers(-90000, 90000)) + int(random.integers(-1 << 20, 1 << 20))
         modes = Modes(perspective=1, subdivision=size)
         found, _ = coordinates(modes, s, s, w, place, count - 1 - place)
         exact = [Fraction(int(a) << 30, int(b)) for a, b in zip(s, w)]

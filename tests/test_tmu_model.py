@@ -97,8 +97,8 @@ def pieces_of(line: list[int], size: int) -> list[int]:
 
 
 def test_pieces_of_lines():
-    """Pieces are counted from each line's first pixel; the last one ends at its last pixel; s and t may go
-    round the 32 bits. Nothing of this where levels are dithered or quotients go by the table."""
+    """Pieces are counted from each line's first pixel; the last one ends at its last pixel; s and t
+    may go round the 32 bits. Nothing of this where quotients go by the table, or there are none."""
     random = np.random.default_rng(4)
     counts = (1, 7, 8, 9, 17, 40, 2, 16)
     s, t = random.integers(-1 << 31, 1 << 31, (2, sum(counts)))

@@ -69,7 +69,8 @@ def test_the_polygons_differ() -> None:
     cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
     units = [modes for each in cases for modes in each.modes]
     for key, names in (("format", FORMATS), ("aspect", ASPECTS), ("mode", MIPMAPS),
-                       ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("pieces", (0, 8, 16)), ("blend", (0, 1)),
+                       ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("blend", (0, 1)),
+                       ("pieces", (0, 8, 16)),
                        ("perspective", (False, True)), ("clamp_w", (False, True))):
         assert {modes[key] for modes in units} == set(names), key
     assert len({modes["clamp"] for modes in units}) == len({m["filters"] for m in units}) == 4
@@ -85,8 +86,8 @@ def test_the_polygons_differ() -> None:
 
 
 def test_pieces_are_seen() -> None:
-    """Of 8 pixels and of 16, with every filter, wrapped and clamped, one unit and two, many a polygon
-    differs from one that is divided at each pixel; where a unit dithers none does."""
+    """Of 8 pixels and of 16, filtered, wrapped and clamped in all ways, with one unit and two: some
+    polygons differ from those that are divided at each pixel; none does where a unit dithers."""
     seen, found = 0, {"pieces": set(), "filters": set(), "clamp": set(), "own": set()}
     for each in (case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))):
         made = scene([each], SEED, "rgba8888")

@@ -26,7 +26,8 @@ ALONE = ("plain", "dithered")  # of one unit and one level
 @dataclass
 class Case:
     """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
+    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as a
+    scene's."""
 
     kind: str
     units: list[tuple]

@@ -35,4 +35,5 @@ IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")
 #: Other input of a pass: beside it there is no C.
 FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
          "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide",
-         **dict.fromkeys(("tmu_pieces_16", "tmu_pieces_clamp", "tmu_pieces_small"), "tmu_pieces")} | tiles.FORMS
+         "tmu_pieces_16": "tmu_pieces", "tmu_pieces_clamp": "tmu_pieces",
+         "tmu_pieces_small": "tmu_pieces"} | tiles.FORMS

@@ -42,8 +42,8 @@ def table_quotient(c: np.ndarray, w: np.ndarray) -> np.ndarray:
 
 def within_pieces(divided: np.ndarray, size: int, before: np.ndarray,
                   behind: np.ndarray) -> np.ndarray:
-    """Exact quotients of pixels, line by line, only at the ends of pieces of ``size`` pixels, and on
-    straight lines between them. ``before``, ``behind``: pixels of its line on each side of each.
+    """Exact quotients of pixels, line by line, only at the ends of pieces of ``size`` pixels, and
+    on straight lines between them. ``before``, ``behind``: pixels of its line on each side of each.
 
     A piece's last exact quotient is the next piece's first, or that of the line's last pixel. With
     w and W, of one sign, at both ends of a piece and r = sqrt(W / w) a value is off the true one by
@@ -61,7 +61,8 @@ def to_32(values: np.ndarray) -> np.ndarray:
     return (values + (1 << 31) & 0xFFFFFFFF) - (1 << 31)
 
 
-def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray, w: np.ndarray, before: np.ndarray | int = 0,
+def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray, w: np.ndarray,
+                before: np.ndarray | int = 0,
                 behind: np.ndarray | int = 0) -> tuple[np.ndarray, np.ndarray]:
     """s and t of pixels, 14.18, of what is iterated. ``before``, ``behind``: as in
     ``within_pieces``; 0: each is a line of its own."""

@@ -2,8 +2,8 @@
 
 What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
 W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
-share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a subdivision
-divides at the ends of pieces of a line, which begin with its first pixel in the frame.
+share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
+subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
 
 from collections.abc import Sequence

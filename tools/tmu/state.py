@@ -53,8 +53,8 @@ class Modes:
     ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255; ``base``: bytes,
     where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8;
     ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact; ``dithered``: 1: moved
-    points may stand in for the bilinear filter; ``subdivision``: pixels from one exact quotient to the
-    next, 8 or 16, 0: each."""
+    points may stand in for the bilinear filter; ``subdivision``: pixels from one exact quotient to
+    the next, 8 or 16, 0: each."""
 
     perspective: int = 0
     minify: int = 0
