@@ -86,12 +86,14 @@ static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
                       const struct frame *frame, int32 x, int32 end, int32 y)
 {
     uint8 *to = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    struct tmu_pieces pieces;
 
+    tmu_pieces_open(&pieces, chain, at, end - x);
     set_point(at, 0, x, y);
     if (tmu_has_own(chain))
         set_point(at, 1, x, y);
     for (; x < end; x++, to += frame->pixel_bytes) {
-        uint32 pixel = tmu_frame_pixel(tmu_chain_pixel(chain, at->points), frame->pixel_bytes);
+        uint32 pixel = tmu_frame_pixel(tmu_pieces_pixel(&pieces), frame->pixel_bytes);
 
         if (frame->pixel_bytes == 4)
             *(uint32 *)to = pixel;
