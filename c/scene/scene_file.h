@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 9,
+    SCENE_VERSION = 10,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -124,6 +124,7 @@ struct scene_pipe {
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
     uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
+    uint32 adds;                /* 1: tmu_pipe_adds; or 0 */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose
