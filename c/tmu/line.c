@@ -221,10 +221,11 @@ static int32 draw_row(struct tmu_plan *plan, struct tmu_row *row, uint8 *pixels,
     return 1;
 }
 
-/* To pixels of so many bytes. */
-static int32 draw_pixels(struct tmu_plan *plan, uint8 *pixels, int32 bytes, int32 x, int32 y,
-                         int32 count)
+int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                    int32 count)
 {
+    const int32 bytes = frame->pixel_bytes;
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * bytes;
     struct tmu_row row;
 
     row.x = x;
@@ -242,27 +243,22 @@ static int32 draw_pixels(struct tmu_plan *plan, uint8 *pixels, int32 bytes, int3
     }
 }
 
-static uint8 *pixels_at(const struct frame *frame, int32 x, int32 y)
-{
-    return frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
-}
-
-int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
-                    int32 count)
-{
-    return draw_pixels(plan, pixels_at(frame, x, y), frame->pixel_bytes, x, y, count);
-}
-
 /* All colours of the line are found first: what has no passes is added once, by others. */
 int32 tmu_plan_add(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
                    int32 count)
 {
-    uint8 *pixels = pixels_at(frame, x, y);
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    struct frame colours;
     struct tmu_mix mix;
 
-    if (!draw_pixels(plan, (uint8 *)work->colours, 4, x, y, count))
+    colours.pixels = (uint8 *)work->colours;
+    colours.width = frame->width;
+    colours.height = frame->height;
+    colours.pitch = 0;                  /* every line is the same memory */
+    colours.pixel_bytes = 4;
+    if (!tmu_plan_draw(plan, &colours, x, y, count))
         return 0;
-    mix.other = work->colours;
+    mix.other = work->colours + x;
     mix.other_step = 4;
     if (frame->pixel_bytes == 4) {
         tmu_add(pixels, pixels, &mix, count);
