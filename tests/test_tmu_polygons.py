@@ -25,7 +25,7 @@ BOOT = 15  # polygons: each one's levels, decoded for the passes, stay in memory
 def lines(each: Case) -> list[str]:
     """All there is to know of a polygon."""
     return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
-            f"kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
+            f"added {each.adds}, kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
             *vertex_lines(each.vertices)]
 
 
@@ -80,9 +80,24 @@ def test_the_polygons_differ() -> None:
     made = scene(cases, SEED, "rgb565")
     data = write(made)
     assert write(read(data, "x")) == data
-    drawn = [len(np.unique(model.render(made, n))) for n in range(len(cases))]
-    assert sum(n > 2 for n in drawn) > 0.7 * len(cases)
-    assert sum(n > 9 for n in drawn) > len(cases) / 3
+    drawn = [len(np.unique(model.render(made, n))) for n, each in enumerate(cases)
+             if not each.adds]
+    assert sum(n > 2 for n in drawn) > 0.7 * len(drawn)
+    assert sum(n > 9 for n in drawn) > len(drawn) / 3
+
+
+def test_the_polygons_that_are_added_differ() -> None:
+    """Most change the frame, by sums of many colours, some of them cut; there are all kinds."""
+    cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
+    added = [each for each in cases if each.adds]
+    assert {each.kind for each in added} == {each.kind for each in cases}
+    made = scene(added, SEED, "rgba8888")
+    without = replace(made, objects=[o for o in made.objects if o.material >= len(added)])
+    pairs = [(model.render(made, n), model.render(without, n)) for n in range(len(added))]
+    assert all(len(np.unique(there)) > 4 for _, there in pairs)
+    colours = [made.pixel.colours(found[found != there]) for found, there in pairs]
+    assert sum(len(np.unique(some, axis=0)) > 9 for some in colours) > len(added) / 2
+    assert sum((some == 255).any() and (some[:, :3] < 255).any() for some in colours) > 5
 
 
 def test_pieces_are_seen() -> None:

@@ -176,6 +176,8 @@ MESSAGES = [
     ("units = []", "glide.units: must have 1 to 2 entries, not 0"),
     (units(UNIT, UNIT, UNIT), "glide.units: must have 1 to 2 entries, not 3"),
     ("perspective = 1, " + units(UNIT), "glide.perspective: must be true or false"),
+    ('blend = "multiply", ' + units(UNIT),
+     "glide.blend: 'multiply' is not one of replace, add"),
     (units('format = "p8"'), "glide.units[0].image: is missing"),
     (units('image = "noise.png", format = "rgb555"'),
      "glide.units[0].format: 'rgb555' is not one of rgb332, yiq422"),

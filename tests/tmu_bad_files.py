@@ -18,7 +18,7 @@ def scene() -> Scene:
                  [Object(0, 0, 3, 0, 1, 0), Object(1, 3, 6, 0, 1, 0), Object(2, 9, 3, 0, 1, 0)],
                  vertices, np.array([IDENTITY]), "rgb565",
                  tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0, 8]] * 2),
-                 pipes=np.array([[0, 1, 0, 0], [0, 2, 2, 0]]), tmu_memory=bytes(256))
+                 pipes=np.array([[0, 1, 0, 0, 0], [0, 2, 2, 0, 1]]), tmu_memory=bytes(256))
 
 
 def wrong_pipes() -> list[Row]:
@@ -46,6 +46,7 @@ def wrong_pipes() -> list[Row]:
     entry("pipes", 1, "tmu", 1, 2, M32, said="pipe.tmus")
     entry("pipes", 0, "own", 1, 2)
     entry("pipes", 1, "own", 1, 3, M32)
+    entry("pipes", 0, "adds", 2, M32)
     entry("materials", 0, "unit", 2, M32)
     entry("materials", 0, "mapper", 10, 12)
     entry("materials", 0, "primitive", 1)

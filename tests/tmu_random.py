@@ -20,6 +20,8 @@ MEMORY_BYTES = 1 << 17  # of all units, random
 KINDS = ("any",) * 8 + ("plain", "trilinear", "levels") * 2 + ("detail", "pass")
 FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
 DITHERED = 7  # of so many polygons one is
+ADDED = 4  # of so many polygons one is added to what is there
+STRIPS = ((16, 32, 48), (250, 90, 7), (96, 160, 200), (3, 255, 128))  # that is there
 ALONE = ("plain", "dithered")  # of one unit and one level
 
 
@@ -35,6 +37,7 @@ class Case:
     edges: str
     clip: str
     own: bool
+    adds: bool
     modes: list[dict] = field(default_factory=list)
 
 
@@ -172,28 +175,41 @@ def case(seed: int, number: int) -> Case:
         units.append([*row, dithered])
         modes.append(found | {"dithered": dithered})
     made = Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
-                rng.choice(("scissor", "vertices")), own, modes)
+                rng.choice(("scissor", "vertices")), own, number % ADDED == 3, modes)
     for row, found in zip(units, modes):
         found["pieces"] = rng.choice((0, 8, 8, 16, 16))
         row.append(found["pieces"])
     return made
 
 
+def strip(n: int) -> list[tuple]:
+    """The corners of a strip across the frame, beside others."""
+    left, right = (WIDTH * (n + k) // len(STRIPS) for k in (0, 1))
+    return [(x * ONE, y * ONE, 0, 0, 0, ONE)
+            for x, y in ((left + 5, 0), (right + 5, 0), (right - 6, HEIGHT), (left - 6, HEIGHT))]
+
+
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
-    """The cases as a scene: one a frame, each by its own pipe; and a dot in a corner, so that no
-    frame has one colour only."""
+    """The cases as a scene: one a frame, each by its own pipe, those that are added over strips of
+    colours; and a dot in a corner, so that no frame has one colour only."""
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
+    flats = PIXELS[pixels].flat(STRIPS)
     materials, objects, corners, tmus, pipes = [], [], [], [], []
+    for n in range(len(STRIPS)):
+        objects += [Object(len(cases) + n, len(corners), 4, 0, 1, frame)
+                    for frame, each in enumerate(cases) if each.adds]
+        corners += strip(n)
     for n, each in enumerate(cases):
         materials.append(Material("glide", each.edges, clip=each.clip, unit=n))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices
-        pipes.append([len(tmus), len(each.units), 2 * each.own, PREFILTER_KB << 10])
+        pipes.append([len(tmus), len(each.units), 2 * each.own, PREFILTER_KB << 10,
+                      each.adds])
         tmus += each.units
     ground, dot = PIXELS[pixels].flat([(16, 32, 48), (240, 24, 24)])
-    materials.append(Material(colour=dot))
-    objects.append(Object(len(cases), len(corners), 3, 0, len(cases), 0))
+    materials += [Material(colour=colour) for colour in [*flats, dot]]
+    objects.append(Object(len(materials) - 1, len(corners), 3, 0, len(cases), 0))
     corners += [(x * ONE, y * ONE, 0, 0, 0, ONE) for x, y in ((0, 0), (2, 0), (0, 2))]
     return Scene(WIDTH, HEIGHT, len(cases), ground, np.zeros((256, 3), np.uint8), [], materials,
                  objects, np.array(corners, np.int64), np.array([IDENTITY] * len(cases), np.int64),

@@ -42,7 +42,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, largest: int) -
         words.combine("scale_other", "local", "scale_other", "local")
     elif kind == "any" or kind == "point":
         words.combine(*(rng.choice(list(names)) for _ in "ca" for names in (FUNCTIONS, FACTORS)))
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, rng.choice((4, 4, 4, 8))]
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, rng.choice((4, 4, 4, 8)), 0, 8]
 
 
 def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
@@ -85,7 +85,7 @@ def scene(seed: int, numbers: list[int], pixels: str, prefilter: int) -> Scene:
         kind = KINDS[number % len(KINDS)]
         count = 1 if kind in ("bilinear", "repeated") else 2 if kind != "any" else rng.choice((1, 2))
         largest = rng.choice((1, 2, 2, 3, 4, 5)) if kind != "repeated" else rng.choice((4, 5, 6))
-        pipes.append([len(tmus), count, 0, prefilter])
+        pipes.append([len(tmus), count, 0, prefilter, 0])
         tmus += [unit(rng, kind, n, count, max(largest - rng.randrange(2) * n, 0))
                  for n in range(count)]
         materials.append(Material("glide", rng.choice(("subpixel", "exact")), unit=k))

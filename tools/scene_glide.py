@@ -19,6 +19,8 @@ LEAST_W = 1 / 65536  # how far w is from 0
 NO_MIPMAP = "none"  # the picture alone
 #: The bilinear filter, or moved points instead of it.
 BILINEAR = ("exact", "dithered")
+#: What becomes of the frame's pixels: replaced, or added to.
+BLENDS = ("replace", "add")
 SIDE = 256
 PREFILTER_MOST = 8192  # KB of prefiltered tiles
 NARROWEST = 8  # how many times a side may be as long as the other
@@ -77,6 +79,7 @@ def one_of_numbers(*numbers: int):
 def schema():
     """The check of a material's ``glide``."""
     return table({"perspective": (flag, False),
+                  "blend": (one_of(*BLENDS), BLENDS[0]),
                   "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
                   "units": (rows(unit_schema(), 1, 2), REQUIRED)})
 

@@ -8,7 +8,7 @@ import numpy as np
 from . import images
 from .errors import UserError
 from .fields import fail, join
-from .scene_glide import NARROWEST, NO_MIPMAP, SIDE, has_own
+from .scene_glide import BLENDS, NARROWEST, NO_MIPMAP, SIDE, has_own
 from .scene_pipes import COLUMNS, NO_TABLE
 from .tmu.images import Map, encode
 from .tmu.mipmap import levels, shape_of
@@ -123,7 +123,8 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
             made = [row_of(unit, glide["perspective"], folder, memory, f"{at}.units[{n}]")
                     for n, unit in enumerate(glide["units"])]
             known[key] = len(pipes), glide["units"]
-            pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10])
+            pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10,
+                          BLENDS.index(glide["blend"])])
             tmus += made
         numbers[name], glide["units"] = known[key]
     return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, len(COLUMNS["tmus"])),

@@ -21,10 +21,10 @@ RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
 #: palette and NCC tables lie, three settings; a pipe's first unit, how many, which have coordinates of
-#: their own, bytes that prefiltered tiles may take.
+#: their own, bytes that prefiltered tiles may take, whether they are added to the frame.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
                     "fraction_bits", "dithered", "subdivision"),
-           "pipes": ("tmu", "tmus", "own", "prefilter")}
+           "pipes": ("tmu", "tmus", "own", "prefilter", "adds")}
 
 
 def empty(table: str) -> np.ndarray:
@@ -74,7 +74,8 @@ def draw(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
         vertices = vertices[:half]
     corners = [polygon.Vertex(x, y, s, t, w, own)
                for (x, y, s, t, _, w), own in zip(vertices, owns)]
-    polygon.draw(units_of(scene, material.unit), frame, corners, settings)
+    polygon.draw(units_of(scene, material.unit), frame, corners, settings,
+                 bool(scene.pipes[material.unit][4]))
 
 
 def check_own(corners: np.ndarray, name: str, where: str) -> None:
@@ -127,10 +128,12 @@ def check(scene, name: str) -> None:
                         "of 8")
     for i, row in enumerate(scene.tmus.tolist()):
         check_unit(row, len(scene.tmu_memory), name, f"tmus[{i}]")
-    for i, (first, count, own, prefilter) in enumerate(scene.pipes.tolist()):
+    for i, (first, count, own, prefilter, adds) in enumerate(scene.pipes.tolist()):
         if not (1 <= count <= UNITS and 0 <= first <= len(scene.tmus) - count):
             raise UserError(f"{name}: pipes[{i}].tmus: {first} and {count} of {len(scene.tmus)}")
         if own and (own, count) != (2, 2):
             raise UserError(f"{name}: pipes[{i}].own: {own} is no hint for {count} units")
         if not 0 <= prefilter < 1 << 32:
             raise UserError(f"{name}: pipes[{i}].prefilter: {prefilter} bytes")
+        if adds not in (0, 1):
+            raise UserError(f"{name}: pipes[{i}].adds: {adds} is neither 0 nor 1")

@@ -20,6 +20,7 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_point": sample.point, "tmu_bilinear": sample.bilinear,
     "tmu_bilinear_8": sample.bilinear_8, "tmu_quads_8": sample.quads_8,
     "tmu_bilinear_565": sample.bilinear_565, "tmu_store_565": sample.store_565,
+    "tmu_widen_565": sample.widen_565,
     "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
     "tmu_divide_each": depth.divide_each,
     "tmu_pieces": depth.pieces_8, "tmu_pieces_16": depth.pieces_16,

@@ -209,6 +209,13 @@ def store_565(rng, count: int) -> Example:
     return Example("tmu_store_565", texels, packed(texels), count)
 
 
+def widen_565(rng, count: int) -> Example:
+    found = rng.integers(0, 1 << 16, count)
+    r, g, b = found >> 11, found >> 5 & 63, found & 31
+    texels = [r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2, 0 * found]
+    return Example("tmu_widen_565", words(found), pixels(np.stack(texels, -1)), count)
+
+
 def interleave(rng, count: int) -> Example:
     """Pixel n is number n // 4 of array n % 4."""
     room = (count + 3) // 4 + int(rng.integers(0, 5))

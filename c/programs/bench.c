@@ -51,6 +51,7 @@ static const struct kernel c_kernels[] = {
     PASS(tx_convert_c), PASS(tx_convert_wide_c), PASS(tx_matrix_c),
     PASS(tmu_walk_c), PASS(tmu_walk_clamp_c), PASS(tmu_point_c), PASS(tmu_bilinear_c),
     PASS(tmu_bilinear_565_c), PASS(tmu_store_565_c), PASS(tmu_quads_c),
+    PASS(tmu_widen_565_c),
     PASS(tmu_lerp_c), PASS(tmu_scale_c), PASS(tmu_modulate_c), PASS(tmu_add_c),
     PASS(tmu_combiner_c), PASS(tmu_divide_c), PASS(tmu_lod_c), PASS(tmu_logarithms_c),
     PASS(tmu_alpha_c), PASS(tmu_bilinear_8_c),

@@ -125,6 +125,7 @@ struct scene_pipe {
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
     uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
+    uint32 adds;                /* 1: tmu_pipe_adds; or 0 */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose

@@ -71,6 +71,8 @@ const char *scene_wrong_pipe(const struct scene *scene)
             return "pipe.tmus";
         if (pipe->own != 0 && (pipe->own != 2 || pipe->tmus < 2))
             return "pipe.own";
+        if (pipe->adds > 1)
+            return "pipe.adds";
     }
     return 0;
 }
@@ -117,6 +119,7 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
         tmu_pipe_init(&scene->pipe[i], units, from->tmus, kind);
         tmu_chain_hints(&scene->pipe[i].chain, from->own);
         tmu_pipe_prefilter(&scene->pipe[i], from->prefilter);
+        tmu_pipe_adds(&scene->pipe[i], from->adds);
     }
     return 1;
 }

@@ -81,10 +81,27 @@ static void step_point(struct tmu_iterations *at, uint32 unit)
     point->x++;
 }
 
+/* What the frame's pixel becomes where a colour is added: see tmu_pipe_adds. */
+static uint32 added_pixel(const uint8 *to, uint32 argb, int32 pixel_bytes)
+{
+    const uint32 there = pixel_bytes == 4 ? *(const uint32 *)to
+        : tmu_wide_565(*(const uint16 *)to);
+    uint32 sum = 0;
+
+    argb = argb << 8 | argb >> 24;
+    for (int32 shift = 0; shift < 32; shift += 8) {
+        const uint32 channel = (there >> shift & 255) + (argb >> shift & 255);
+
+        sum |= (channel < 255 ? channel : 255) << shift;
+    }
+    return pixel_bytes == 4 ? sum : tmu_frame_pixel(sum >> 8, pixel_bytes);
+}
+
 /* A line pixel by pixel: whatever the modes are. */
-static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
+static void draw_line(const struct tmu_pipe *pipe, struct tmu_iterations *at,
                       const struct frame *frame, int32 x, int32 end, int32 y)
 {
+    const struct tmu_chain *chain = &pipe->chain;
     uint8 *to = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
     struct tmu_pieces pieces;
 
@@ -93,7 +110,9 @@ static void draw_line(const struct tmu_chain *chain, struct tmu_iterations *at,
     if (tmu_has_own(chain))
         set_point(at, 1, x, y);
     for (; x < end; x++, to += frame->pixel_bytes) {
-        uint32 pixel = tmu_frame_pixel(tmu_pieces_pixel(&pieces), frame->pixel_bytes);
+        const uint32 argb = tmu_pieces_pixel(&pieces);
+        const uint32 pixel = pipe->adds ? added_pixel(to, argb, frame->pixel_bytes)
+            : tmu_frame_pixel(argb, frame->pixel_bytes);
 
         if (frame->pixel_bytes == 4)
             *(uint32 *)to = pixel;
@@ -110,7 +129,18 @@ int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct t
 {
     if (plan && tmu_plan_draw(plan, frame, x, y, count))
         return 0;
-    draw_line(&pipe->chain, at, frame, x, x + count, y);
+    draw_line(pipe, at, frame, x, x + count, y);
+    return count;
+}
+
+/* The same of a polygon that is added. */
+static int32 add_line(const struct tmu_pipe *pipe, struct tmu_plan *plan,
+                      struct tmu_iterations *at, const struct frame *frame, int32 x, int32 y,
+                      int32 count)
+{
+    if (plan && tmu_plan_add(plan, frame, x, y, count))
+        return 0;
+    draw_line(pipe, at, frame, x, x + count, y);
     return count;
 }
 
@@ -170,6 +200,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
 {
     static struct tmu_iterations at;
     static struct tmu_tiling tiling;
+    tmu_line_routine *draw = pipe->adds ? add_line : tmu_line_draw;
     const struct scanline *line;
     enum polygon_result result;
     static struct tmu_plan plan;
@@ -183,7 +214,8 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         || (tmu_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
         return refuse(pipe, TMU_BAD_COORDINATE);
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
-    tiles = passes && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
+    tiles = passes && !pipe->adds
+        && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
     if (tiles)
         missed = tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
@@ -191,7 +223,7 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
         if (count > 0)
-            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
+            missed += (uint32)draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
     }
     if (s->counts) {
         s->counts->polygons++;
@@ -239,6 +271,7 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
     pipe->result = TMU_DONE;
     pipe->memory = memory;
     pipe->prefilter = TMU_TILES_BYTES;
+    pipe->adds = 0;
     pipe->settled = 0;
     for (int32 unit = 0; unit < TMU_UNITS; unit++) {
         pipe->bands[unit].count = 0;
@@ -254,4 +287,12 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
 void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes)
 {
     pipe->prefilter = bytes;
+}
+
+enum tmu_result tmu_pipe_adds(struct tmu_pipe *pipe, uint32 adds)
+{
+    if (adds > 1)
+        return TMU_BAD_FLAG;
+    pipe->adds = (int32)adds;
+    return TMU_DONE;
 }

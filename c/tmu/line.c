@@ -265,3 +265,30 @@ int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, i
             return 1;
     }
 }
+
+/* All colours of the line are found first: what has no passes is added once, by others. */
+int32 tmu_plan_add(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                   int32 count)
+{
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    struct frame colours;
+    struct tmu_mix mix;
+
+    colours.pixels = (uint8 *)work->colours;
+    colours.width = frame->width;
+    colours.height = frame->height;
+    colours.pitch = 0;                  /* every line is the same memory */
+    colours.pixel_bytes = 4;
+    if (!tmu_plan_draw(plan, &colours, x, y, count))
+        return 0;
+    mix.other = work->colours + x;
+    mix.other_step = 4;
+    if (frame->pixel_bytes == 4) {
+        tmu_add(pixels, pixels, &mix, count);
+        return 1;
+    }
+    tmu_widen_565(pixels, work->texels, 0, count);
+    tmu_add(work->texels, work->texels, &mix, count);
+    tmu_store_565(work->texels, pixels, 0, count);
+    return 1;
+}

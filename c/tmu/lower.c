@@ -221,6 +221,8 @@ int32 tmu_lower_to_plain(struct setup *s, struct tmu_pipe *pipe, struct material
     struct page_rows rows;
     struct showing shown;
 
+    if (pipe->adds)
+        return 0;
     if (modes->dithered && lower_to_dithered(s, pipe, plain, vertices))
         return 1;
     if ((modes->perspective && !(s->given->w > 0 && APPLIES(CONSTANT_W, lower_w_is_constant(s))))

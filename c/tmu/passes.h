@@ -152,5 +152,6 @@ void tmu_add(const void *texels, void *mixed, const void *mix, int32 count);
 void tmu_alpha(const void *texels, void *results, const void *alphas, int32 count);
 void tmu_combiner(const void *nothing, void *results, const void *inputs, int32 count);
 void tmu_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
+void tmu_widen_565(const void *pixels, void *texels, const void *nothing, int32 count);
 
 #endif

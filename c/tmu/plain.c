@@ -1,4 +1,5 @@
 #include "tmu/plain.h"
+#include "tmu/unit.h"
 
 void tmu_walk_c(const struct tx_call *call)
 {
@@ -133,6 +134,17 @@ void tmu_store_565_c(const struct tx_call *call)
 
     do
         *out++ = (uint16)packed(*in++);
+    while (--count > 0);
+}
+
+void tmu_widen_565_c(const struct tx_call *call)
+{
+    const uint16 *in = call->in;
+    uint32 *out = call->out;
+    int32 count = call->count;
+
+    do
+        *out++ = tmu_wide_565(*in++);
     while (--count > 0);
 }
 

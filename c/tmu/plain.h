@@ -18,6 +18,7 @@ void tmu_bilinear_c(const struct tx_call *call);
 void tmu_bilinear_8_c(const struct tx_call *call);
 void tmu_bilinear_565_c(const struct tx_call *call);
 void tmu_store_565_c(const struct tx_call *call);
+void tmu_widen_565_c(const struct tx_call *call);
 void tmu_tile_16_c(const struct tx_call *call);
 void tmu_tile_32_c(const struct tx_call *call);
 void tmu_lerp_c(const struct tx_call *call);

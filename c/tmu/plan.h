@@ -164,4 +164,8 @@ int32 tmu_line_ready(int32 lods);
 int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
                     int32 count);
 
+/* line.c. The same, added to the frame (tmu_pipe_adds). 0: nothing is added. */
+int32 tmu_plan_add(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                   int32 count);
+
 #endif

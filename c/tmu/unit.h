@@ -28,6 +28,7 @@ struct tmu_pipe {
     enum tmu_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
     uint32 prefilter;           /* see tmu_pipe_prefilter */
+    int32 adds;                 /* see tmu_pipe_adds */
     int32 settled;              /* 1: what was drawn is drawn again, to be counted: that makes no
                                    tiles worth while */
     struct tmu_page page;
@@ -42,6 +43,12 @@ enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, u
 /* How many bytes prefiltered tiles (tiles.h) may take, those of all pipes together; 0: the pipe does
    without. A tile of a 16-bit frame has 128 KB, of a 32-bit one 256. The picture is the same. */
 void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes);
+
+/* Glide's blend ONE, ONE: 1: polygons are added to the frame; 0, as in a new pipe: they replace its
+   pixels. TMU_BAD_FLAG: any other number, which changes nothing. Each of R, G, B and A becomes the
+   frame's and the polygon's, 255 at most. A 5/6/5 pixel counts as a texel of 8 bits a channel
+   (r << 3 | r >> 2, g << 2 | g >> 4, b as r); of the sum the upper 5, 6, 5 bits are stored. */
+enum tmu_result tmu_pipe_adds(struct tmu_pipe *pipe, uint32 adds);
 
 /* Draws a convex polygon by the units of a material's pipe, into a frame of 2 (5/6/5) or 4 bytes
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
@@ -71,6 +78,14 @@ static inline uint32 tmu_frame_pixel(uint32 argb, int32 pixel_bytes)
     if (pixel_bytes == 4)
         return argb << 8 | argb >> 24;
     return (argb >> 8 & 0xf800) | (argb >> 5 & 0x7e0) | (argb >> 3 & 0x1f);
+}
+
+/* The colour of a 5/6/5 pixel, R G B and 0. */
+static inline uint32 tmu_wide_565(uint32 pixel)
+{
+    const uint32 r = pixel >> 11, g = pixel >> 5 & 63, b = pixel & 31;
+
+    return (r << 3 | r >> 2) << 24 | (g << 2 | g >> 4) << 16 | (b << 3 | b >> 2) << 8;
 }
 
 #endif

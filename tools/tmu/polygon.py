@@ -20,6 +20,7 @@ from .coordinates import to_32
 from .dithered import lines
 from .lod import base
 from .state import ONE_W, Unit
+from .texels import five, six
 
 REACH = 8192 << 16  # of s and t
 W_MOST = 1 << 30
@@ -81,6 +82,19 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
     return r << 24 | g << 16 | b << 8 | a
 
 
+def widened(pixels: np.ndarray) -> np.ndarray:
+    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without alpha."""
+    value = pixels.astype(np.int64)
+    if pixels.dtype != np.uint16:
+        return np.stack([value >> shift & 255 for shift in (24, 16, 8, 0)], -1)
+    return np.stack([five(value >> 11), six(value >> 5), five(value), 0 * value], -1)
+
+
+def blended(pixels: np.ndarray, colours: np.ndarray, adds: bool) -> np.ndarray:
+    """What the frame's pixels become; ``adds``: each channel's sum, 255 at most."""
+    return stored(pixels, np.minimum(widened(pixels) + colours, 255) if adds else colours)
+
+
 def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) -> int:
     """Draws the colours of a polygon's lines; gives the number of pixels."""
     if polygon is None:
@@ -92,17 +106,18 @@ def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) 
 
 
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
-         settings: model.Settings) -> int:
+         settings: model.Settings, adds: bool = False) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
     [height, width], by one or two units, the first nearest the frame; gives the number of its
-    pixels. The second unit goes by its own corners where the vertices have them."""
+    pixels. The second unit goes by its own corners where the vertices have them. ``adds``: to what
+    is there."""
     if len(vertices) < 3:
         return 0
     screen = [(v.x, v.y) for v in vertices]
     has_own = len(units) > 1 and vertices[0].own is not None
     shared = units[:1] if has_own else units
     check([(v.s, v.t, v.w) for v in vertices], any(unit.modes.perspective for unit in shared))
-    dithered = lines(units, frame, vertices, settings)
+    dithered = None if adds else lines(units, frame, vertices, settings)
     if dithered:
         return draw_lines(frame, *dithered)
     found = [points(screen, [(v.s, v.t, v.w) for v in vertices],
@@ -114,5 +129,5 @@ def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
         return 0
     at = found[0][0]
     colours = chain_pixel(units, [found[min(n, len(found) - 1)][1] for n in range(len(units))])
-    frame[at] = stored(frame, np.broadcast_to(colours, (at.x.size, 4)))
+    frame[at] = blended(frame[at], np.broadcast_to(colours, (at.x.size, 4)), adds)
     return at.x.size
