@@ -146,6 +146,7 @@ BAD = [
       for n, value in ((0, -257), (11, 256), (12, 256), (23, -257))),
     ("FILTER", [2, 0], "BAD_FILTER"), ("FILTER", [0, 2], "BAD_FILTER"),
     *(("FRACTION_BITS", [bits], "BAD_FRACTION_BITS") for bits in (0, 5, 16)),
+    *(("SUBDIVISION", [pixels], "BAD_SUBDIVISION") for pixels in (1, 4, 32, 256 + 8, MASK)),
     ("CLAMP", [2, 0], "BAD_WRAPPING"), ("CLAMP", [0, 2], "BAD_WRAPPING"),
     ("MIPMAP", [3, 0], "BAD_MIPMAP"), ("MIPMAP", [1, 2], "BAD_FLAG"),
     *(("BLEND_LEVELS", [levels], "BAD_LEVELS") for levels in (0, 1, 2, 3)),  # it is split
@@ -217,10 +218,11 @@ def answers() -> dict:
 
 #: What grows: memory, tables, modes. The second of two equal calls leaves the modes as they are.
 CHANGES = [("FILTER", [1, 1]), ("FILTER", [1, 1]), ("FRACTION_BITS", [8]),
+           ("SUBDIVISION", [16]), ("SUBDIVISION", [16]), ("SUBDIVISION", [0]), ("SUBDIVISION", [8]),
            ("DOWNLOAD", [*MAP, 1]), ("DOWNLOAD_LEVEL", [*MAP, 2, 1]),
            ("DOWNLOAD_ROWS", [*MAP, 2, 3, 4, 1]), ("PALETTE", [0, 0, 1]), ("NCC", [0]),
            ("SOURCE", MAP)]
-GROWTH = [2, None, 2, 0, 0, 0, 1, 1, None]
+GROWTH = [2, None, 2, 2, None, 2, 2, 0, 0, 0, 1, 1, None]
 PALETTE = [n * 0x010203 & 0xFFFFFF for n in range(256)]
 NCC = [*range(16), *range(-256, -244), *range(244, 256)]
 NCC_WORDS = [0x03020100, 0x07060504, 0x0B0A0908, 0x0F0E0D0C,

@@ -149,6 +149,32 @@ def test_perspective():
         assert (abs(found / ONE - exact.value) <= most + ROUNDING).all(), AGAIN
 
 
+@pytest.mark.parametrize("size", [8, 16])
+def test_perspective_in_pieces(size):
+    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs: a value is that
+    of the line between exact quotients, which bends off the true one by up to
+    |difference of the ends| * |r - 1| / (r + 1), less what ``size`` roundings take from it."""
+    random, bent = np.random.default_rng(5), 0
+    for count in (1, 2, size, size + 1, 2 * size, 70, 70, 70, 70):
+        ends = np.exp(random.uniform(0, 5.7, 2)) * random.choice((1, -1)) * 3e6
+        w = np.linspace(*ends, count).astype(np.int64)
+        w = w[0] + np.arange(count) * ((w[-1] - w[0]) // max(count - 1, 1))
+        place = np.arange(count)
+        s = place * int(random.integers(-90000, 90000)) + int(random.integers(-1 << 20, 1 << 20))
+        modes = Modes(perspective=1, subdivision=size)
+        found, _ = coordinates(modes, s, s, w, place, count - 1 - place)
+        exact = [Fraction(int(a) << 30, int(b)) for a, b in zip(s, w)]
+        for n in range(count):
+            first = n // size * size
+            last = min(first + size, count - 1)
+            r = np.sqrt(w[last] / w[first])
+            most = float(abs(exact[last] - exact[first])) * abs(r - 1) / (r + 1) * (1 + ROUNDING)
+            off = float(found[n] - exact[n])
+            assert -most - size <= off <= most + ROUNDING, (count, n, off, most, AGAIN)
+            bent = max(bent, abs(off) - size)
+    assert bent > ONE / 64  # some lines do bend
+
+
 def test_trilinear_samples():
     """Of one pass against the ideal at the same level: both samples' errors, mixed, so the larger;
     the weight of w + 1 instead of w, 255/256; and the result cut."""

@@ -80,6 +80,46 @@ def test_tables_of_ncc():
             assert (again == words_of_ncc(made)).all()
 
 
+def signed(value: int) -> int:
+    """A number modulo 2^32."""
+    return (value + (1 << 31)) % (1 << 32) - (1 << 31)
+
+
+def pieces_of(line: list[int], size: int) -> list[int]:
+    """A line of exact quotients, followed at the ends of pieces alone."""
+    found, end = [], len(line) - 1
+    for first in range(0, len(line), size):
+        last = min(first + size, end)
+        way = signed(line[last] - line[first])
+        step = floor(Fraction(way, last - first)) if last > first else 0
+        found += [signed(line[first] + i * step) for i in range(min(size, len(line) - first))]
+    return found
+
+
+def test_pieces_of_lines():
+    """Pieces are counted from each line's first pixel; the last one ends at its last pixel; s and t
+    may go round the 32 bits. Nothing of this where quotients go by the table, or there are none."""
+    random = np.random.default_rng(4)
+    counts = (1, 7, 8, 9, 17, 40, 2, 16)
+    s, t = random.integers(-1 << 31, 1 << 31, (2, sum(counts)))
+    w = random.integers(-1 << 30, 1 << 30, sum(counts))
+    w[3] = w[20] = 0
+    before = np.concatenate([np.arange(n) for n in counts])
+    sides = before, np.repeat(counts, counts) - 1 - before
+    for size in (8, 16):
+        for behind in (0, 1):
+            modes = Modes(perspective=1, subdivision=size, clamp_negative_w=behind)
+            exact = coordinates(replace(modes, subdivision=0), s, t, w)
+            for found, ends in zip(coordinates(modes, s, t, w, *sides), exact):
+                lines = np.split(ends, np.cumsum(counts)[:-1])
+                wanted = [value for line in lines for value in pieces_of(line.tolist(), size)]
+                assert found.tolist() == wanted, AGAIN
+    for others in ({"table_quotients": 1}, {"perspective": 0}):
+        modes = Modes(subdivision=8, **{"perspective": 1} | others)
+        assert (np.array(coordinates(modes, s, t, w, *sides))
+                == coordinates(replace(modes, subdivision=0), s, t, w)).all()
+
+
 @pytest.mark.parametrize("form, value, want", [
     (0, 0b101_110_01, (182, 219, 85, 255)), (0, 0b111_000_11, (255, 0, 255, 255)),
     (2, 0x5A, (0x5A,) * 4), (3, 0x5A, (0x5A, 0x5A, 0x5A, 255)), (4, 0x2C, (204, 204, 204, 34)),

@@ -12,6 +12,7 @@ from tmu_random import FAR, HEIGHT, WIDTH, Case, case, scene
 
 from tools import model, scene_pipes
 from tools.scene_file import read, write
+from tools.scene_pipes import COLUMNS
 from tools.tmu import polygon
 from tools.tmu.lod import chosen, level_of_detail
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
@@ -69,6 +70,7 @@ def test_the_polygons_differ() -> None:
     units = [modes for each in cases for modes in each.modes]
     for key, names in (("format", FORMATS), ("aspect", ASPECTS), ("mode", MIPMAPS),
                        ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("blend", (0, 1)),
+                       ("pieces", (0, 8, 16)),
                        ("perspective", (False, True)), ("clamp_w", (False, True))):
         assert {modes[key] for modes in units} == set(names), key
     assert len({modes["clamp"] for modes in units}) == len({m["filters"] for m in units}) == 4
@@ -96,6 +98,26 @@ def test_the_polygons_that_are_added_differ() -> None:
     colours = [made.pixel.colours(found[found != there]) for found, there in pairs]
     assert sum(len(np.unique(some, axis=0)) > 9 for some in colours) > len(added) / 2
     assert sum((some == 255).any() and (some[:, :3] < 255).any() for some in colours) > 5
+
+
+def test_pieces_are_seen() -> None:
+    """Of 8 pixels and of 16, filtered, wrapped and clamped in all ways, with one unit and two: some
+    polygons differ from those that are divided at each pixel; none does where a unit dithers."""
+    seen, found = 0, {"pieces": set(), "filters": set(), "clamp": set(), "own": set()}
+    for each in (case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))):
+        made = scene([each], SEED, "rgba8888")
+        tmus = made.tmus.copy()
+        tmus[:, COLUMNS["tmus"].index("subdivision")] = 0
+        exact = model.render(replace(made, tmus=tmus), 0)
+        if np.array_equal(exact, model.render(made, 0)):
+            continue
+        assert all(modes["mode"] != "nearest_dither" for modes in each.modes), each
+        seen += 1
+        found["own"].add(each.own)
+        for key, values in found.items():
+            values |= {modes[key] for modes in each.modes if key in modes}
+    assert seen > 15 and found["pieces"] >= {8, 16} and len(found["clamp"]) == 4
+    assert len(found["filters"]) > 2 and found["own"] == {False, True}, found
 
 
 @pytest.mark.parametrize("pixels", PIXELS)

@@ -113,6 +113,19 @@ def test_levels_that_a_unit_shows(folder):
     assert np.array_equal(found, np.kron(expected, np.ones((4, 4, 1), np.uint8)))
 
 
+def test_units_divide_where_they_are_told_to(folder):
+    """Each by its own setting: two units of one material, the second by its own w, in frames of the
+    guest; and what a scene says of it is in its file."""
+    both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }, '
+                 'subdivision = 8', UNIT + ", own = true, subdivision = 16")
+    deep = SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 5]") + "\n" + OWN
+    scene = make(folder, "perspective = true, " + both, deep + "\nw1 = [1, 6, 9, 2]")
+    assert [scene_pipes.unit_of(scene, n).modes.subdivision for n in (0, 1)] == [8, 16]
+    for off in (None, "all"):
+        check_frames(scene, "units that divide each 8 and 16 pixels", off,
+                     ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k divide")
+
+
 def test_a_second_unit_has_its_own_coordinates(folder):
     """The first unit shows what comes from the second, whose map is seen eight times closer."""
     both = units(UNIT + ', combine = { function = "scale_other", factor = "one" }',
@@ -197,6 +210,7 @@ MESSAGES = [
     (units(UNIT + ', combine = { factor = "half" }'),
      "glide.units[0].combine.factor: 'half' is not one of zero, local"),
     (units(UNIT + ", weights = 5"), "glide.units[0].weights: must be 4 or 8"),
+    (units(UNIT + ", subdivision = 4"), "glide.units[0].subdivision: must be 0 or 8 or 16"),
     (units(UNIT + ', levels = "all"'), "glide.units[0].levels: 'all' is not one of even, odd"),
     (units(UNIT + ", trilinear = true"),
      'glide.units[0].trilinear: needs "levels" even or odd: another unit blends the others in'),

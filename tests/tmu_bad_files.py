@@ -17,7 +17,7 @@ def scene() -> Scene:
                  [Material("glide", unit=0), Material("glide", unit=1), Material()],
                  [Object(0, 0, 3, 0, 1, 0), Object(1, 3, 6, 0, 1, 0), Object(2, 9, 3, 0, 1, 0)],
                  vertices, np.array([IDENTITY]), "rgb565",
-                 tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0]] * 2),
+                 tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0, 8]] * 2),
                  pipes=np.array([[0, 1, 0, 0, 0], [0, 2, 2, 0, 1]]), tmu_memory=bytes(256))
 
 
@@ -41,6 +41,7 @@ def wrong_pipes() -> list[Row]:
     entry("tmus", 0, "ncc", 164, 2, M32 - 1)
     entry("tmus", 1, "fraction_bits", 0, 5, M32)
     entry("tmus", 1, "dithered", 2, M32)
+    entry("tmus", 1, "subdivision", 1, 4, 32, M32)
     entry("pipes", 0, "tmus", 0, 3, M32)
     entry("pipes", 1, "tmu", 1, 2, M32, said="pipe.tmus")
     entry("pipes", 0, "own", 1, 2)

@@ -28,7 +28,8 @@ ALONE = ("plain", "dithered")  # of one unit and one level
 @dataclass
 class Case:
     """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights, whether it is dithered; ``vertices``: (x, y, s, t, shade, w), as a scene's."""
+    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as a
+    scene's."""
 
     kind: str
     units: list[tuple]
@@ -173,8 +174,12 @@ def case(seed: int, number: int) -> Case:
         row, found = unit(rng, kind, n, count, perspective != other)
         units.append([*row, dithered])
         modes.append(found | {"dithered": dithered})
-    return Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
+    made = Case(kind, units, vertices(rng, own, kind in FAR), rng.choice(("subpixel", "exact")),
                 rng.choice(("scissor", "vertices")), own, number % ADDED == 3, modes)
+    for row, found in zip(units, modes):
+        found["pieces"] = rng.choice((0, 8, 8, 16, 16))
+        row.append(found["pieces"])
+    return made
 
 
 def strip(n: int) -> list[tuple]:

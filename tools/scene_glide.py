@@ -10,7 +10,7 @@ from .map_range import fixed
 from .mipmap import FILTERS as MIPMAP_FILTERS
 from .scene_pipes import PREFILTER_KB
 from .scene_tx import flag
-from .tmu.state import LAST_LEVEL
+from .tmu.state import LAST_LEVEL, SUBDIVISIONS
 from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
 
 FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
@@ -63,6 +63,7 @@ def unit_schema():
         "levels": (one_of(*LEVELS), "both"), "trilinear": (flag, False),
         "combine": (combined, combined({}, "")), "weights": (one_of_numbers(4, 8), 4),
         "bilinear": (one_of(*BILINEAR), BILINEAR[0]),
+        "subdivision": (one_of_numbers(*SUBDIVISIONS), 0),
         "clamp_w": (flag, False), "own": (flag, False)})
 
 

@@ -9,7 +9,7 @@ from . import images
 from .errors import UserError
 from .fields import fail, join
 from .scene_glide import BLENDS, NARROWEST, NO_MIPMAP, SIDE, has_own
-from .scene_pipes import NO_TABLE
+from .scene_pipes import COLUMNS, NO_TABLE
 from .tmu.images import Map, encode
 from .tmu.mipmap import levels, shape_of
 from .tmu.registers import words_of_ncc
@@ -106,7 +106,7 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: Memory, where: s
         registers = words_of_ncc(texels.ncc)
         ncc = memory.put(np.concatenate([registers, registers]).astype(">u4").tobytes())
     return [*words.words(), memory.put(held), len(held), palette, ncc, unit["weights"],
-            unit["bilinear"] == "dithered"]
+            unit["bilinear"] == "dithered", unit["subdivision"]]
 
 
 def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
@@ -127,8 +127,8 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
                           BLENDS.index(glide["blend"])])
             tmus += made
         numbers[name], glide["units"] = known[key]
-    return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, 10),
-                     "pipes": np.array(pipes, np.int64).reshape(-1, 5),
+    return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, len(COLUMNS["tmus"])),
+                     "pipes": np.array(pipes, np.int64).reshape(-1, len(COLUMNS["pipes"])),
                      "tmu_memory": bytes(memory.data)}
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from .errors import UserError
 from .tmu.registers import NCC_REGISTERS, modes_of, ncc_of, words_of
-from .tmu.state import VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
+from .tmu.state import SUBDIVISIONS, VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
 
 UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
@@ -20,10 +20,10 @@ PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
 RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
-#: palette and NCC tables lie, two settings; a pipe's first unit, how many, which have coordinates of
-#: their own, bytes that prefiltered tiles may take, whether they are added to the frame.
+#: palette and NCC tables lie, three settings; a pipe's first unit, how many, which have coordinates of
+#: their own, bytes that prefiltered tiles may take, whether its polygons are added.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
-                    "fraction_bits", "dithered"),
+                    "fraction_bits", "dithered", "subdivision"),
            "pipes": ("tmu", "tmus", "own", "prefilter", "adds")}
 
 
@@ -39,8 +39,8 @@ def longs(scene, at: int, count: int) -> np.ndarray:
 
 def unit_of(scene, number: int) -> Unit:
     """The model of a unit."""
-    *words, memory, size, palette, ncc, bits, dithered = scene.tmus[number].tolist()
-    unit = Unit(replace(modes_of(*words, bits), dithered=dithered),
+    *words, memory, size, palette, ncc, bits, dithered, pixels = scene.tmus[number].tolist()
+    unit = Unit(replace(modes_of(*words, bits), dithered=dithered, subdivision=pixels),
                 np.frombuffer(scene.tmu_memory, np.uint8, size, memory))
     if palette != NO_TABLE:
         unit.palette = unpacked(longs(scene, palette, 256))[:, :3]
@@ -91,7 +91,7 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
 
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
     """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
-    *words, memory, count, palette, ncc, bits, dithered = row
+    *words, memory, count, palette, ncc, bits, dithered, pixels = row
     for column, word in zip(COLUMNS["tmus"], words):
         if not 0 <= word < 1 << 32:
             raise UserError(f"{name}: {where}.{column}: {word} is no register")
@@ -109,6 +109,8 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
         raise UserError(f"{name}: {where}.fraction_bits: {bits} is neither 4 nor 8")
     if dithered not in (0, 1):
         raise UserError(f"{name}: {where}.dithered: {dithered} is neither 0 nor 1")
+    if pixels not in SUBDIVISIONS:
+        raise UserError(f"{name}: {where}.subdivision: {pixels} is none of 0, 8 and 16")
     try:
         modes = modes_of(*words, bits)
     except UserError as error:

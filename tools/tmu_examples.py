@@ -23,6 +23,8 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_widen_565": sample.widen_565,
     "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
     "tmu_divide_each": depth.divide_each,
+    "tmu_pieces": depth.pieces_8, "tmu_pieces_16": depth.pieces_16,
+    "tmu_pieces_clamp": depth.pieces_clamp, "tmu_pieces_small": depth.pieces_small,
     "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
     "tmu_details": depth.details, "tmu_interleave": sample.interleave,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
@@ -33,4 +35,6 @@ MAKERS: dict[str, Callable[..., Example]] = {
 IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")
 #: Other input of a pass: beside it there is no C.
 FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
-         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide"} | tiles.FORMS
+         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide",
+         "tmu_pieces_16": "tmu_pieces", "tmu_pieces_clamp": "tmu_pieces",
+         "tmu_pieces_small": "tmu_pieces"} | tiles.FORMS

@@ -119,7 +119,7 @@ def any_modes(rng) -> Modes:
 def modes_bytes(modes: Modes) -> list[int]:
     """struct tmu_modes."""
     values = {field.name: getattr(modes, field.name) for field in fields(modes)}
-    values |= {name: list(astuple(values[name])) for name in ("rgb", "alpha")} | {"spare": [0] * 3}
+    values |= {name: list(astuple(values[name])) for name in ("rgb", "alpha")} | {"spare": [0] * 2}
     return list(layout.load().struct("tmu_modes").pack(**values))
 
 

@@ -77,6 +77,61 @@ def divide_each(rng, count: int) -> Example:
     return found(*line, count, ground)
 
 
+def line_of_pieces(start, step, ground: Axes) -> np.ndarray:
+    """s and t, [left][2], of a line that is divided at the ends of pieces: numbers without a limit
+    are cut to 32 bits where the rules say so."""
+    points = signed(numbered(start, step, ground.left), 32).tolist()
+    divided = [[quotient(c, w, ground.behind) for c in (s, t)] for s, t, w in points]
+    values = []
+    for n in range(ground.left):
+        first = n >> ground.bits << ground.bits
+        last = min(first + (1 << ground.bits), ground.left - 1)
+        steps = [int(signed(b - a, 32)) // max(last - first, 1)
+                 for a, b in zip(divided[first], divided[last])]
+        values.append([a + (n - first) * way for a, way in zip(divided[first], steps)])
+    return signed(values, 32)
+
+
+def some_pieces(start, step, count: int, ground: Axes) -> Example:
+    """A run of ``count`` pixels."""
+    values = line_of_pieces(start, step, ground)[ground.skip:][:count]
+    return Example("tmu_pieces", longs(start), pairs(ground.coordinates(values)), count,
+                   "tmu_steps", ground.values(step))
+
+
+def pieces(rng, count: int) -> Example:
+    """Any run of any line."""
+    ground = axes(rng, int(rng.integers(0, 9)), rng.random(2) < rng.choice((0, 0.4)),
+                  int(rng.choice((4, 8))))
+    ground.behind, ground.bits = int(rng.integers(2)), int(rng.integers(3, 5))
+    if rng.random() < 0.6:
+        ground.skip = int(rng.integers(1 << ground.bits))
+    ground.left = ground.skip + count + int(rng.choice((0, 0, 1, rng.integers(40))))
+    return some_pieces(*iterators(rng, ground.left), count, ground)
+
+
+def priced(count: int, bits: int, last: int = WRAPPED, shift: int = 14) -> Example:
+    """A line from end to end: w to a quarter, 260 and 150 texels on."""
+    line = between([40 << 18, 50 << 18, ONE], [75 << 18, 50 << 18, ONE >> 2], count)
+    return some_pieces(*line, count, Axes(shift, 8, (last, last), bits=bits, left=count))
+
+
+def pieces_8(rng, count: int) -> Example:
+    return priced(count, 3) if count == BENCH else pieces(rng, count)
+
+
+def pieces_16(_, count: int) -> Example:
+    return priced(count, 4)
+
+
+def pieces_clamp(_, count: int) -> Example:
+    return priced(count, 3, 255 * 16)
+
+
+def pieces_small(_, count: int) -> Example:
+    return priced(count, 3, shift=17)
+
+
 @cache
 def limits() -> tuple[int, ...]:
     """2^(31 + (k + 1/2) / 256), rounded down: where the next logarithm begins."""

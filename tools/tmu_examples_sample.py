@@ -18,12 +18,16 @@ class Axes:
     half: int
     last: tuple[int, int]
     behind: int = 0
+    bits: int = 0  # of tmu_pieces alone, from here on
+    skip: int = 0
+    left: int = 0
 
     def values(self, step) -> dict[str, int]:
         """struct tmu_steps."""
         return dict(zip("stw", step)) | {"shift": self.shift, "half": self.half,
                                          "last_s": self.last[0], "last_t": self.last[1],
-                                         "behind": self.behind, "spare": 0}
+                                         "behind": self.behind, "bits": self.bits,
+                                         "skip": self.skip, "left": self.left, "spare": 0}
 
     def coordinates(self, points: np.ndarray) -> np.ndarray:
         """Of s and t, [n][2] in 14.18."""

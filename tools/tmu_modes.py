@@ -108,6 +108,9 @@ MODES = (
     Mode("tmu_point_perspective", "point, perspective", of(**DEEP), "deep"),
     Mode("tmu_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
          "bilinear"),
+    *(Mode(f"tmu_bilinear_every_{pixels}", f"the same, divided each {pixels} pixels",
+           of(BILINEAR | {"subdivision": pixels}, **DEEP), "deep", "bilinear")
+      for pixels in (16, 8)),
     Mode("tmu_away", "the same, minified", of(BILINEAR, **DEEP), "away", "bilinear"),
     Mode("tmu_level_point", "point, perspective, all as deep", of(**DEEP), "level"),
     Mode("tmu_level_bilinear", "bilinear, perspective, all as deep", of(BILINEAR, **DEEP), "level",

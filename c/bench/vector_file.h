@@ -147,6 +147,7 @@ enum vector_tmu_call {
     VECTOR_TMU_CALL_COMBINE,
     VECTOR_TMU_CALL_PERSPECTIVE,
     VECTOR_TMU_CALL_REGISTERS,
+    VECTOR_TMU_CALL_SUBDIVISION,
     VECTOR_TMU_CALL_CHAIN,              /* tmu_chain_init, tmu_chain_hints: units, own */
     VECTOR_TMU_CALLS
 };

@@ -121,6 +121,7 @@ enum tmu_result vector_tmu_call(struct tmu *tmu, uint32 number, const int32 *val
         return tmu_combine(tmu, a[0], a[1], a[2], a[3], a[4], a[5]);
     case VECTOR_TMU_CALL_PERSPECTIVE: return tmu_perspective(tmu, a[0], a[1]);
     case VECTOR_TMU_CALL_REGISTERS: return tmu_registers(tmu, a[0], a[1], a[2], a[3]);
+    case VECTOR_TMU_CALL_SUBDIVISION: return tmu_subdivision(tmu, a[0]);
     case VECTOR_TMU_CALL_CHAIN: return call_chain(tmu, a);
     default: return TMU_RESULTS;
     }

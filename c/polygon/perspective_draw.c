@@ -1,4 +1,5 @@
 /* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
+#include "polygon/line_room.h"
 #include "polygon/perspective.h"
 
 /* What each setting's lines are drawn by. */
@@ -15,12 +16,15 @@ static const struct {
 };
 
 /* What is made of all lines before they are drawn: one kind at a time. */
-static union {
+union made {
     struct reciprocal_line reciprocals[SCENE_SIDE_MAX];
     struct logarithm_line logarithms[SCENE_SIDE_MAX];
     struct perspective_line exact[SCENE_SIDE_MAX];
     struct scanline_step steps[SCENE_SIDE_MAX];
-} made;
+};
+
+static union made *const made = (union made *)line_room;
+extern char made_fits[sizeof(union made) <= LINE_ROOM ? 1 : -1];
 
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
 #define FAR (512 << 16)
@@ -62,14 +66,14 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
     plan.planes = planes;
     plan.piece = ways[setting].piece;
     plan.table = table;
-    plan.to = made.reciprocals;
+    plan.to = made->reciprocals;
     reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
           - width / RECIPROCAL_REACH_WIDTH;
     if (!find_constants(&plan, reach << 16))
         return planes->count;
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
-    lines.lines = made.reciprocals;
+    lines.lines = made->reciprocals;
     lines.count = planes->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -93,8 +97,8 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     plan.planes = planes;
     if (!find_constants(&plan, FAR))
         return planes->count;
-    left = logarithm_lines(&plan, tables, made.logarithms);
-    lines.lines = made.logarithms;
+    left = logarithm_lines(&plan, tables, made->logarithms);
+    lines.lines = made->logarithms;
     lines.count = planes->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -111,9 +115,9 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective setting
     struct perspective_span lines;
 
     plan->bend = ways[setting].bend;
-    plan->to = made.exact;
+    plan->to = made->exact;
     perspective_lines(plan);
-    lines.lines = made.exact;
+    lines.lines = made->exact;
     lines.count = plan->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
@@ -129,13 +133,13 @@ static void draw_level(const struct perspective_plan *plan, const struct span_pl
 {
     struct span_plan lines;
 
-    level_lines(plan, made.steps);
+    level_lines(plan, made->steps);
     lines.lines = plan->lines;
     lines.count = plan->count;
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.steps = made.steps;
+    lines.steps = made->steps;
     span_affine_scanline(&lines);
 }
 

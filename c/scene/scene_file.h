@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 10,
+    SCENE_VERSION = 11,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -115,6 +115,7 @@ struct scene_tmu {
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
     uint32 dithered;            /* 1: points may stand in for the bilinear filter; or 0 */
+    uint32 subdivision;         /* pixels: 0, 8 or 16 */
 };
 
 /* Units in a row, the first nearest the frame. */

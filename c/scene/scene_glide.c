@@ -20,6 +20,8 @@ static enum tmu_result set_up(struct tmu *tmu, const struct scene_tmu *from, uin
     if (result == TMU_DONE)
         result = tmu_bilinear_by(tmu, from->dithered);
     if (result == TMU_DONE)
+        result = tmu_subdivision(tmu, from->subdivision);
+    if (result == TMU_DONE)
         result = tmu_registers(tmu, from->mode, from->lod, from->detail, from->base);
     return result;
 }
@@ -42,6 +44,8 @@ static const char *wrong_tmu(const struct scene *scene, const struct scene_tmu *
         return "tmu.bytes";
     case TMU_BAD_FRACTION_BITS:
         return "tmu.fraction_bits";
+    case TMU_BAD_SUBDIVISION:
+        return "tmu.subdivision";
     case TMU_BAD_FLAG:
         return "tmu.dithered";
     default:

@@ -103,12 +103,14 @@ static void draw_line(const struct tmu_pipe *pipe, struct tmu_iterations *at,
 {
     const struct tmu_chain *chain = &pipe->chain;
     uint8 *to = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    struct tmu_pieces pieces;
 
+    tmu_pieces_open(&pieces, chain, at, end - x);
     set_point(at, 0, x, y);
     if (tmu_has_own(chain))
         set_point(at, 1, x, y);
     for (; x < end; x++, to += frame->pixel_bytes) {
-        const uint32 argb = tmu_chain_pixel(chain, at->points);
+        const uint32 argb = tmu_pieces_pixel(&pieces);
         const uint32 pixel = pipe->adds ? added_pixel(to, argb, frame->pixel_bytes)
             : tmu_frame_pixel(argb, frame->pixel_bytes);
 

@@ -85,11 +85,33 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
     }
 }
 
+/* The same where s and t are divided at the ends of pieces. */
+static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
+{
+    const uint32 place = (uint32)(runs->end - runs->left);
+    const uint32 skip = place & ((1u << runs->part->piece_bits) - 1);
+    struct tmu_iterators at;
+
+    at.s = (int32)((uint32)runs->at.s - skip * (uint32)runs->by.s);
+    at.t = (int32)((uint32)runs->at.t - skip * (uint32)runs->by.t);
+    at.w = (int32)((uint32)runs->at.w - skip * (uint32)runs->by.w);
+    steps->s = runs->by.s;
+    steps->t = runs->by.t;
+    steps->w = runs->by.w;
+    steps->skip = (uint16)skip;
+    steps->left = runs->line - (int32)(place - skip);
+    tmu_pieces(&at, work->coordinates, steps, runs->count);
+}
+
 static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
 {
     static const struct tmu_iterators none = {0, 0, 0};
     const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
 
+    if (runs->part->piece_bits) {
+        find_pieces(runs, steps);
+        return;
+    }
     steps->s = is_none ? 0 : runs->by.s;
     steps->t = is_none ? 0 : runs->by.t;
     steps->w = runs->by.w;
@@ -230,6 +252,7 @@ int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, i
 
     row.x = x;
     row.y = y;
+    row.count = count;
     for (int32 left = count; ; left -= count, row.x = x += count, pixels += count * bytes) {
         int32 mixed = 0;
 

@@ -65,6 +65,17 @@ enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table)
     return TMU_DONE;
 }
 
+enum tmu_result tmu_subdivision(struct tmu *tmu, uint32 pixels)
+{
+    struct tmu_modes modes = tmu->modes;
+
+    if (pixels && pixels != 8 && pixels != 16)
+        return TMU_BAD_SUBDIVISION;
+    modes.subdivision = (uint8)pixels;
+    tmu_set_modes(tmu, &modes);
+    return TMU_DONE;
+}
+
 enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered)
 {
     struct tmu_modes modes = tmu->modes;

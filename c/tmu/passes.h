@@ -20,7 +20,10 @@ struct tmu_steps {
     uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level */
     uint16 half;                /* half a texel, in coordinates; 0 for point sampling */
     uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
-    uint16 behind, spare;       /* 1: s and t are 0 where w is negative */
+    uint16 behind;              /* 1: s and t are 0 where w is negative */
+    uint16 bits;                /* of tmu_pieces: a piece has 2^bits pixels; */
+    uint16 skip, spare;         /* how many of the first one's the run leaves out, */
+    int32 left;                 /* how many the line has from that piece on */
 };
 
 /* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +
@@ -131,6 +134,7 @@ void tmu_quad_8_make(struct tmu_quad_8 *quad, uint32 c00, uint32 c10, uint32 c01
 void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
+void tmu_pieces(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_lod(const void *iterators, void *lods, const void *steps, int32 count);
 void tmu_details(const void *lods, void *factors, const void *nearness, int32 count);
 void tmu_interleave(const void *texels, void *line, const void *quarters, int32 count);

@@ -79,6 +79,10 @@ uint32 tmu_combine_pixel(const struct tmu *tmu, const struct tmu_lod *lod, uint3
 /* pixel.c: all of it. */
 uint32 tmu_pixel(const struct tmu *tmu, const struct tmu_point *point, uint32 other);
 
+/* The same where s and t of the pixel (14.18) are known. */
+uint32 tmu_pixel_at(const struct tmu *tmu, const struct tmu_point *point, int32 s, int32 t,
+                    uint32 other);
+
 /* chain.c: units in a row, none of them with points of its own; then which have. */
 enum tmu_result tmu_chain_init(struct tmu_chain *chain, struct tmu *const *units, uint32 count);
 enum tmu_result tmu_chain_hints(struct tmu_chain *chain, uint32 own);

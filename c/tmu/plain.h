@@ -9,6 +9,7 @@
 void tmu_walk_c(const struct tx_call *call);
 void tmu_walk_clamp_c(const struct tx_call *call);
 void tmu_divide_c(const struct tx_call *call);
+void tmu_pieces_c(const struct tx_call *call);
 void tmu_lod_c(const struct tx_call *call);
 void tmu_details_c(const struct tx_call *call);
 void tmu_interleave_c(const struct tx_call *call);

@@ -64,6 +64,65 @@ void tmu_divide_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
+static int32 divided_at(int32 s, int32 w, const struct tmu_steps *step)
+{
+    return !w || (w < 0 && step->behind) ? 0 : divided(s, w, 0);
+}
+
+static uint32 level_coordinate(int32 value, const struct tmu_steps *step, int32 last)
+{
+    const int32 found = (value >> step->shift) - step->half;
+
+    if (last == 0xffff)
+        return (uint32)found & 0xffff;
+    return (uint32)(found < 0 ? 0 : found > last ? last : found);
+}
+
+/* What takes a value from one number to another, rounded down. */
+static int32 step_of(int32 from, int32 to, int32 pixels)
+{
+    const int32 way = (int32)((uint32)to - (uint32)from), step = way / pixels;
+
+    return step * pixels > way ? step - 1 : step;
+}
+
+void tmu_pieces_c(const struct tx_call *call)
+{
+    const struct tmu_iterators *start = call->in;
+    const struct tmu_steps *step = call->constants;
+    int32 s_over_w = start->s, t_over_w = start->t, w = start->w;
+    int32 s0 = divided_at(s_over_w, w, step), t0 = divided_at(t_over_w, w, step);
+    int32 skip = step->skip, left = step->left - 1, count = call->count;
+    const int32 whole = 1 << step->bits;
+    uint32 *out = call->out;
+
+    while (count > 0) {
+        const int32 pixels = left < whole ? left : whole;
+        int32 s = s0, t = t0, ds = 0, dt = 0;
+
+        if (pixels) {
+            s_over_w = (int32)((uint32)s_over_w + (uint32)pixels * (uint32)step->s);
+            t_over_w = (int32)((uint32)t_over_w + (uint32)pixels * (uint32)step->t);
+            w = (int32)((uint32)w + (uint32)pixels * (uint32)step->w);
+            s0 = divided_at(s_over_w, w, step);
+            t0 = divided_at(t_over_w, w, step);
+            ds = step_of(s, s0, pixels);
+            dt = step_of(t, t0, pixels);
+        }
+        for (int32 i = 0; i < whole && count > 0; i++) {
+            if (i >= skip) {
+                *out++ = level_coordinate(s, step, step->last_s) << 16
+                    | level_coordinate(t, step, step->last_t);
+                count--;
+            }
+            s = (int32)((uint32)s + (uint32)ds);
+            t = (int32)((uint32)t + (uint32)dt);
+        }
+        skip = 0;
+        left -= whole;
+    }
+}
+
 /* A pixel's LOD. */
 static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
 {

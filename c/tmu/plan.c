@@ -23,7 +23,9 @@ struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
     to->steps.shift = (uint16)(18 - bits + lod->level);
     to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
     to->steps.behind = modes->clamp_negative_w;
-    to->steps.spare = 0;
+    to->steps.bits = (uint16)part->piece_bits;
+    to->steps.skip = to->steps.spare = 0;
+    to->steps.left = 0;
     to->steps.last_s = modes->clamp_s ? (uint16)(to->level->mask_s << (bits - 4)) : 0xffff;
     to->steps.last_t = modes->clamp_t ? (uint16)(to->level->mask_t << (bits - 4)) : 0xffff;
     return to;
@@ -73,7 +75,8 @@ static int32 find_part(struct tmu_part *part, struct tmu_pipe *pipe, uint32 unit
     part->first = points ? TMU_OWN : TMU_S;
     part->lod = iterations->points[points].lod + modes->lod_bias * 64;
     part->by_w = modes->perspective;
-    part->coordinates = divides ? tmu_divide
+    part->piece_bits = divides ? tmu_piece_bits(&pipe->chain, unit) : 0;
+    part->coordinates = part->piece_bits ? tmu_pieces : divides ? tmu_divide
         : modes->clamp_s || modes->clamp_t ? tmu_walk_clamp : tmu_walk;
     part->looks_behind = modes->clamp_negative_w && !divides;
     part->ready = 0;

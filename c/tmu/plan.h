@@ -48,6 +48,7 @@ struct tmu_part {
     uint32 band;                /* the first that there may be */
     uint32 bits, every;         /* those of any band that there may be, and of all */
     tmu_pass *coordinates;
+    int32 piece_bits;           /* of tmu_pieces; 0: every pixel is divided, or none */
     uint32 ready;               /* bit n: limits[n] are there */
     /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not
        below the next one's. */
@@ -64,6 +65,7 @@ struct tmu_plan {
 /* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
 struct tmu_row {
     int32 x, y, step_bits;      /* 0 or 2 */
+    int32 count;                /* of the line's pixels; of no account where step_bits is 2 */
 };
 
 /* Pieces of a row in which all that chooses a unit's passes is the same. */
@@ -72,6 +74,7 @@ struct tmu_runs {
     struct tmu_iterators at, by;        /* the first pixel's, and its steps */
     uint32 band;
     int32 count, left, dither;
+    int32 end, line;            /* the row's pixel behind the last one; row->count */
 };
 
 /* The LOD of all pixels where the limits of a unit's levels leave one only; 0: they leave
@@ -126,6 +129,31 @@ struct tmu_factors {
 void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_modes *modes,
                       const struct tmu_factors *factors, const uint32 *local,
                       const uint32 *other, uint32 *to, int32 count);
+
+/* A unit's piece of a line: s and t of the pixel (14.18), and what they change by. */
+struct tmu_piece {
+    int32 bits;                 /* 2^bits pixels; 0: each pixel by itself */
+    int32 s, t, ds, dt;
+};
+
+/* A line pixel by pixel. */
+struct tmu_pieces {
+    const struct tmu_chain *chain;
+    const struct tmu_iterations *at;    /* points: the pixel's */
+    int32 count, done;
+    struct tmu_piece of[TMU_UNITS];
+};
+
+/* pieces.c. By how many pixels, 2^bits, a unit in a row divides where it divides: tmu_subdivision.
+   0: each. */
+int32 tmu_piece_bits(const struct tmu_chain *chain, uint32 unit);
+
+/* pieces.c. Before a line's first pixel; count: its pixels. */
+void tmu_pieces_open(struct tmu_pieces *pieces, const struct tmu_chain *chain,
+                     const struct tmu_iterations *at, int32 count);
+
+/* pieces.c. A R G B of the line's next pixel. */
+uint32 tmu_pieces_pixel(struct tmu_pieces *pieces);
 
 /* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a
    unit looks at them or is dithered; 0: there is none. */

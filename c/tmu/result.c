@@ -29,6 +29,7 @@ const char *tmu_result_text(enum tmu_result result)
         "no such combine factor",
         "flag is neither 0 nor 1",
         "weights have neither 4 nor 8 bits",
+        "pieces have neither 8 nor 16 pixels",
         "register has bits that mean nothing",
         "not one or two units, or hints beyond them",
         "s or t of a vertex is 8,192 or more, or of two so far apart",

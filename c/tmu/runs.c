@@ -108,6 +108,8 @@ void tmu_runs_open(struct tmu_runs *runs, struct tmu_part *part, const struct tm
     runs->by.w = (int32)(of[TMU_W].dx << bits);
     runs->dither = part->tmu->modes.dither ? tmu_dither(row->x, row->y) / (LOD_ONE / 16) : 0;
     runs->left = count;
+    runs->end = first + count;
+    runs->line = row->count;
     runs->count = 0;
     runs->band = part->band;
 }

@@ -101,6 +101,7 @@ enum tmu_result {
     TMU_BAD_FACTOR,
     TMU_BAD_FLAG,               /* neither 0 nor 1 */
     TMU_BAD_FRACTION_BITS,      /* neither 4 nor 8 */
+    TMU_BAD_SUBDIVISION,        /* neither 0 nor 8 nor 16 */
     TMU_BAD_REGISTER,           /* bits that are set stand for nothing a unit has */
     TMU_BAD_UNITS,              /* none, or more than there can be */
     TMU_BAD_COORDINATE,         /* s or t of a polygon: see tmu_polygon_draw */
@@ -134,7 +135,8 @@ struct tmu_modes {
     uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
     uint8 dithered;             /* 1: moved points stand in for the bilinear filter where they can
                                    (unit.h); 0: it is exact */
-    uint8 spare[3];
+    uint8 subdivision;          /* tmu_subdivision: 0, 8 or 16 pixels */
+    uint8 spare[2];
     uint32 base;                /* bytes: where level 0 would start */
 };
 
@@ -206,6 +208,21 @@ enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
 
 /* dithered: 0 or 1. The polygons that it changes are in unit.h. */
 enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered);
+/* How often the s and t of polygons are divided by w: 0, at each pixel, or only each 8 or 16
+   pixels. A line's pixels, as the frame cuts it, are counted from its first one on, and pieces
+   begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the one where the next
+   piece begins, or for the line's last piece at its last pixel, s and t are the exact quotients
+   of 32 bits by all rules for w; pixel i of the piece has first + i * step, step = (next - first)
+   over the pixels between them, rounded down, all modulo 2^32. So w is not looked at outside the
+   line. A pixel's level goes by its own w as ever. Units whose quotients go by the table, and all
+   units in a row of which one dithers its level, do not follow this: they divide each pixel; and
+   nothing is divided where all corners' w are the same.
+
+   With w and W, of one sign, at a piece's ends, r = sqrt(W / w) and no quotient cut to 32 bits, s
+   is off the true one by up to |next - first| * |r - 1| / (r + 1), which is how far
+   u r^2 / (1 + u (r^2 - 1)) lies from u at u = 1 / (r + 1); and because quotients and steps are
+   rounded down, by up to `pixels` * 2^-18 more downwards. */
+enum tmu_result tmu_subdivision(struct tmu *tmu, uint32 pixels);
 enum tmu_result tmu_clamp(struct tmu *tmu, uint32 s, uint32 t);
 
 /* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */

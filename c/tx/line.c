@@ -1,9 +1,10 @@
 /* A line of a polygon, pass by pass. */
+#include "polygon/line_room.h"
 #include "tx/pixels.h"
 #include "tx/plan.h"
 
 /* What stands between the passes of a line, so many pixels at a time. */
-static struct work {
+struct work {
     uint32 coordinates[TX_LINE_PIXELS], relative[TX_LINE_PIXELS];
     struct tx_blending blendings[TX_LINE_PIXELS];
     uint32 texels0[TX_LINE_PIXELS], texels1[TX_LINE_PIXELS];
@@ -11,7 +12,10 @@ static struct work {
     struct tx_yuv_line yuv[2];
     struct tx_wide wide[3][TX_LINE_PIXELS];     /* texel 0, texel 1, shade */
     struct tx_wide results[2][TX_LINE_PIXELS];  /* of both cycles */
-} line, *const work = &line;
+};
+
+static struct work *const work = (struct work *)line_room;
+extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
 
 struct tx_blending *tx_line_blendings(void)
 {

@@ -14,7 +14,8 @@ from .state import ONE_W, Unit
 
 class Point(NamedTuple):
     """What is iterated for pixels, integers or arrays of one shape: ``s``, ``t``: 14.18; ``w``:
-    2.30; ``base``: the polygon's level of detail, 8.8; ``x``, ``y``: on the screen."""
+    2.30; ``base``: the polygon's level of detail, 8.8; ``x``, ``y``: on the screen; ``before``,
+    ``behind``: how many pixels of its line lie on each side, where they are there line by line."""
 
     s: np.ndarray | int
     t: np.ndarray | int
@@ -22,6 +23,8 @@ class Point(NamedTuple):
     base: np.ndarray | int = 0
     x: np.ndarray | int = 0
     y: np.ndarray | int = 0
+    before: np.ndarray | int = 0
+    behind: np.ndarray | int = 0
 
 
 def shaded(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray,
@@ -33,15 +36,18 @@ def shaded(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray,
 def pixel(unit: Unit, point: Point, other: np.ndarray) -> np.ndarray:
     """Colours [..., 4] of a unit's pixels; ``other``: from upstream, [..., 4]."""
     values = np.broadcast_arrays(*(np.asarray(c, np.int64) for c in point))
-    s, t, w, start, x, y = values
+    s, t, w, start, x, y, before, behind = values
     lod = level_of_detail(unit.modes, start, w, x, y)
-    return shaded(unit, *coordinates(unit.modes, s, t, w), lod, other)
+    return shaded(unit, *coordinates(unit.modes, s, t, w, before, behind), lod, other)
 
 
 def chain_pixel(units: Sequence[Unit], points: Sequence[Point]) -> np.ndarray:
     """Colours [..., 4] of units in a row, the first nearest the frame buffer; each has a point
-    of its own. Nothing comes to the last one from upstream."""
+    of its own. Nothing comes to the last one from upstream. Where one dithers its level of detail
+    all divide each pixel."""
     colour = np.zeros(4, np.int64)
+    if any(unit.modes.dither for unit in units):
+        points = [point._replace(before=0, behind=0) for point in points]
     for unit, point in zip(reversed(units), reversed(points), strict=True):
         colour = pixel(unit, point, colour)
     return colour

@@ -40,14 +40,39 @@ def table_quotient(c: np.ndarray, w: np.ndarray) -> np.ndarray:
     return np.where(w == 0, 0, np.clip(divided, LEAST, MOST))
 
 
-def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray,
-                w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """s and t of pixels, 14.18, of what is iterated."""
+def within_pieces(divided: np.ndarray, size: int, before: np.ndarray,
+                  behind: np.ndarray) -> np.ndarray:
+    """Exact quotients of pixels, line by line, only at the ends of pieces of ``size`` pixels, and
+    on straight lines between them. ``before``, ``behind``: pixels of its line on each side of each.
+
+    A piece's last exact quotient is the next piece's first, or that of the line's last pixel. With
+    w and W, of one sign, at both ends of a piece and r = sqrt(W / w) a value is off the true one by
+    up to |difference of the ends| * |r - 1| / (r + 1), and less by up to ``size``: a quotient is
+    rounded down, and so is the step of up to ``size`` - 1 pixels."""
+    here, place = np.arange(divided.size).reshape(divided.shape), before % size
+    first = here - place
+    pixels = np.minimum(place + behind, size)
+    start, end = divided.ravel()[first], divided.ravel()[first + pixels]
+    return to_32(start + place * (to_32(end - start) // np.maximum(pixels, 1)))
+
+
+def to_32(values: np.ndarray) -> np.ndarray:
+    """Numbers modulo 2^32 as signed ones."""
+    return (values + (1 << 31) & 0xFFFFFFFF) - (1 << 31)
+
+
+def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray, w: np.ndarray,
+                before: np.ndarray | int = 0,
+                behind: np.ndarray | int = 0) -> tuple[np.ndarray, np.ndarray]:
+    """s and t of pixels, 14.18, of what is iterated. ``before``, ``behind``: as in
+    ``within_pieces``; 0: each is a line of its own."""
     if modes.perspective:
         divided = table_quotient if modes.table_quotients else quotient
         s, t = divided(s, w), divided(t, w)
     if modes.clamp_negative_w:
         s, t = (np.where(w < 0, 0, c) for c in (s, t))
+    if modes.perspective and modes.subdivision and not modes.table_quotients:
+        s, t = (within_pieces(c, modes.subdivision, before, behind) for c in (s, t))
     return s, t
 
 

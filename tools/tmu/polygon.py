@@ -2,7 +2,8 @@
 
 What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
 W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
-share the vertices'. A polygon's level of detail comes from the planes' steps.
+share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
+subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
 
 from collections.abc import Sequence
@@ -15,6 +16,7 @@ from ..errors import UserError
 from ..fixed import signed
 from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
+from .coordinates import to_32
 from .dithered import lines
 from .lod import base
 from .state import ONE_W, Unit
@@ -47,9 +49,12 @@ def check(corners: list[tuple[int, int, int]], perspective: bool) -> None:
         raise UserError("polygon: a vertex's w is 0 or above 16,384")
 
 
-def signed_values(values: np.ndarray) -> np.ndarray:
-    """Numbers modulo 2^32 as signed ones."""
-    return (values + (1 << 31) & 0xFFFFFFFF) - (1 << 31)
+def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
+    """How many pixels of its line lie before and behind each."""
+    _, first, line, count = np.unique(at.y, return_index=True, return_inverse=True,
+                                      return_counts=True)
+    before = np.arange(at.y.size) - first[line]
+    return before, count[line] - 1 - before
 
 
 def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
@@ -64,8 +69,9 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     (at, st), (_, w) = found
     st = enlarged(st, bits)
     steps = [signed(c) for c in (*st.ddx, *st.ddy)]
-    return at, Point(*(signed_values(c) for c in (*st.values, w.values[0])), base(*steps), at.x,
-                     at.y)
+    is_one = not w.ddx[0] and not w.ddy[0] and bool((w.values[0] == ONE_W).all())
+    return at, Point(*(to_32(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
+                     *((0, 0) if is_one else sides(at)))  # w of 1.0 divides nothing
 
 
 def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:

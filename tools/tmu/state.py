@@ -26,6 +26,7 @@ LEVELS = LAST_LEVEL + 1
 LAST_ASPECT = 3  # 8:1
 UNIT_MEMORY = 1 << 18
 VOODOO_BITS, VOODOO2_BITS = 4, 8  # of fraction in filter weights
+SUBDIVISIONS = (0, 8, 16)  # pixels; 0: each
 
 ZERO, LOCAL, OTHER_ALPHA, LOCAL_ALPHA, DETAIL, LOD_FRACTION = range(6)  # mselect
 
@@ -52,7 +53,8 @@ class Modes:
     ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255; ``base``: bytes,
     where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8;
     ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact; ``dithered``: 1: moved
-    points may stand in for the bilinear filter."""
+    points may stand in for the bilinear filter; ``subdivision``: pixels from one exact quotient to
+    the next, 8 or 16, 0: each."""
 
     perspective: int = 0
     minify: int = 0
@@ -80,6 +82,7 @@ class Modes:
     fraction_bits: int = VOODOO_BITS
     table_quotients: int = 0
     dithered: int = 0
+    subdivision: int = 0
 
     def __post_init__(self):
         if self.format not in FORMATS:

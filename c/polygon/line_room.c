@@ -1,0 +1,3 @@
+#include "polygon/line_room.h"
+
+uint32 line_room[LINE_ROOM / 4];

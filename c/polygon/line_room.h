@@ -1,0 +1,11 @@
+/* Memory that ways of drawing share: of what one leaves there nothing is read when another begins. */
+#ifndef LINE_ROOM_H
+#define LINE_ROOM_H
+
+#include "compiler.h"
+
+enum { LINE_ROOM = 49152 };     /* bytes: what perspective makes of SCENE_SIDE_MAX lines */
+
+extern uint32 line_room[LINE_ROOM / 4];
+
+#endif
