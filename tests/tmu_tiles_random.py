@@ -42,7 +42,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, largest: int) -
         words.combine("scale_other", "local", "scale_other", "local")
     elif kind == "any" or kind == "point":
         words.combine(*(rng.choice(list(names)) for _ in "ca" for names in (FUNCTIONS, FACTORS)))
-    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, rng.choice((4, 4, 4, 8)), 0, 0]
+    return [*words.words(), 0, words.memory_bytes, PALETTE, NCC, rng.choice((4, 4, 4, 8)), 0, 8]
 
 
 def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:

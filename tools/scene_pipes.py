@@ -21,7 +21,7 @@ RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
 #: palette and NCC tables lie, three settings; a pipe's first unit, how many, which have coordinates of
-#: their own, bytes that prefiltered tiles may take, whether its polygons are added.
+#: their own, bytes that prefiltered tiles may take, whether they are added to the frame.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
                     "fraction_bits", "dithered", "subdivision"),
            "pipes": ("tmu", "tmus", "own", "prefilter", "adds")}

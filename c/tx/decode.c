@@ -1,3 +1,4 @@
+#include "polygon/line_room.h"
 #include "tx/decode.h"
 
 #include "system/system.h"
@@ -9,8 +10,16 @@ struct column {
     int16 index, next, next_at;
 };
 
-/* A tile's columns while it is decoded: as many as a mirrored mask of 10 bits has. */
-static struct column columns[2048];
+/* What stands between the steps of decoding a tile. */
+struct work {
+    struct column columns[2048];        /* as many as a mirrored mask of 10 bits has */
+    uint32 line[TX_COLUMNS_MAX + 1];    /* both at a time: some formats decode one more */
+    uint32 below[2048];
+};
+
+static struct work *const work = (struct work *)line_room;
+static struct column *const columns = ((struct work *)line_room)->columns;
+extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
 
 /* The tile that is decoded. */
 struct making {
@@ -72,16 +81,13 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
 /* The columns of a row of TMEM. */
 static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
-    static uint32 line[TX_COLUMNS_MAX + 1];
-
-    /* Both at a time: some formats decode one more. */
     if (m->in_order && !(m->width & 1)) {
         tx_rows_decode(&m->rows, row, to, m->width);
         return;
     }
-    tx_rows_decode(&m->rows, row, line, m->texels);
+    tx_rows_decode(&m->rows, row, work->line, m->texels);
     for (const struct column *column = columns; column < columns + m->width; column++)
-        *to++ = line[column->index];
+        *to++ = work->line[column->index];
 }
 
 /* Each row of TMEM once: another that shows it is copied. */
@@ -107,15 +113,14 @@ static void decode_texels(const struct making *m)
 /* The texels of the row below: a decoded row's where that shows it. */
 static const uint32 *row_below(const struct making *m, int32 j, int32 next)
 {
-    static uint32 spare[2048];
     const int32 below = j + 1 < m->height ? j + 1 : 0;
     int32 row, beyond;
 
     place_row(m, below, &row, &beyond);
     if (row == next)
         return m->to + below * m->width;
-    decode_row(m, next, spare);
-    return spare;
+    decode_row(m, next, work->below);
+    return work->below;
 }
 
 /* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */

@@ -5,6 +5,7 @@
    another half in odd columns; the texels beside it are those of the next pair. Both hold for
    every column that is shown, wrapped ones too; of mirrored ones odd and even change places,
    which the pass over coordinates does not know. */
+#include "polygon/line_room.h"
 #include "system/system.h"
 #include "tx/plan.h"
 
@@ -37,7 +38,7 @@ static int32 find_texels(struct tx_yuv *yuv, const struct tx_modes *modes, uint3
 /* Colours of a converted channel's 9 bits, what the form's second part makes of it. */
 static void make_colours(const struct tx_plan *plan, uint32 *colours)
 {
-    static struct tx_wide values[512], results[512];
+    struct tx_wide *const values = (struct tx_wide *)line_room, *const results = values + 512;
     struct tx_places places;
 
     for (int32 v = 0; v < 512; v++)
