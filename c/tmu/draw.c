@@ -133,17 +133,6 @@ int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct t
     return count;
 }
 
-/* The same of a polygon that is added. */
-static int32 add_line(const struct tmu_pipe *pipe, struct tmu_plan *plan,
-                      struct tmu_iterations *at, const struct frame *frame, int32 x, int32 y,
-                      int32 count)
-{
-    if (plan && tmu_plan_add(plan, frame, x, y, count))
-        return 0;
-    draw_line(pipe, at, frame, x, x + count, y);
-    return count;
-}
-
 static int32 lod_base(const struct plane *of)
 {
     return tmu_lod_base((int32)of[TMU_S].dx, (int32)of[TMU_T].dx, (int32)of[TMU_S].dy,
@@ -195,17 +184,34 @@ static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
     return 1;
 }
 
+/* Lines of a polygon that is added; returns how many pixels were drawn one by one. */
+static uint32 add_lines(const struct tmu_pipe *pipe, struct tmu_plan *plan,
+                        struct tmu_iterations *at, const struct setup *s)
+{
+    const struct scanline *line = s->edges.lines;
+    uint32 missed = 0;
+
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        const int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count <= 0 || (plan && tmu_plan_add(plan, s->frame, x, y, count)))
+            continue;
+        draw_line(pipe, at, s->frame, x, x + count, y);
+        missed += (uint32)count;
+    }
+    return missed;
+}
+
 static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
                                        const struct iteration *of)
 {
     static struct tmu_iterations at;
     static struct tmu_tiling tiling;
-    tmu_line_routine *draw = pipe->adds ? add_line : tmu_line_draw;
     const struct scanline *line;
     enum polygon_result result;
     static struct tmu_plan plan;
     uint32 missed = 0;
-    int32 passes, tiles;
+    int32 passes, tiles, drawn;
 
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
@@ -216,14 +222,17 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
     tiles = passes && !pipe->adds
         && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
-    if (tiles)
+    drawn = tiles || pipe->adds;
+    if (pipe->adds)
+        missed = add_lines(pipe, passes ? &plan : 0, &at, s);
+    else if (tiles)
         missed = tmu_tiles_draw(&tiling, s);
     line = s->edges.lines;
-    for (int32 y = tiles ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
+    for (int32 y = drawn ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
         int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
 
         if (count > 0)
-            missed += (uint32)draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
+            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
     }
     if (s->counts) {
         s->counts->polygons++;

@@ -84,10 +84,8 @@ uint32 tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s);
 
 /* draw.c. Draws pixels of a line without tiles: by passes, or, where there are none (plan is 0, or
    memory is short), one by one; returns how many of those. */
-typedef int32 tmu_line_routine(const struct tmu_pipe *pipe, struct tmu_plan *plan,
-                               struct tmu_iterations *at, const struct frame *frame, int32 x,
-                               int32 y, int32 count);
-tmu_line_routine tmu_line_draw;
+int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
+                    const struct frame *frame, int32 x, int32 y, int32 count);
 
 /* tile_store.c. How many tiles of these pixels the pipe may have. */
 int32 tmu_tiles_room(const struct tmu_pipe *pipe, int32 pixel_bytes);
