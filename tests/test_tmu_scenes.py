@@ -152,6 +152,22 @@ def test_projected(folder):
                      ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k projected")
 
 
+@pytest.mark.parametrize("bits", [4, 8])
+def test_large_maps_with_chip_ram_alone(folder, bits):
+    """The quads of 256x256 texels, 2 MB, do not fit: their texels are filtered, still by a pass, to
+    the same picture."""
+    unit = units('image = "noise.png", format = "rgb565", width = 256, height = 256, '
+                 f'mipmap = "none", min = "bilinear", mag = "bilinear", weights = {bits}')
+    scene = make(folder, unit, SQUARE.replace("256", "250"))
+    done = run.render(scene, "a1200", "addx")
+    expected = model.render(scene, 0)
+    assert np.array_equal(done.frames[0], expected), explain(
+        f"weights of {bits} bits, frame 0", expected, done.frames[0],
+        ".deps/venv/bin/python -m pytest tests/test_tmu_scenes.py -k large_maps")
+    assert len(np.unique(expected)) > 30
+    assert set(run.total(done.figures)["spans"]) == {"tmu_passes"}
+
+
 def test_slide(folder):
     """Both units' coordinates move, each by its own way, and nothing else."""
     both = units(UNIT + ', combine = { function = "blend", factor = "local" }',

@@ -73,9 +73,9 @@ static int32 is_fresh(struct tmu_kept *kept, const struct tmu *tmu, uint32 level
     const struct tmu_modes *modes = &tmu->modes;
     uint32 key[TMU_LEVEL_KEY], differs = 0;
 
-    key[0] = 1 | (uint32)(modes->fraction_bits == 8) << 12 | (uint32)modes->odd << 1 | (uint32)modes->split << 2 | (uint32)modes->wide << 3
-        | (uint32)modes->aspect << 4 | (uint32)modes->ncc_table << 8 | (uint32)modes->format << 16
-        | level << 24;
+    key[0] = 1 | (uint32)modes->odd << 1 | (uint32)modes->split << 2 | (uint32)modes->wide << 3
+        | (uint32)modes->aspect << 4 | (uint32)modes->ncc_table << 8
+        | (uint32)(modes->fraction_bits == 8) << 12 | (uint32)modes->format << 16 | level << 24;
     key[1] = modes->base;
     key[2] = tmu->memory_generation;
     key[3] = tmu->table_generation;

@@ -16,8 +16,8 @@ struct tmu_kept {
     uint32 texels_room, quads_room;     /* elements */
 };
 
-/* Makes *kept fit a unit's level, with quads for its weights or at least its texels, unless it does already; 0:
-   memory is short. Memory is the system's and kept for the next time. */
+/* Makes *kept fit a unit's level, with quads for its weights or at least its texels, unless it does
+   already; 0: memory is short. Memory is the system's and kept for the next time. */
 int32 tmu_decode(const struct tmu *tmu, uint32 level, int32 quads, struct tmu_kept *kept);
 
 #endif

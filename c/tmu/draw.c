@@ -150,8 +150,8 @@ static int32 least_of(int32 a, int32 b)
     return a < b ? a : b;
 }
 
-/* W of the box's pixels. No pixel of the polygon has more than 2^30, so that a change by less than that
-   wraps nowhere. */
+/* W of the box's pixels. No pixel of the polygon has more than 2^30, but for what steps are rounded
+   by, so that a change by less than that wraps nowhere. */
 static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
                        const struct setup *s, const struct plane *w)
 {
@@ -159,7 +159,8 @@ static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
     const int32 top = s->box.top - at->planes.j, bottom = s->box.bottom - 1 - at->planes.j;
     const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
     const int32 dx = (int32)w->dx, dy = (int32)w->dy;
-    const uint32 most = 1u << 30, across = tmu_magnitude(dx), down = tmu_magnitude(dy);
+    const uint32 most = (1u << 30) - 2 * SCENE_SIDE_MAX;
+    const uint32 across = tmu_magnitude(dx), down = tmu_magnitude(dy);
 
     range->least = range->most = 0;
     if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
@@ -184,7 +185,23 @@ static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
     return 1;
 }
 
-/* Lines of a polygon that is added; returns how many pixels were drawn one by one. */
+/* Draws lines; gives how many pixels were drawn one by one. */
+static uint32 draw_lines(const struct tmu_pipe *pipe, struct tmu_plan *plan,
+                         struct tmu_iterations *at, const struct setup *s)
+{
+    const struct scanline *line = s->edges.lines;
+    uint32 missed = 0;
+
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        const int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count > 0)
+            missed += (uint32)tmu_line_draw(pipe, plan, at, s->frame, x, y, count);
+    }
+    return missed;
+}
+
+/* The same of a polygon that is added. */
 static uint32 add_lines(const struct tmu_pipe *pipe, struct tmu_plan *plan,
                         struct tmu_iterations *at, const struct setup *s)
 {
@@ -207,11 +224,10 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
 {
     static struct tmu_iterations at;
     static struct tmu_tiling tiling;
-    const struct scanline *line;
-    enum polygon_result result;
     static struct tmu_plan plan;
-    uint32 missed = 0;
-    int32 passes, tiles, drawn;
+    enum polygon_result result;
+    int32 passes, tiles;
+    uint32 missed;
 
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
@@ -222,18 +238,10 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     passes = APPLIES(TMU_PASSES, tmu_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
     tiles = passes && !pipe->adds
         && APPLIES(TMU_TILES, tmu_tiles_pay(&tiling, pipe, &plan, &at, s));
-    drawn = tiles || pipe->adds;
-    if (pipe->adds)
-        missed = add_lines(pipe, passes ? &plan : 0, &at, s);
-    else if (tiles)
+    if (tiles)
         missed = tmu_tiles_draw(&tiling, s);
-    line = s->edges.lines;
-    for (int32 y = drawn ? s->box.bottom : s->box.top; y < s->box.bottom; y++, line++) {
-        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
-
-        if (count > 0)
-            missed += (uint32)tmu_line_draw(pipe, passes ? &plan : 0, &at, s->frame, x, y, count);
-    }
+    else
+        missed = (pipe->adds ? add_lines : draw_lines)(pipe, passes ? &plan : 0, &at, s);
     if (s->counts) {
         s->counts->polygons++;
         s->counts->pixels[SPAN_TMU_PIXELS] += missed;

@@ -86,8 +86,8 @@ struct tmu_quarters {
     int32 bytes;                /* from array to array */
 };
 
-/* A page of the frame's pixels, and how a line goes over it. pixels: those of row 0 of 256, each 256
-   of them; rows 128 to 255 lie before it. s and t of the iterators and of their steps, times
+/* A page of the frame's pixels, and how a line goes over it. pixels: those of row 0 of 256, each
+   256 of them; rows 128 to 255 lie before it. s and t of the iterators and of their steps, times
    2^left, are 8.24: column and row. left: 6 to 10. */
 struct tmu_paging {
     int32 s, t;                 /* steps */
@@ -142,6 +142,11 @@ void tmu_point(const void *coordinates, void *texels, const void *decoded, int32
 void tmu_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
 void tmu_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
 void tmu_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+
+/* filter_line.c: the same two by C, without quads. */
+void tmu_filter_line(const void *coordinates, void *texels, const void *decoded, int32 count);
+void tmu_filter_line_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+
 void tmu_tile_16(const void *iterators, void *pixels, const void *paging, int32 count);
 void tmu_tile_32(const void *iterators, void *pixels, const void *paging, int32 count);
 void tmu_lerp(const void *texels, void *mixed, const void *mix, int32 count);

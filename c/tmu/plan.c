@@ -9,6 +9,19 @@ int32 tmu_only_lod(const struct tmu *tmu, struct tmu_lod *lod)
     return least >= most;
 }
 
+/* A level's texels, with what filters them; 0: memory is short even for the texels. */
+static tmu_pass *find_sample(struct tmu_part *part, const struct tmu_lod *lod)
+{
+    const int32 is_fine = part->tmu->modes.fraction_bits == 8;
+    struct tmu_kept *kept = &part->levels[lod->level];
+
+    if (lod->filter == TMU_BILINEAR && tmu_decode(part->tmu, lod->level, 1, kept))
+        return is_fine ? tmu_bilinear_8 : tmu_bilinear;
+    if (!tmu_decode(part->tmu, lod->level, 0, kept))
+        return 0;
+    return lod->filter != TMU_BILINEAR ? tmu_point : is_fine ? tmu_filter_line_8 : tmu_filter_line;
+}
+
 struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
 {
     struct tmu_sampling *to = &part->samplings[band];
@@ -16,10 +29,10 @@ struct tmu_sampling *tmu_sampling_find(struct tmu_part *part, uint32 band)
     const struct tmu_modes *modes = &part->tmu->modes;
     const int32 linear = lod->filter == TMU_BILINEAR, bits = linear ? modes->fraction_bits : 4;
 
-    if (!tmu_decode(part->tmu, lod->level, linear, &part->levels[lod->level]))
+    to->sample = find_sample(part, lod);
+    if (!to->sample)
         return 0;
     to->level = &part->levels[lod->level].decoded;
-    to->sample = !linear ? tmu_point : bits == 8 ? tmu_bilinear_8 : tmu_bilinear;
     to->steps.shift = (uint16)(18 - bits + lod->level);
     to->steps.half = linear ? (uint16)(1 << (bits - 1)) : 0;
     to->steps.behind = modes->clamp_negative_w;

@@ -20,7 +20,7 @@ struct tmu_iterations {
     struct tmu_point points[TMU_UNITS];         /* their LOD; pixels differ in the rest */
     int32 divided[TMU_UNITS];   /* w changes, and a unit divides by it */
     struct tmu_range {
-        int32 least, most;      /* of W over the polygon's box; least is 0 where it may be below that */
+        int32 least, most;      /* of W over the polygon's box; least 0: it may be below that */
     } ranges[TMU_UNITS];
 };
 

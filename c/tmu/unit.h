@@ -40,8 +40,9 @@ struct tmu_pipe {
 enum tmu_result tmu_pipe_init(struct tmu_pipe *pipe, struct tmu *const *units, uint32 count,
                               int32 memory);
 
-/* How many bytes prefiltered tiles (tiles.h) may take, those of all pipes together; 0: the pipe does
-   without. A tile of a 16-bit frame has 128 KB, of a 32-bit one 256. The picture is the same. */
+/* How many bytes prefiltered tiles (tiles.h) may take, those of all pipes together; 0: the pipe
+   does without. A tile of a 16-bit frame has 128 KB, of a 32-bit one 256. The picture is the
+   same. */
 void tmu_pipe_prefilter(struct tmu_pipe *pipe, uint32 bytes);
 
 /* Glide's blend ONE, ONE: 1: polygons are added to the frame; 0, as in a new pipe: they replace its
