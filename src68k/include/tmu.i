@@ -136,3 +136,25 @@ tmu_paged macro
         movem.l (sp)+,d2-d7/a3
         rts
         endm
+
+; Around what multiplies texels d0 by others d1, already inverted by flip: at .pixels, d2-d4 free.
+tmu_modulate_open macro
+        movem.l d2-d7/a2-a3,-(sp)
+        lea     (a0,d0.l*4),a3
+        move.l  tmu_mix_flip(a2),d7
+        move.l  tmu_mix_other_step(a2),d5
+        movea.l tmu_mix_other(a2),a2
+        move.w  #255,d6
+.pixels move.l  (a0)+,d0
+        move.l  (a2),d1
+        adda.l  d5,a2
+        eor.l   d7,d1
+        endm
+
+tmu_modulate_close macro
+        move.l  d0,(a1)+
+        cmpa.l  a3,a0
+        bne.s   .pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts
+        endm

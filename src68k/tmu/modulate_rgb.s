@@ -18,16 +18,7 @@
 ; cost:    bench row tmu_modulate_rgb
 ;==============================================================================
         routine tmu_modulate_rgb,a0,a1,a2,d0
-        movem.l d2-d7/a2-a3,-(sp)
-        lea     (a0,d0.l*4),a3
-        move.l  tmu_mix_flip(a2),d7
-        move.l  tmu_mix_other_step(a2),d5
-        movea.l tmu_mix_other(a2),a2
-        move.w  #255,d6
-.pixels move.l  (a0)+,d0
-        move.l  (a2),d1
-        adda.l  d5,a2
-        eor.l   d7,d1
+        tmu_modulate_open
         move.w  d0,d2
         move.w  d1,d3
         lsr.w   #8,d2
@@ -40,8 +31,4 @@
         swap    d1
         tmu_products
         swap    d0
-        move.l  d0,(a1)+
-        cmpa.l  a3,a0
-        bne.s   .pixels
-        movem.l (sp)+,d2-d7/a2-a3
-        rts
+        tmu_modulate_close
