@@ -39,6 +39,7 @@ def shown(dots: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name, colours_of", [("c2p_ham8_16", maps.from_rgb565),
+                                              ("c2p_ham8_5551", maps.from_rgba5551),
                                               ("c2p_ham8_32", maps.from_rgba8888)])
 def test_pixels_right_halves_have_their_colour(name, colours_of):
     """The last two dots, to the upper six bits; the first two have green or blue of the left."""

@@ -32,6 +32,7 @@ struct planar_plan {
 /* src68k/screen: contracts there. */
 void c2p_8(const struct planar_plan *plan);
 void c2p_ham8_16(const struct planar_plan *plan);
+void c2p_ham8_5551(const struct planar_plan *plan);
 void c2p_ham8_32(const struct planar_plan *plan);
 
 /* Planes 0 and 1 of a HAM8 screen, once: pixels and pitch do not count. */

@@ -101,7 +101,8 @@ static void make_ham(struct screen *screen)
 static void (*converter(uint32 format))(const struct planar_plan *plan)
 {
     return format == PIXEL_CHUNKY ? c2p_8
-         : format == PIXEL_RGB565 ? c2p_ham8_16 : c2p_ham8_32;
+         : format == PIXEL_RGB565 ? c2p_ham8_16
+         : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
 }
 
 static int32 show(struct screen *screen)
