@@ -125,6 +125,22 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         rts
 
 ;==============================================================================
+; display_shown - the list that the copper is at
+;
+; in:      -
+; out:     d0  uint32  the list's address
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine display_shown
+        move.l  state+SHOWN,d0
+        rts
+
+;==============================================================================
 ; display_fields - fields since the display was taken
 ;
 ; in:      -
