@@ -28,26 +28,26 @@ void c2p_8_c(const struct planar_plan *plan)
 }
 
 /* The upper six bits of five: the highest one again behind them. */
-static uint8 six(uint32 five)
+static inline uint8 six(uint32 five)
 {
     return (uint8)(five << 3 | five >> 2);
 }
 
-static void dots_565(uint8 *dots, uint32 colour)
+static inline void dots_565(uint8 *dots, uint32 colour)
 {
     dots[0] = six(colour >> 11);
     dots[1] = (uint8)(colour >> 3 & 0xfc);
     dots[2] = dots[3] = six(colour & 31);
 }
 
-static void dots_5551(uint8 *dots, uint32 colour)
+static inline void dots_5551(uint8 *dots, uint32 colour)
 {
     dots[0] = six(colour >> 11);
     dots[1] = six(colour >> 6 & 31);
     dots[2] = dots[3] = six(colour >> 1 & 31);
 }
 
-static void c2p_16(const struct planar_plan *plan, void (*to_dots)(uint8 *dots, uint32 colour))
+static inline void c2p_16(const struct planar_plan *plan, void (*to_dots)(uint8 *dots, uint32 colour))
 {
     const uint8 *pixels = plan->pixels;
     uint8 *planes = plan->planes;

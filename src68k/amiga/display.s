@@ -78,7 +78,6 @@ SHOWN                   equ     12      ; and the one it is at
         bne.s   .pal
         move.w  #BEAMCON_PAL,custom+beamcon0
 .pal    lea     state,a0
-        clr.l   FIELDS(a0)
         move.l  d2,NEXT(a0)
         clr.l   SET(a0)
         clr.l   SHOWN(a0)
@@ -141,7 +140,7 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         rts
 
 ;==============================================================================
-; display_fields - fields since the display was taken
+; display_fields - fields while the display was ours
 ;
 ; in:      -
 ; out:     d0  uint32  vertical blanks, 50 a second

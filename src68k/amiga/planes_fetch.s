@@ -21,8 +21,10 @@
         lea     custom,a0
         move.w  #DMA_OFF,dmacon(a0)
         clr.w   fmode(a0)
-        move.w  .modes(pc,d0.l*2),bplcon0(a0)
-        tst.l   d0
+        move.l  .modes(pc,d0.l*4),d1
+        move.w  d1,bplcon0(a0)
+        swap    d1
+        move.w  d1,ddfstop(a0)
         beq.s   .done
         lea     .registers(pc),a1
 .next   movem.w (a1)+,d0/d1
@@ -30,11 +32,11 @@
         tst.w   (a1)
         bne.s   .next
 .done   rts
-.modes  dc.w    $0200,$0211,$8211,$0251
+.modes  dc.w    0,$0200,$b8,$0211,$c8,$8211,$d0,$0251   ; ddfstop, bplcon0
 .registers
         dc.w    fmode,3,bplcon1,0,bpl1mod,0,bpl2mod,0
         dc.w    diwstrt,$2081,diwstop,$20c1,diwhigh,$2100       ; lines 32 to 287
-        dc.w    ddfstrt,$38,ddfstop,$d0,dmacon,DMA_ON,0
+        dc.w    ddfstrt,$38,dmacon,DMA_ON,0
 
 DMA_OFF                 equ     $0300   ; all, bitplanes
 DMA_ON                  equ     $8300
