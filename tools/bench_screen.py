@@ -1,4 +1,10 @@
-"""Bench rows of the way to the screen: a frame to its planes, ends of rows included."""
+"""Bench rows of the way to the screen: a frame to its planes, ends of rows included.
+
+Rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
+lines of 320, 640 or 1280 dots a field, which takes chip RAM's time: what a frame costs that is
+shown. They last some fields from a field's first line on, so that displayed lines and others are
+in their share but for the last field's.
+"""
 
 import numpy as np
 
