@@ -1,0 +1,206 @@
+"""Makes the SDK: what others need to link this tree's loops into programs of their own.
+
+    include/    C headers as they are in c/, tmap020.h which includes them, tmap020.i for assembly
+    c/          C sources, and sources.mk: which of them each drawing routine needs
+    lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
+    example/    two programs and their Makefile
+
+A routine is public where a C header declares it; the libraries hold the public ones and what they
+refer to.
+"""
+
+import re
+import shutil
+import subprocess
+import tarfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import contracts, hunk_object, objects, sdk_include
+from .errors import UserError
+from .objects import Section
+from .paths import BUILD, ROOT
+
+#: Folders of c/ whose sources and headers are public, and of src68k/.
+C_ROOMS = ("mesh", "polygon", "screen", "span", "texture", "tmu", "tx")
+ASM_ROOMS = (*contracts.KERNELS, "gen")
+#: What C code of others calls, each with the C sources it needs.
+ENTRIES = ("polygon_draw", "mesh_draw", "tx_polygon_draw", "tmu_polygon_draw", "ham8_control")
+FILES = Path(__file__).with_name("sdk_files")
+EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
+INCLUDE = re.compile(r'#include "([^"]+)"')
+DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
+ARCHIVE = "tmap020"
+
+
+@dataclass
+class Tree:
+    """What the project's build left, by the names that are defined there."""
+
+    sections: dict[Path, list[Section]]
+    home: dict[str, Path]  # of each symbol
+
+    def needed(self, symbols: list[str]) -> list[Path]:
+        """The objects that define the symbols, and those that they refer to, sorted."""
+        found: set[Path] = set()
+        todo = [self.home[name] for name in symbols]
+        while todo:
+            path = todo.pop()
+            if path not in found:
+                found.add(path)
+                todo += [self.home[name] for name in references(self.sections[path])
+                         if name in self.home]
+        return sorted(found)
+
+
+def references(sections: list[Section]) -> set[str]:
+    """The symbols that an object expects of others."""
+    return {r.target for s in sections for r in s.relocations if isinstance(r.target, str)}
+
+
+def is_yardstick(path: Path) -> bool:
+    """Whether a source is for comparisons alone."""
+    return path.stem.startswith("plain")
+
+
+def sources() -> list[Path]:
+    """The public C sources, relative to c/."""
+    return [path.relative_to(ROOT / "c") for room in C_ROOMS
+            for path in sorted((ROOT / "c" / room).glob("*.c")) if not is_yardstick(path)]
+
+
+def included(path: Path) -> list[Path]:
+    """The headers that a file of c/ includes itself."""
+    return [Path(name) for name in INCLUDE.findall((ROOT / "c" / path).read_text())]
+
+
+def headers() -> list[Path]:
+    """The public headers, and those that public files include, relative to c/."""
+    todo = sources() + [path.relative_to(ROOT / "c") for room in C_ROOMS
+                        for path in (ROOT / "c" / room).glob("*.h") if not is_yardstick(path)]
+    found: set[Path] = set()
+    while todo:
+        path = todo.pop()
+        if path.suffix == ".h":
+            found.add(path)
+        todo += [each for each in included(path) if each not in found]
+    return sorted(found)
+
+
+def declared() -> set[str]:
+    """The routines that public headers declare."""
+    return {name for path in headers() if path.parts[0] in C_ROOMS
+            for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
+
+
+def public() -> list[contracts.Contract]:
+    """The contracts of the routines that are offered, by file."""
+    names = declared()
+    return [each for each in contracts.kernels(ROOT / "src68k") if each.name in names]
+
+
+def built() -> Tree:
+    """The objects of the public rooms."""
+    names = (BUILD / "obj" / "objects").read_text().split()
+    c_out = BUILD / "obj" / names[0]
+    paths = [ROOT / name for name in names[1:] if Path(name).parent.name in (*C_ROOMS, *ASM_ROOMS)]
+    paths = [path for path in paths if not (path.is_relative_to(c_out) and is_yardstick(path))]
+    tree = Tree({path: objects.load(path) for path in paths}, {})
+    for path, sections in tree.sections.items():
+        tree.home |= {name: path for section in sections for name in section.symbols}
+    return tree
+
+
+def is_assembly(path: Path) -> bool:
+    return path.is_relative_to(BUILD / "obj" / "asm")
+
+
+def command_line(*words: str | Path) -> None:
+    """Runs a tool; UserError with what it said where that fails."""
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace", cwd=ROOT)
+    if done.returncode:
+        raise UserError(f"{Path(words[0]).name} failed: {done.stdout.strip()}")
+
+
+def units(path: Path) -> dict[str, bytes]:
+    """An ELF object as hunk objects, by linker."""
+    sections = objects.load(path)
+    return {kind: hunk_object.unit(path.name, sections, names)
+            for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
+
+
+def write_libraries(out: Path, paths: list[Path]) -> None:
+    """The objects in all three forms, one by one and as a library each."""
+    folders = {name: out / "lib" / name for name in ("elf", "gcc", "vlink")}
+    for folder in folders.values():
+        (folder / "objects").mkdir(parents=True)
+    libraries = {"gcc": b"", "vlink": b""}
+    for path in paths:
+        name = f"{path.parent.name}_{path.name}"
+        merged = folders["elf"] / "objects" / name
+        command_line("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, path)
+        for kind, unit in units(merged).items():
+            (folders[kind] / "objects" / name).write_bytes(unit)
+            libraries[kind] += unit
+    start = folders["elf"] / "start.o"
+    command_line(ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Felf", "-o", start,
+                 FILES / "start.s")
+    for kind, unit in units(start).items():
+        (folders[kind] / "start.o").write_bytes(unit)
+    (folders["gcc"] / f"lib{ARCHIVE}.a").write_bytes(libraries["gcc"])
+    (folders["vlink"] / f"{ARCHIVE}.lib").write_bytes(libraries["vlink"])
+    command_line("m68k-linux-gnu-ar", "rcsD", folders["elf"] / f"lib{ARCHIVE}.a",
+                 *sorted((folders["elf"] / "objects").iterdir()))
+
+
+def source_lists(tree: Tree) -> str:
+    """sources.mk: the C sources that each entry needs, as a variable of its name."""
+    lines = ["# The C sources that a routine needs, without its own callers'."]
+    for name in ENTRIES:
+        paths = [path for path in tree.needed([f"_{name}"]) if not is_assembly(path)]
+        files = [f"{path.parent.name}/{path.stem}.c" for path in paths]
+        lines += [f"{name} := \\", *(f"  {file} \\" for file in files[:-1]), f"  {files[-1]}"]
+    return "\n".join(lines) + "\n"
+
+
+def copy_files(out: Path) -> None:
+    """Headers, sources, example, licence and what to read."""
+    for folder, files in (("include", headers()), ("c", sources())):
+        for path in files:
+            (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / "c" / path, out / folder / path)
+    (out / "example").mkdir()
+    for name in EXAMPLE:
+        shutil.copyfile(FILES / name, out / "example" / name)
+    shutil.copyfile(Path(__file__).with_name("hunk.py"), out / "example" / "elf2hunk.py")
+    shutil.copyfile(FILES / "README.txt", out / "README.txt")
+    shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")
+
+
+def make(out: Path) -> None:
+    """Writes the SDK into ``out``, which holds nothing else afterwards."""
+    if out.exists() and not (out / "README.txt").exists() and any(out.iterdir()):
+        raise UserError(f"{out} holds something else than an SDK: it is left as it is")
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    copy_files(out)
+    tree, offered = built(), public()
+    write_libraries(out, [path for path in tree.needed([each.name for each in offered])
+                          if is_assembly(path)])
+    (out / "c" / "sources.mk").write_text(source_lists(tree))
+    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(
+        [path for path in headers() if path.parts[0] in C_ROOMS]))
+    (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), offered))
+
+
+def command(out: Path) -> int:
+    """``tmap sdk``: the folder, and beside it an archive of it."""
+    make(out)
+    archive = out.with_name(f"{ARCHIVE}-sdk.tar.gz")
+    with tarfile.open(archive, "w:gz") as tar:
+        tar.add(out, f"{ARCHIVE}-sdk")
+    count = len(public())
+    print(f"{out}: {count} routines; {out / 'README.txt'} says how to link them\n"
+          f"{archive}: the same, packed")
+    return 0
