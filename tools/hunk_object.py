@@ -4,20 +4,21 @@ An object becomes a unit: a hunk for each of its sections, named as the linker's
 name theirs, so that a program's parts of a kind are one hunk. Units one behind the other are
 a link library, of which linkers take the units that are called for.
 
+References to other objects are addresses. Distances are refused: m68k-amigaos-gcc's ld of 2018
+expects their own place in the field, as its assembler writes it, those since and vlink do not.
+
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
 
-import struct
 from dataclasses import dataclass
 
 from .errors import UserError
 from .hunk import HUNK_BSS, HUNK_CODE, HUNK_DATA, HUNK_END, HUNK_RELOC32, longs
-from .objects import Section
+from .objects import Relocation, Section
 
 HUNK_UNIT, HUNK_NAME, HUNK_EXT = 0x3E7, 0x3E8, 0x3EF
-EXT_DEF = 1
-#: References by bytes and whether relative: REF32, RELREF32, RELREF16, RELREF8.
-REFERENCES = {(4, False): 129, (4, True): 136, (2, True): 131, (1, True): 132}
+EXT_DEF, EXT_REF32 = 1, 129
+NOP = bytes.fromhex("4e71")
 
 
 @dataclass(frozen=True)
@@ -56,27 +57,35 @@ def place(data: bytearray, offset: int, size: int, value: int) -> None:
     data[offset:offset + size] = (value & (1 << 8 * size) - 1).to_bytes(size, "big")
 
 
+def contents(section: Section) -> tuple[bytes, list[Relocation]]:
+    """A section's whole longwords, and the addresses that linkers and loaders add to them."""
+    data, addresses = bytearray(section.data), []
+    for r in section.relocations:
+        if r.relative and r.target is section:
+            place(data, r.offset, r.size, r.addend - r.offset)
+            continue
+        if r.relative or r.size != 4:
+            target = r.target if isinstance(r.target, str) else r.target.name
+            raise UserError(f"offset {r.offset} of {section.name} refers to {target} by other than "
+                            "its address")
+        place(data, r.offset, r.size, r.addend)
+        addresses.append(r)
+    if section.code and len(data) % 4 == 2:
+        data += NOP
+    return bytes(data) + bytes(-len(data) % 4), addresses
+
+
 def hunk(section: Section, names: Names, numbers: dict[int, int]) -> bytes:
     """A section's hunk; ``numbers``: of the object's sections, by id."""
-    data = bytearray(section.data)
+    data, addresses = contents(section)
     inside: dict[int, list[int]] = {}
-    outside: dict[tuple[str, int], list[int]] = {}
-    for r in section.relocations:
+    outside: dict[str, list[int]] = {}
+    for r in addresses:
         if isinstance(r.target, str):
-            place(data, r.offset, r.size, r.addend)
-            outside.setdefault((r.target, REFERENCES[r.size, r.relative]), []).append(r.offset)
-        elif r.relative and r.target is section:
-            place(data, r.offset, r.size, r.addend - r.offset)
-        elif not r.relative and r.size == 4:
-            place(data, r.offset, r.size, r.addend)
-            inside.setdefault(numbers[id(r.target)], []).append(r.offset)
+            outside.setdefault(r.target, []).append(r.offset)
         else:
-            raise UserError(f"{section.file}: offset {r.offset} of {section.name} refers to "
-                            f"{r.target.name} by {r.size} bytes")
-    size = (section.size + 3) // 4
-    out = head(section, names) + longs(size)
-    if not section.bss:
-        out += data.ljust(4 * size, b"\0")
+            inside.setdefault(numbers[id(r.target)], []).append(r.offset)
+    out = head(section, names) + longs((section.size + 3) // 4) + data
     if inside:
         out += longs(HUNK_RELOC32)
         for number, offsets in sorted(inside.items()):
@@ -86,8 +95,8 @@ def hunk(section: Section, names: Names, numbers: dict[int, int]) -> bytes:
         out += longs(HUNK_EXT)
         for name, value in sorted(section.symbols.items()):
             out += text(name, EXT_DEF) + longs(value)
-        for (name, kind), offsets in sorted(outside.items()):
-            out += text(name, kind) + longs(len(offsets), *sorted(offsets))
+        for name, offsets in sorted(outside.items()):
+            out += text(name, EXT_REF32) + longs(len(offsets), *sorted(offsets))
         out += longs(0)
     return out + longs(HUNK_END)
 
@@ -97,5 +106,5 @@ def unit(name: str, sections: list[Section], names: Names) -> bytes:
     numbers = {id(section): number for number, section in enumerate(sections)}
     try:
         return longs(HUNK_UNIT) + text(name) + b"".join(hunk(s, names, numbers) for s in sections)
-    except (UserError, KeyError, struct.error) as error:
+    except UserError as error:
         raise UserError(f"{name} cannot be a hunk object: {error}") from None

@@ -24,8 +24,10 @@ from .paths import BUILD, ROOT
 #: Folders of c/ whose sources and headers are public, and of src68k/.
 C_ROOMS = ("mesh", "polygon", "screen", "span", "texture", "tmu", "tx")
 ASM_ROOMS = (*contracts.KERNELS, "gen")
-#: What C code of others calls, each with the C sources it needs.
-ENTRIES = ("polygon_draw", "mesh_draw", "tx_polygon_draw", "tmu_polygon_draw", "ham8_control")
+#: Lists of C sources: what each offers, routines or a whole room.
+LISTS = {"polygon_draw": ("polygon_draw",), "perspective": ("reciprocals_make", "logarithms_make"),
+         "texture": ("column_layout_make", "map_scale"), "screen": "screen", "mesh": "mesh",
+         "tx": "tx", "tmu": "tmu"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
@@ -53,20 +55,22 @@ class Tree:
         return sorted(found)
 
 
-def references(sections: list[Section]) -> set[str]:
-    """The symbols that an object expects of others."""
-    return {r.target for s in sections for r in s.relocations if isinstance(r.target, str)}
+    def groups(self, paths: list[Path]) -> list[list[Path]]:
+        """The objects, those together that refer to one another by distances: linkers disagree on
+        these, so they are settled here."""
+        of = {path: [path] for path in paths}
+        for path in paths:
+            for target in references(self.sections[path], True):
+                joined = of[path] if of[self.home[target]] is of[path] \
+                    else of[path] + of[self.home[target]]
+                of |= {each: joined for each in joined}
+        return [group for path, group in of.items() if group[0] == path]
 
 
-def is_yardstick(path: Path) -> bool:
-    """Whether a source is for comparisons alone."""
-    return path.stem.startswith("plain")
-
-
-def sources() -> list[Path]:
-    """The public C sources, relative to c/."""
-    return [path.relative_to(ROOT / "c") for room in C_ROOMS
-            for path in sorted((ROOT / "c" / room).glob("*.c")) if not is_yardstick(path)]
+def references(sections: list[Section], relative: bool = False) -> set[str]:
+    """The symbols that an object expects of others; ``relative``: those it takes distances to."""
+    return {r.target for s in sections for r in s.relocations
+            if isinstance(r.target, str) and (r.relative or not relative)}
 
 
 def included(path: Path) -> list[Path]:
@@ -74,10 +78,23 @@ def included(path: Path) -> list[Path]:
     return [Path(name) for name in INCLUDE.findall((ROOT / "c" / path).read_text())]
 
 
+def rooms(kind: str) -> list[Path]:
+    """The files of such a name in the public rooms, relative to c/, but for plain C that is for
+    comparisons alone."""
+    paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
+             for path in sorted((ROOT / "c" / room).glob(kind))]
+    return [path for path in paths
+            if not any(each.stem.startswith("plain") for each in (path, *included(path)))]
+
+
+def sources() -> list[Path]:
+    """The public C sources, relative to c/."""
+    return rooms("*.c")
+
+
 def headers() -> list[Path]:
     """The public headers, and those that public files include, relative to c/."""
-    todo = sources() + [path.relative_to(ROOT / "c") for room in C_ROOMS
-                        for path in (ROOT / "c" / room).glob("*.h") if not is_yardstick(path)]
+    todo = rooms("*.c") + rooms("*.h")
     found: set[Path] = set()
     while todo:
         path = todo.pop()
@@ -101,11 +118,11 @@ def public() -> list[contracts.Contract]:
 
 def built() -> Tree:
     """The objects of the public rooms."""
-    names = (BUILD / "obj" / "objects").read_text().split()
-    c_out = BUILD / "obj" / names[0]
-    paths = [ROOT / name for name in names[1:] if Path(name).parent.name in (*C_ROOMS, *ASM_ROOMS)]
-    paths = [path for path in paths if not (path.is_relative_to(c_out) and is_yardstick(path))]
-    tree = Tree({path: objects.load(path) for path in paths}, {})
+    compiler, *names = (BUILD / "obj" / "objects").read_text().split()
+    wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in sources()] \
+        + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
+           and is_assembly(ROOT / name)]
+    tree = Tree({path: objects.load(path) for path in wanted}, {})
     for path, sections in tree.sections.items():
         tree.home |= {name: path for section in sections for name in section.symbols}
     return tree
@@ -130,16 +147,16 @@ def units(path: Path) -> dict[str, bytes]:
             for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
 
 
-def write_libraries(out: Path, paths: list[Path]) -> None:
+def write_libraries(out: Path, groups: list[list[Path]]) -> None:
     """The objects in all three forms, one by one and as a library each."""
     folders = {name: out / "lib" / name for name in ("elf", "gcc", "vlink")}
     for folder in folders.values():
         (folder / "objects").mkdir(parents=True)
     libraries = {"gcc": b"", "vlink": b""}
-    for path in paths:
-        name = f"{path.parent.name}_{path.name}"
+    for group in groups:
+        name = f"{group[0].parent.name}_{group[0].name}"
         merged = folders["elf"] / "objects" / name
-        command_line("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, path)
+        command_line("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, *group)
         for kind, unit in units(merged).items():
             (folders[kind] / "objects" / name).write_bytes(unit)
             libraries[kind] += unit
@@ -156,9 +173,12 @@ def write_libraries(out: Path, paths: list[Path]) -> None:
 
 def source_lists(tree: Tree) -> str:
     """sources.mk: the C sources that each entry needs, as a variable of its name."""
-    lines = ["# The C sources that a routine needs, without its own callers'."]
-    for name in ENTRIES:
-        paths = [path for path in tree.needed([f"_{name}"]) if not is_assembly(path)]
+    lines = ["# C sources by what they offer, each list with all C that it needs."]
+    for name, offer in LISTS.items():
+        symbols = [f"_{routine}" for routine in offer] if isinstance(offer, tuple) else \
+            [symbol for symbol, path in tree.home.items()
+             if path.parent.name == offer and not is_assembly(path)]
+        paths = [path for path in tree.needed(symbols) if not is_assembly(path)]
         files = [f"{path.parent.name}/{path.stem}.c" for path in paths]
         lines += [f"{name} := \\", *(f"  {file} \\" for file in files[:-1]), f"  {files[-1]}"]
     return "\n".join(lines) + "\n"
@@ -186,8 +206,8 @@ def make(out: Path) -> None:
     out.mkdir(parents=True)
     copy_files(out)
     tree, offered = built(), public()
-    write_libraries(out, [path for path in tree.needed([each.name for each in offered])
-                          if is_assembly(path)])
+    paths = tree.needed([each.name for each in offered])
+    write_libraries(out, tree.groups([path for path in paths if is_assembly(path)]))
     (out / "c" / "sources.mk").write_text(source_lists(tree))
     (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(
         [path for path in headers() if path.parts[0] in C_ROOMS]))
