@@ -32,7 +32,7 @@ WARNINGS = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only")
 COMPILERS = {
     "m68k-linux-gnu-gcc": ("-std=c99", *WARNINGS, "-m68020", "-x", "c"),
     "m68k-amigaos-gcc": ("-std=c99", *WARNINGS, "-m68020", "-x", "c"),
-    "m68k-linux-gnu-g++": ("-std=c++11", *WARNINGS, "-x", "c++"),
+    "g++": ("-std=c++11", *WARNINGS, "-x", "c++"),
     "vbccm68k": ("-c99", "-cpu=68020", "-quiet", "-warnings-as-errors")}
 #: What C code for texture engines asks the program for, as README.txt says.
 ASKED = {"_mem_take"}
