@@ -240,13 +240,12 @@ def test_c_sources_ask_for_nothing_but_memory(kit):
 
 
 def test_lists_of_sources(kit):
-    """All of them are there; polygon_draw's needs no memory, every source is in some list or
-    makes tables that are called for by name."""
+    """All of them are there and every source is in one; polygon_draw needs no memory."""
     text = (kit / "c" / "sources.mk").read_text().replace("\\\n", " ")
     lists = {name: files.split() for name, files in re.findall(r"^(\w+) := (.*)$", text, re.M)}
     assert set(lists) == set(sdk.LISTS)
     listed = {file for files in lists.values() for file in files}
-    assert listed == {str(path) for path in sdk.sources()}
+    assert listed == {str(path) for path in sdk.offered(".c")}
     assert all((kit / "c" / file).is_file() for file in listed)
     assert "polygon/page.c" not in lists["polygon_draw"]
 

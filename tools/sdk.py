@@ -21,12 +21,14 @@ from .errors import UserError
 from .objects import Section
 from .paths import BUILD, ROOT
 
-#: Folders of c/ whose sources and headers are public, and of src68k/.
-C_ROOMS = ("mesh", "polygon", "screen", "span", "texture", "tmu", "tx")
+#: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are the
+#: programs' own.
+C_ROOMS = ("mesh", "polygon", "span", "texture", "tmu", "tx")
+C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources: what each offers, routines or a whole room.
 LISTS = {"polygon_draw": ("polygon_draw",), "perspective": ("reciprocals_make", "logarithms_make"),
-         "texture": ("column_layout_make", "map_scale"), "screen": "screen", "mesh": "mesh",
+         "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",), "mesh": "mesh",
          "tx": "tx", "tmu": "tmu"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
@@ -78,23 +80,17 @@ def included(path: Path) -> list[Path]:
     return [Path(name) for name in INCLUDE.findall((ROOT / "c" / path).read_text())]
 
 
-def rooms(kind: str) -> list[Path]:
-    """The files of such a name in the public rooms, relative to c/, but for plain C that is for
-    comparisons alone."""
+def offered(suffix: str) -> list[Path]:
+    """The public C sources or headers, relative to c/: not plain C that is for comparisons alone."""
     paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
-             for path in sorted((ROOT / "c" / room).glob(kind))]
-    return [path for path in paths
-            if not any(each.stem.startswith("plain") for each in (path, *included(path)))]
-
-
-def sources() -> list[Path]:
-    """The public C sources, relative to c/."""
-    return rooms("*.c")
+             for path in sorted((ROOT / "c" / room).glob(f"*{suffix}"))]
+    return [path for path in (*paths, *C_FILES) if path.suffix == suffix
+            and not any(each.stem.startswith("plain") for each in (path, *included(path)))]
 
 
 def headers() -> list[Path]:
     """The public headers, and those that public files include, relative to c/."""
-    todo = rooms("*.c") + rooms("*.h")
+    todo = offered(".c") + offered(".h")
     found: set[Path] = set()
     while todo:
         path = todo.pop()
@@ -106,7 +102,7 @@ def headers() -> list[Path]:
 
 def declared() -> set[str]:
     """The routines that public headers declare."""
-    return {name for path in headers() if path.parts[0] in C_ROOMS
+    return {name for path in offered(".h")
             for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
 
 
@@ -119,7 +115,7 @@ def public() -> list[contracts.Contract]:
 def built() -> Tree:
     """The objects of the public rooms."""
     compiler, *names = (BUILD / "obj" / "objects").read_text().split()
-    wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in sources()] \
+    wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in offered(".c")] \
         + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
            and is_assembly(ROOT / name)]
     tree = Tree({path: objects.load(path) for path in wanted}, {})
@@ -186,7 +182,7 @@ def source_lists(tree: Tree) -> str:
 
 def copy_files(out: Path) -> None:
     """Headers, sources, example, licence and what to read."""
-    for folder, files in (("include", headers()), ("c", sources())):
+    for folder, files in (("include", headers()), ("c", offered(".c"))):
         for path in files:
             (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / "c" / path, out / folder / path)
@@ -205,13 +201,12 @@ def make(out: Path) -> None:
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     copy_files(out)
-    tree, offered = built(), public()
-    paths = tree.needed([each.name for each in offered])
+    tree, routines = built(), public()
+    paths = tree.needed([each.name for each in routines])
     write_libraries(out, tree.groups([path for path in paths if is_assembly(path)]))
     (out / "c" / "sources.mk").write_text(source_lists(tree))
-    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(
-        [path for path in headers() if path.parts[0] in C_ROOMS]))
-    (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), offered))
+    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(offered(".h")))
+    (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
 
 
 def command(out: Path) -> int:

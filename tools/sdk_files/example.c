@@ -57,7 +57,7 @@ int main(void)
         name[6] = (char)('0' + number);
         if (polygon_draw(&frame, square, 4, &material, &drawing) != POLYGON_DRAWN
             || !save(name, pixels, WIDTH * HEIGHT))
-            return 20;
+            return 10;
     }
     return 0;
 }

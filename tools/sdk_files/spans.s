@@ -76,9 +76,8 @@ _main:
         move.l  a4,d1
         movea.l #WIDTH*HEIGHT,a0
         jsr     save
-        subq.l  #1,d0                   ; 0 saved, else 20
-        and.w   #20,d0
-        ext.l   d0
+        subq.l  #1,d0
+        and.l   #10,d0                  ; 0 saved, else 10
         movem.l (sp)+,d2-d5/a2-a4
         rts
 name    dc.b    'planes',0
