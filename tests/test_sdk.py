@@ -39,6 +39,8 @@ ASKED = {"_mem_take"}
 #: Routines that are no public ones: parts of others, and loops that are for measuring alone.
 PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
+#: Bytes of the example's programs, as README.txt says: only what is called for is linked.
+MOST = {"spans": 1_500, "example": 50_000}
 #: What sections are called, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
@@ -294,6 +296,8 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
     done = subprocess.run(["make", "-C", folder, f"TOOLS={tools}", f"PYTHON={sys.executable}",
                            f"VASM={ROOT / 'scripts' / 'vasm'}"], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
+    for name, most in MOST.items():
+        assert (folder / tools / name).stat().st_size <= most, f"{tools}: {name}"
     results = emulator.run_many(["example", "spans"], {}, "a1200", tmp_path,
                                 programs=folder / tools)
     assert [(result.code, result.output) for result in results] == [(0, "")] * 2
