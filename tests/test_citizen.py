@@ -135,7 +135,7 @@ ENDINGS = [
     (0, "bench", 10, "bench: usage: bench PLAN RESULTS"),
     (0, "bench broken out", 10, "broken: not a usable plan file: size"),
     (0, "bench calls no/where", 10, "no/where: cannot be created"),
-    (0, "bench crash out", 20, "0000"),
+    (0, "bench crash gone", 20, "0000", "gone"),
     (AT_ONCE, "bench calls gone", 5, BREAK, "gone"),
     (0, "vectors asked told", 0, "operation 0"),
     (0, "vectors asked", 10, "vectors: usage: vectors QUESTIONS ANSWERS"),
