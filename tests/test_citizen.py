@@ -23,7 +23,7 @@ MACHINES = {"some": SOME, "cached": SOME | emulator.MACHINES["a1200-030"] | SOME
 #: The numbers of a line of citizen.s.
 STATE = ("chip RAM", "fast RAM", "INTENA", "DMACON", "level 6 vector", "trap code",
          "Disable and Forbid", "signals allocated", "Ctrl-C pending", "timer A", "timer B", "CACR")
-AT_ONCE, DOUBLE_CLICK, IN_RAM = -1, -2, -3
+AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART = range(-1, -5, -1)
 BREAK = "***Break"
 USAGE = "render: usage: render SCENE [FORM addx|swap|c]"
 
@@ -148,6 +148,8 @@ ENDINGS = [
     (0, "three", 0, ""),
     (AT_ONCE, "three", 5, BREAK),
     (0, "huge", 20, "not enough memory"),
+    (OLD_KICKSTART, "render good", 20, "needs Kickstart 2.0 or later"),
+    (OLD_KICKSTART, "three", 20, "needs Kickstart 2.0 or later"),
 ]
 #: A volume that is full: what did not fit on it is not there.
 FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]
