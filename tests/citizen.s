@@ -90,8 +90,8 @@ OLD_KICKSTART           equ     -4
         jsr     program_load
         move.l  d0,d7
         cmpi.l  #DOUBLE_CLICK,d5
-        beq.s   .double
-        bsr.s   alarm_set
+        beq     .double
+        bsr     alarm_set
         movea.l dos_base,a3
         move.w  lib_Version(a3),d4
         cmpi.l  #OLD_KICKSTART,d5
@@ -105,7 +105,7 @@ OLD_KICKSTART           equ     -4
         jsr     program_run
         move.w  d4,lib_Version(a3)
         move.l  d0,d6
-        bsr.s   alarm_clear
+        bsr     alarm_clear
         bra.s   .ended
 .double bsr     double_click
         move.l  d0,d6
