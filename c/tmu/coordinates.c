@@ -58,7 +58,7 @@ static uint32 divided(uint32 hi, uint32 lo, uint32 w, uint32 up)
     return hi && up && lo != 0xffffffff ? lo + 1 : lo;
 }
 
-int32 tmu_exact_quotient(int32 s, int32 w)
+static int32 exact_quotient(int32 s, int32 w)
 {
     const uint32 negative = (s < 0) != (w < 0), limit = negative ? 0x80000000u : 0x7fffffff;
     const uint32 size = tmu_magnitude(s), by = tmu_magnitude(w);
@@ -81,8 +81,8 @@ void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s,
         *s = tmu_table_quotient(point->s, point->w);
         *t = tmu_table_quotient(point->t, point->w);
     } else if (tmu->modes.perspective) {
-        *s = tmu_exact_quotient(point->s, point->w);
-        *t = tmu_exact_quotient(point->t, point->w);
+        *s = exact_quotient(point->s, point->w);
+        *t = exact_quotient(point->t, point->w);
     } else {
         *s = point->s;
         *t = point->t;

@@ -83,7 +83,8 @@ static void put(struct inputs *in, int32 code, const struct tx_colour *colour)
     in->colours[code][3] = colour->a;
 }
 
-int32 tx_clamp_9(int32 value)
+/* 9 bits to 0-255. */
+static int32 clamp_9(int32 value)
 {
     value &= 0x1ff;
     return (value & 0x180) == 0x180 ? 0 : value & 0x100 ? 255 : value;
@@ -113,7 +114,7 @@ uint32 tx_combine_pixel(const struct tx *tx, const struct tx_sources *sources)
     }
     combine_cycle(&tx->combine, 1, &in);
     for (int32 i = 0; i < 4; i++)
-        colour = colour << 8 | (uint32)tx_clamp_9(in.colours[TX_CODE_COMBINED][i]);
+        colour = colour << 8 | (uint32)clamp_9(in.colours[TX_CODE_COMBINED][i]);
     return colour;
 }
 

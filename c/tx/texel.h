@@ -39,13 +39,6 @@ uint32 tx_tlut_index(const struct tx *tx, const struct tx_tile *tile, int32 s, i
 /* texel.c. A TLUT's entry: 16 bits, as they are. */
 uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
 
-/* texel.c. What stands in 16 bits. */
-void tx_expand_rgba16(uint32 bits, struct tx_colour *texel);
-void tx_expand_ia16(uint32 bits, struct tx_colour *texel);
-
-/* filter.c. One channel through the three-point filter; fs, ft: 0 to 31. */
-int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft);
-
 /* filter.c. Samples tile n at s, t (s10.5) as the modes of the cycle (0 or 1) say. previous:
    cycle 0's sample, which cycle 1 may convert. */
 void tx_sample(const struct tx *tx, int32 n, int32 s, int32 t, int32 cycle,
