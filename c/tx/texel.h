@@ -15,6 +15,13 @@ struct tx_place {
     int32 index, step;
 };
 
+/* A coordinate (s10.5) after an axis' shift. */
+static inline int32 tx_shifted(const struct tx_axis *axis, int32 c)
+{
+    return axis->shift <= 10 ? (int16)c >> axis->shift
+                             : (int16)((uint32)c << (16 - axis->shift));
+}
+
 /* coordinates.c. c: s10.5. Relative coordinate: 11.5 bits unsigned; steps 1-4 (shift, clamp,
    origin). Where the axis neither clamps nor masks nothing, it is modulo 2^16. */
 uint32 tx_relative(const struct tx_axis *axis, int32 c);
