@@ -66,11 +66,6 @@ uint8 *page_row(const struct page *page, int32 v)
     return (uint8 *)page->map.texels + (int8)v * SIDE * page->map.texel_bytes;
 }
 
-static const fix16 *next(const fix16 *value)
-{
-    return value + sizeof(struct vertex) / sizeof *value;
-}
-
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
 {
     fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
@@ -78,7 +73,7 @@ int32 page_is_within(const struct setup *s, const fix16 *value, const struct pag
 
     if (window->period)
         return 1;
-    for (int32 i = 0; i < s->count; i++, value = next(value))
+    for (int32 i = 0; i < s->count; i++, value += VERTEX_FIELDS)
         if (*value < low || *value >= high)
             return 0;
     return 1;
@@ -87,14 +82,9 @@ int32 page_is_within(const struct setup *s, const fix16 *value, const struct pag
 /* What values lie within; *least: the least. */
 static fix16 extent(const fix16 *value, int32 count, fix16 *least)
 {
-    fix16 most = *value;
+    fix16 most;
 
-    *least = *value;
-    for (int32 i = 1; i < count; i++) {
-        value = next(value);
-        *least = *value < *least ? *value : *least;
-        most = *value > most ? *value : most;
-    }
+    vertex_range(value, count, least, &most);
     return most - *least;
 }
 

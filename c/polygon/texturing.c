@@ -2,11 +2,6 @@
 
 #include "polygon/math.h"
 
-static int32 magnitude(fix16 value)
-{
-    return value < 0 ? -value : value;
-}
-
 /* The difference a - b of x, y, s and t. */
 static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {

@@ -6,13 +6,12 @@
 #include "polygon/lower.h"
 #include "polygon/outline.h"
 #include "tmu/tiles.h"
-#include "tmu/wide.h"
 
 /* What is iterated for a unit's points. */
 struct iteration {
     int32 first;                /* plane */
     int32 divided;              /* a unit divides by w */
-    struct planes_corners corners;
+    const struct vertex *corners;
 };
 
 static const struct planes_scale scale = {2, 1 << 30, TMU_REACH << 16};
@@ -35,10 +34,7 @@ static void find_iteration(const struct tmu_pipe *pipe, uint32 unit, const struc
     for (uint32 n = 0; n < chain->count; n++)
         if ((chain->own >> n & 1 ? n : 0) == unit)
             of->divided |= chain->units[n]->modes.perspective;
-    of->corners.s = &v->s;
-    of->corners.t = &v->t;
-    of->corners.w = &v->w;
-    of->corners.stride = sizeof *v / sizeof v->s;
+    of->corners = v;
 }
 
 static int32 is_near(fix16 value)
@@ -160,7 +156,7 @@ static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
     const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
     const int32 dx = (int32)w->dx, dy = (int32)w->dy;
     const uint32 most = (1u << 30) - 2 * SCENE_SIDE_MAX;
-    const uint32 across = tmu_magnitude(dx), down = tmu_magnitude(dy);
+    const uint32 across = magnitude(dx), down = magnitude(dy);
 
     range->least = range->most = 0;
     if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
@@ -177,7 +173,7 @@ static int32 find_planes(struct tmu_iterations *at, const struct setup *s,
 {
     const struct plane *w = &at->planes.of[of->first + TMU_W];
 
-    if (!planes_coordinates(&at->planes, s, of->first, &of->corners, &scale, of->divided))
+    if (!planes_coordinates(&at->planes, s, of->first, of->corners, &scale, of->divided))
         return 0;
     at->points[unit].lod = lod_base(&at->planes.of[of->first]);
     find_range(&at->ranges[unit], at, s, w);

@@ -22,7 +22,7 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
     for (int32 i = 0; i < s->count; i++) {
         if (*value < low || *value >= high)
             return 0;
-        value += sizeof(struct vertex) / sizeof *value;
+        value += VERTEX_FIELDS;
     }
     return 1;
 }

@@ -1,9 +1,5 @@
+#include "polygon/math.h"
 #include "tmu/plain.h"
-
-static inline uint32 magnitude(int32 value)
-{
-    return value < 0 ? 0 - (uint32)value : (uint32)value;
-}
 
 /* n * 2^bits / w rounded down, n < 2 w. */
 static uint32 quotient(uint32 n, uint32 w, int32 bits, uint32 *rest)
