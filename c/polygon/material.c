@@ -14,7 +14,8 @@
 /* The shades between which every pixel has one of the vertices' range. */
 static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
 {
-    vertex_range(&vertices->shade, count, low, high);
+    *high = vertex_range(&vertices->shade, count, low);
+    *high += *low;
     *low = (*low & ~0xffff) + INSET;
     *high = (*high | 0xffff) - INSET;
 }
@@ -76,7 +77,8 @@ void material_range(struct hold_plan *hold, const struct setup *s)
 {
     hold->u_low = hold->v_low = hold->v_high = 0;
     if (s->material->mapper == MAPPER_GOURAUD) {
-        vertex_range(&s->vertices->s, s->count, &hold->u_low, &hold->u_high);
+        hold->u_high = vertex_range(&s->vertices->s, s->count, &hold->u_low);
+        hold->u_high += hold->u_low;
         hold->u_low &= ~0xffff;
         hold->u_high |= 0xffff;
     } else {
@@ -97,8 +99,10 @@ int32 material_leaves_range(const struct setup *s)
     if (gouraud && s->count == 3)
         return 0;               /* material_vertices saw to it */
     if (s->count == 3) {
-        vertex_range(&s->vertices->s, 3, &s_low, &s_high);
-        vertex_range(&s->vertices->t, 3, &t_low, &t_high);
+        s_high = vertex_range(&s->vertices->s, 3, &s_low);
+        s_high += s_low;
+        t_high = vertex_range(&s->vertices->t, 3, &t_low);
+        t_high += t_low;
     } else {                    /* the plane need not run through all of them */
         inset = ON_PLANE;
         plane_range(t->u, t->dudx, t->dudy, t, s->vertices, s->count, &s_low, &s_high);

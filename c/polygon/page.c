@@ -79,15 +79,6 @@ int32 page_is_within(const struct setup *s, const fix16 *value, const struct pag
     return 1;
 }
 
-/* What values lie within; *least: the least. */
-static fix16 extent(const fix16 *value, int32 count, fix16 *least)
-{
-    fix16 most;
-
-    vertex_range(value, count, least, &most);
-    return most - *least;
-}
-
 static int32 is_parallelogram(const struct vertex *v)
 {
     return v[0].x + v[2].x == v[1].x + v[3].x && v[0].y + v[2].y == v[1].y + v[3].y
@@ -105,8 +96,8 @@ static int32 keeps_range(const struct setup *s, fix16 range)
 
     if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
         return 0;
-    width = extent(&v->x, s->count, &least);
-    height = extent(&v->y, s->count, &least);
+    width = vertex_range(&v->x, s->count, &least);
+    height = vertex_range(&v->y, s->count, &least);
     side = ((width > height ? width : height) >> 16) + 1;
     if (width < 0 || height < 0 || side > 1024)
         return 0;
@@ -119,7 +110,7 @@ static int32 keeps_range(const struct setup *s, fix16 range)
 static void find_rows(const struct setup *s, fix16 origin, int32 least_row,
                       struct page_rows *shown)
 {
-    fix16 least, range = extent(&s->given->t, s->count, &least);
+    fix16 least, range = vertex_range(&s->given->t, s->count, &least);
 
     shown->first = ((least - origin) >> 16) - PAGE_MARGIN;
     shown->last = ((least + range - origin) >> 16) + PAGE_MARGIN;
@@ -135,7 +126,7 @@ static fix16 origin_of(const struct setup *s, const fix16 *value, const struct p
 
     if (!window->period)
         return window->origin;
-    range = extent(value, s->count, &least);
+    range = vertex_range(value, s->count, &least);
     middle = least + (range >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
     return window->origin + ((middle + (window->period >> 1)) & -window->period);
 }

@@ -54,9 +54,9 @@ static void scale_plane(struct screen_plane *to, const struct screen_plane *from
    the distance of the range's ends from it, if that is more. */
 static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int32 *farthest)
 {
-    fix16 low, high, base;
+    fix16 low, base, high = vertex_range(value, count, &low);
 
-    vertex_range(value, count, &low, &high);
+    high += low;
     base = ((low + high) >> 1) & ~0xffff;
     *from = low - base;
     *to = high - base;

@@ -91,10 +91,9 @@ static void find_plain(struct planes *planes, const struct setup *s, int32 first
 
 static int32 is_narrow(const fix16 *value, int32 count, fix16 reach)
 {
-    fix16 low, high;
+    fix16 least;
 
-    vertex_range(value, count, &low, &high);
-    return high - low < reach;
+    return vertex_range(value, count, &least) < reach;
 }
 
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,

@@ -6,9 +6,9 @@
 /* Half the range of a triangle's u or v, rounded up. */
 static fix16 half_range(const fix16 *value)
 {
-    fix16 low, high;
+    fix16 low, high = vertex_range(value, 3, &low);
 
-    vertex_range(value, 3, &low, &high);
+    high += low;
     return (high >> 1) - (low >> 1) + 1;
 }
 
@@ -18,17 +18,17 @@ static fix16 half_range(const fix16 *value)
    in the middle |u_i - c| is half u's range. */
 int32 tolerance_is_flat(const struct setup *s)
 {
-    fix16 w_low, w_high, u, v;
+    fix16 least, range, u, v;
 
     if (s->count != 3)          /* of more, the plane is that of three: outside them shares
                                    have no bound */
         return 0;
-    vertex_range(&s->vertices->w, 3, &w_low, &w_high);
-    if (w_high - w_low > w_low)
+    range = vertex_range(&s->vertices->w, 3, &least);
+    if (range > least)
         return 0;
     u = half_range(&s->vertices->s);
     v = half_range(&s->vertices->t);
-    return mul_div(u > v ? u : v, w_high - w_low, w_low) < 2 * s->material->tolerance;
+    return mul_div(u > v ? u : v, range, least) < 2 * s->material->tolerance;
 }
 
 /* A piece of n pixels, right at both ends, is off by n^2 |u''| / 8 at most, u'' = -2 q' u' / q

@@ -1,16 +1,16 @@
 #include "polygon/vertex.h"
 
-void vertex_range(const fix16 *value, int32 count, fix16 *low, fix16 *high)
+fix16 vertex_range(const fix16 *value, int32 count, fix16 *least)
 {
-    fix16 least = *value, most = *value;
+    fix16 low = *value, high = low;
 
     for (; count > 1; count--) {
         value += VERTEX_FIELDS;
-        if (*value < least)
-            least = *value;
-        if (*value > most)
-            most = *value;
+        if (*value < low)
+            low = *value;
+        if (*value > high)
+            high = *value;
     }
-    *low = least;
-    *high = most;
+    *least = low;
+    return high - low;
 }

@@ -15,8 +15,9 @@ struct vertex {
 
 enum { VERTEX_FIELDS = sizeof(struct vertex) / sizeof(fix16) };
 
-/* The least and the greatest value of a field of vertices; value: the first one's. */
-void vertex_range(const fix16 *value, int32 count, fix16 *low, fix16 *high);
+/* The least value of a field of vertices, and how much more the greatest is; value: the first
+   one's. */
+fix16 vertex_range(const fix16 *value, int32 count, fix16 *least);
 
 enum vertex_limits {
     POLYGON_FAR = 16384,        /* pixels: differences stay inside 16.16 */

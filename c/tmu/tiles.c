@@ -81,11 +81,11 @@ static void find_kinds(struct tmu_tiling *tiling)
 /* How far the vertices' values (16.16) are apart, and the least of them, both in 14.18. */
 static uint32 vertices_range(const struct setup *s, const fix16 *value, int32 *least)
 {
-    fix16 low, high;
+    fix16 low;
+    const fix16 range = vertex_range(value, s->count, &low);
 
-    vertex_range(value, s->count, &low, &high);
     *least = (int32)((uint32)low << 2);
-    return ((uint32)high - (uint32)low) << 2;
+    return (uint32)range << 2;
 }
 
 /* The same of a plane within the polygon's box, if that is less. */
