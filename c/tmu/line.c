@@ -85,7 +85,7 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
     }
 }
 
-/* The same where s and t are divided at the ends of pieces. */
+/* Coordinates of a run whose s and t are divided at the ends of pieces. */
 static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
 {
     const uint32 place = (uint32)(runs->end - runs->left);
@@ -103,6 +103,7 @@ static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
     tmu_pieces(&at, work->coordinates, steps, runs->count);
 }
 
+/* Coordinates of any run. */
 static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
 {
     static const struct tmu_iterators none = {0, 0, 0};
