@@ -9,7 +9,8 @@ struct number64 {
     uint32 hi, lo;
 };
 
-static inline uint32 magnitude(int32 value)
+/* |value| */
+static inline uint32 fix_magnitude(int32 value)
 {
     return value < 0 ? 0 - (uint32)value : (uint32)value;
 }

@@ -136,8 +136,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     corners.area = sides->area;
     planes_find(&planes, &corners);
     least = least_q(&planes.q, vertices, count, box);
-    right = (int32)(magnitude(corners.x) >> 16) + box->right - box->left + 1;
-    down = (int32)(magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
+    right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
+    down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
     if (!is_sure(&planes.q, right, down, least) || !is_sure(&planes.s, right, down, least)
         || !is_sure(&planes.t, right, down, least))
         return 0;
@@ -169,7 +169,7 @@ static void plane_of(struct screen_plane *to, uint32 at, fix16 ddx, fix16 ddy,
 
 static int32 is_flat(fix16 step)
 {
-    return magnitude(step) < FLAT;
+    return fix_magnitude(step) < FLAT;
 }
 
 int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,

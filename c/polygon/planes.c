@@ -39,12 +39,12 @@ struct depths {
 static void find_depths(struct depths *depths, const struct vertex *corners, int32 count)
 {
     const fix16 first = corners->w;
-    uint32 least = magnitude(first);
+    uint32 least = fix_magnitude(first);
 
     depths->is_constant = depths->is_positive = 1;
     for (; count; count--, corners++) {
-        if (magnitude(corners->w) < least)
-            least = magnitude(corners->w);
+        if (fix_magnitude(corners->w) < least)
+            least = fix_magnitude(corners->w);
         if (corners->w != first)
             depths->is_constant = 0;
         if (corners->w < 0)
@@ -61,7 +61,7 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
     fix16 w[POLYGON_VERTICES_MAX];
 
     for (int32 i = 0; i < s->count; i++, corners++) {
-        w[i] = mul_div(one, depths->least, (fix16)magnitude(corners->w));
+        w[i] = mul_div(one, depths->least, (fix16)fix_magnitude(corners->w));
         if (corners->w < 0)
             w[i] = -w[i];
         places[i].s = mul_div((fix16)((uint32)corners->s << scale->bits), w[i], scale->one);

@@ -16,7 +16,7 @@ static fix16 saturated_step(fix16 part, fix16 whole)
 {
     const fix16 largest = 0x7fffffff;
 
-    if (magnitude(part) >> 15 >= magnitude(whole))
+    if (fix_magnitude(part) >> 15 >= fix_magnitude(whole))
         return (part < 0) == (whole < 0) ? largest : -largest;
     return whole < 0 ? mul_div(-part, 65536, -whole) : mul_div(part, 65536, whole);
 }

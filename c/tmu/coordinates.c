@@ -32,14 +32,14 @@ static int32 cut(struct number64 number, int32 shift, int32 negative)
 
 int32 tmu_table_quotient(int32 s, int32 w)
 {
-    uint32 normal = magnitude(w);
+    uint32 normal = fix_magnitude(w);
     int32 shift = 23;
 
     if (!w)
         return 0;
     for (; !(normal >> 31); normal <<= 1)
         shift--;
-    return cut(tmu_product(magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
+    return cut(tmu_product(fix_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
 }
 
 /* hi * 2^32 + lo by w, hi below w: the quotient, rounded up where there is a rest and up is 1. */
@@ -61,7 +61,7 @@ static uint32 divided(uint32 hi, uint32 lo, uint32 w, uint32 up)
 static int32 exact_quotient(int32 s, int32 w)
 {
     const uint32 negative = (s < 0) != (w < 0), limit = negative ? 0x80000000u : 0x7fffffff;
-    const uint32 size = magnitude(s), by = magnitude(w);
+    const uint32 size = fix_magnitude(s), by = fix_magnitude(w);
     uint32 value = limit;
 
     if (!w)

@@ -80,7 +80,7 @@ static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
     const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
     const int32 dx = (int32)w->dx, dy = (int32)w->dy;
     const uint32 most = (1u << 30) - 2 * SCENE_SIDE_MAX;
-    const uint32 across = magnitude(dx), down = magnitude(dy);
+    const uint32 across = fix_magnitude(dx), down = fix_magnitude(dy);
 
     range->least = range->most = 0;
     if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)

@@ -22,8 +22,8 @@ static int32 find_shift(const struct tmu_tiling *tiling)
 /* Whether its way along a line, and along a column, has 31 bits at most. */
 static int32 is_short(const struct plane *plane, const struct rectangle *box)
 {
-    return magnitude((int32)plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
-        && magnitude((int32)plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
+    return fix_magnitude((int32)plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
+        && fix_magnitude((int32)plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
 }
 
 /* Finds each unit's LOD; 0: pixels differ in it. */
@@ -95,7 +95,7 @@ static uint32 box_range(const struct setup *s, const struct planes *planes, int3
     const struct plane *plane = &planes->of[which];
     const int32 across = (int32)plane->dx * (s->box.right - s->box.left - 1);
     const int32 down = (int32)plane->dy * (s->box.bottom - s->box.top - 1);
-    const uint32 inside = magnitude(across) + magnitude(down);
+    const uint32 inside = fix_magnitude(across) + fix_magnitude(down);
 
     if (inside >= range)
         return range;
