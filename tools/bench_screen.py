@@ -35,11 +35,12 @@ def place(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, ar
 
 
 def screen_case(kernel: str):
-    """A screen of noise in one call, each plane behind the one before."""
+    """A screen of noise, the maps' (a plan has it once), in one call; each plane behind the one
+    before."""
     name = kernel.removesuffix("_c")
     form, (width, rows) = planar.FORMS[name], SCREENS[name]
     rows = rows if kernel == name else ROWS_IN_C
-    pixels = planar.noise(name, np.random.default_rng(8), width, rows)
+    pixels = planar.noise(name, np.random.default_rng(256), width, rows)
     row = form.dots * width // 8
     planes = planar.Planes(8 * row, rows, row, row * rows, form.planes)
     case, out = place(kernel, pixels, width * form.bytes, planes, Arena(), Arena(),
