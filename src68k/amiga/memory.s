@@ -1,6 +1,7 @@
 ; Memory through exec. What a program allocates is noted here and freed when it ends.
 
         include "amiga.i"
+        include "layout.i"
         include "routine.i"
 
         xref    sys_base
@@ -11,7 +12,6 @@
 BLOCK_SIZE              equ     4       ; head of an allocated block: next, size
 BLOCK_HEAD              equ     8
 ALIGN                   equ     8       ; of what is taken, as exec does
-RETURN_FAIL             equ     20
 
 ; Returns with what is set aside, or goes on. That is of any kind.
 take    macro
