@@ -189,7 +189,7 @@ build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
 endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
-  $(if $(filter bench,$(name)),$(KERNEL_TABLE)))))
+  $(if $(filter bench measure,$(name)),$(KERNEL_TABLE)))))
 $(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 

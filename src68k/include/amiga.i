@@ -22,13 +22,16 @@ _LVOOpenLibrary         equ     -552
 _LVOCacheClearU         equ     -636
 
 lib_Version             equ     20
+lib_Revision            equ     22
 AttnFlags               equ     296
+ex_EClockFrequency      equ     568
 AFB_68020               equ     1
 tc_TrapCode             equ     50
 pr_MsgPort              equ     92
 pr_CIS                  equ     156
 pr_COS                  equ     160
 pr_CLI                  equ     172
+pr_WindowPtr            equ     184
 sm_ArgList              equ     36
 wa_Lock                 equ     0
 
