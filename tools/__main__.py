@@ -93,6 +93,13 @@ def report(args: argparse.Namespace) -> int:
     return tool.command(args.out or BUILD / "report", args.scene, args.machine, args.committed)
 
 
+def adf(args: argparse.Namespace) -> int:
+    """Makes the disk."""
+    build_programs()
+    from . import disk as tool
+    return tool.command(args.out or tool.IMAGE)
+
+
 def readme(args: argparse.Namespace) -> int:
     """Types the tables of the README."""
     from . import readme as tool
@@ -232,6 +239,10 @@ def parser() -> Parser:
     command.add_argument("--committed", action="store_true",
                          help="take the committed figures of bench, accuracy and polygons instead "
                               "of measuring, and leave out what is not committed")
+
+    command = add(adf, "Write the image of a bootable disk: demo, the owners' bench, readme.")
+    command.add_argument("-o", dest="out", type=Path, metavar="FILE",
+                         help="where to (build/adf/tmap020.adf)")
 
     add(readme, "Bring the tables of the README up to date.")
 

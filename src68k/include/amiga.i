@@ -2,6 +2,7 @@
 ; Source: the public autodocs and the Hardware Reference Manual.
 
 ; exec.library
+_LVOFindResident        equ     -96
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
 _LVOPermit              equ     -138
@@ -27,6 +28,7 @@ AttnFlags               equ     296
 ex_EClockFrequency      equ     568
 AFB_68020               equ     1
 tc_TrapCode             equ     50
+rt_Init                 equ     22
 pr_MsgPort              equ     92
 pr_CIS                  equ     156
 pr_COS                  equ     160
