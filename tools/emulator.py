@@ -128,7 +128,7 @@ def read(path: Path) -> str:
 
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], machine: str,
-            programs: Path, apart: bool) -> Path:
+            programs: Path, apart: bool, drives: dict[str, str]) -> Path:
     """Lays out a run's directory, as run_many has it; returns the emulator's configuration file."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
@@ -154,11 +154,40 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
                 script += [f"{program} >{number}.log {line}", f"echo >{number}.code $RC"]
     script += ["echo >end", "uaequit"]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
-    options = OPTIONS | MACHINES[machine] | {
-        "base_dir": str(directory / "base"), "hard_drive_0": str(volume)}
+    return configure(directory, machine, {"hard_drive_0": str(volume)} | drives)
+
+
+def floppies(*images: Path) -> dict[str, str]:
+    """Options for images in DF0:, DF1: and so on, read and written in no time; the guest writes into
+    the files themselves, and finds those write-protected that may not be written."""
+    return {f"floppy_drive_{n}": str(path) for n, path in enumerate(images)} | {
+        "floppy_drive_count": str(len(images)), "floppy_drive_speed": "0",
+        "writable_floppy_images": "1"}
+
+
+def configure(directory: Path, machine: str, drives: dict[str, str]) -> Path:
+    """Writes the emulator's configuration file; ``drives``: its options for disks."""
+    options = OPTIONS | MACHINES[machine] | {"base_dir": str(directory / "base")} | drives
     config = directory / "a1200.fs-uae"
     config.write_text("[fs-uae]\n" + "".join(f"{k} = {v}\n" for k, v in options.items()))
     return config
+
+
+@contextlib.contextmanager
+def started(config: Path, log: Path) -> Iterator[subprocess.Popen]:
+    """The emulator while it runs, without a window, its own messages in ``log``; ended afterwards."""
+    with log.open("wb") as stream:
+        try:
+            process = subprocess.Popen(
+                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
+                stderr=subprocess.STDOUT, env=os.environ | {"SDL_VIDEODRIVER": "offscreen"})
+        except OSError:
+            raise UserError("fs-uae is not installed: run scripts/setup") from None
+        try:
+            yield process
+        finally:
+            process.kill()
+            process.wait()
 
 
 def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> None:
@@ -194,33 +223,25 @@ def explain_end(program: Path, arguments: str, output: str, ended: bool, log: st
 
 def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
              on_output=None, programs: Path = PROGRAMS,
-             patience: float | None = None, apart: bool = False) -> list[Result]:
+             patience: float | None = None, apart: bool = False,
+             drives: dict[str, str] | None = None) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to
     a file that is copied); a command's first word is one of ``programs``.
     ``on_output`` is called with the output so far when there is more of it;
     ``patience``: seconds of silence that count as a hang (STALL_SECONDS);
-    ``apart``: each command loads its program, whatever ran before.
+    ``apart``: each command loads its program, whatever ran before; ``drives``: options for
+    disks besides the boot volume.
     Raises UserError for a hang; return codes and crash reports are the caller's
     to judge.
     """
-    config = prepare(directory, commands, files, machine, programs, apart)
+    config = prepare(directory, commands, files, machine, programs, apart, drives or {})
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
-    with log.open("wb") as stream:
-        try:
-            process = subprocess.Popen(
-                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
-                stderr=subprocess.STDOUT, env=os.environ | {"SDL_VIDEODRIVER": "offscreen"})
-        except OSError:
-            raise UserError("fs-uae is not installed: run scripts/setup") from None
-        try:
-            wait(process, volume, on_output, patience)
-            ended = process.poll() is not None
-        finally:
-            process.kill()
-            process.wait()
+    with started(config, log) as process:
+        wait(process, volume, on_output, patience)
+        ended = process.poll() is not None
     codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
     outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
     if not (volume / "end").exists():

@@ -6,8 +6,7 @@
 
 #define ROOM 8192
 #define LINE 514                /* the longest of text_take */
-
-enum dos_error { ERROR_WRITE_PROTECTED = 214, ERROR_DISK_FULL = 221 };
+#define FAULT 82                /* the longest of dos_fault */
 
 static char lines[ROOM + 1];
 static int32 length;
@@ -114,33 +113,22 @@ void report_end_rows(void)
     left_full = 0;
 }
 
-static int32 refuse(const char *name, const char *what, int32 error)
-{
-    text_add(name);
-    text_add(what);
-    if (error == ERROR_WRITE_PROTECTED)
-        return text_refuse("", "the disk is write-protected");
-    if (error == ERROR_DISK_FULL)
-        return text_refuse("", "the disk is full");
-    text_add(": AmigaDOS error ");
-    text_number(error);
-    text_print();
-    return 0;
-}
-
 int32 report_save(const char *name)
 {
-    const int32 window = dos_requests(-1);      /* the line below says it, too */
+    const int32 window = dos_requests(-1);      /* no requester: the line below says it */
     const int32 file = file_open(name, FILE_NEW);
-    int32 put = -1, error = file ? 0 : dos_error();
+    int32 put = -1;
+    char fault[FAULT];
 
-    if (file) {
+    if (file)
         put = file_write(file, lines, length);
-        error = put == length ? 0 : dos_error();
+    dos_fault(fault, FAULT);
+    if (file)
         file_close(file);
-    }
     dos_requests(window);
     if (put == length)
         return 1;
-    return refuse(name, file ? " cannot be written" : " cannot be created", error);
+    text_add(name);
+    text_add(file ? " cannot be written" : " cannot be created");
+    return text_refuse("", fault);
 }

@@ -18,7 +18,7 @@ enum agnus { AGNUS_ALICE = 2, AGNUS_NTSC = 16 };
 /* src68k/amiga/machine.s: contracts there. */
 void machine_read(struct machine *machine);
 int32 memory_is_chip(const void *address);
-int32 dos_error(void);
+void dos_fault(char *text, int32 bytes);
 int32 dos_requests(int32 window);
 
 #endif

@@ -70,22 +70,28 @@ AGNUS_BITS              equ     $7f
 .done   rts
 
 ;==============================================================================
-; dos_error - why dos's last call failed
+; dos_fault - why dos's last call failed, in dos's own words
 ;
-; in:      -
-; out:     d0  int32  AmigaDOS's number of the error: 214 write-protected, 221 full, and so on
+; in:      d0  char*  where the text goes, zero-terminated
+;          d1  int32  how many bytes there are for it
+; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   -
-; writes:  -
+; writes:  the text
 ; formats: -
-; error:   -
+; error:   a number that dos does not know is written as a number
 ; cost:    -
 ;==============================================================================
-        routine dos_error
-        move.l  a6,-(sp)
+        routine dos_fault,d0,d1
+        movem.l d2-d4/a6,-(sp)
+        move.l  d0,d3
+        move.l  d1,d4
         movea.l dos_base,a6
         lvo     IoErr
-        movea.l (sp)+,a6
+        move.l  d0,d1
+        moveq   #0,d2                   ; nothing before it
+        lvo     Fault
+        movem.l (sp)+,d2-d4/a6
         rts
 
 ;==============================================================================

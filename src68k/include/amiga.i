@@ -59,6 +59,7 @@ _LVOLoadSeg             equ     -150
 _LVOUnLoadSeg           equ     -156
 _LVODelay               equ     -198
 _LVOSelectOutput        equ     -300
+_LVOFault               equ     -468
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
