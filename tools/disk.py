@@ -29,7 +29,7 @@ IMAGE = BUILD / "adf" / f"{VOLUME}.adf"
 SIZE = 901_120  # 80 tracks of two sides of 11 sectors of 512 bytes
 BLOCK = 512
 TEXTS = ROOT / "tools" / "disk_files"
-WIDTH = 77  # columns of a text, as a console window has
+WIDTH = 76  # columns of a text: a console has 77, and lines of 77 an empty one behind them
 READ, WRITE, EXECUTE, DELETE, SCRIPT = 8, 4, 2, 1, 64  # the first four are set for "may not"
 
 
@@ -43,10 +43,11 @@ class Item:
 
 
 def text(path: Path) -> bytes:
-    """A text file, held to what a console of the Amiga shows."""
+    """A text file, or a script's, held to what a console of the Amiga shows of it."""
     content = path.read_text()
     for number, line in enumerate(content.splitlines(), 1):
-        if len(line) > WIDTH or not line.isascii() or "\t" in line:
+        shown = line.removeprefix('Echo "').removesuffix('"')
+        if len(shown) > WIDTH or not line.isascii() or "\t" in line:
             raise UserError(f"{path}: line {number}: not ASCII of at most {WIDTH} columns")
     return content.encode()
 

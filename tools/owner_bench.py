@@ -15,7 +15,7 @@ from .paths import BASELINE
 
 MACHINES = ("a1200", "a1200-fast")
 #: Widest title, in columns of the screen.
-TITLE = 17
+TITLE = 16
 
 
 @dataclass(frozen=True)
@@ -74,6 +74,7 @@ def rows() -> list[bench_cases.Row]:
     made = {(row.name, row.length): row for row in bench_cases.pixel_rows(False)}
     chosen = []
     for entry in ENTRIES:
+        assert len(entry.title) <= TITLE, entry
         row = made[entry.name, entry.length]
         case = Case(**vars(row.case) | {"chip": entry.chip, "repeats": repeats(row.units)})
         chosen.append(bench_cases.Row(row.name, row.length, row.units, case, row.check))

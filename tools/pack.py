@@ -18,6 +18,10 @@ from .parts import Part, Program
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
 CACHE = 256  # bytes
 LAST = ".rodata.scene_data"  # maps too: addresses have to be relocated before it only
+#: jsr and jmp to an address, and as they are relative to where they stand: of the same length, and
+#: nothing is to be relocated.
+RELATIVE = {bytes.fromhex("4eb9"): bytes.fromhex("61ff"),  # bsr.l
+            bytes.fromhex("4ef9"): bytes.fromhex("60ff")}  # bra.l
 AHEAD = 4  # bytes that are fetched behind an instruction, at most
 
 
@@ -126,7 +130,12 @@ class Layout:
                 place = self.at[part.section] + relocation.offset
                 target, offset = self.program.lead(part, relocation)
                 value = self.at[target] + offset
-                if relocation.relative:
+                relative = relocation.relative
+                call = bytes(image[place - 2:place])
+                if call in RELATIVE and not (relative or part.timed > 1 or target.bss):
+                    image[place - 2:place] = RELATIVE[call]
+                    relative = True
+                if relative:
                     value -= place
                 else:
                     (bss if target.bss else code).append(place)

@@ -83,7 +83,7 @@ static void show(const char *cell)
     left_full = !left_full;
 }
 
-void report_row(const struct report_cell *cell)
+int32 report_row(const struct report_cell *cell)
 {
     char more[LINE];
 
@@ -92,6 +92,7 @@ void report_row(const struct report_cell *cell)
     keep(more);
     keep("\n");
     show(cell->text);
+    return left_full;
 }
 
 void report_heads(void)

@@ -5,12 +5,13 @@
 #include "compiler.h"
 
 /* A table's cell: a title, and three figures under the heads that report_heads shows; blank where
-   there is none. Two of them are a line of 77 columns on the console. */
+   there is none. Two of them are a line of 75 columns on the console: it
+   has 77, and behind lines of all 77 it leaves an empty one. */
 struct report_cell {
-    char text[38];
+    char text[37];
 };
 
-enum report_column { REPORT_HERE = 24, REPORT_EMULATED = 31, REPORT_RATIO = 37 };
+enum report_column { REPORT_HERE = 23, REPORT_EMULATED = 30, REPORT_RATIO = 36 };
 
 void report_cell_clear(struct report_cell *cell, const char *title);
 
@@ -24,8 +25,9 @@ void report_line(void);
 /* The heads of a table on both. */
 void report_heads(void);
 
-/* A cell on the console, two a line; in the file what text_add collected stands behind it. */
-void report_row(const struct report_cell *cell);
+/* A cell on the console, two a line; in the file what text_add collected stands behind it.
+   Returns whether the console's line is to have another. */
+int32 report_row(const struct report_cell *cell);
 
 /* Ends a line of the console that has one cell. */
 void report_end_rows(void);

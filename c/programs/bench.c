@@ -5,6 +5,7 @@
 #include "bench/plan.h"
 #include "bench/plan_call.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -76,11 +77,11 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
     struct plan_arenas arenas;
 
     if (!plan_arenas_make(&arenas, plan))
-        return text_refuse(name, "not enough memory");
+        return outcome_lack_memory(name, "the cases");
     for (uint32 i = 0; i < count; i++) {
         if (cases[i].repeats || i % REPORTED == 0)
             report(i, count, (const char *)(plan + cases[i].name_at));
-        if (!run(&cases[i], plan, &arenas, results))
+        if ((i && outcome_break()) || !run(&cases[i], plan, &arenas, results))
             return 0;
     }
     return results_flush(results);
@@ -91,27 +92,26 @@ int main(void)
     enum { PLAN, RESULTS, ITEMS };
     static int32 args[ITEMS];
     const uint8 *plan;
-    const char *name;
+    const char *name, *to;
     int32 results, done;
 
     if (!args_read("PLAN/A,RESULTS/A", args)) {
         print("bench: usage: bench PLAN RESULTS\n");
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     }
     name = (const char *)args[PLAN];
     if (!plan_load(name, &plan))
-        return RETURN_FAIL;
-    results = file_open((const char *)args[RESULTS], FILE_NEW);
-    if (!results) {
-        text_refuse((const char *)args[RESULTS], "cannot be created");
-        return RETURN_FAIL;
-    }
-    if (!clock_open()) {
-        print("bench: another program uses CIA-B's timers\n");
-        return RETURN_FAIL;
-    }
+        return outcome_code(0);
+    if (!clock_open())
+        return outcome_code(outcome_lack("bench", "another program uses CIA-B's timers"));
+    to = (const char *)args[RESULTS];
+    results = file_open(to, FILE_NEW);
+    if (!results)
+        return outcome_code(text_refuse(to, "cannot be created"));
     done = run_plan(plan, name, results);
     clock_close();
     file_close(results);
-    return done ? RETURN_OK : RETURN_FAIL;
+    if (!done)
+        file_delete(to);
+    return outcome_code(done);
 }

@@ -8,6 +8,7 @@
 #include "bench/plan_call.h"
 #include "bench/report.h"
 #include "system/machine.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -92,7 +93,8 @@ static void show_machine(const struct plan_arenas *arenas, struct measured *meas
     report_heads();
 }
 
-static void show_case(const struct plan_case *c, const char *title, uint32 ticks, int32 right,
+/* Returns whether the console's line is to have another. */
+static int32 show_case(const struct plan_case *c, const char *title, uint32 ticks, int32 right,
                       struct measured *measured)
 {
     const uint32 emulated = measured->memory == IN_CHIP ? c->chip : c->fast;
@@ -115,7 +117,7 @@ static void show_case(const struct plan_case *c, const char *title, uint32 ticks
     text_add(" colour clocks, ");
     text_number((int32)c->repeats);
     text_add(" calls");
-    report_row(&cell);
+    return report_row(&cell);
 }
 
 /* 1: all were measured. 0: a line says why not, or the user does not want to. */
@@ -123,6 +125,7 @@ static int32 measure(const uint8 *plan, const struct plan_arenas *arenas, struct
 {
     const struct plan_case *cases = plan_cases(plan);
     const uint32 count = ((const struct plan_header *)plan)->cases;
+    int32 half = 0;             /* a line is on the console, in which a break would be told */
 
     for (uint32 i = 0; i < count; i++) {
         const struct plan_case *c = &cases[i];
@@ -131,12 +134,12 @@ static int32 measure(const uint8 *plan, const struct plan_arenas *arenas, struct
 
         if (i && !(measured->memory == IN_CHIP ? c->chip : c->fast))
             continue;
-        if (break_asked() || !plan_call(&call, c, plan, arenas))
+        if ((!half && outcome_break()) || !plan_call(&call, c, plan, arenas))
             return 0;
         drawn = c->drawn ? plan_checksum((const uint32 *)call.far, c->far / 4) : 0;
         ticks = plan_time(&call, c, plan);
         if (i)
-            show_case(c, (const char *)(plan + c->title_at), ticks, drawn == c->drawn, measured);
+            half = show_case(c, (const char *)(plan + c->title_at), ticks, drawn == c->drawn, measured);
         else
             measured->calling = call_cycles(ticks, c->repeats);
     }
@@ -150,9 +153,9 @@ static void show_end(const struct measured *measured)
         text_add("WRONG: it drew other pixels than there. Please tell us, with this table.");
         report_line();
     }
-    text_add("A ratio below 1: faster here. Please send this file: open an issue of tmap020");
+    text_add("A ratio below 1: faster here. Please send this file: open an issue of");
     report_line();
-    text_add("and say which Amiga, which board and which memory it has. Thank you!");
+    text_add("tmap020, and say which Amiga, which board and which memory. Thank you!");
     report_line();
 }
 
@@ -174,25 +177,21 @@ int main(void)
     if (args[PLAN])
         plan_name = (const char *)args[PLAN];
     if (!plan_load(plan_name, &plan))
-        return RETURN_ERROR;
-    if (!plan_arenas_make(&arenas, plan)) {
-        print("measure: not enough memory\n");
-        return RETURN_FAIL;
-    }
-    if (!clock_open()) {
-        print("measure: another program uses CIA-B's timers\n");
-        return RETURN_FAIL;
-    }
+        return outcome_code(0);
+    if (!plan_arenas_make(&arenas, plan))
+        return outcome_code(outcome_lack_memory("measure", "the cases"));
+    if (!clock_open())
+        return outcome_code(outcome_lack("measure", "another program uses CIA-B's timers"));
     measured.wrong = 0;
     show_machine(&arenas, &measured, (const char *)(plan + plan_cases(plan)->title_at));
     if (!measure(plan, &arenas, &measured)) {
         report_end_rows();
-        return RETURN_WARN;
+        return outcome_code(0);
     }
     clock_close();
     show_end(&measured);
     if (!report_save(to))
-        return RETURN_ERROR;
+        return outcome_code(0);
     text_add("Saved as ");
     text_add(to);
     text_print();

@@ -26,7 +26,7 @@ CACR_ALLOCATE           equ     $2000   ; on writes, too
         movem.l d2/a5-a6,-(sp)
         move.l  d0,d2
         lea     .supervisor(pc),a5
-        movea.l 4.w,a6
+        movea.l sys_base,a6
         lvo     Supervisor
         move.l  d2,d0
         movem.l (sp)+,d2/a5-a6

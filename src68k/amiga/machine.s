@@ -4,7 +4,6 @@
         include "layout.i"
         include "routine.i"
 
-        xref    sys_base
         xref    dos_base
 
 AGNUS_BITS              equ     $7f

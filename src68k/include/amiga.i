@@ -1,7 +1,8 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
-; exec.library
+; exec.library, and where its base is read
+sys_base                equ     4
 _LVOFindResident        equ     -96
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
