@@ -36,7 +36,7 @@ def image(files, tmp_path_factory) -> Path:
 
 
 def test_image_is_a_bootable_disk(files, image):
-    """Its size, its boot block's checksum and type; every file comes back, and its room is known."""
+    """Its size, its boot block's checksum and type; every file comes back, its room is known."""
     assert image.stat().st_size == disk.SIZE == 901_120
     volume = disk.opened(image)
     assert volume.boot.valid_chksum and volume.boot.dos_type == 0x444F5301
@@ -64,8 +64,9 @@ def test_too_much_is_refused_before_anything_is_written(monkeypatch, image, tmp_
     out.write_bytes(b"old")
     monkeypatch.setattr(disk, "ITEMS", (disk.Item("small", lambda: bytes(1000)),
                                         disk.Item("large", lambda: bytes(900_000))))
-    with pytest.raises(UserError, match="the disk is full: large has 900,000 bytes, 89.,... are free, "
-                                        "and all files together have 901,000"):
+    said = ("the disk is full: large has 900,000 bytes, 89.,... are free, and all files together "
+            "have 901,000")
+    with pytest.raises(UserError, match=said):
         disk.command(out)
     assert out.read_bytes() == b"old" and list(tmp_path.iterdir()) == [out]
     with pytest.raises(UserError, match="is a directory"):
@@ -92,7 +93,8 @@ def boot(path: Path, machine: str, folder: Path, last: str) -> None:
             if changed == seen and last in names(path):
                 return
             seen = changed
-    raise AssertionError(f"{machine}: {last} was not written; {emulator.read(folder / 'log')[-500:]}")
+    log = emulator.read(folder / "log")
+    raise AssertionError(f"{machine}: {last} was not written; {log[-500:]}")
 
 
 def names(path: Path) -> set[str]:
@@ -184,10 +186,13 @@ def test_what_is_lacking_is_said(tmp_path):
             "measure": ("PROGDIR:measure.plan: cannot be opened", 10),
             "measure PLAN S": ("S: cannot be opened", 10),
             "measure PLAN short": ("short: not a usable plan file: size", 10),
+            "measure PLAN none": ("none: has nothing to show", 10),
+            "measure PLAN bench": ("bench: has nothing to show", 10),
             "measure a b c": ("measure: usage: measure [TO FILE] [PLAN FILE]", 10),
             "measure S PLAN right": ("S cannot be created: object is not of required type", 10)}
-    results = emulator.run_many(list(said), {"right": plan, "wrong": wrong, "short": plan[:-4]},
-                                "a1200-fast", tmp_path)
+    files = {"right": plan, "wrong": wrong, "short": plan[:-4], "none": kernels.plan([]),
+             "bench": kernels.plan([kernels.Case("nothing")])}
+    results = emulator.run_many(list(said), files, "a1200-fast", tmp_path)
     for (command, expected), result in zip(said.items(), results, strict=True):
         assert (result.output.splitlines()[-1], result.code) == expected, f"{command}: {result}"
     saved, other = (emulator.read(tmp_path / "volume" / name) for name in ("tmap020.txt", "other"))

@@ -258,6 +258,8 @@ def bad_plans() -> list[tuple[bytes, str]]:
                   for value in (2, len(data), M32 - 3)]
     case_field("far_memory", 1, 4, M32)
     case_field("title_at", len(data) - 1, len(data), M32)
+    case_field("chip", 1, M32, said="units")
+    case_field("fast", 1, M32, said="units")
     case_field("limit", 0, 65536, M32)
     cases.append((kernels.plan([Case("span_of_attention")]), "span_of_attention: no such kernel"))
     cases.append((kernels.plan([Case("x" * 300)]), "x" * 256))

@@ -58,6 +58,7 @@ ITEMS = (
     Item("measure", (PROGRAMS / "measure").read_bytes),
     Item("measure.plan", owner_bench.make),
     Item("ReadMe.txt", lambda: text(TEXTS / "ReadMe.txt")),
+    Item("LICENSE", (ROOT / "LICENSE").read_bytes),
 )
 
 

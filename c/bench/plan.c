@@ -98,6 +98,8 @@ static const char *wrong_case(const struct plan_case *c, const uint8 *plan, uint
         return "limit";
     if (!text_ends(plan, c->title_at, bytes))
         return "title_at";
+    if ((c->chip || c->fast) && (!c->units || !c->repeats))
+        return "units";
     return 0;
 }
 

@@ -87,9 +87,12 @@ static void show_machine(const struct plan_arenas *arenas, struct measured *meas
     report_line();
     text_add("Emulated: ");
     text_add(origin);
-    text_add(measured->memory == IN_CHIP ? ", chip RAM" : measured->memory == IN_FAST ? ", fast RAM"
-             : "; not compared: program and data here lie in both kinds of RAM");
+    text_add(measured->memory == IN_CHIP ? ", chip RAM" : ", fast RAM");
     report_line();
+    if (measured->memory == IN_BOTH) {
+        text_add("Not compared: the program and its data here lie in both kinds of RAM.");
+        report_line();
+    }
     report_heads();
 }
 
@@ -99,7 +102,8 @@ static int32 show_case(const struct plan_case *c, const char *title, uint32 tick
 {
     const uint32 emulated = measured->memory == IN_CHIP ? c->chip : c->fast;
     const uint32 call = call_cycles(ticks, c->repeats);
-    const uint32 here = call < measured->calling ? 0 : unit_cycles(call - measured->calling, c->units);
+    const uint32 net = call < measured->calling ? 0 : call - measured->calling;
+    const uint32 here = unit_cycles(net, c->units);
     struct report_cell cell;
 
     report_cell_clear(&cell, title);
@@ -139,7 +143,8 @@ static int32 measure(const uint8 *plan, const struct plan_arenas *arenas, struct
         drawn = c->drawn ? plan_checksum((const uint32 *)call.far, c->far / 4) : 0;
         ticks = plan_time(&call, c, plan);
         if (i)
-            half = show_case(c, (const char *)(plan + c->title_at), ticks, drawn == c->drawn, measured);
+            half = show_case(c, (const char *)(plan + c->title_at), ticks, drawn == c->drawn,
+                             measured);
         else
             measured->calling = call_cycles(ticks, c->repeats);
     }
@@ -178,6 +183,8 @@ int main(void)
         plan_name = (const char *)args[PLAN];
     if (!plan_load(plan_name, &plan))
         return outcome_code(0);
+    if (!((const struct plan_header *)plan)->cases || !plan_cases(plan)->repeats)
+        return outcome_code(text_refuse(plan_name, "has nothing to show"));
     if (!plan_arenas_make(&arenas, plan))
         return outcome_code(outcome_lack_memory("measure", "the cases"));
     if (!clock_open())
