@@ -212,24 +212,25 @@ def test_calls_of_what_never_ran_stop():
 
 
 def test_calls_need_no_relocation():
-    """jsr and jmp of an address become relative; where code is timed again and again they stay, and
-    so do addresses of data and of cleared memory."""
+    """jsr and jmp of an address become a 68000's branches, a 68020's where code is timed once; where
+    it is timed again and again they stay, and so do addresses of data and of cleared memory."""
     calls = bytes.fromhex("4eb900000000 4ef900000000 4eb900000000 223c00000000")
     other = section("other", bytes(64), symbols={"other": 0})
     cleared = Section("build/obj/asm/amiga/x.o", ".bss.x", b"", 8, 4, bss=True, symbols={"x": 0})
     entry = section("start", calls, symbols={"start": 0}, relocations=[
         Relocation(place, 4, False, target, addend) for place, target, addend in
         ((2, "other", 8), (8, "other", 10), (14, "x", 4), (20, "other", 0))])
-    sections = [entry, other, cleared]
-    image, code, bss = pack.Layout(parts.Program(sections, {}, {}), {}).link()
+    images = []
+    for timed in range(3):
+        program = parts.Program([entry, other, cleared], {}, {entry: ([], timed)})
+        image, code, bss = pack.Layout(program, {}).link()
+        assert (sorted(code), bss) == ([2, 8, 20] if timed == 2 else [20], [14])
+        assert image[12:18].hex() == "4eb900000004"
+        images.append(image[:12].hex())
     at = int.from_bytes(image[20:24], "big")
-    assert (code, bss) == ([20], [14])
-    assert image[:18] == (bytes.fromhex("61ff") + (at + 8 - 2).to_bytes(4, "big")
-                          + bytes.fromhex("60ff") + (at + 10 - 8).to_bytes(4, "big")
-                          + bytes.fromhex("4eb900000004"))
-    again = parts.Program(sections, {}, {entry: ([], 2)})
-    image, code, bss = pack.Layout(again, {}).link()
-    assert (code, bss) == ([2, 8, 20], [14]) and image[:2] == calls[:2]
+    assert images == [f"6100{at + 6:04x}4e716000{at + 2:04x}4e71", f"61ff{at + 6:08x}60ff{at + 2:08x}",
+                      f"4eb9{at + 8:08x}4ef9{at + 10:08x}"]
+    assert pack.branch(bytes.fromhex("4eb9"), 1 << 15, 0) is None
 
 
 def test_strings_are_parts_of_their_own():

@@ -218,13 +218,9 @@ int main(void)
     scene_reserve(&scene);
     if (!clock_open())
         return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));
-    if (args[DCACHE] && !cache_data(1)) {
-        clock_close();
+    if (args[DCACHE] && !cache_data())
         return outcome_code(outcome_lack("render", "DCACHE: this processor has no data cache"));
-    }
     result = render(&scene, &frame, &run);
-    if (args[DCACHE])
-        cache_data(0);
     clock_close();
     return result;
 }

@@ -50,6 +50,6 @@ void clock_start(int32 limit);
 uint32 clock_stop(void);
 void quiet_enter(void);
 void quiet_leave(void);
-int32 cache_data(int32 on);
+int32 cache_data(void);
 
 #endif
