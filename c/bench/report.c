@@ -124,8 +124,11 @@ int32 report_save(const char *name)
     if (file)
         put = file_write(file, lines, length);
     dos_fault(fault, FAULT);
-    if (file)
+    if (file) {
         file_close(file);
+        if (put != length)
+            file_delete(name);
+    }
     dos_requests(window);
     if (put == length)
         return 1;

@@ -32,7 +32,7 @@ int32 report_row(const struct report_cell *cell);
 /* Ends a line of the console that has one cell. */
 void report_end_rows(void);
 
-/* Writes the file; prints a line that says why and returns 0 if it cannot. */
+/* Writes the file; prints a line that says why, leaves none and returns 0 if it cannot. */
 int32 report_save(const char *name);
 
 #endif
