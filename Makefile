@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run scene-program bench accuracy polys report adf fuzz test diff clean programs setup FORCE
+.PHONY: help run scene-program bench accuracy polys report adf sdk fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -59,7 +59,8 @@ help:
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
 	@echo 'make report                                       all figures and pictures in one page: build/report'
-	@echo 'make adf                                          a bootable disk for real Amigas: build/adf/tmap020.adf'
+	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
+	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [MACHINE=NAME]       random polygons against model and bounds'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
@@ -87,6 +88,9 @@ report: programs
 
 adf: programs
 	@scripts/tmap adf
+
+sdk: programs
+	@scripts/tmap sdk
 
 fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
