@@ -1,13 +1,16 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules ACCURACY n
+       PERSPECTIVE n
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
-   rules of lowering that are not followed, by commas, or all. */
+   rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
+   set all materials to a step (scene/settings.h), numbered from 0. */
 #include "scene/scene_counts.h"
+#include "scene/settings.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -170,18 +173,28 @@ static int32 form_named(const char *name)
          : text_same(name, "c") ? FORM_C : -1;
 }
 
+/* A number of the command line, from least to end, excluded, or value where there is none. */
+static int32 number_asked(int32 argument, int32 least, int32 end, int32 *value, const char *why)
+{
+    if (argument)
+        *value = *(const int32 *)argument;
+    return !argument || (*value >= least && *value < end) || text_refuse("render", why);
+}
+
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ACCURACY, PERSPECTIVE, ITEMS };
     static int32 args[ITEMS];
     struct scene scene;
     struct frame frame;
     struct run run = {0, {FORM_ADDX, 0, 0}, {0, 0, 0}, 0};
+    struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
     int32 kind, result, form;
 
-    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K", args))
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
+                   "ACCURACY/K/N,PERSPECTIVE/K/N", args))
         return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                    "[DIGEST name] [OFF rules]");
+                    "[DIGEST name] [OFF rules] [ACCURACY n] [PERSPECTIVE n]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
@@ -198,13 +211,15 @@ int main(void)
         return RETURN_FAIL;
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
-    if (args[FRAMES]) {
-        int32 asked = *(const int32 *)args[FRAMES];
-
-        if (asked < 1 || asked > run.frames)
-            return fail("FRAMES: not between 1 and the scene's frames");
-        run.frames = asked;
-    }
+    if (!number_asked(args[FRAMES], 1, run.frames + 1, &run.frames,
+                      "FRAMES: not between 1 and the scene's frames")
+        || !number_asked(args[ACCURACY], 0, ACCURACY_STEPS, &settings.accuracy,
+                         "ACCURACY: not between 0 and 4")
+        || !number_asked(args[PERSPECTIVE], 0, PERSPECTIVE_KINDS, &settings.perspective,
+                         "PERSPECTIVE: not between 0 and 4"))
+        return RETURN_FAIL;
+    if ((args[ACCURACY] || args[PERSPECTIVE]) && !settings_set(&scene, &settings))
+        return fail("not enough memory for the tables of perspective");
     if (args[COUNT] && !counts_make(&run.counts, scene.header->materials))
         return fail("not enough memory for the counts");
     if (!make_frame(&frame, &scene, kind))
