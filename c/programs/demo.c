@@ -5,6 +5,7 @@
    FRAMES shows so many frames of each part, whatever its seconds; PART this one only. Space goes on
    to the next part, escape and Ctrl-C leave. A line a part is printed; LOG prints what tests read. */
 #include "demo/log.h"
+#include "demo/picture.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -122,6 +123,8 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     const int32 chip_bytes = screen.chip_bytes;
     enum player_end end = FAILED;
 
+    player.screen = &screen;
+    player.scene = &scene;
     player.part = &script.part[number];
     player.works = 0;
     screen_text(&screen, 0, player.part->title);
