@@ -6,6 +6,7 @@
 
 #define CYCLES 4                /* of the CPU in a colour clock */
 #define BOTH 3u
+#define FREE_EVERY 4            /* frames between two status lines where they take long */
 #define TEXT 160                /* bytes: the status line has 80 */
 
 /* A tenth's value with its point. */
@@ -22,9 +23,12 @@ static uint32 rate(uint32 events, uint32 fields)
     return fields ? (events * 500 + fields / 2) / fields : 0;
 }
 
-static uint32 cycles(const struct lane *lane)
+/* Cycles a pixel of what was counted since the last time. */
+static void find_cost(struct lane *lane)
 {
-    return lane->pixels ? (lane->last * CYCLES + lane->pixels / 2) / lane->pixels : 0;
+    if (lane->pixels)
+        lane->cost = (lane->counted * CYCLES + lane->pixels / 2) / lane->pixels;
+    lane->counted = lane->pixels = 0;
 }
 
 /* One line below a pane, in its middle. */
@@ -44,24 +48,23 @@ static void put(const struct player *player, int32 number, int32 line, const cha
                  player->screen->font, player->ink);
 }
 
-static void make_below(struct player *player, uint32 fields)
+static void make_below(struct player *player, int32 number)
 {
     static char text[TEXT];
+    struct lane *lane = &player->lane[number];
 
-    for (int32 i = 0; i < player->part->panes; i++) {
-        struct lane *lane = &player->lane[i];
-
-        text_number((int32)cycles(lane));
-        text_add(" c/px");
-        text_take(text);
-        put(player, i, 1, text);
-        text_tenths(rate(lane->pictures - lane->seen, fields));
-        text_add("/s");
-        text_take(text);
-        put(player, i, 2, text);
-        lane->seen = lane->pictures;
-        lane->unlabelled = BOTH;
-    }
+    find_cost(lane);
+    text_number((int32)lane->cost);
+    text_add(" c/px");
+    text_take(text);
+    put(player, number, 1, text);
+    text_tenths(rate(lane->pictures - lane->seen, player->shown - lane->figured));
+    text_add("/s");
+    text_take(text);
+    put(player, number, 2, text);
+    lane->seen = lane->pictures;
+    lane->figured = player->shown;
+    lane->unlabelled = BOTH;
 }
 
 static void make_status(const struct player *player, uint32 frames, uint32 fields)
@@ -77,7 +80,7 @@ static void make_status(const struct player *player, uint32 frames, uint32 field
     }
     if (frames && part->panes == 1) {
         text_add(", ");
-        text_number((int32)cycles(&player->lane[0]));
+        text_number((int32)player->lane[0].cost);
         text_add(" c/px");
     }
     if (part->steps > 1) {
@@ -101,12 +104,22 @@ void figures_first(struct player *player)
             put(player, i, 0, player->part->pane[i].caption);
 }
 
+/* Not all of it after one frame, which would be late. */
 void figures_make(struct player *player)
 {
-    const uint32 now = screen_fields(player->screen), fields = now - player->figured;
+    const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
+    const uint32 phase = player->frames % every;
+
     if (player->part->panes > 1)
-        make_below(player, fields);
-    make_status(player, player->frames - player->figured_frames, fields);
+        for (uint32 i = 0; i < (uint32)player->part->panes; i++)
+            if (phase == (i + 1) * FIGURES_APART)
+                make_below(player, (int32)i);
+    if (phase)
+        return;
+    if (player->part->panes == 1)
+        find_cost(&player->lane[0]);
+    make_status(player, player->frames - player->figured_frames,
+                player->shown - player->figured);
     player->figured_frames = player->frames;
-    player->figured = now;
+    player->figured = player->shown;
 }

@@ -5,6 +5,7 @@
 
 #define CLOCK_LIMIT 65535       /* for ever: the watchdog does not bite outside quiet mode */
 #define BOTH 3u
+#define FIGURES_ROWS (CAPTION_LINES * LETTER - LETTER)
 
 static void clear_counts(struct draw_counts *counts, uint32 materials)
 {
@@ -52,17 +53,11 @@ static void set_settings(struct player *player, int32 number)
     settings_set(player->scene, &settings);
 }
 
-/* Pixels are counted now and then: it takes time. */
-static int32 counts_now(const struct player *player, const struct lane *lane)
-{
-    return !lane->pixels || player->frames % FIGURES_EVERY == FIGURES_EVERY / 2;
-}
-
 void lane_draw(struct player *player, int32 number)
 {
     struct lane *lane = &player->lane[number];
     const uint32 materials = player->scene->header->materials;
-    const int32 counted = counts_now(player, lane);
+    const int32 counted = lane->pictures % COUNT_EVERY == 0;
     struct drawing drawing;
 
     drawing.form = (enum form)player->part->pane[number].form;
@@ -74,8 +69,10 @@ void lane_draw(struct player *player, int32 number)
     clock_start(CLOCK_LIMIT);
     scene_draw(player->scene, &lane->frame, scene_frame(player, lane), &drawing);
     lane->last = clock_stop();
-    if (counted)
-        lane->pixels = sum_pixels(player->counts, materials);
+    if (counted) {
+        lane->pixels += sum_pixels(player->counts, materials);
+        lane->counted += lane->last;
+    }
     lane->used += lane->last;
     lane->sum += lane->last;
     lane->pictures++;
@@ -94,22 +91,29 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns; but one at least where nothing waits. */
+/* As many pictures as there is time for, by turns; but one at least where nothing waits. The next
+   picture may take an eighth more than the last one. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
     uint32 converting = 0;
 
-    for (int32 i = 0; i < player->part->panes; i++)
-        if (player->lane[i].stale & hidden)
-            converting += player->lane[i].converting;
+    for (int32 i = 0; i < player->part->panes; i++) {
+        const struct lane *lane = &player->lane[i];
+
+        if (lane->stale & hidden)
+            converting += lane->converting;
+        if (lane->unlabelled & hidden)
+            converting += lane->converting * FIGURES_ROWS / (uint32)lane->frame.height;
+    }
     for (;;) {
         const int32 next = poorest(player);
         const struct lane *lane = &player->lane[next];
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
 
         if (converting + player->work
-            && converting + player->work + more + lane->last > FRAME_BUDGET)
+            && converting + player->work + more + lane->last + lane->last / 8
+               > FRAME_BUDGET)
             break;
         converting += more;
         lane_draw(player, next);
@@ -155,7 +159,7 @@ void lanes_convert(struct player *player)
                 convert_rows(player, i, 0, lane->frame.height);
         }
         if (lane->unlabelled & hidden) {
-            convert_rows(player, i, lane->frame.height + CAPTION_GAP, CAPTION_LINES * LETTER);
+            convert_rows(player, i, lane->frame.height + CAPTION_GAP + LETTER, FIGURES_ROWS);
             lane->unlabelled &= ~hidden;
         }
     }

@@ -26,13 +26,14 @@ void log_part(const struct player *player, int32 number, int32 full)
         field("pane ", (uint32)i + 1);
         field(" pictures ", lane->pictures);
         field(" ticks ", lane->sum);
-        field(" pixels ", lane->pixels);
+        field(" cost ", lane->cost);
         text_print();
     }
     for (uint32 i = 0; player->works && i < player->frames; i++) {
         field("frame ", i);
-        field(" step ", (player->works[i] >> 24) + 1);
-        field(" work ", player->works[i] & 0xffffff);
+        field(" step ", (player->works[i] >> WORK_STEP) + 1);
+        field(" fields ", player->works[i] >> WORK_FIELDS & 15);
+        field(" work ", player->works[i] & ((1u << WORK_FIELDS) - 1));
         text_print();
     }
 }

@@ -7,8 +7,8 @@
 /* A line on the part, counted from 0. In full also a line a pane and, where they were kept, one a
    frame:
      part N frames N fields N late N step N TITLE
-     pane N pictures N ticks N pixels N
-     frame N step N work N          colour clocks */
+     pane N pictures N ticks N cost N      cycles a pixel, lately
+     frame N step N fields N work N         colour clocks */
 void log_part(const struct player *player, int32 number, int32 full);
 
 #endif

@@ -22,8 +22,8 @@ static void make_lanes(struct player *player)
         lane->frame.pixels = player->frame.pixels + pane->y * player->frame.pitch
             + pane->x * player->frame.pixel_bytes;
         lane->used = lane->last = lane->converting = 0;
-        lane->pictures = lane->seen = lane->pixels = 0;
-        lane->stale = lane->unlabelled = lane->sum = 0;
+        lane->pictures = lane->seen = lane->pixels = lane->counted = 0;
+        lane->stale = lane->unlabelled = lane->sum = lane->cost = 0;
     }
 }
 
@@ -56,12 +56,13 @@ static void begin(struct player *player)
         screen_swap(player->screen);
         lanes_convert(player);          /* times it */
     }
+    player->began = player->shown = player->figured = screen_fields(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
 
-        lane->used = lane->pictures = lane->seen = lane->sum = 0;
+        lane->used = lane->pictures = lane->counted = lane->pixels = lane->sum = 0;
+        lane->figured = player->began;
     }
-    player->began = player->shown = player->figured = screen_fields(player->screen);
 }
 
 /* What the user wants; PLAYED: nothing. */
@@ -79,47 +80,65 @@ static enum player_end asked(void)
     return PLAYED;
 }
 
-/* Frames are shown in the second field after the one before, or as soon as they can be. */
-static void show(struct player *player)
+/* Frames are shown in the second field after the one before, or as soon as they can be. Returns how
+   many fields later that is. */
+static uint32 show(struct player *player)
 {
-    uint32 now;
+    uint32 fields;
 
     if (player->part->kind != PART_FREE)
         while (screen_fields(player->screen) - player->shown < FRAME_FIELDS - 1)
             ;
     screen_swap(player->screen);
-    now = screen_fields(player->screen);
-    player->late += now - player->shown > FRAME_FIELDS;
-    player->shown = now;
+    fields = screen_fields(player->screen) - player->shown;
+    player->late += fields > FRAME_FIELDS;
+    player->shown += fields;
+    return fields;
 }
 
-/* What lies beside the rows of a step stays as the step before left it: all is drawn anew. */
+/* What a step leaves out of the picture stays as the step before left it: all is shown anew. */
 static void govern(struct player *player)
 {
     const int32 before = player->governor.step;
 
-    if (player->works)
-        player->works[player->frames] = (uint32)before << 24 | player->work;
     if (governor_next(&player->governor, player->work) != before)
         player->whole = 2;
 }
 
+static void note(struct player *player, int32 step, uint32 fields)
+{
+    uint32 *to = player->works + player->frames;
+
+    if (player->works)
+        *to = (uint32)step << WORK_STEP | (fields < 15 ? fields : 15) << WORK_FIELDS | player->work;
+}
+
+/* Frames of PART_FREE count as long as they should take. */
+static int32 is_over(const struct player *player, uint32 frames)
+{
+    const uint32 fields = player->shown - player->began;
+
+    if (!frames)
+        return fields >= (uint32)player->part->seconds * FIELDS_SECOND;
+    return player->frames >= frames
+        || (player->part->kind == PART_FREE && fields >= frames * FRAME_FIELDS);
+}
+
 enum player_end player_play(struct player *player, uint32 frames)
 {
-    const uint32 fields = (uint32)player->part->seconds * FIELDS_SECOND;
     enum player_end end = PLAYED;
 
     begin(player);
-    while (end == PLAYED && (frames ? player->frames < frames
-                                    : player->shown - player->began < fields)) {
+    while (end == PLAYED && !is_over(player, frames)) {
+        const int32 step = player->governor.step;
+
         player->work = 0;
         lanes_draw(player);
         lanes_convert(player);
         govern(player);
+        note(player, step, show(player));
         player->frames++;
-        show(player);
-        if (player->frames % FIGURES_EVERY == 0)
-            figures_make(player);
+        figures_make(player);
         end = asked();
     }
     return end;

@@ -8,12 +8,17 @@
 
 enum player_constants {
     FRAME_FIELDS = 2,           /* 25 frames a second */
-    /* Colour clocks: two fields of 312 lines of 227, less a hundredth for what is not timed, keys
-       and waits. */
-    FRAME_BUDGET = 2 * 312 * 227 * 99 / 100,
-    FIGURES_EVERY = 25,         /* frames between two looks at the figures */
-    CAPTION_GAP = 2, CAPTION_LINES = 3      /* below a pane: caption, cycles, rate */
+    /* Colour clocks: two fields of 312 lines of 227, less a twentieth for what is not timed:
+       figures, keys, waits. */
+    FRAME_BUDGET = 2 * 312 * 227 * 95 / 100,
+    FIGURES_EVERY = 25,         /* frames between two looks at the figures, */
+    FIGURES_APART = 4,          /* from one pane's to the next one's: each takes time, */
+    COUNT_EVERY = 4,            /* pictures between two whose pixels are counted: that too */
+    CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
 };
+
+/* In works: the lower bits are colour clocks. */
+enum work_bits { WORK_FIELDS = 24, WORK_STEP = 28 };
 
 enum player_end {
     PLAYED,
@@ -28,10 +33,12 @@ struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
     uint32 last, converting;    /* of the last picture, and of turning it into planes */
-    uint32 pictures, seen;      /* drawn, and when figures were last made */
-    uint32 pixels;              /* of the polygons of a picture lately */
+    uint32 pictures;            /* drawn; */
+    uint32 seen, figured;       /* pictures and field of the last figures */
+    uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
     uint32 stale;               /* bit n: set n of planes does not have the picture; */
     uint32 unlabelled;          /* nor the figures */
+    uint32 cost;                /* cycles a pixel, lately */
     uint32 sum;                 /* colour clocks of all pictures, modulo 2^32 */
 };
 
@@ -46,19 +53,19 @@ struct player {
     int32 set;                  /* pane and step of the settings that are set, or -1 */
     uint32 began, shown;        /* fields: the part, the last swap */
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
-    uint32 figured, figured_frames;     /* field and frames of the last look at the figures */
+    uint32 figured, figured_frames;     /* field and frames of the last status line */
     int32 whole;                /* frames for which panes are shown whole: the step is another */
     uint32 work;                /* colour clocks of this frame */
-    uint32 *works;              /* of each frame, and its step in the highest byte; or 0 */
+    uint32 *works;              /* of each frame, with its fields, up to 15, and step; or 0 */
     uint8 ink, ground;
 };
 
 /* Plays a part until its time or, where not 0, so many frames are over; the screen is open. */
 enum player_end player_play(struct player *player, uint32 frames);
 
-/* figures.c: what is measured, on the screen. */
-void figures_make(struct player *player);
+/* figures.c: what a part is, on the screen; and, after each frame, what is measured. */
 void figures_first(struct player *player);
+void figures_make(struct player *player);
 
 /* lanes.c: draws a pane's next picture. */
 void lane_draw(struct player *player, int32 number);

@@ -118,7 +118,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
 /* One part from its file to its figures; the memory it took is given back. */
 static enum player_end play(int32 number, const char *directory, uint32 frames, int32 log)
 {
-    void *const before = mem_mark();
+    const uint32 before = mem_mark();
     uint8 *const chip = screen.chip;
     const int32 chip_bytes = screen.chip_bytes;
     enum player_end end = FAILED;

@@ -29,8 +29,8 @@ int32 program_run(uint32 program, const char *arguments, int32 bytes, const char
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
 int32 mem_take(void *address, int32 bytes, int32 kind);
 void mem_reserve(void);
-void *mem_mark(void);
-void mem_release(void *mark);
+uint32 mem_mark(void);
+void mem_release(uint32 mark);
 int32 mem_need(void *address, int32 bytes, int32 kind);
 int32 mem_need_take(void *address, int32 bytes, int32 kind);
 

@@ -182,7 +182,7 @@ needed: tst.l   d0
 ; mem_mark - what is allocated from now on can be given back by mem_release
 ;
 ; in:      -
-; out:     d0  void*  the mark
+; out:     d0  uint32  the mark
 ; trashes: d0-d1/a0-a1
 ; reads:   the list of blocks
 ; writes:  -
@@ -197,7 +197,7 @@ needed: tst.l   d0
 ;==============================================================================
 ; mem_release - frees what was allocated since mem_mark, and forgets what is set aside
 ;
-; in:      d0  void*  the mark; none is older that was released
+; in:      d0  uint32  the mark; none is older that was released
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   -
