@@ -8,6 +8,7 @@ enum return_code { RETURN_OK = 0, RETURN_WARN = 5, RETURN_ERROR = 10, RETURN_FAI
 enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
 enum memory_kind { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
 
+int32 break_asked(void);
 int32 file_open(const char *name, int32 mode);
 int32 file_read(int32 file, void *data, int32 bytes);
 int32 file_write(int32 file, const void *data, int32 bytes);

@@ -13,6 +13,7 @@ _LVOAllocMem            equ     -198
 _LVOFreeMem             equ     -210
 _LVOAvailMem            equ     -216
 _LVOFindTask            equ     -294
+_LVOSetSignal            equ     -306
 _LVOSignal              equ     -324
 _LVOGetMsg              equ     -372
 _LVOReplyMsg            equ     -378
