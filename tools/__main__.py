@@ -43,6 +43,14 @@ def run(args: argparse.Namespace) -> int:
                         args.frames, args.form, args.off)
 
 
+def show(args: argparse.Namespace) -> int:
+    """Plays a scene in a window."""
+    from . import show as tool
+    window = tool.window()
+    build_programs()
+    return tool.command(args.scene, args.machine, window)
+
+
 def scene_program(args: argparse.Namespace) -> int:
     """Makes the program of one scene."""
     build_programs()
@@ -148,6 +156,12 @@ def parser() -> Parser:
                          help="which span and edge loops (addx); the picture is the same")
     command.add_argument("--off", metavar="RULES", help="rules of lowering that are not followed, "
                          "by commas, or all: the picture is the same but for tolerances")
+
+    command = add(show, "Play a scene in a window, on the emulated machine's screen: space pauses, "
+                  "cursor keys change the accuracy, escape leaves.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-030"),
+                         default="a1200-fast", help="as run has them (a1200-fast)")
 
     command = add(scene_program, "Make a program that holds one scene and what draws it alone.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")

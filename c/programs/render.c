@@ -11,6 +11,7 @@
    set all materials to a step (scene/settings.h), numbered from 0. */
 #include "scene/scene_counts.h"
 #include "scene/settings.h"
+#include "system/arguments.h"
 #include "system/file.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -19,11 +20,6 @@
 #define GUARD 4096
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
-
-static const char *const why_refused[] = {
-    "", "", "fewer than 3 or more than 64 vertices", "a vertex is out of range",
-    "gradients polygon are for triangles", "its mapper cannot draw its map or this frame"
-};
 
 static int32 fail(const char *why)
 {
@@ -158,8 +154,7 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     if (!dump_frames(scene, frame, run, &refused))
         return RETURN_FAIL;
     if (refused != POLYGON_DRAWN) {
-        text_refuse("render: not all could be drawn", refused == POLYGON_REFUSED
-                    ? scene_why_refused(scene) : why_refused[refused]);
+        text_refuse("render: not all could be drawn", scene_why(scene, refused));
         return RETURN_WARN;
     }
     return RETURN_OK;
@@ -171,14 +166,6 @@ static int32 form_named(const char *name)
     return text_same(name, "addx") ? FORM_ADDX
          : text_same(name, "swap") ? FORM_SWAP
          : text_same(name, "c") ? FORM_C : -1;
-}
-
-/* A number of the command line, from least to end, excluded, or value where there is none. */
-static int32 number_asked(int32 argument, int32 least, int32 end, int32 *value, const char *why)
-{
-    if (argument)
-        *value = *(const int32 *)argument;
-    return !argument || (*value >= least && *value < end) || text_refuse("render", why);
 }
 
 int main(void)
@@ -211,12 +198,12 @@ int main(void)
         return RETURN_FAIL;
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
-    if (!number_asked(args[FRAMES], 1, run.frames + 1, &run.frames,
+    if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
                       "FRAMES: not between 1 and the scene's frames")
-        || !number_asked(args[ACCURACY], 0, ACCURACY_STEPS, &settings.accuracy,
+        || !number_asked("render", args[ACCURACY], 0, ACCURACY_STEPS, &settings.accuracy,
                          "ACCURACY: not between 0 and 4")
-        || !number_asked(args[PERSPECTIVE], 0, PERSPECTIVE_KINDS, &settings.perspective,
-                         "PERSPECTIVE: not between 0 and 4"))
+        || !number_asked("render", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
+                         &settings.perspective, "PERSPECTIVE: not between 0 and 4"))
         return RETURN_FAIL;
     if ((args[ACCURACY] || args[PERSPECTIVE]) && !settings_set(&scene, &settings))
         return fail("not enough memory for the tables of perspective");

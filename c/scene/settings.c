@@ -149,10 +149,10 @@ int32 settings_set(struct scene *scene, const struct settings *settings)
 
 const char *settings_accuracy(int32 step)
 {
-    return step == SETTINGS_OWN ? "the scene's own" : accuracy[step].name;
+    return step == SETTINGS_OWN ? "settings of the scene" : accuracy[step].name;
 }
 
 const char *settings_perspective(int32 step)
 {
-    return step == SETTINGS_OWN ? "the scene's own" : perspective[step].name;
+    return step == SETTINGS_OWN ? "of the scene" : perspective[step].name;
 }

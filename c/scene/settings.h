@@ -30,7 +30,7 @@ struct settings {
    divided exactly instead: within the same bounds, but slower and not the same pixels. */
 int32 settings_set(struct scene *scene, const struct settings *settings);
 
-/* A step's name, as "exact, plane, subtexel" or "every16". */
+/* A step's name, as "exact, plane, subtexel" or "every16"; "settings of the scene", "of the scene". */
 const char *settings_accuracy(int32 step);
 const char *settings_perspective(int32 step);
 
