@@ -19,6 +19,8 @@ struct screen {
     uint16 *list[2], *palette[2];
     uint8 *status;
     int32 hidden;               /* the set that is not shown: 0 or 1 */
+    uint32 since;               /* display_fields when it was opened */
+    int32 is_open;
     uint8 font[FONT_LETTERS * FONT_ROWS];
 };
 
