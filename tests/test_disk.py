@@ -84,9 +84,9 @@ def test_texts_that_do_not_fit_are_refused(tmp_path):
 
 def boot(path: Path, machine: str, folder: Path, last: str) -> None:
     """Boots a disk and waits until it has written the file ``last``."""
-    config = emulator.configure(folder, machine, emulator.floppies(path))
+    config = emulator.write_config(folder, machine, emulator.HIDDEN, emulator.floppies(path))
     seen, since = path.stat().st_mtime_ns, time.monotonic()
-    with emulator.started(config, folder / "log") as process:
+    with emulator.started(config, emulator.HIDDEN, folder / "log") as process:
         while process.poll() is None and time.monotonic() - since < PATIENCE:
             time.sleep(0.1)
             changed = path.stat().st_mtime_ns

@@ -148,7 +148,8 @@ def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
         for kind, rows in measure(machine, only, on_case).items():
             found[kind] += rows
     return provenance.record() | {
-        "conditions": "DMA and interrupts off, instruction cache warm, 256x256 8-bit map, "
+        "conditions": "DMA and interrupts off (but for rows ..._low, _high, _super: eight planes of "
+                      "320, 640, 1280 dots are displayed), instruction cache warm, 256x256 8-bit map, "
                       "du 1.5, dv 1.25, the cost of the call subtracted", **found}
 
 

@@ -356,7 +356,7 @@ def pixel_rows(chip: bool) -> list[Row]:
         rows.append(Row(f"floor_{name}", 1024, *floor_case(name)))
     rows += [Row(name, bench_tx.LENGTH, *bench_tx.pass_case(name)) for name in bench_tx.NAMES]
     rows += [Row(name, bench_tx.LENGTH, *bench_tmu.pass_case(name)) for name in bench_tmu.NAMES]
-    rows += [Row(name, bench_screen.SCREENS[name.removesuffix("_c")][0],
+    rows += [Row(name, bench_screen.SCREENS[bench_screen.routine_of(name)][0],
                  *bench_screen.screen_case(name)) for name in bench_screen.NAMES]
     for row in rows:
         row.case.chip = chip

@@ -49,7 +49,8 @@ static const struct kernel c_kernels[] = {
     PASS(tmu_alpha_c), PASS(tmu_bilinear_8_c),
     PASS(tmu_quads_8_c), PASS(tmu_modulate_rgb_c), PASS(tmu_combine_line_c),
     PASS(tmu_details_c), PASS(tmu_interleave_c), PASS(tmu_pieces_c),
-    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_32_c), PASS(ham8_control),
+    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_5551_c),
+    PASS(c2p_ham8_32_c), PASS(ham8_control),
     PASS(tmu_tile_16_c), PASS(tmu_tile_32_c),
     {0, 0}
 };

@@ -94,6 +94,8 @@ static const char *wrong_case(const struct plan_case *c, const uint8 *plan, uint
         return "near_offsets";
     if (!usable_offsets(plan, c->far_offsets_at, c->far_offsets, c->near, bytes))
         return "far_offsets";
+    if (c->display >= DISPLAY_MODES)
+        return "display";
     if (c->limit < 1 || c->limit > 65535)
         return "limit";
     if (!text_ends(plan, c->title_at, bytes))

@@ -114,9 +114,15 @@ uint32 plan_time(struct plan_call *call, const struct plan_case *c, const uint8 
     prepare(call, c, plan);
     call_place(call->routine);
     quiet_enter();
+    if (c->display) {
+        planes_fetch(c->display);
+        clock_wait();           /* which lines are displayed counts now */
+    }
     clock_start((int32)c->limit);
     call_repeat(call->registers, c->repeats);
     ticks = clock_stop();
+    if (c->display)
+        planes_fetch(DISPLAY_OFF);
     quiet_leave();
     return ticks;
 }
