@@ -16,6 +16,7 @@ from tools.paths import BASELINE
 #: What AmigaDOS's shell has in the ROM, from Kickstart 2.0 on.
 IN_ROM = {"ask", "cd", "echo", "else", "endif", "endskip", "failat", "get", "if", "lab", "path",
           "prompt", "quit", "resident", "run", "set", "skip", "stack", "unset", "why"}
+PARTS = 7  # of the demo
 #: Seconds in which a booted disk writes nothing, and which it takes at most.
 PATIENCE = emulator.PATIENT_SECONDS
 FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  (\d+) colour clocks, (\d+) calls")
@@ -62,8 +63,7 @@ def test_too_much_is_refused_before_anything_is_written(monkeypatch, image, tmp_
     """By name and sizes, and what was there stays."""
     out = tmp_path / "old.adf"
     out.write_bytes(b"old")
-    monkeypatch.setattr(disk, "ITEMS", (disk.Item("small", lambda: bytes(1000)),
-                                        disk.Item("large", lambda: bytes(900_000))))
+    monkeypatch.setattr(disk, "contents", lambda: {"small": bytes(1000), "large": bytes(900_000)})
     said = ("the disk is full: large has 900,000 bytes, 89.,... are free, and all files together "
             "have 901,000")
     with pytest.raises(UserError, match=said):
@@ -122,12 +122,18 @@ def doubt(entry, machine: str, row: dict) -> float:
 
 @pytest.mark.parametrize("machine", owner_bench.MACHINES)
 def test_booted_disk_measures_what_is_committed(files, machine, tmp_path):
-    """From the floppy drive alone: Startup-Sequence, then the bench, whose file comes back from
-    the disk: a line for every row, the same cycles, the same pixels."""
+    """From the floppy drive alone: Startup-Sequence with a frame of each of the demo's parts, then
+    the bench, whose file comes back from the disk: a line for every row, the same cycles, the same
+    pixels."""
     path = tmp_path / "booted.adf"
-    start = files["S/Startup-Sequence"] + b"measure\necho >end\n"
+    start = files["S/Startup-Sequence"]
+    assert start.count(b"\ndemo\n") == 1
+    start = start.replace(b"\ndemo\n", b"\ndemo >shown FRAMES 1\n")
+    start += b"measure\necho >end\n"
     disk.save(path, disk.image(files | {"S/Startup-Sequence": start})[0])
     boot(path, machine, tmp_path, "end")
+    shown = disk.read(path, "shown").decode().splitlines()
+    assert len(shown) == PARTS, shown
     said = disk.read(path, "tmap020.txt").decode()
     lines = said.splitlines()
     assert re.fullmatch(r"Here: exec \d+\.\d+, 68020, AGA, PAL, 14187580 Hz, 204. KB chip, "

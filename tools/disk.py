@@ -20,7 +20,7 @@ from amitools.fs.MetaInfo import MetaInfo
 from amitools.fs.RootMetaInfo import RootMetaInfo
 from amitools.fs.TimeStamp import TimeStamp
 
-from . import objects, owner_bench
+from . import demo, objects, owner_bench
 from .errors import UserError
 from .paths import BUILD, PROGRAMS, ROOT
 
@@ -52,7 +52,7 @@ def text(path: Path) -> bytes:
     return content.encode()
 
 
-#: What is on the disk, in the order in which it is written.
+#: What is on the disk beside the demo, in the order in which it is written.
 ITEMS = (
     Item("S/Startup-Sequence", lambda: text(TEXTS / "Startup-Sequence"), script=True),
     Item("measure", (PROGRAMS / "measure").read_bytes),
@@ -63,8 +63,8 @@ ITEMS = (
 
 
 def contents() -> dict[str, bytes]:
-    """All files of the disk by name."""
-    return {item.name: item.make() for item in ITEMS}
+    """All files of the disk by name: the table's, and the demo's folder."""
+    return {item.name: item.make() for item in ITEMS} | demo.files()
 
 
 def boot_code() -> bytes:

@@ -110,8 +110,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
         || (frames && !mem_alloc(&player.works, (int32)(frames * sizeof *player.works),
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
-    if (scene_makes(&scene))
-        mem_reserve();
+    scene_reserve(&scene);
     return 1;
 }
 
