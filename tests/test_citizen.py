@@ -72,13 +72,14 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
     for _ in range(3):
         questions.add("HASH")
     huge = scene(1024, 1024, format="rgba8888")
-    return {name: PROGRAMS / name for name in ("render", "bench", "vectors", "many")} | scenes_alone(
+    return {name: PROGRAMS / name for name in ("render", "bench", "measure", "vectors", "many")} | scenes_alone(
         folder, three=scene(), huge=huge) | {
         "good": scene_file.write(scene()), "long": scene_file.write(scene(frames=200)),
         "refused": scene_file.write(refused()), "broken": b"TMAPTMAP",
         "large": scene_file.write(huge), "wide": scene_file.write(scene(640, 400, 9)),
         "calls": kernels.plan([Case("nothing")] * 3), "crash": kernels.plan([by_zero]),
-        "asked": questions.file(), "90.run": b"good\nnone\n", "91.run": b"none\nnone\n",
+        "figures": kernels.plan([Case("nothing", repeats=9)]), "asked": questions.file(),
+        "90.run": b"good\nnone\n", "91.run": b"none\nnone\n",
         "citizen": guest_program.build(folder, Path(__file__).with_name("citizen.s"))}
 
 
@@ -137,6 +138,10 @@ ENDINGS = [
     (0, "bench calls no/where", 10, "no/where: cannot be created"),
     (0, "bench crash gone", 20, "0000", "gone"),
     (AT_ONCE, "bench calls gone", 5, BREAK, "gone"),
+    (0, "measure table PLAN figures", 0, "Saved as table"),
+    (0, "measure no/where PLAN figures", 10, "no/where cannot be created: "),
+    (0, "measure PLAN broken", 10, "broken: not a usable plan file: size"),
+    (AT_ONCE, "measure gone PLAN figures", 5, BREAK, "gone"),
     (0, "vectors asked told", 0, "operation 0"),
     (0, "vectors asked", 10, "vectors: usage: vectors QUESTIONS ANSWERS"),
     (0, "vectors broken told", 10, "broken: not a usable file of questions: size"),

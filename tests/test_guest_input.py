@@ -218,9 +218,9 @@ def bad_scenes() -> list[tuple[bytes, str]]:
 def good_plan() -> bytes:
     """Two calls that do nothing, with memory, a pointer and a timed repeat."""
     near, far = kernels.Arena(), kernels.Arena()
-    near.add(bytes(64))
+    near.add(b"\1" * 64)
     near.pointers.append(near.add(bytes(4)))
-    far.add(bytes(32))
+    far.add(b"\2" * 32)
     return kernels.plan([Case("nothing"), Case("nothing", near, {"d0": 3}, {"a0": 0}, far,
                                                {"a1": 4}, repeats=2)])
 
@@ -252,7 +252,14 @@ def bad_plans() -> list[tuple[bytes, str]]:
         case_field(f"{name}_offsets", len(data), 2**30, M32, said=f"{name}_offsets")
         case_field(f"{name}_offsets_at", 2, len(data) + 4, M32 - 3, said=f"{name}_offsets")
     case_field("near", 0, 64, said="near_offsets")  # the pointer lies behind it now
+    for name in ("near", "far"):  # what their lists say
+        at = case.unpack(data, second)[f"{name}_at"]
+        cases += [(changed(data, at, value, "plan_header", "cases"), f"{NOT_A_PLAN}case 1: {name}")
+                  for value in (2, len(data), M32 - 3)]
     case_field("far_memory", 1, 4, M32)
+    case_field("title_at", len(data) - 1, len(data), M32)
+    case_field("chip", 1, M32, said="units")
+    case_field("fast", 1, M32, said="units")
     case_field("limit", 0, 65536, M32)
     cases.append((kernels.plan([Case("span_of_attention")]), "span_of_attention: no such kernel"))
     cases.append((kernels.plan([Case("x" * 300)]), "x" * 256))

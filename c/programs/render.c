@@ -1,13 +1,17 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules ACCURACY n
+       PERSPECTIVE n
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
-   rules of lowering that are not followed, by commas, or all. */
+   rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
+   set all materials to a step (scene/settings.h), numbered from 0. */
 #include "scene/scene_counts.h"
+#include "scene/settings.h"
+#include "system/arguments.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
@@ -17,11 +21,6 @@
 #define GUARD 4096
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
-
-static const char *const why_refused[] = {
-    "", "", "fewer than 3 or more than 64 vertices", "a vertex is out of range",
-    "gradients polygon are for triangles", "its mapper cannot draw its map or this frame"
-};
 
 /* For a wrong argument. */
 static int32 refuse(const char *why)
@@ -161,8 +160,7 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     if (!dump_frames(scene, frame, run, &refused))
         return outcome_code(0);
     if (refused != POLYGON_DRAWN) {
-        text_refuse("render: not all could be drawn", refused == POLYGON_REFUSED
-                    ? scene_why_refused(scene) : why_refused[refused]);
+        text_refuse("render: not all could be drawn", scene_why(scene, refused));
         return RETURN_WARN;
     }
     return RETURN_OK;
@@ -178,16 +176,18 @@ static int32 form_named(const char *name)
 
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ACCURACY, PERSPECTIVE, ITEMS };
     static int32 args[ITEMS];
     struct scene scene;
     struct frame frame;
     struct run run = {0, {FORM_ADDX, 0, 0}, {0, 0, 0}, 0};
+    struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
     int32 kind, form;
 
-    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K", args))
+    if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
+                   "ACCURACY/K/N,PERSPECTIVE/K/N", args))
         return refuse("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                    "[DIGEST name] [OFF rules]");
+                      "[DIGEST name] [OFF rules] [ACCURACY n] [PERSPECTIVE n]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
@@ -204,13 +204,15 @@ int main(void)
         return outcome_code(0);
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
-    if (args[FRAMES]) {
-        int32 asked = *(const int32 *)args[FRAMES];
-
-        if (asked < 1 || asked > run.frames)
-            return refuse("FRAMES: not between 1 and the scene's frames");
-        run.frames = asked;
-    }
+    if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
+                      "FRAMES: not between 1 and the scene's frames")
+        || !number_asked("render", args[ACCURACY], 0, ACCURACY_STEPS, &settings.accuracy,
+                         "ACCURACY: not between 0 and 4")
+        || !number_asked("render", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
+                         &settings.perspective, "PERSPECTIVE: not between 0 and 4"))
+        return RETURN_ERROR;
+    if ((args[ACCURACY] || args[PERSPECTIVE]) && !settings_set(&scene, &settings))
+        return outcome_code(outcome_lack_memory("render", "the tables of perspective"));
     if (args[COUNT] && !counts_make(&run.counts, scene.header->materials))
         return outcome_code(outcome_lack_memory("render", "the counts"));
     if (!make_frame(&frame, &scene, kind))

@@ -77,6 +77,9 @@ const char *scene_wrong_unit(const struct scene *scene);
    one is refused. */
 int32 scene_try_units(const struct scene *scene, const char *name);
 
+/* Why a polygon was not drawn, an enum polygon_result from POLYGON_FEW on. */
+const char *scene_why(const struct scene *scene, uint32 result);
+
 /* Why the last polygon that a texture engine refused was. */
 const char *scene_why_refused(const struct scene *scene);
 

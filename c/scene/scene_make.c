@@ -1,7 +1,7 @@
 /* A scene in memory, made ready to be drawn; nothing here checks it. */
 #include "scene/scene.h"
 
-#include "span/logarithm.h"
+#include "scene/scene_tables.h"
 #include "system/system.h"
 
 int32 scene_pixel_bytes(uint32 format)
@@ -56,37 +56,17 @@ static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct sc
     return 0;
 }
 
-/* The table of reciprocals, where a material needs it. */
+/* The tables of perspective, where a material needs them. */
 static int32 make_reciprocals(struct scene *scene)
 {
-    uint16 *table;
-
     scene->reciprocals = 0;
-    if (!is_needed(scene, needs_reciprocals))
-        return 1;
-    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
-        return 0;
-    scene->reciprocals = reciprocals_make(table);
-    return 1;
+    return !is_needed(scene, needs_reciprocals) || scene_make_reciprocals(scene);
 }
 
-/* Logarithms and powers alike, 673 KB. */
 static int32 make_logarithms(struct scene *scene)
 {
-    struct logarithm_tables *tables;
-    int16 *logs;
-    uint16 *powers;
-
     scene->logarithms = 0;
-    if (!is_needed(scene, needs_logarithms))
-        return 1;
-    if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
-        || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
-        || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
-        return 0;
-    logarithms_make(tables, logs, powers);
-    scene->logarithms = tables;
-    return 1;
+    return !is_needed(scene, needs_logarithms) || scene_make_logarithms(scene);
 }
 
 static polygon_routine *routine_of(const struct scene *scene,

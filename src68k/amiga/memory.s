@@ -222,6 +222,50 @@ needed: tst.l   d0
         jmp     needed
 
 ;==============================================================================
+; mem_mark - what is allocated from now on can be given back by mem_release
+;
+; in:      -
+; out:     d0  uint32  the mark
+; trashes: d0-d1/a0-a1
+; reads:   the list of blocks
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_mark
+        move.l  blocks,d0
+        rts
+
+;==============================================================================
+; mem_release - frees what was allocated since mem_mark, and forgets what is set aside
+;
+; in:      d0  uint32  the mark; none is older that was released
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the list of blocks
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_release,d0
+        movem.l a2/a3/a6,-(sp)
+        movea.l d0,a2
+        movea.l sys_base,a6
+        clr.l   reserve_bytes
+.block  movea.l blocks,a1
+        cmpa.l  a1,a2
+        beq.s   .done
+        movea.l (a1),a3
+        move.l  BLOCK_SIZE(a1),d0
+        lvo     FreeMem
+        move.l  a3,blocks
+        bra.s   .block
+.done   movem.l (sp)+,a2/a3/a6
+        rts
+
+;==============================================================================
 ; mem_free_all - frees every block of mem_alloc
 ;
 ; in:      -

@@ -3,6 +3,7 @@
 
 ; exec.library, and where its base is read
 sys_base                equ     4
+_LVOFindResident        equ     -96
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
 _LVOPermit              equ     -138
@@ -33,13 +34,17 @@ _LVOCreateMsgPort       equ     -666
 _LVODeleteMsgPort       equ     -672
 
 lib_Version             equ     20
+lib_Revision            equ     22
 AttnFlags               equ     296
+ex_EClockFrequency      equ     568
 AFB_68020               equ     1
 tc_TrapCode             equ     50
+rt_Init                 equ     22
 pr_MsgPort              equ     92
 pr_CIS                  equ     156
 pr_COS                  equ     160
 pr_CLI                  equ     172
+pr_WindowPtr            equ     184
 sm_ArgList              equ     36
 wa_Lock                 equ     0
 
@@ -67,6 +72,7 @@ _LVODelay               equ     -198
 _LVOAllocDosObject       equ     -228
 _LVOFreeDosObject        equ     -234
 _LVOSelectOutput        equ     -300
+_LVOFault               equ     -468
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
