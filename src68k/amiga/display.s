@@ -261,6 +261,3 @@ gfx_base        ds.l    1
 old_view        ds.l    1
 state           ds.l    4
 old_dmacon      ds.w    1
-
-        section .data.display_end,data
-ending  dc.l    0,display_close

@@ -194,6 +194,3 @@ first           ds.b    1               ; of those that wait,
 last            ds.b    1               ; and behind the last
 is_open         ds.b    1
 ring            ds.b    RING
-
-        section .data.keys_end,data
-ending  dc.l    0,keys_close
