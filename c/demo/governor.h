@@ -4,7 +4,8 @@
    in time takes one back; at GOVERNOR_LATE the next cheaper step is taken. How much longer a frame
    of the step that was left took is kept, and that step is taken again only after GOVERNOR_CALM
    frames in time of which the longest, so much longer, would leave an eighth of the time. So a load
-   that stays within an eighth of itself changes the step in one direction alone. */
+   that stays within a tenth of itself changes the step in one direction alone: the ratio is then at
+   most a tenth and its rounding, 1/256, too small. */
 #ifndef GOVERNOR_H
 #define GOVERNOR_H
 
