@@ -49,19 +49,19 @@ class Screen:
         self.type(command)
         self.press("Return")
 
-    def wait(self, what: str, ready: Callable[[np.ndarray], bool]) -> np.ndarray:
+    def wait(self, what: str, ready: Callable[[np.ndarray], bool], still: bool = True) -> np.ndarray:
         """The first picture that is ready; fails where none is for PATIENCE. It is read while it is
-        written: what counts is what is ready twice."""
+        written: where it is to be still, what counts is what is the same twice."""
         until, last = time.monotonic() + PATIENCE, None
         while True:
             shot = self.shot()
-            if ready(shot) and last is not None and np.array_equal(shot, last):
+            if ready(shot) and (not still or np.array_equal(shot, last)):
                 return shot
             assert time.monotonic() < until, f"{what}: not to be seen within {PATIENCE:g} s"
             last = shot
-            time.sleep(0.1)
+            time.sleep(0.05)
 
-    def settled(self, what: str, pause: float = 1.0) -> np.ndarray:
+    def settled(self, what: str, pause: float = 0.5) -> np.ndarray:
         """The picture as soon as it has not changed for so many seconds, and is not of one colour."""
         last, since = self.shot(), time.monotonic()
 
