@@ -101,7 +101,8 @@ static void make_ham(struct screen *screen)
 static void (*converter(uint32 format))(const struct planar_plan *plan)
 {
     return format == PIXEL_CHUNKY ? c2p_8
-         : format == PIXEL_RGB565 ? c2p_ham8_16 : c2p_ham8_32;
+         : format == PIXEL_RGB565 ? c2p_ham8_16
+         : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
 }
 
 static int32 show(struct screen *screen)
@@ -114,13 +115,26 @@ static int32 show(struct screen *screen)
         display_close();
         return refuse("the keys cannot be taken");
     }
+    screen->since = display_fields();
+    screen->is_open = 1;
     return 1;
+}
+
+void screen_close(struct screen *screen)
+{
+    if (!screen->is_open)
+        return;
+    screen->is_open = 0;
+    keys_close();
+    display_close();
 }
 
 int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
 {
-    const char *why = screen_layout_find(&screen->layout, width, height, format);
+    const char *why;
 
+    screen_close(screen);
+    why = screen_layout_find(&screen->layout, width, height, format);
     if (why)
         return refuse(why);
     if (!display_has_aga())
@@ -187,13 +201,5 @@ void screen_text(struct screen *screen, int32 line, const char *text)
 
 uint32 screen_fields(const struct screen *screen)
 {
-    (void)screen;
-    return display_fields();
-}
-
-void screen_close(struct screen *screen)
-{
-    (void)screen;
-    keys_close();
-    display_close();
+    return display_fields() - screen->since;
 }

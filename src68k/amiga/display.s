@@ -78,7 +78,6 @@ SHOWN                   equ     12      ; and the one it is at
         bne.s   .pal
         move.w  #BEAMCON_PAL,custom+beamcon0
 .pal    lea     state,a0
-        clr.l   FIELDS(a0)
         move.l  d2,NEXT(a0)
         clr.l   SET(a0)
         clr.l   SHOWN(a0)
@@ -125,7 +124,23 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         rts
 
 ;==============================================================================
-; display_fields - fields since the display was taken
+; display_shown - the list that the copper is at
+;
+; in:      -
+; out:     d0  uint32  the list's address
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine display_shown
+        move.l  state+SHOWN,d0
+        rts
+
+;==============================================================================
+; display_fields - fields while the display was ours
 ;
 ; in:      -
 ; out:     d0  uint32  vertical blanks, 50 a second

@@ -107,13 +107,21 @@ intenar                 equ     $01c
 denise_id               equ     $07c
 cop1lc                  equ     $080
 copjmp1                 equ     $088
+diwstrt                 equ     $08e
+diwstop                 equ     $090
+ddfstrt                 equ     $092
+ddfstop                 equ     $094
 dmacon                  equ     $096
 intena                  equ     $09a
 intreq                  equ     $09c
 bplcon0                 equ     $100
+bplcon1                 equ     $102
 bplcon3                 equ     $106
+bpl1mod                 equ     $108
+bpl2mod                 equ     $10a
 bplcon4                 equ     $10c
 beamcon0                equ     $1dc
+diwhigh                 equ     $1e4
 fmode                   equ     $1fc
 LISA                    equ     $f8     ; denise_id's low byte of AGA
 BEAMCON_PAL             equ     $0020
