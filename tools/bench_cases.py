@@ -358,6 +358,9 @@ def pixel_rows(chip: bool) -> list[Row]:
     rows += [Row(name, bench_tx.LENGTH, *bench_tmu.pass_case(name)) for name in bench_tmu.NAMES]
     rows += [Row(name, bench_screen.SCREENS[bench_screen.routine_of(name)][0],
                  *bench_screen.screen_case(name)) for name in bench_screen.NAMES]
+    for end in ("_low", "_super"):  # what is drawn while something is shown
+        rows.append(Row(f"affine_addx{end}", 256, *span_case("span_affine_addx", "addx", 256)))
+        rows[-1].case.display = bench_screen.SHOWN[end]
     for row in rows:
         row.case.chip = chip
     return rows

@@ -120,10 +120,21 @@ static int32 show(struct screen *screen)
     return 1;
 }
 
+void screen_close(struct screen *screen)
+{
+    if (!screen->is_open)
+        return;
+    screen->is_open = 0;
+    keys_close();
+    display_close();
+}
+
 int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
 {
-    const char *why = screen_layout_find(&screen->layout, width, height, format);
+    const char *why;
 
+    screen_close(screen);
+    why = screen_layout_find(&screen->layout, width, height, format);
     if (why)
         return refuse(why);
     if (!display_has_aga())
@@ -191,13 +202,4 @@ void screen_text(struct screen *screen, int32 line, const char *text)
 uint32 screen_fields(const struct screen *screen)
 {
     return display_fields() - screen->since;
-}
-
-void screen_close(struct screen *screen)
-{
-    if (!screen->is_open)
-        return;
-    screen->is_open = 0;
-    keys_close();
-    display_close();
 }

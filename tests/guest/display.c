@@ -112,7 +112,6 @@ static int32 again(void)
     if (!screen_open(&screen, 96, 60, PIXEL_CHUNKY))
         return RETURN_FAIL;
     text_number(screen.chip == first);
-    screen_close(&screen);
     if (!screen_open(&screen, 320, 64, PIXEL_RGB565))
         return RETURN_FAIL;
     text_number(screen.chip == first);
