@@ -27,15 +27,20 @@ def data(source: Path = SOURCE) -> dict[str, bytes]:
         f"{name}.scene": write(compile_scene(source / f"{name}.toml")) for name in names}
 
 
+def files() -> dict[str, bytes]:
+    """All of the folder, by paths in it."""
+    return {"demo": (PROGRAMS / "demo").read_bytes()} | {
+        f"data/{name}": content for name, content in data().items()}
+
+
 def make(out: Path) -> list[Path]:
     """Writes the folder, which replaces an older one; returns its files."""
-    files = {"demo": (PROGRAMS / "demo").read_bytes()} | {
-        f"data/{name}": content for name, content in data().items()}
+    written = files()
     shutil.rmtree(out / "data", ignore_errors=True)
     (out / "data").mkdir(parents=True)
-    for name, content in files.items():
+    for name, content in written.items():
         (out / name).write_bytes(content)
-    return [out / name for name in files]
+    return [out / name for name in written]
 
 
 def play(machine: str, display: emulator.Display) -> None:

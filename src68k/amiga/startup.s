@@ -7,7 +7,6 @@
         xdef    start
         xdef    program_begin
         xdef    program_end
-        xdef    sys_base
         xdef    dos_base
         xdef    ends_call
         xref    _main
@@ -37,8 +36,7 @@ DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand
         section .text.start,code
 start:
         movem.l d2-d7/a2-a6,-(sp)
-        movea.l 4.w,a6
-        move.l  a6,sys_base
+        movea.l sys_base,a6
         suba.l  a1,a1
         lvo     FindTask
         movea.l d0,a4
@@ -61,8 +59,8 @@ start:
 ;==============================================================================
 ; On the stack are d2-d7/a2-a6. A 68000 runs this, and what ends a program that has opened nothing.
 program_begin:
-        move.l  a4,this_task
-        move.l  tc_TrapCode(a4),old_trap_code
+        move.l  a4,-(sp)
+        move.l  tc_TrapCode(a4),-(sp)
         move.l  sp,initial_sp
         lea     dos_name(pc),a1
         moveq   #0,d0
@@ -106,8 +104,9 @@ program_end:
         jsr     clock_close
         jsr     file_close_all
         jsr     mem_free_all
-        movea.l this_task,a4
-        move.l  old_trap_code,tc_TrapCode(a4)
+        move.l  (sp)+,d0
+        movea.l (sp)+,a4
+        move.l  d0,tc_TrapCode(a4)
         movea.l sys_base,a6
         movea.l dos_base,a1
         lvo     CloseLibrary
@@ -124,9 +123,6 @@ no_kickstart    dc.b    'needs Kickstart 2.0 or later',10,0
                 even
 
         section .bss.startup,bss
-sys_base        ds.l    1
 dos_base        ds.l    1
-this_task       ds.l    1
-old_trap_code   ds.l    1
 initial_sp      ds.l    1
 ends_call       ds.l    1               ; what calls the routines of at_end, once there is one

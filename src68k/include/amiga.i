@@ -1,7 +1,8 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
-; exec.library
+; exec.library, and where its base is read
+sys_base                equ     4
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
 _LVOPermit              equ     -138
@@ -63,6 +64,8 @@ _LVOIoErr               equ     -132
 _LVOLoadSeg             equ     -150
 _LVOUnLoadSeg           equ     -156
 _LVODelay               equ     -198
+_LVOAllocDosObject       equ     -228
+_LVOFreeDosObject        equ     -234
 _LVOSelectOutput        equ     -300
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
@@ -102,6 +105,11 @@ IECLASS_RAWMOUSE        equ     2
 IECODE_UP               equ     $80
 IEQUALIFIERB_CONTROL    equ     3
 IEQUALIFIERB_REPEAT     equ     9       ; of the word
+DOS_RDARGS              equ     5       ; struct RDArgs
+RDA_Source              equ     0
+CS_Length               equ     4
+RDA_Flags               equ     28
+RDAF_NOPROMPT           equ     4
 
 ; ciab.resource
 _LVOAddICRVector        equ     -6
