@@ -19,19 +19,10 @@
         xref    _text_number
         xref    _text_print
 
-_LVOAddIntServer        equ     -168
-_LVORemIntServer        equ     -174
-_LVOSignal              equ     -324
 _LVOPutMsg              equ     -366
-_LVOOpenDevice          equ     -444
-_LVOCloseDevice         equ     -450
-_LVODoIO                equ     -456
-_LVOCreateMsgPort       equ     -666
-_LVODeleteMsgPort       equ     -672
 _LVOUnLock              equ     -90
 _LVOLock                equ     -84
 _LVOCreateNewProc       equ     -498
-INTB_VERTB              equ     5
 IDNestCnt               equ     294     ; and TDNestCnt behind it
 AFB_68030               equ     2
 tc_SigAlloc             equ     18

@@ -361,8 +361,7 @@ static int32 make(struct show *s)
     if (!screen_open(&s->screen, header->width, header->height, header->format))
         return RETURN_FAIL;
     screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
-    if (scene_makes(&s->scene))
-        mem_reserve();
+    scene_reserve(&s->scene);
     make_frame(&s->exact, header);
     set(s);
     return RETURN_OK;
