@@ -41,12 +41,15 @@ struct scene {
    layout wants it; 0 where memory is short. */
 int32 scene_make_maps(struct scene *scene, int32 kind);
 
+/* The first field of a header that is wrong, or 0; bytes: of the file. */
+const char *scene_wrong_header(const struct scene_header *header, uint32 bytes);
+
+/* The greatest number that a pixel of the header's format can be. */
+uint32 scene_pixel_max(const struct scene_header *header);
+
 /* The first field of meshes, instances or views that is wrong, or 0; tables lie in the
    file, materials are checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
-
-/* Whether the objects of a material are rectangles. */
-int32 scene_has_rectangles(const struct scene_material *material);
 
 /* "s" or "t" where this one leaves a map that is not repeated; else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
