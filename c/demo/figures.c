@@ -55,7 +55,7 @@ static void make_below(struct player *player, int32 number)
 
     find_cost(lane);
     text_number((int32)lane->cost);
-    text_add(" c/px");
+    text_add("/px");
     text_take(text);
     put(player, number, 1, text);
     text_tenths(rate(lane->pictures - lane->seen, player->shown - lane->figured));
@@ -81,7 +81,7 @@ static void make_status(const struct player *player, uint32 frames, uint32 field
     if (frames && part->panes == 1) {
         text_add(", ");
         text_number((int32)player->lane[0].cost);
-        text_add(" c/px");
+        text_add(" cycles/pixel");
     }
     if (part->steps > 1) {
         text_add("  step ");
@@ -120,7 +120,8 @@ void figures_first(struct player *player)
     for (int32 i = 0; i < player->part->marks; i++)
         put_mark(player, &player->part->mark[i]);
     for (int32 i = 0; i < player->part->panes; i++)
-        put(player, i, 0, player->part->pane[i].caption);
+        if (*player->part->pane[i].caption)
+            put(player, i, 0, player->part->pane[i].caption);
 }
 
 /* Not all of it after one frame, which would be late. */

@@ -17,12 +17,12 @@ static void change(struct governor *governor, int32 by, uint32 left)
     governor->left = left;
 }
 
-/* Whether the step above would have fitted, all the calm frames long. */
+/* Whether the step above would have fitted all these calm frames long. */
 static int32 has_room(const struct governor *governor)
 {
     const uint32 room = governor->budget / 8 * GOVERNOR_ROOM;
 
-    return governor->step > 0 && governor->calm >= GOVERNOR_CALM
+    return governor->step > 0
         && governor->most * governor->ratio[governor->step - 1] >> GOVERNOR_RATIO_BITS <= room;
 }
 
@@ -49,7 +49,11 @@ int32 governor_next(struct governor *governor, uint32 work)
     governor->calm++;
     if (work > governor->most)
         governor->most = work;
-    if (has_room(governor))
-        change(governor, -1, 0);
+    if (governor->calm == GOVERNOR_CALM) {
+        if (has_room(governor))
+            change(governor, -1, 0);
+        governor->calm = 0;
+        governor->most = 0;
+    }
     return governor->step;
 }

@@ -3,8 +3,9 @@
    Steps go from the best, 0, to the cheapest; the best is begun with. A late frame counts two, one
    in time takes one back; at GOVERNOR_LATE the next cheaper step is taken. How much longer a frame
    of the step that was left took is kept, and that step is taken again only after GOVERNOR_CALM
-   frames in time of which the longest, so much longer, would leave an eighth of the time. So a load
-   that stays within an eighth of itself changes the step in one direction alone. */
+   frames in time in a row of which the longest, so much longer, would leave an eighth of the time. So a load
+   that stays within a tenth of itself changes the step in one direction alone: the ratio is then at
+   most a tenth and its rounding, 1/256, too small. */
 #ifndef GOVERNOR_H
 #define GOVERNOR_H
 
@@ -23,7 +24,7 @@ struct governor {
     int32 step, steps;
     uint32 budget;              /* ticks a frame may take, less than GOVERNOR_WORK_MAX */
     int32 late;                 /* two a frame that was, less one each that was not */
-    int32 calm;                 /* frames in time in a row, of this step */
+    int32 calm;                 /* frames in time in a row, of this step, up to GOVERNOR_CALM */
     uint32 most;                /* ticks of the longest of these */
     uint32 left;                /* ticks of the last frame of the step above, or 0: known already */
     uint32 ratio[GOVERNOR_STEPS];       /* of a frame of this step to one of the next: 24.8, rounded

@@ -72,9 +72,9 @@ void lane_draw(struct player *player, int32 number)
     if (counted) {
         lane->pixels += sum_pixels(player->counts, materials);
         lane->counted += lane->last;
-    }
+    } else
+        lane->sum += lane->last;
     lane->used += lane->last;
-    lane->sum += lane->last;
     lane->pictures++;
     lane->stale = BOTH;
     player->work += lane->last;

@@ -26,7 +26,7 @@ void log_part(const struct player *player, int32 number, int32 full)
         field("pane ", (uint32)i + 1);
         field(" pictures ", lane->pictures);
         field(" ticks ", lane->sum);
-        field(" cost ", lane->cost);
+        field(" used ", lane->used);
         text_print();
     }
     for (uint32 i = 0; player->works && i < player->frames; i++) {

@@ -39,7 +39,7 @@ struct lane {
     uint32 stale;               /* bit n: set n of planes does not have the picture; */
     uint32 unlabelled;          /* nor the figures */
     uint32 cost;                /* cycles a pixel, lately */
-    uint32 sum;                 /* colour clocks of all pictures, modulo 2^32 */
+    uint32 sum;                 /* colour clocks of all that were not, modulo 2^32 */
 };
 
 struct player {

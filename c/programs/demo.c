@@ -6,12 +6,14 @@
    to the next part, escape and Ctrl-C leave. A line a part is printed; LOG prints what tests read. */
 #include "demo/log.h"
 #include "demo/picture.h"
-#include "system/file.h"
+#include "system/arguments.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
 #define PATH 256                /* bytes */
 #define FRAMES_MAX 9999
+#define READ_BEYOND 32          /* bytes behind a frame: its conversion looks so far */
 
 enum { DIR, FRAMES, PART, LOG, ITEMS };
 
@@ -20,10 +22,11 @@ static struct script script;
 static struct scene scene;
 static struct player player;
 
-static int32 fail(const char *why)
+/* For a wrong argument. */
+static int32 refuse(const char *why)
 {
     text_refuse("demo", why);
-    return RETURN_FAIL;
+    return RETURN_ERROR;
 }
 
 /* DIR and a name beside it; 0: longer than PATH. */
@@ -109,7 +112,8 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
         return text_refuse("DIR", "too long");
     if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
         return 0;
-    if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height, MEMORY_ANY)
+    if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height + READ_BEYOND,
+                   MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
                       MEMORY_ANY)
         || (frames && !mem_alloc(&player.works, (int32)(frames * sizeof *player.works),
@@ -172,31 +176,27 @@ int main(void)
 {
     static int32 args[ITEMS];
     const char *directory = "PROGDIR:data", *name;
-    uint32 frames = 0;
-    int32 only = 0, result;
+    int32 frames = 0, only = 0, result;
 
     if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
-        return fail("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
+        return refuse("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
     if (args[DIR])
         directory = (const char *)args[DIR];
-    if (args[FRAMES])
-        frames = *(const uint32 *)args[FRAMES];
-    if (args[PART])
-        only = *(const int32 *)args[PART];
     name = path(directory, "parts");
     if (!name)
-        return fail("DIR: too long");
+        return refuse("DIR: too long");
     if (!script_load(&script, name))
-        return RETURN_FAIL;
-    if (frames > FRAMES_MAX || (args[FRAMES] && !frames))
-        return fail("FRAMES: not between 1 and 9999");
-    if (only < 0 || only > script.parts || (args[PART] && !only))
-        return fail("PART: the script has no such part");
+        return outcome_code(0);
+    if (!number_asked("demo", args[FRAMES], 1, FRAMES_MAX + 1, &frames,
+                      "FRAMES: not between 1 and 9999")
+        || !number_asked("demo", args[PART], 1, script.parts + 1, &only,
+                         "PART: the script has no such part"))
+        return RETURN_ERROR;
     if (!clock_open())
-        return fail("another program uses CIA-B's timers");
+        return outcome_code(outcome_lack("demo", "another program uses CIA-B's timers"));
     if (!open_screen(script.width, script.height, PIXEL_CHUNKY))
         return RETURN_FAIL;
-    result = play_all(directory, frames, only, args[LOG]);
+    result = play_all(directory, (uint32)frames, only, args[LOG]);
     screen_close(&screen);
     return result;
 }
