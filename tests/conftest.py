@@ -5,7 +5,7 @@ import tools  # noqa: F401  before NumPy, whose threads it limits
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
 LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
-           "wide", "fuzz", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
+           "wide", "fuzz", "show", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
            "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds", "readme",
            "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
            "still_steps")
