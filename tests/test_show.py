@@ -192,5 +192,5 @@ def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:
                     'it.colour = "#ffffff"\n[[objects]]\nmaterial = "it"\nsides = 3\nradius = 9\n')
     with pytest.raises(UserError) as caught:
         show.command(wide, "a1200", emulator.HIDDEN)
-    assert str(caught.value) == ("show: return code 20; its last words: \"screen: the frame's width "
+    assert str(caught.value) == ("show: return code 10; its last words: \"screen: the frame's width "
                                  'is not 8 to 320 in steps of 8"')

@@ -1,7 +1,6 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules ACCURACY n
-       PERSPECTIVE n
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
@@ -13,6 +12,7 @@
 #include "scene/settings.h"
 #include "system/arguments.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -21,10 +21,11 @@
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
 
-static int32 fail(const char *why)
+/* For a wrong argument. */
+static int32 refuse(const char *why)
 {
     text_refuse("render", why);
-    return RETURN_FAIL;
+    return RETURN_ERROR;
 }
 
 static int32 make_frame(struct frame *frame, const struct scene *scene, int32 kind)
@@ -101,6 +102,8 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
         text_number((int32)drawn.ticks);
         counts_add(&run->counts);
         text_print();
+        if (number + 1 < run->frames && outcome_break())
+            return 0;
     }
     counts_print(&run->counts);
     return 1;
@@ -131,7 +134,7 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
     struct frame_digest *digests;
 
     if (!mem_alloc(&digests, run->frames * (int32)sizeof *digests, MEMORY_ANY))
-        return text_refuse("render", "not enough memory for the digests");
+        return outcome_lack_memory("render", "the digests");
     for (int32 number = 0; number < run->frames; number++) {
         if (number % 50 == 0) {
             text_add("from frame ");
@@ -141,6 +144,8 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
         if (!draw(scene, frame, number, run, &digests[number]))
             return 0;
         add_up(frame, &digests[number]);
+        if (number + 1 < run->frames && outcome_break())
+            return 0;
     }
     return file_save(run->digest, digests, (uint32)run->frames * sizeof *digests);
 }
@@ -150,9 +155,9 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     uint32 refused = POLYGON_DRAWN;
 
     if (run->digest)
-        return digest_frames(scene, frame, run) ? RETURN_OK : RETURN_FAIL;
+        return outcome_code(digest_frames(scene, frame, run));
     if (!dump_frames(scene, frame, run, &refused))
-        return RETURN_FAIL;
+        return outcome_code(0);
     if (refused != POLYGON_DRAWN) {
         text_refuse("render: not all could be drawn", scene_why(scene, refused));
         return RETURN_WARN;
@@ -176,26 +181,26 @@ int main(void)
     struct frame frame;
     struct run run = {0, {FORM_ADDX, 0, 0}, {0, 0, 0}, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
-    int32 kind, result, form;
+    int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
                    "ACCURACY/K/N,PERSPECTIVE/K/N", args))
-        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                    "[DIGEST name] [OFF rules] [ACCURACY n] [PERSPECTIVE n]");
+        return refuse("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
+                      "[DIGEST name] [OFF rules] [ACCURACY n] [PERSPECTIVE n]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
-            return fail("FORM: not one of addx, swap, c");
+            return refuse("FORM: not one of addx, swap, c");
         run.drawing.form = (enum form)form;
     }
     if (args[OFF]) {
         run.drawing.off = rules_named((const char *)args[OFF]);
         if (!run.drawing.off)
-            return fail("OFF: not a rule of lowering, or all");
+            return refuse("OFF: not a rule of lowering, or all");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
     if (!scene_load(&scene, (const char *)args[SCENE], kind))
-        return RETURN_FAIL;
+        return outcome_code(0);
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
     if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
@@ -204,24 +209,17 @@ int main(void)
                          "ACCURACY: not between 0 and 4")
         || !number_asked("render", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
                          &settings.perspective, "PERSPECTIVE: not between 0 and 4"))
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     if ((args[ACCURACY] || args[PERSPECTIVE]) && !settings_set(&scene, &settings))
-        return fail("not enough memory for the tables of perspective");
+        return outcome_code(outcome_lack_memory("render", "the tables of perspective"));
     if (args[COUNT] && !counts_make(&run.counts, scene.header->materials))
-        return fail("not enough memory for the counts");
+        return outcome_code(outcome_lack_memory("render", "the counts"));
     if (!make_frame(&frame, &scene, kind))
-        return fail("not enough memory for the frame");
-    if (scene_makes(&scene))
-        mem_reserve();
+        return outcome_code(outcome_lack_memory("render", "the frame"));
+    scene_reserve(&scene);
     if (!clock_open())
-        return fail("another program uses CIA-B's timers");
-    if (args[DCACHE] && !cache_data(1)) {
-        clock_close();
-        return fail("DCACHE: this processor has no data cache");
-    }
-    result = render(&scene, &frame, &run);
-    if (args[DCACHE])
-        cache_data(0);
-    clock_close();
-    return result;
+        return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));
+    if (args[DCACHE] && !cache_data())
+        return outcome_code(outcome_lack("render", "DCACHE: this processor has no data cache"));
+    return render(&scene, &frame, &run);
 }

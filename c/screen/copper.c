@@ -140,6 +140,16 @@ uint16 *copper_list_make(uint16 *list, const struct screen_layout *layout,
     return colours;
 }
 
+void copper_blank_make(uint16 *list)
+{
+    uint16 *at = move_to(list, FMODE, 0);
+
+    at = move_to(at, BPLCON0, COLOUR | ECS_ENABLED);
+    at = move_to(at, BPLCON3, RESET | BORDER_BLANK);
+    at = move_to(at, DMACON, DMA_SPRITES);
+    move_to(at, 0xffff, 0xfffe);
+}
+
 void copper_colour_set(uint16 *palette, uint32 number, const uint8 *colour)
 {
     const uint32 red = colour[1], green = colour[2], blue = colour[3];

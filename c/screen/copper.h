@@ -8,6 +8,7 @@ enum copper_constants {
     COPPER_PALETTE = 8 * (1 + 32) * 2,      /* moves */
     COPPER_REST = 80,                       /* moves and waits, at most */
     COPPER_LONGS = COPPER_PALETTE + COPPER_REST,
+    BLANK_LONGS = 8,            /* of a list without planes */
     PLANES = 8
 };
 
@@ -20,6 +21,9 @@ struct copper_planes {
 /* Writes a list with a black palette; returns where its palette is. */
 uint16 *copper_list_make(uint16 *list, const struct screen_layout *layout,
                          const struct copper_planes *planes);
+
+/* Writes a list of BLANK_LONGS that shows nothing. */
+void copper_blank_make(uint16 *list);
 
 /* Writes an entry of a list's palette: 4 bytes, 0, red, green and blue; or all 256. */
 void copper_colour_set(uint16 *palette, uint32 number, const uint8 *colour);

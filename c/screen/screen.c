@@ -2,22 +2,19 @@
 
 #include "scene/scene_file.h"
 #include "screen/copper.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
-#define ALIGN 8                 /* of what FMODE 3 fetches */
-
-static int32 refuse(const char *why)
-{
-    return text_refuse("screen", why);
-}
+static const char name[] = "screen";
 
 /* Bytes of chip RAM: the planes, of HAM8 with the lowest two once, the lists, the status plane. */
 static int32 chip_needed(const struct screen_layout *layout)
 {
     const int32 planes = layout->ham ? 2 * PLANES - 2 : 2 * PLANES;
 
-    return planes * layout->plane_bytes + 2 * COPPER_LONGS * 4 + STATUS_ROWS * STATUS_PITCH + ALIGN;
+    return planes * layout->plane_bytes + (2 * COPPER_LONGS + BLANK_LONGS) * 4
+        + STATUS_ROWS * STATUS_PITCH;
 }
 
 static int32 take_chip(struct screen *screen)
@@ -26,14 +23,11 @@ static int32 take_chip(struct screen *screen)
 
     if (screen->chip_bytes >= bytes)
         return 1;
-    if (!mem_alloc(&screen->chip, bytes, MEMORY_CHIP)) {
-        text_add("screen: ");
-        text_number(bytes);
-        text_add(" bytes of chip RAM in one piece are needed");
-        text_print();
-        return 0;
-    }
+    if (!mem_alloc(&screen->chip, bytes, MEMORY_CHIP))
+        return outcome_lack_memory(name, "planes and copper lists");
     screen->chip_bytes = bytes;
+    screen->blank = (uint16 *)screen->chip;
+    copper_blank_make(screen->blank);
     return 1;
 }
 
@@ -45,13 +39,14 @@ static void clear(uint8 *from, int32 bytes)
         *at++ = 0;
 }
 
-/* The memory's parts. */
+/* The memory's parts, each at a multiple of the 8 bytes that are fetched at a time; the blank list
+   may be shown. */
 static void place(struct screen *screen)
 {
     const struct screen_layout *layout = &screen->layout;
-    uint8 *at = screen->chip;
+    uint8 *at = screen->chip + BLANK_LONGS * 4;
 
-    clear(at, chip_needed(layout));
+    clear(at, chip_needed(layout) - BLANK_LONGS * 4);
     screen->status = at;
     at += STATUS_ROWS * STATUS_PITCH;
     for (int32 set = 0; set < 2; set++) {
@@ -105,19 +100,14 @@ static void (*converter(uint32 format))(const struct planar_plan *plan)
          : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
 }
 
-static int32 show(struct screen *screen)
+static int32 take_machine(struct screen *screen)
 {
     if (!font_read(screen->font))
-        return refuse("the ROM has no font");
-    if (!display_open(screen->list[1]))
-        return refuse("the display cannot be taken");
-    if (!keys_open()) {
-        display_close();
-        return refuse("the keys cannot be taken");
-    }
-    screen->since = display_fields();
+        return outcome_lack(name, "the ROM has no font");
+    if (!display_open(screen->blank))
+        return outcome_lack(name, "the display cannot be taken");
     screen->is_open = 1;
-    return 1;
+    return keys_open() || outcome_lack(name, "the keys cannot be taken");
 }
 
 void screen_close(struct screen *screen)
@@ -129,17 +119,11 @@ void screen_close(struct screen *screen)
     display_close();
 }
 
-int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
+static int32 make(struct screen *screen, uint32 format)
 {
-    const char *why;
-
-    screen_close(screen);
-    why = screen_layout_find(&screen->layout, width, height, format);
-    if (why)
-        return refuse(why);
     if (!display_has_aga())
-        return refuse("needs AGA: an A1200 or A4000");
-    if (!take_chip(screen))
+        return outcome_lack(name, "needs AGA: an A1200 or A4000");
+    if (!take_chip(screen) || (!screen->is_open && !take_machine(screen)))
         return 0;
     screen->convert = converter(format);
     place(screen);
@@ -148,7 +132,22 @@ int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 forma
     if (screen->layout.ham)
         make_ham(screen);
     screen->hidden = 0;
-    return show(screen);
+    display_show(screen->list[1]);
+    screen->since = display_fields();
+    return 1;
+}
+
+int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
+{
+    const char *why;
+
+    if (screen->is_open)
+        display_show(screen->blank);
+    why = screen_layout_find(&screen->layout, width, height, format);
+    if (why ? text_refuse(name, why) : make(screen, format))
+        return 1;
+    screen_close(screen);
+    return 0;
 }
 
 void screen_palette(struct screen *screen, const uint8 *palette)

@@ -18,6 +18,7 @@ struct screen {
     uint8 *chip;
     int32 chip_bytes;
     uint8 *planes[2];           /* plane 0 of either set, in HAM8 one for both */
+    uint16 *blank;              /* a copper list that shows nothing */
     uint16 *list[2], *palette[2];
     uint8 *status;
     int32 hidden;               /* the set that is not shown: 0 or 1 */
@@ -29,7 +30,8 @@ struct screen {
 /* Takes the screen over for frames of this size, at most 320x256 and the width a multiple of 8, and
    enum pixel_format: 8 bitplanes for chunky ones, HAM8 for those of 16 and 32 bits (planar.h has its
    errors); centred, black around. HAM8 frames of up to 160x128 are shown twice as large. Prints
-   what is lacking and returns 0 where it cannot. One that is open is closed first. */
+   what is lacking and returns 0 where it cannot. One that is open changes its frames,
+   black meanwhile, and is closed where it cannot. */
 int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format);
 
 /* 256 entries of 4 bytes: 0, red, green, blue, as scene_header.palette_at. In HAM8: none. */

@@ -3,7 +3,6 @@
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
         xref    _print
 
 ;==============================================================================

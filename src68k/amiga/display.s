@@ -4,7 +4,6 @@
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
         xref    at_end
 
 LAST_LINE               equ     20      ; in which a list may still be started: it must be through
@@ -68,7 +67,6 @@ SHOWN                   equ     12      ; and the one it is at
         move.l  gb_ActiView(a6),old_view
         move.w  custom+dmaconr,old_dmacon
         lea     ending,a0
-        lea     display_close,a1
         jsr     at_end
         suba.l  a1,a1
         lvo     LoadView
@@ -120,6 +118,25 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         move.l  a6,-(sp)
         move.l  d0,state+NEXT
         bsr.s   wait_shown
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; display_wait - waits for the next field, and leaves the processor to other tasks until then
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   the display must be ours
+; cost:    a field at most
+;==============================================================================
+        routine display_wait
+        move.l  a6,-(sp)
+        movea.l gfx_base,a6
+        lvo     WaitTOF
         movea.l (sp)+,a6
         rts
 
@@ -234,6 +251,7 @@ serve:  lea     custom,a0               ; where exec wants it left
 server  dc.l    0,0
         dc.b    2,PRIORITY              ; NT_INTERRUPT
         dc.l    server_name,state,serve
+ending  dc.l    0,display_close         ; struct end
 server_name
         dc.b    'tmap020 display',0
         even
@@ -241,6 +259,5 @@ server_name
         section .bss.display,bss
 gfx_base        ds.l    1
 old_view        ds.l    1
-ending          ds.l    2
 state           ds.l    4
 old_dmacon      ds.w    1

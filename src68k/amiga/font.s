@@ -3,8 +3,6 @@
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
-
 FIRST                   equ     32
 LETTERS                 equ     96
 ROWS                    equ     8

@@ -3,7 +3,6 @@
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
         xref    at_end
 
 PRIORITY                equ     60      ; the system's own is at 50
@@ -33,7 +32,6 @@ C_KEY                   equ     $33
         lvo     FindTask
         move.l  d0,task
         lea     ending,a0
-        lea     keys_close,a1
         jsr     at_end
         lvo     CreateMsgPort
         move.l  d0,port
@@ -183,6 +181,7 @@ pressed move.w  ie_Code(a0),d0
 handler dc.l    0,0
         dc.b    2,PRIORITY              ; NT_INTERRUPT
         dc.l    handler_name,0,handle
+ending  dc.l    0,keys_close            ; struct end
 handler_name
         dc.b    'tmap020 keys',0
         even
@@ -191,7 +190,6 @@ handler_name
 task            ds.l    1
 port            ds.l    1
 request         ds.l    1
-ending          ds.l    2
 first           ds.b    1               ; of those that wait,
 last            ds.b    1               ; and behind the last
 is_open         ds.b    1

@@ -4,6 +4,7 @@
 #include "scene/scene_file.h"
 #include "screen/screen.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -169,6 +170,6 @@ int main(void)
     if (mode == SHORT)
         take_chip();
     if (!screen_open(&screen, frame.width, frame.height, format))
-        return RETURN_ERROR;
+        return outcome_code(0);
     return opened(mode, &frame, (const char *)args[NAME]);
 }

@@ -3,11 +3,8 @@
         include "amiga.i"
         include "routine.i"
 
-        xref    sys_base
-
 io_Length               equ     36
 IND_WRITEEVENT          equ     11
-_LVOSetSignal           equ     -306
 VECTOR_LEVEL_3          equ     $6c
 
         routine state,a0                ; free memory, free chip RAM, INTENA, DMACON, view, vector
