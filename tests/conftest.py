@@ -5,10 +5,10 @@ import tools  # noqa: F401  before NumPy, whose threads it limits
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
 LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
-           "wide", "fuzz", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
-           "scene_program", "accuracy", "mappers", "disk", "showcase", "tx_modes", "bounds",
-           "readme", "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes",
-           "emulator", "still_steps", "citizen")
+           "wide", "fuzz", "show", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
+           "scene_program", "accuracy", "mappers", "disk", "demo", "showcase", "tx_modes", "bounds",
+           "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
+           "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

@@ -61,4 +61,4 @@ def test_steps_out_of_range_are_refused(scenes, tmp_path) -> None:
     done = emulator.run_many(list(commands), {"input.scene": write(scenes["steps"])}, "a1200",
                              tmp_path)
     for (command, line), result in zip(commands.items(), done):
-        assert result.code == 20 and result.output.startswith(line), f"{command}: {result.output}"
+        assert result.code == 10 and result.output.startswith(line), f"{command}: {result.output}"

@@ -6,7 +6,7 @@ import threading
 import numpy as np
 import pytest
 from steps_scene import steps_scene
-from window import NOTICE, Screen, screen, shell, window
+from window import Screen, screen, shell, window
 
 from tools import emulator, model, planar, settings, show
 from tools.__main__ import main
@@ -172,7 +172,7 @@ def test_command_ends_with_the_window(server, steps) -> None:
     play = threading.Thread(target=lambda: result.append(
         show.command(folder / "steps.toml", "a1200", window(server))))
     play.start()
-    above = slice(0, NOTICE[0].start)
+    above = slice(0, TOP + 512)
     frames = [chunky_picture(scene, model.render(scene, number))[above] for number in range(FRAMES)]
     server.wait("a frame", lambda shot: any(np.array_equal(shot[above], each) for each in frames),
                 still=False)
@@ -192,5 +192,5 @@ def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:
                     'it.colour = "#ffffff"\n[[objects]]\nmaterial = "it"\nsides = 3\nradius = 9\n')
     with pytest.raises(UserError) as caught:
         show.command(wide, "a1200", emulator.HIDDEN)
-    assert str(caught.value) == ("show: return code 20; its last words: \"screen: the frame's width "
+    assert str(caught.value) == ("show: return code 10; its last words: \"screen: the frame's width "
                                  'is not 8 to 320 in steps of 8"')

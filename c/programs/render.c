@@ -1,7 +1,6 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules ACCURACY n
-       PERSPECTIVE n
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).

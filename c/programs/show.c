@@ -5,7 +5,7 @@
    begins paused; ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0, else materials are as
    the scene says. Keys: space pauses and goes on; cursor left and right change the accuracy, down
    and up the perspective, each from cheap to exact, S goes back to the scene's own; escape leaves.
-   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 10 for arguments, 20.
+   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 10 for arguments and files, 20.
 
    The status lines below the picture:
    - frames per second, of some 50 fields: drawing, conversion, the wait for the field and this
@@ -21,6 +21,7 @@
 #include "scene/settings.h"
 #include "screen/screen.h"
 #include "system/arguments.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -59,14 +60,7 @@ struct show {
     int32 has_tables;           /* 0: perspective has to do without */
     uint32 ticks;               /* of the last frame */
     uint32 refused;             /* enum polygon_result, why a polygon was, or POLYGON_DRAWN */
-    int32 result;               /* return code of what goes on */
 };
-
-static int32 fail(const char *why)
-{
-    text_refuse("show", why);
-    return RETURN_FAIL;
-}
 
 static int32 make_frame(struct frame *frame, const struct scene_header *header)
 {
@@ -317,13 +311,14 @@ static int32 follow_keys(struct show *s)
 {
     uint32 key;
 
-    do {
-        if (break_asked()) {
-            s->result = RETURN_WARN;
+    for (;;) {
+        if (outcome_break())
             return 0;
-        }
         key = key_take();
-    } while (s->paused && key == NO_KEY);
+        if (key != NO_KEY || !s->paused)
+            break;
+        display_wait();
+    }
     for (; key != NO_KEY; key = key_take())
         if (!follow(s, key))
             return 0;
@@ -342,29 +337,30 @@ static int32 play(struct show *s)
     }
     screen_close(&s->screen);
     if (s->refused == POLYGON_DRAWN)
-        return s->result;
+        return outcome_code(1);
     text_refuse("show: not all could be drawn", scene_why(&s->scene, s->refused));
     return RETURN_WARN;
 }
 
-/* What is needed, and at last what can be done without. */
+/* What is needed, and at last what can be done without. 0: a line says what
+   is lacking. */
 static int32 make(struct show *s)
 {
     const struct scene_header *header = s->scene.header;
 
     if (!make_frame(&s->frame, header))
-        return fail("not enough memory for the frame");
+        return outcome_lack_memory("show", "the frame");
     if (!counts_make(&s->counts, header->materials))
-        return fail("not enough memory for the counts");
+        return outcome_lack_memory("show", "the counts");
     if (!clock_open())
-        return fail("another program uses CIA-B's timers");
+        return outcome_lack("show", "another program uses CIA-B's timers");
     if (!screen_open(&s->screen, header->width, header->height, header->format))
-        return RETURN_FAIL;
+        return 0;
     screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
     scene_reserve(&s->scene);
     make_frame(&s->exact, header);
     set(s);
-    return RETURN_OK;
+    return 1;
 }
 
 int main(void)
@@ -372,10 +368,9 @@ int main(void)
     enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, ITEMS };
     static int32 args[ITEMS];
     static struct show show;
-    int32 result;
 
     if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args)) {
-        fail("usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
+        text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
         return RETURN_ERROR;
     }
     show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
@@ -386,10 +381,9 @@ int main(void)
                          &show.settings.perspective, "PERSPECTIVE: not between 0 and 4"))
         return RETURN_ERROR;
     if (!scene_load(&show.scene, (const char *)args[SCENE], MEMORY_ANY))
-        return RETURN_FAIL;
+        return outcome_code(0);
     if (!number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
                       "FRAME: not one of the scene's"))
         return RETURN_ERROR;
-    result = make(&show);
-    return result == RETURN_OK ? play(&show) : result;
+    return make(&show) ? play(&show) : outcome_code(0);
 }
