@@ -8,7 +8,7 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import (bench, bench_effects, bench_rules, dither_errors, emulator, engines, pages, palette,
+from . import (bench, bench_effects, bench_instructions, bench_rules, dither_errors, emulator, engines, pages, palette,
                polys, readme_modes, readme_numbers, readme_scenes, run, scene, scene_file)
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
@@ -176,13 +176,14 @@ def rules_table(baseline: dict) -> str:
 def tables() -> dict[str, str]:
     """All tables of all pages by title, as the baselines have them."""
     measured, accuracy = (json.loads(path.read_text()) for path in (BASELINE, ACCURACY_BASELINE))
-    counted = json.loads(POLYS_BASELINE.read_text())["rows"]
+    counted = json.loads(POLYS_BASELINE.read_text())
     found = {"addx against swap": table(measured), "effects": effects_table(measured),
              "meshes": mesh_table(measured), "rules": rules_table(measured),
              "what accuracy costs": accuracy_table(accuracy),
              "dithered points": dithered_tables(measured),
              "perspective": perspective_table(measured, accuracy),
-             "polygons a second": polys.table(counted).rstrip(),
+             "polygons a second": polys.table(counted["rows"]).rstrip(),
+             "instructions": bench_instructions.table(measured, MACHINES),
              "Glide's steps": readme_modes.steps_table(measured),
              "Glide's steps not called for": readme_modes.uncalled_table(measured)}
     for engine in engines.ENGINES.values():

@@ -39,67 +39,79 @@ def scenes_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
-def affine_notes(pixels: dict, accuracy: dict, counted: list[dict]) -> list[tuple[str, str, str]]:
-    """What became of fatmap2's ideas and of the tiles: note, question, answer."""
-    plain, exact = (next(
-        row for row in accuracy["rows"] if (row["name"], row["machine"], row["mapper"]) == (
-            "medium", "a1200-fast", "affine") and (row["edges"], row["gradients"], row["start"])
-        == settings) for settings in (("integer", "polygon", "truncated"),
-                                      ("exact", "plane", "subtexel")))
-    kilocycles = {(row["name"], row["machine"]): row["kilocycles_per_polygon"] for row in counted}
-    found = [("fatmap2", "cycles a pixel of triangles: cut to pixels and texels, or exact",
-              f"{plain['cycles_per_pixel']:.1f}, {exact['cycles_per_pixel']:.1f}"),
-             ("fatmap2", "texels they are off, root of the mean square",
-              f"{plain['texel_error_rms']:.2f}, {exact['texel_error_rms']:.4f}")]
-    found += [("fatmap2", f"thousand cycles a {name} triangle: Pentium, 68020 with fast RAM",
-               f"{row['pentium_kilocycles']:.1f}, {row['kilocycles_per_polygon']:.1f}")
-              for row in counted if row["machine"] == "a1200-fast" for name in [row["name"]]]
-    cached = "a1200-030, data cache"
-    return found + [
-        ("tiles", "the same as rows and as tiles of 8x8, with no data cache",
-         f"{kilocycles['texture', 'a1200-fast']:.1f}, {kilocycles['tiled', 'a1200-fast']:.1f}"),
-        ("tiles", "on a 68030 with its cache of 256 bytes",
-         f"{kilocycles['texture', cached]:.1f}, {kilocycles['tiled', cached]:.1f}"),
-        ("tiles", "cycles a pixel of spans: rows, tiles, columns",
-         ", ".join(f"{pixels[name]:.1f}" for name in ("affine_addx", "tiled", "columns")))]
+def question_table(rows: list[tuple[str, str]]) -> str:
+    """Markdown: questions and answers."""
+    return "\n".join(["| question | answer |", "|---|--:|",
+                      *(f"| {' | '.join(row)} |" for row in rows)])
 
 
-def method_notes(pixels: dict) -> list[tuple[str, str, str]]:
-    """What became of the note for the A1200."""
+def fatmap2(accuracy: dict, counted: dict) -> list[tuple[str, str]]:
+    """What exactness costs, and its fillers beside ours: questions and answers."""
+    rows = {(row["edges"], row["gradients"], row["start"]): row for row in accuracy["rows"]
+            if (row["name"], row["machine"], row["mapper"]) == ("medium", "a1200-fast", "affine")}
+    plain, exact = (rows[settings] for settings in (
+        ("integer", "polygon", "truncated"), ("exact", "plane", "subtexel")))
+    return [("cycles a pixel of triangles: cut to whole pixels and texels; exact",
+             f"{plain['cycles_per_pixel']:.1f}; {exact['cycles_per_pixel']:.1f}"),
+            ("how far texels are off, root of the mean square: the same",
+             f"{plain['texel_error_rms']:.2f}; {exact['texel_error_rms']:.4f}"),
+            *((f"thousand cycles a triangle, {row['name']}: Pentium 120; 68020",
+               f"{row['pentium_kilocycles']:.1f}; {row['kilocycles_per_polygon']:.1f}")
+              for row in counted["rows"] if row["machine"] == "a1200-fast")]
+
+
+def tiles(pixels: dict, counted: dict) -> list[tuple[str, str]]:
+    """What tiles cost where there is hardly a cache to gain from."""
+    kilocycles = {(row["name"], row["machine"]): f"{row['kilocycles_per_polygon']:.1f}"
+                  for row in counted["rows"] + counted["rows_68030"]}
+    return [(f"thousand cycles a random triangle, {words}: rows; tiles of 8x8",
+             "; ".join(kilocycles[name, machine] for name in ("texture", "tiled")))
+            for words, machine in (("68020", "a1200-fast"),
+                                   ("68030 with its data cache", "a1200-030, data cache"))] + [
+        ("cycles a pixel of spans: rows; tiles; columns",
+         "; ".join(f"{pixels[name]:.1f}" for name in ("affine_addx", "tiled", "columns")))]
+
+
+def a1200_note(pixels: dict) -> list[tuple[str, str]]:
+    """swap and addx, and the three methods on the turning face."""
     with Image.open(SCENES / "methods.png") as picture:
         methods = json.loads(picture.text["Description"])
-    found = [("A1200", f"cycles a {what}, swap and addx",
-              ", ".join(f"{pixels[name.format(form)]:.1f}" for form in ("swap", "addx")))
-             for what, name in (("step of one number", "step_{}_1"), ("textured pixel", "pixel_{}_2"))]
-    return found + [
-        ("A1200", f"method {name}: thousand cycles a frame, texels off (rms)",
-         f"{each['cycles'] / 1000:,.0f}, {each['rms']:.2f}")
-        for name, each in sorted(methods.items()) if name[0].isdigit()]
+    found = [(f"cycles a {what}: swap; addx", "; ".join(
+        f"{pixels[name.format(form)]:.1f}" for form in ("swap", "addx")))
+        for what, name in (("step of one number", "step_{}_1"), ("textured pixel", "pixel_{}_2"))]
+    return found + [(f"method {name}: thousand cycles a frame; texels off (rms)",
+                     f"{each['cycles'] / 1000:,.0f}; {each['rms']:.2f}")
+                    for name, each in sorted(methods.items()) if name[0].isdigit()]
 
 
-#: Of the texture units: note, question, modes.
-MODE_NOTES = (
-    ("N64", "points, the three-point filter", ("point", "threepoint")),
-    ("N64", "trilinear by levels of detail, with perspective", ("trilinear",)),
-    ("Glide", "points, the bilinear filter", ("tmu_point", "tmu_bilinear")),
-    ("Glide", "the same with perspective and a level of detail a pixel",
-     ("tmu_mip_point", "tmu_mip_bilinear")))
+#: Of the texture units: table, then questions and the modes that answer them.
+MODES = {"the N64's manual": {
+    "points; the three-point filter": ("point", "threepoint"),
+    "the same with perspective": ("point_perspective", "threepoint_perspective"),
+    "trilinear, levels of detail and perspective; sharpened": ("trilinear", "sharpen"),
+    "two tiles blended by a constant": ("blend",)},
+         "Glide's guide": {
+    "points; the bilinear filter": ("tmu_point", "tmu_bilinear"),
+    "the same with perspective": ("tmu_point_perspective", "tmu_bilinear_perspective"),
+    "the same with a level of detail a pixel": ("tmu_mip_point", "tmu_mip_bilinear"),
+    "trilinear by two units": ("tmu_trilinear",)}}
 
 
-def notes_table(baseline: dict, accuracy: dict, counted: list[dict]) -> str:
-    """Markdown: what the notes' ideas come to on this machine; fast RAM where nothing else is said."""
-    pixels = {row["name"]: bench.cycles(row) for row in reversed(baseline["rows"])
-              if row["machine"] == "a1200-fast" and row["length"] >= 256}
+def mode_rows(baseline: dict, questions: dict[str, tuple[str, ...]]) -> list[tuple[str, str]]:
+    """Cycles a pixel of modes."""
     modes = {row["name"]: bench.cycles(row) for row in baseline["modes"]
              if row["machine"] == "a1200-fast"}
-    rows = affine_notes(pixels, accuracy, counted) + method_notes(pixels)
-    rows += [(note, f"cycles a pixel of polygons: {question}",
-              ", ".join(f"{modes[ROW + name]:,.0f}" for name in names))
-             for note, question, names in MODE_NOTES]
-    lines = ["| note | question | answer |", "|---|---|--:|"]
-    return "\n".join([*lines, *(f"| {' | '.join(row)} |" for row in rows)])
+    return [(f"cycles a pixel of polygons: {question}",
+             "; ".join(f"{modes[ROW + name]:,.0f}" for name in names))
+            for question, names in questions.items()]
 
 
-def tables(baseline: dict, accuracy: dict, counted: list[dict]) -> dict[str, str]:
+def tables(baseline: dict, accuracy: dict, counted: dict) -> dict[str, str]:
     """By title."""
-    return {"scenes": scenes_table(baseline), "notes": notes_table(baseline, accuracy, counted)}
+    pixels = {row["name"]: bench.cycles(row) for row in baseline["rows"]
+              if row["machine"] == "a1200-fast" and row["length"] >= 256}
+    found = {"fatmap2": fatmap2(accuracy, counted), "tiles": tiles(pixels, counted),
+             "the note for the A1200": a1200_note(pixels)}
+    found |= {title: mode_rows(baseline, questions) for title, questions in MODES.items()}
+    return {"scenes": scenes_table(baseline)} | {
+        title: question_table(rows) for title, rows in found.items()}
