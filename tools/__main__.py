@@ -94,7 +94,7 @@ def report(args: argparse.Namespace) -> int:
 
 
 def readme(args: argparse.Namespace) -> int:
-    """Types the tables of the README."""
+    """Types the tables of the pages."""
     from . import readme as tool
     return tool.command()
 
@@ -233,7 +233,7 @@ def parser() -> Parser:
                          help="take the committed figures of bench, accuracy and polygons instead "
                               "of measuring, and leave out what is not committed")
 
-    add(readme, "Bring the tables of the README up to date.")
+    add(readme, "Bring the tables and pictures of README.md and the rooms' pages up to date.")
 
     command = add(diff, "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
     command.add_argument("a", type=Path, metavar="A")

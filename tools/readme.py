@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from . import (bench, bench_effects, bench_instructions, bench_rules, dither_errors, emulator, engines, pages, palette,
-               polys, readme_modes, readme_numbers, readme_scenes, run, scene, scene_file)
+               polys, readme_modes, readme_numbers, readme_programs, readme_scenes, run, scene, scene_file)
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
@@ -189,7 +189,8 @@ def tables() -> dict[str, str]:
     for engine in engines.ENGINES.values():
         found |= {f"{engine.title} modes": readme_modes.modes_table(measured, engine),
                   f"{engine.title} formats": readme_modes.formats_table(measured, engine)}
-    return found | readme_numbers.tables() | readme_scenes.tables(measured, accuracy, counted)
+    return (found | readme_numbers.tables() | readme_programs.tables(measured)
+            | readme_scenes.tables(measured, accuracy, counted))
 
 
 def picture() -> Image.Image:

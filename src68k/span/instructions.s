@@ -11,7 +11,7 @@
 ; reads:   the code, what it reads
 ; writes:  what the code writes
 ; formats: -
-; error:   -
+; error:   none
 ; cost:    bench row instruction_none, whose code is a dbra
 ;==============================================================================
 ; The code was copied to its place a moment ago.
