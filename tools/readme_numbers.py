@@ -28,7 +28,7 @@ class Format:
     @property
     def step(self) -> str:
         """The least difference of two numbers."""
-        return "1" if not self.fraction else f"1/{2 ** self.fraction:,}" if self.fraction < 25 \
+        return "1" if not self.fraction else f"1/{2 ** self.fraction:,}" if self.fraction < 19 \
             else f"2^-{self.fraction}"
 
     @property
@@ -43,7 +43,7 @@ FORMATS = (
     Format("16.16", "x, y, s, t, shade and w of a vertex; steps; what C passes", 32, 16, True,
            "nearest", "c/polygon/vertex.h", "tests/test_polygons.py"),
     Format("ff:ii, swapped", "the same word with its halves exchanged, for addx", 32, 16, True,
-           "none", "src68k/include/swap.i", "tests/kernel_trials_pixel.py"),
+           "none", "src68k/span/step.s", "tests/kernel_trials_pixel.py"),
     Format("8.16", "u and v of a span's chain, modulo 256 texels", 24, 16, False,
            "steps: nearest", "src68k/span/affine_addx.s", "tests/kernel_trials_span.py"),
     Format("8.15", "v of tiles, modulo 256; u keeps 16", 23, 15, False, "down",
@@ -68,15 +68,17 @@ FORMATS = (
            "c/scene/scene_file.h", "tests/test_mesh_ideal.py"),
     Format("s10.5", "s and t of the N64's texture engine", 16, 5, True, "as the hardware",
            "c/tx/tx.h", "tests/test_tx_vectors.py"),
+    Format("s0.15", "its w, 0x7fff being 1.0", 16, 15, True, "as the hardware", "c/tx/passes.h",
+           "tests/test_tx_vectors.py"),
     Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/tx/tx.h", "tests/test_tx_words.py"),
-    Format("s15.16", "its iterators over a polygon", 32, 16, True, "down", "c/tx/planes.h",
+    Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/tx/planes.h",
            "tests/test_tx_polygon.py"),
     Format("14.18", "s and t of Glide's unit, 0 to 256 along the longer side", 32, 18, True,
            "as the hardware", "c/tmu/tmu.h", "tests/test_tmu_vectors.py"),
     Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/tmu/tmu.h",
            "tests/test_tmu_vectors.py"),
     Format("8.8", "its level of detail: 0 is a texel of level 0 a pixel", 16, 8, True,
-           "down", "c/tmu/tmu.h", "tests/test_tmu_core.py"),
+           "as the hardware", "c/tmu/tmu.h", "tests/test_tmu_core.py"),
     Format("0.4, 0.8", "its filter's weights: of Voodoo and of Voodoo 2", 4, 4, False, "down",
            "c/tmu/tmu.h", "tests/test_tmu_vectors.py"))
 
