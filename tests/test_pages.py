@@ -52,7 +52,7 @@ def test_every_page_can_be_found() -> None:
             seen.add(page)
             todo += [pages.name(((ROOT / page).parent / link.partition("#")[0]).resolve())
                      for link in pages.LINK.findall(pages.prose(TEXTS[page])) if "://" not in link]
-    assert seen == TEXTS.keys()
+    assert seen == TEXTS.keys(), f"no link leads to {TEXTS.keys() - seen}"
 
 
 def test_tables_replace_what_was_there() -> None:
