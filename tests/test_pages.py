@@ -1,10 +1,11 @@
 """The pages for readers: tables are tools', and what they name is there."""
 
+import importlib
 import re
 
 import pytest
 
-from tools import pages, readme
+from tools import pages, readme, readme_numbers
 from tools.__main__ import parser
 from tools.errors import UserError
 from tools.paths import ROOT
@@ -41,6 +42,15 @@ def test_page(page: str) -> None:
     assert tmaps <= known.keys(), f"{page}: scripts/tmap has no command {tmaps - known.keys()}"
     long = [line for line in text.splitlines() if len(line) > LONGEST and not line.startswith("|")]
     assert not long, f"{page}: lines of more than {LONGEST} letters: {long[0]}"
+
+
+def test_bounds_are_where_the_page_says() -> None:
+    """Each name in the column of tools is one."""
+    for line in readme_numbers.bounds_table().splitlines()[2:]:
+        module, *names = line.split("`")[-2].split(".")
+        found = importlib.import_module(f"tools.{module}")
+        for name in names:
+            found = getattr(found, name)
 
 
 def test_every_page_can_be_found() -> None:

@@ -6,7 +6,8 @@ from functools import cache
 from . import bounds, bounds_perspective, ideal, ideal_mesh, polygon_sets
 from .model_dithered import MOST
 from .model_edges import Edge
-from .model_reciprocal import LOWEST
+from .model_logarithm import OCTAVE
+from .model_reciprocal import LOWEST, TABLE
 from .model_texturing import Settings
 from .readme_modes import lines_of
 
@@ -143,7 +144,7 @@ def edge_off(lines: int) -> float:
 
 def pixels(x: float) -> str:
     """A small number in full digits, and as what part of one."""
-    return f"{x:.2g} (1/{1 / x:,.0f})"
+    return f"{x:.2g} (1/{1 / x:,.0f})" if x < 0.1 else f"{x:g}"
 
 
 def bounds_table() -> str:
@@ -160,17 +161,17 @@ def bounds_table() -> str:
         ("u in a frame's corner, 160 pixels and 128 lines from where the plane is seen", corner[0],
          "ideal.Plane.bound"),
         ("... where u's lowest bit is kept spare", corner[1], "ideal.Plane.bound"),
-        ("dithered points: what they are moved by", MOST, "model_dithered"),
+        ("dithered points: what they are moved by", MOST, "model_dithered.MOST"),
         ("lines by reciprocals or logarithms, texels", bounds_perspective.RECIPROCALS,
          "bounds_perspective.RECIPROCALS"),
         ("`pixel`, between exact points", bounds_perspective.TOLERANCE["pixel"],
          "bounds_perspective.TOLERANCE"),
         ("`fine`, between exact points", bounds_perspective.TOLERANCE["fine"],
          "bounds_perspective.TOLERANCE"),
-        ("a unit of a logarithm, part of the number", 2 ** (1 / 16384) - 1, "model_logarithm"),
-        ("a reciprocal of the table, part of the number", 0.5 / (2 ** 29 / 65536),
-         "model_reciprocal"),
-        ("the least index's width, the same", 0.5 / LOWEST, "model_reciprocal"),
+        ("a unit of a logarithm, part of the number", 2 ** (1 / OCTAVE) - 1, "model_logarithm.OCTAVE"),
+        ("a reciprocal of the table, part of the number", 0.5 / TABLE[-1],
+         "model_reciprocal.TABLE"),
+        ("half the width of its least index, the same", 0.5 / LOWEST, "model_reciprocal.LOWEST"),
         ("a mesh's point before the camera, reach 1, units", ideal_mesh.camera_error(1),
          "ideal_mesh.camera_error"),
         ("... reach 2,048", ideal_mesh.camera_error(2048), "ideal_mesh.camera_error"),
