@@ -231,14 +231,14 @@ def command() -> int:
     from . import methods
 
     before = pages.read()
-    texts = pages.with_tables(before, tables())
-    for name, text in texts.items():
-        if text != before[name]:
-            (ROOT / name).write_text(text)
+    after = pages.with_tables(before, tables())
+    changed = [name for name, text in after.items() if text != before[name]]
+    for name in changed:
+        (ROOT / name).write_text(after[name])
     picture().save(PICTURE, optimize=True)
     first, *others = animation()
     first.save(ANIMATION, save_all=True, append_images=others, duration=80, loop=0)
     methods.write_picture(methods.measure("a1200-fast"), METHODS)
     pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
-    print(f"written: {', '.join([*texts, *pictures])}")
+    print(f"written: {', '.join([*changed, *pictures])}")
     return 0
