@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run scene-program bench accuracy polys report fuzz test diff clean programs setup FORCE
+.PHONY: help run scene-program bench accuracy polys report sdk fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -59,6 +59,7 @@ help:
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
 	@echo 'make report                                       all figures and pictures in one page: build/report'
+	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [MACHINE=NAME]       random polygons against model and bounds'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
@@ -83,6 +84,9 @@ polys: programs
 
 report: programs
 	@scripts/tmap report -o build/report
+
+sdk: programs
+	@scripts/tmap sdk
 
 fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \

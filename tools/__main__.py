@@ -86,6 +86,13 @@ def choose(args: argparse.Namespace) -> int:
                                   tool.RMS if args.rms else tool.LARGEST), args.data)
 
 
+def sdk(args: argparse.Namespace) -> int:
+    """Makes the SDK."""
+    build_programs()
+    from . import sdk as tool
+    return tool.command(args.out or BUILD / "sdk")
+
+
 def report(args: argparse.Namespace) -> int:
     """Makes the page of everything."""
     build_programs()
@@ -222,6 +229,10 @@ def parser() -> Parser:
                          help="this mapper alone (affine, generated, tiled or columns)")
     command.add_argument("--data", type=Path, metavar="FILE",
                          help="an accuracy.json, as make accuracy writes it (the committed baseline)")
+
+    command = add(sdk, "Make the SDK: include files, C sources, hunk and ELF objects, an example.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
+                         help="where to (build/sdk); an archive of it goes beside it")
 
     command = add(report, "Gather every figure and picture in one page: index.html.")
     command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/report)")
