@@ -39,6 +39,7 @@ def shown(dots: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name, colours_of", [("c2p_ham8_16", maps.from_rgb565),
+                                              ("c2p_ham8_5551", maps.from_rgba5551),
                                               ("c2p_ham8_32", maps.from_rgba8888)])
 def test_pixels_right_halves_have_their_colour(name, colours_of):
     """The last two dots, to the upper six bits; the first two have green or blue of the left."""
@@ -52,6 +53,9 @@ def test_pixels_right_halves_have_their_colour(name, colours_of):
     last = found[:, :, 3]
     left = np.concatenate([np.full_like(last[:, :1], BACKGROUND), last[:, :-1]], axis=1)
     red, green, blue = range(3)
+    means, ones = found.mean(axis=2), np.array((0, 1 / 4, 1 / 2))
+    from_left = np.concatenate([np.full_like(colours[:, :1], 2), colours[:, :-1]], axis=1) - colours
+    assert (abs(means - colours) <= 2 + abs(from_left) * ones).all()
     assert (found[:, :, 0] == np.stack([last[..., red], left[..., green], left[..., blue]], -1)).all()
     assert (found[:, :, 1] == np.stack([last[..., red], last[..., green], left[..., blue]], -1)).all()
 

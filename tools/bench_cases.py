@@ -356,8 +356,11 @@ def pixel_rows(chip: bool) -> list[Row]:
         rows.append(Row(f"floor_{name}", 1024, *floor_case(name)))
     rows += [Row(name, bench_tx.LENGTH, *bench_tx.pass_case(name)) for name in bench_tx.NAMES]
     rows += [Row(name, bench_tx.LENGTH, *bench_tmu.pass_case(name)) for name in bench_tmu.NAMES]
-    rows += [Row(name, bench_screen.SCREENS[name.removesuffix("_c")][0],
+    rows += [Row(name, bench_screen.SCREENS[bench_screen.routine_of(name)][0],
                  *bench_screen.screen_case(name)) for name in bench_screen.NAMES]
+    for end in ("_low", "_super"):  # what is drawn while something is shown
+        rows.append(Row(f"affine_addx{end}", 256, *span_case("span_affine_addx", "addx", 256)))
+        rows[-1].case.display = bench_screen.SHOWN[end]
     for row in rows:
         row.case.chip = chip
     return rows

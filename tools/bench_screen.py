@@ -1,4 +1,10 @@
-"""Bench rows of the way to the screen: a frame to its planes, ends of rows included."""
+"""Bench rows of the way to the screen: a frame to its planes, ends of rows included.
+
+Rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
+lines of 320, 640 or 1280 dots a field, which takes chip RAM's time: what a frame costs that is
+shown. They last some fields from a field's first line on, so that displayed lines and others are
+in their share but for the last field's.
+"""
 
 import numpy as np
 
@@ -6,9 +12,18 @@ from . import planar
 from .kernels import Arena, Case, Result
 
 #: Pixels: HAM8's are four dots wide each, of 640 in a row.
-SCREENS = {"c2p_8": (320, 256), "c2p_ham8_16": (160, 256), "c2p_ham8_32": (160, 256)}
+SCREENS = {"c2p_8": (320, 256), "c2p_ham8_16": (160, 256), "c2p_ham8_5551": (160, 256),
+           "c2p_ham8_32": (160, 256)}
 ROWS_IN_C = 16
-NAMES = [name + end for name in SCREENS for end in ("", "_c")]
+#: What is displayed while it is converted, by the end of a row's name.
+SHOWN = {"": "OFF", "_low": "LOW", "_high": "HIGH", "_super": "SUPER"}
+NAMES = [name + end for name in SCREENS
+         for end in ("", "_c", *(("_low",) if name == "c2p_8" else ("_high", "_super")))]
+
+
+def routine_of(row: str) -> str:
+    """The assembly routine that a row is of, or is the yardstick of."""
+    return next(name for name in sorted(SCREENS, key=len, reverse=True) if row.startswith(name))
 
 
 def frame(pixels: np.ndarray, pitch: int, padding: bytes) -> tuple[bytearray, int]:
@@ -34,16 +49,18 @@ def place(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, ar
     return Case(kernel, arena, pointers={"a0": plan}, far=far), out
 
 
-def screen_case(kernel: str):
+def screen_case(row_name: str):
     """A screen of noise in one call, each plane behind the one before."""
-    name = kernel.removesuffix("_c")
+    name = routine_of(row_name)
+    in_c = row_name == f"{name}_c"
     form, (width, rows) = planar.FORMS[name], SCREENS[name]
-    rows = rows if kernel == name else ROWS_IN_C
+    rows = ROWS_IN_C if in_c else rows
     pixels = planar.noise(name, np.random.default_rng(8), width, rows)
     row = form.dots * width // 8
     planes = planar.Planes(8 * row, rows, row, row * rows, form.planes)
-    case, out = place(kernel, pixels, width * form.bytes, planes, Arena(), Arena(),
-                      bytes(planes.size))
+    case, out = place(f"{name}_c" if in_c else name, pixels, width * form.bytes, planes, Arena(),
+                      Arena(), bytes(planes.size))
+    case.display = SHOWN["" if in_c else row_name.removeprefix(name)]
     expected = form.convert(pixels)
 
     def check(result: Result) -> str | None:

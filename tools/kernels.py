@@ -68,6 +68,7 @@ class Case:
     far_pointers: dict[str, int] = field(default_factory=dict)
     chip: bool = False  # far lies in chip RAM
     repeats: int = 0
+    display: str = "OFF"  # enum plan_display's, while it is timed
     limit: int = 100  # for the watchdog, 92 ms each
 
 
@@ -122,7 +123,8 @@ def plan(cases: list[Case]) -> bytes:
             far_offsets_at=place(np.array(case.arena.far_pointers, ">u4").tobytes()),
             far_offsets=len(case.arena.far_pointers),
             near_registers=mask(case.pointers), far_registers=mask(case.far_pointers),
-            registers=registers, repeats=case.repeats, limit=case.limit)
+            registers=registers, display=shapes.constants[f"DISPLAY_{case.display}"],
+            repeats=case.repeats, limit=case.limit)
     body.extend(bytes(-len(body) % 4))
     summed = header.fields["cases"]["offset"]
     values = dict(magic=shapes.constants["PLAN_MAGIC"], version=shapes.constants["PLAN_VERSION"],

@@ -17,4 +17,7 @@ void call_kernel(uint32 *registers, void (*routine)(void));
 void call_place(void (*routine)(void));
 void call_repeat(const uint32 *registers, uint32 times);
 
+/* src68k/amiga/planes_fetch.s. */
+void planes_fetch(uint32 display);
+
 #endif

@@ -9,9 +9,17 @@
 
 enum plan_constants {
     PLAN_MAGIC = 0x504c414e,    /* "PLAN" */
-    PLAN_VERSION = 2,
+    PLAN_VERSION = 3,
     PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
     ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
+};
+
+/* What fetches from chip RAM at the same time: nothing, or eight planes of 256 lines, 64 bits at a
+   time, as c/screen has them. */
+enum plan_display {
+    DISPLAY_OFF,
+    DISPLAY_LOW, DISPLAY_HIGH, DISPLAY_SUPER,   /* 320, 640, 1280 dots a line */
+    DISPLAY_MODES
 };
 
 struct plan_header {
@@ -36,6 +44,7 @@ struct plan_case {
     uint32 far_offsets_at, far_offsets;
     uint32 near_registers, far_registers;       /* bit n: register n */
     uint32 registers[15];
+    uint32 display;             /* enum plan_display, while it is timed */
     uint32 repeats;             /* timed calls after the one whose memory is kept */
     uint32 limit;               /* for the watchdog, 65,536 E-clocks each */
 };

@@ -57,7 +57,8 @@ static const struct kernel c_kernels[] = {
     PASS(tmu_alpha_c), PASS(tmu_bilinear_8_c),
     PASS(tmu_quads_8_c), PASS(tmu_modulate_rgb_c), PASS(tmu_combine_line_c),
     PASS(tmu_details_c), PASS(tmu_interleave_c), PASS(tmu_pieces_c),
-    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_32_c), PASS(ham8_control),
+    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_5551_c),
+    PASS(c2p_ham8_32_c), PASS(ham8_control),
     PASS(tmu_tile_16_c), PASS(tmu_tile_32_c),
     {0, 0}
 };
@@ -238,9 +239,15 @@ static int32 run(const struct plan_case *c, const uint8 *plan, const struct aren
         prepare(c, plan, near, far, registers);
         call_place(routine);
         quiet_enter();
+        if (c->display) {
+            planes_fetch(c->display);
+            clock_wait();               /* which lines are displayed counts now */
+        }
         clock_start((int32)c->limit);
         call_repeat(registers, c->repeats);
         result.ticks = clock_stop();
+        if (c->display)
+            planes_fetch(DISPLAY_OFF);
         quiet_leave();
     }
     return results_add(file, (const uint8 *)&result, sizeof result);
@@ -279,6 +286,8 @@ static const char *wrong_case(const struct plan_case *c, const uint8 *plan, uint
         return "near_offsets";
     if (!usable_offsets(plan, c->far_offsets_at, c->far_offsets, c->near, bytes))
         return "far_offsets";
+    if (c->display >= DISPLAY_MODES)
+        return "display";
     if (c->limit < 1 || c->limit > 65535)
         return "limit";
     return 0;

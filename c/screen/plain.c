@@ -27,7 +27,27 @@ void c2p_8_c(const struct planar_plan *plan)
     }
 }
 
-void c2p_ham8_16_c(const struct planar_plan *plan)
+/* The upper six bits of five: the highest one again behind them. */
+static inline uint8 six(uint32 five)
+{
+    return (uint8)(five << 3 | five >> 2);
+}
+
+static inline void dots_565(uint8 *dots, uint32 colour)
+{
+    dots[0] = six(colour >> 11);
+    dots[1] = (uint8)(colour >> 3 & 0xfc);
+    dots[2] = dots[3] = six(colour & 31);
+}
+
+static inline void dots_5551(uint8 *dots, uint32 colour)
+{
+    dots[0] = six(colour >> 11);
+    dots[1] = six(colour >> 6 & 31);
+    dots[2] = dots[3] = six(colour >> 1 & 31);
+}
+
+static inline void c2p_16(const struct planar_plan *plan, void (*to_dots)(uint8 *dots, uint32 colour))
 {
     const uint8 *pixels = plan->pixels;
     uint8 *planes = plan->planes;
@@ -37,19 +57,23 @@ void c2p_ham8_16_c(const struct planar_plan *plan)
         const uint16 *pixel = (const uint16 *)pixels;
 
         for (int32 x = 0; x < plan->width; x += 8) {
-            for (int32 dot = 0; dot < 32; dot += HAM8_DOTS) {
-                const uint32 colour = *pixel++;
-
-                dots[dot] = (uint8)((colour >> 8 & 0xf8) | colour >> 13);
-                dots[dot + 1] = (uint8)(colour >> 3 & 0xfc);
-                dots[dot + 2] = (uint8)((colour << 3 & 0xf8) | (colour >> 2 & 7));
-                dots[dot + 3] = dots[dot + 2];
-            }
+            for (int32 dot = 0; dot < 32; dot += HAM8_DOTS)
+                to_dots(dots + dot, *pixel++);
             store(planes + (x >> 1), plan->plane_pitch, dots, 2);
         }
         pixels += plan->pitch;
         planes += plan->row_pitch;
     }
+}
+
+void c2p_ham8_16_c(const struct planar_plan *plan)
+{
+    c2p_16(plan, dots_565);
+}
+
+void c2p_ham8_5551_c(const struct planar_plan *plan)
+{
+    c2p_16(plan, dots_5551);
 }
 
 void c2p_ham8_32_c(const struct planar_plan *plan)

@@ -6,6 +6,7 @@
 
 void c2p_8_c(const struct planar_plan *plan);
 void c2p_ham8_16_c(const struct planar_plan *plan);
+void c2p_ham8_5551_c(const struct planar_plan *plan);
 void c2p_ham8_32_c(const struct planar_plan *plan);
 
 #endif

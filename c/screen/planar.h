@@ -24,7 +24,10 @@ struct planar_plan {
    one dot has green and two have blue of the pixel to the left. So a frame of 160 pixels is 640
    dots of high resolution, one of 320 pixels 1280 of super-high resolution. A colour's lower two
    bits are those of palette entry 0, where each line begins: with 2 there, and v the value of 8
-   bits, what is shown is v - 1 to v + 2. */
+   bits, what is shown is v - 1 to v + 2. The mean of a pixel's four dots, which is what the eye
+   sees of 1280 in a line, has red of its own alone, green with a quarter and blue with half of the
+   difference from the pixel to the left: off by at most 2, 2 + |difference| / 4 and
+   2 + |difference| / 2. */
 #define HAM8_DOTS 4
 #define HAM8_PLANE_0 0x77777777u        /* of four dots: 0 1 1 1, */
 #define HAM8_PLANE_1 0xccccccccu        /* 1 1 0 0: red is 2, green 3, blue 1 */
@@ -32,6 +35,7 @@ struct planar_plan {
 /* src68k/screen: contracts there. */
 void c2p_8(const struct planar_plan *plan);
 void c2p_ham8_16(const struct planar_plan *plan);
+void c2p_ham8_5551(const struct planar_plan *plan);
 void c2p_ham8_32(const struct planar_plan *plan);
 
 /* Planes 0 and 1 of a HAM8 screen, once: pixels and pitch do not count. */

@@ -7,6 +7,7 @@
         xdef    program_end
         xdef    sys_base
         xdef    dos_base
+        xdef    end_first
         xref    _main
         xref    fault_handler
         xref    quiet_leave
@@ -64,7 +65,8 @@ start:
 program_end:
         movea.l initial_sp,sp
         move.l  d0,d2
-        jsr     quiet_leave
+        movea.l end_first,a0            ; see at_end
+        jsr     (a0)
         jsr     clock_close
         jsr     file_close_all
         jsr     mem_free_all
@@ -91,6 +93,9 @@ leave_program  movem.l (sp)+,d2-d7/a2-a6
 
 dos_name        dc.b    'dos.library',0
                 even
+
+        section .data.startup,data
+end_first       dc.l    quiet_leave
 
         section .bss.startup,bss
 sys_base        ds.l    1

@@ -7,18 +7,28 @@ _LVOForbid              equ     -132
 _LVOPermit              equ     -138
 _LVODisable             equ     -120
 _LVOEnable              equ     -126
+_LVOAddIntServer        equ     -168
+_LVORemIntServer        equ     -174
 _LVOAllocMem            equ     -198
 _LVOFreeMem             equ     -210
 _LVOAvailMem            equ     -216
 _LVOFindTask            equ     -294
+_LVOSignal              equ     -324
 _LVOGetMsg              equ     -372
 _LVOReplyMsg            equ     -378
 _LVOWaitPort            equ     -384
 _LVOCloseLibrary        equ     -414
+_LVOOpenDevice          equ     -444
+_LVOCloseDevice         equ     -450
+_LVODoIO                equ     -456
 _LVOOpenResource        equ     -498
 _LVOTypeOfMem           equ     -534
 _LVOOpenLibrary         equ     -552
 _LVOCacheClearU         equ     -636
+_LVOCreateIORequest     equ     -654
+_LVODeleteIORequest     equ     -660
+_LVOCreateMsgPort       equ     -666
+_LVODeleteMsgPort       equ     -672
 
 tc_TrapCode             equ     50
 pr_MsgPort              equ     92
@@ -45,6 +55,42 @@ _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
 
+; graphics.library
+_LVOOpenFont            equ     -72
+_LVOCloseFont           equ     -78
+_LVOLoadView            equ     -222
+_LVOWaitTOF             equ     -270
+
+gb_ActiView             equ     34
+gb_copinit              equ     38
+gb_DisplayFlags         equ     206
+PAL_BIT                 equ     2
+
+tf_YSize                equ     20
+tf_LoChar               equ     32
+tf_HiChar               equ     33
+tf_CharData             equ     34
+tf_Modulo               equ     38
+tf_CharLoc              equ     40
+FPF_ROMFONT             equ     1
+
+; input.device
+io_Command              equ     28
+io_Data                 equ     40
+IOStdReq_SIZE           equ     48
+IND_ADDHANDLER          equ     9
+IND_REMHANDLER          equ     10
+ie_Class                equ     4
+ie_Code                 equ     6
+ie_Qualifier            equ     8
+IECLASS_NULL            equ     0
+IECLASS_RAWKEY          equ     1
+IECLASS_RAWMOUSE        equ     2
+IECODE_UP               equ     $80
+IEQUALIFIERB_CONTROL    equ     3
+IEQUALIFIERB_REPEAT     equ     9       ; of the word
+SIGBREAKF_CTRL_C        equ     $1000
+
 ; ciab.resource
 _LVOAddICRVector        equ     -6
 _LVORemICRVector        equ     -12
@@ -57,9 +103,28 @@ dmaconr                 equ     $002
 vposr                   equ     $004
 vhposr                  equ     $006
 intenar                 equ     $01c
+denise_id               equ     $07c
+cop1lc                  equ     $080
+copjmp1                 equ     $088
+diwstrt                 equ     $08e
+diwstop                 equ     $090
+ddfstrt                 equ     $092
+ddfstop                 equ     $094
 dmacon                  equ     $096
 intena                  equ     $09a
 intreq                  equ     $09c
+bplcon0                 equ     $100
+bplcon1                 equ     $102
+bplcon3                 equ     $106
+bpl1mod                 equ     $108
+bpl2mod                 equ     $10a
+bplcon4                 equ     $10c
+beamcon0                equ     $1dc
+diwhigh                 equ     $1e4
+fmode                   equ     $1fc
+LISA                    equ     $f8     ; denise_id's low byte of AGA
+BEAMCON_PAL             equ     $0020
+INTB_VERTB              equ     5
 INTF_SETCLR             equ     $8000
 INTF_INTEN              equ     $4000
 INTF_EXTER              equ     $2000

@@ -123,6 +123,60 @@ upper_plane macro
         move.l  \2,(a1,a2.l*4)
         endm
 
+; Of four pixels of 16 bits the upper bytes to d0, the lower ones to d1: pixels 0, 2, 4, 6 of
+; those at a0. Trashes d4.
+bytes_16 macro
+        move.l  (a0),d0
+        move.w  8(a0),d0                ; pixels 0, 4
+        move.l  4(a0),d1
+        move.w  12(a0),d1               ; 2, 6
+        merge   d0,d1,8,d5
+        endm
+
+; The bits of \1 that mask \2 has become those of d4, which is trashed.
+choose  macro
+        eor.l   \1,d4
+        and.l   #\2,d4
+        eor.l   d4,\1
+        endm
+
+; Four pixels of RGB565: d0 = reds, d2 = greens, d1 = blues, the upper six bits of each byte,
+; of five bits the highest again behind them. d0, d1 are rrrrrggg, gggbbbbb.
+colours_565 macro
+        bytes_16
+        move.l  d0,d4
+        lsl.l   #5,d4
+        move.l  d1,d2
+        lsr.l   #3,d2
+        choose  d2,$e0e0e0e0            ; gggggg--
+        move.l  d0,d4
+        lsr.l   #5,d4
+        choose  d0,$04040404            ; rrrrrr--
+        move.l  d1,d4
+        lsl.l   #3,d1
+        lsr.l   #2,d4
+        choose  d1,$04040404            ; bbbbbb--
+        endm
+
+; The same of RGBA5551: d0, d1 are rrrrrggg, ggbbbbba.
+colours_5551 macro
+        bytes_16
+        move.l  d0,d4
+        lsl.l   #5,d4
+        move.l  d1,d2
+        lsr.l   #3,d2
+        choose  d2,$e0e0e0e0
+        move.l  d0,d4
+        choose  d2,$04040404            ; gggggg--
+        move.l  d0,d4
+        lsr.l   #5,d4
+        choose  d0,$04040404            ; rrrrrr--
+        move.l  d1,d4
+        lsl.l   #2,d1
+        lsr.l   #3,d4
+        choose  d1,$04040404            ; bbbbbb--
+        endm
+
 ; The four bytes of each pixel red, green, blue and blue: exchanges pixel bit 1 and the
 ; plane's bit 1 of d0 = reds, d2 = greens and d1 = blues, which come out as d1 and d3.
 merge_blue macro

@@ -22,29 +22,7 @@
         planar_row
 .keep   keep_half
         addq.l  #2,a0
-.longs  move.l  (a0),d0
-        move.w  8(a0),d0                ; pixels 0, 4
-        move.l  4(a0),d1
-        move.w  12(a0),d1               ; 2, 6
-        merge   d0,d1,8,d5              ; rrrrrggg, gggbbbbb of four pixels
-        move.l  d0,d4
-        lsl.l   #5,d4
-        move.l  d1,d2
-        lsr.l   #3,d2
-        eor.l   d2,d4
-        and.l   #$e0e0e0e0,d4
-        eor.l   d4,d2                   ; gggggg--
-        move.l  d0,d4
-        lsr.l   #5,d4
-        eor.l   d0,d4
-        and.l   #$04040404,d4
-        eor.l   d4,d0                   ; rrrrrr--
-        move.l  d1,d4
-        lsl.l   #3,d1
-        lsr.l   #2,d4
-        eor.l   d1,d4
-        and.l   #$04040404,d4
-        eor.l   d4,d1                   ; bbbbbb--
+.longs  colours_565
         merge_blue
         merge   d0,d2,1,d7
         merge   d1,d3,1,d7

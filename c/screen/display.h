@@ -1,0 +1,25 @@
+/* The display, the ROM's letters and the keys: src68k/amiga, contracts there. What is taken is
+   given back when the program ends, whichever way. */
+#ifndef DISPLAY_H
+#define DISPLAY_H
+
+#include "compiler.h"
+
+enum font_constants {
+    FONT_FIRST = 32, FONT_LETTERS = 96, FONT_ROWS = 8
+};
+
+#define NO_KEY 0xffffffffu
+
+int32 display_has_aga(void);
+int32 display_open(const uint16 *list);
+void display_show(const uint16 *list);
+uint32 display_shown(void);
+uint32 display_fields(void);
+void display_close(void);
+int32 font_read(uint8 *letters);
+int32 keys_open(void);
+uint32 key_take(void);
+void keys_close(void);
+
+#endif

@@ -1,0 +1,38 @@
+/* Where a frame is on the screen, and which way it is shown. */
+#ifndef SCREEN_LAYOUT_H
+#define SCREEN_LAYOUT_H
+
+#include "compiler.h"
+
+/* PAL, in pixels of low resolution. The picture and the status lines below it take 276 of the
+   286 lines that can be shown; the usual 256 are within them. */
+enum screen_constants {
+    SCREEN_WIDTH = 320, SCREEN_HEIGHT = 256,
+    SCREEN_LEFT = 0x81, SCREEN_TOP = 32,            /* of the beam, as DIWSTRT has it */
+    SCREEN_FETCH = 0x38,                            /* DDFSTRT of SCREEN_LEFT: colour clocks */
+    STATUS_TOP = SCREEN_TOP + SCREEN_HEIGHT + 2,
+    STATUS_COLUMNS = 80, STATUS_LINES = 2,
+    STATUS_PITCH = STATUS_COLUMNS,                  /* bytes of a row of its plane */
+    STATUS_LINE = 9,                                /* rows from one to the other */
+    STATUS_ROWS = 18
+};
+
+/* With FMODE 3 a plane's data comes 64 dots at a time. */
+#define FETCH_DOTS 64
+
+struct screen_layout {
+    int32 width, height;        /* of the frame, pixels */
+    uint32 ham;                 /* 1: HAM8 */
+    int32 dots;                 /* of a frame's pixel */
+    int32 shift;                /* log2 of the dots in a pixel of low resolution: 0, 1 or 2 */
+    uint32 twice;               /* 1: each row is shown twice */
+    int32 shown_width, shown_height;                /* low resolution */
+    int32 left, top;            /* on the screen, the same */
+    int32 row_bytes, plane_bytes;
+};
+
+/* Finds it for a frame of an enum pixel_format. Returns 0 or why it cannot be shown. */
+const char *screen_layout_find(struct screen_layout *layout, int32 width, int32 height,
+                               uint32 format);
+
+#endif

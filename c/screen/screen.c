@@ -1,0 +1,205 @@
+#include "screen/screen.h"
+
+#include "scene/scene_file.h"
+#include "screen/copper.h"
+#include "system/system.h"
+#include "system/text.h"
+
+#define ALIGN 8                 /* of what FMODE 3 fetches */
+
+static int32 refuse(const char *why)
+{
+    return text_refuse("screen", why);
+}
+
+/* Bytes of chip RAM: the planes, of HAM8 with the lowest two once, the lists, the status plane. */
+static int32 chip_needed(const struct screen_layout *layout)
+{
+    const int32 planes = layout->ham ? 2 * PLANES - 2 : 2 * PLANES;
+
+    return planes * layout->plane_bytes + 2 * COPPER_LONGS * 4 + STATUS_ROWS * STATUS_PITCH + ALIGN;
+}
+
+static int32 take_chip(struct screen *screen)
+{
+    const int32 bytes = chip_needed(&screen->layout);
+
+    if (screen->chip_bytes >= bytes)
+        return 1;
+    if (!mem_alloc(&screen->chip, bytes, MEMORY_CHIP)) {
+        text_add("screen: ");
+        text_number(bytes);
+        text_add(" bytes of chip RAM in one piece are needed");
+        text_print();
+        return 0;
+    }
+    screen->chip_bytes = bytes;
+    return 1;
+}
+
+static void clear(uint8 *from, int32 bytes)
+{
+    uint32 *at = (uint32 *)from;
+
+    for (; bytes > 0; bytes -= 4)
+        *at++ = 0;
+}
+
+/* The memory's parts. */
+static void place(struct screen *screen)
+{
+    const struct screen_layout *layout = &screen->layout;
+    uint8 *at = screen->chip;
+
+    clear(at, chip_needed(layout));
+    screen->status = at;
+    at += STATUS_ROWS * STATUS_PITCH;
+    for (int32 set = 0; set < 2; set++) {
+        screen->list[set] = (uint16 *)at;
+        at += COPPER_LONGS * 4;
+    }
+    screen->planes[0] = at;
+    screen->planes[1] = at + (layout->ham ? PLANES - 2 : PLANES) * layout->plane_bytes;
+}
+
+static void make_list(struct screen *screen, int32 set)
+{
+    const int32 bytes = screen->layout.plane_bytes;
+    struct copper_planes planes;
+
+    for (int32 plane = 0; plane < PLANES; plane++)
+        planes.plane[plane] = screen->planes[screen->layout.ham && plane < 2 ? 0 : set]
+            + plane * bytes;
+    planes.status = screen->status;
+    screen->palette[set] = copper_list_make(screen->list[set], &screen->layout, &planes);
+}
+
+static void plan_make(const struct screen *screen, struct planar_plan *plan)
+{
+    plan->row_pitch = screen->layout.row_bytes;
+    plan->plane_pitch = screen->layout.plane_bytes;
+    plan->planes = screen->planes[screen->hidden];
+}
+
+/* What HAM8 needs once: who changes which colour, and the colour on each line's left. */
+static void make_ham(struct screen *screen)
+{
+    struct planar_plan plan;
+    uint8 ground[4];
+
+    screen->hidden = 0;
+    plan_make(screen, &plan);
+    plan.width = screen->layout.width;
+    plan.rows = screen->layout.height;
+    ham8_control(&plan);
+    ground[0] = 0;
+    ground[1] = ground[2] = ground[3] = 2;
+    for (int32 set = 0; set < 2; set++)
+        copper_colour_set(screen->palette[set], 0, ground);
+}
+
+static void (*converter(uint32 format))(const struct planar_plan *plan)
+{
+    return format == PIXEL_CHUNKY ? c2p_8
+         : format == PIXEL_RGB565 ? c2p_ham8_16
+         : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
+}
+
+static int32 show(struct screen *screen)
+{
+    if (!font_read(screen->font))
+        return refuse("the ROM has no font");
+    if (!display_open(screen->list[1]))
+        return refuse("the display cannot be taken");
+    if (!keys_open()) {
+        display_close();
+        return refuse("the keys cannot be taken");
+    }
+    screen->since = display_fields();
+    screen->is_open = 1;
+    return 1;
+}
+
+void screen_close(struct screen *screen)
+{
+    if (!screen->is_open)
+        return;
+    screen->is_open = 0;
+    keys_close();
+    display_close();
+}
+
+int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
+{
+    const char *why;
+
+    screen_close(screen);
+    why = screen_layout_find(&screen->layout, width, height, format);
+    if (why)
+        return refuse(why);
+    if (!display_has_aga())
+        return refuse("needs AGA: an A1200 or A4000");
+    if (!take_chip(screen))
+        return 0;
+    screen->convert = converter(format);
+    place(screen);
+    make_list(screen, 0);
+    make_list(screen, 1);
+    if (screen->layout.ham)
+        make_ham(screen);
+    screen->hidden = 0;
+    return show(screen);
+}
+
+void screen_palette(struct screen *screen, const uint8 *palette)
+{
+    if (screen->layout.ham)
+        return;
+    copper_palette_set(screen->palette[0], palette);
+    copper_palette_set(screen->palette[1], palette);
+}
+
+void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
+                        int32 width, int32 height)
+{
+    const struct screen_layout *layout = &screen->layout;
+    struct planar_plan plan;
+
+    plan_make(screen, &plan);
+    plan.pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    plan.pitch = frame->pitch;
+    plan.width = layout->ham ? width : (width + 31) & -32;
+    plan.rows = height;
+    plan.planes = screen->planes[screen->hidden] + y * layout->row_bytes + (x * layout->dots >> 3);
+    screen->convert(&plan);
+}
+
+void screen_convert(struct screen *screen, const struct frame *frame)
+{
+    screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
+}
+
+void screen_swap(struct screen *screen)
+{
+    display_show(screen->list[screen->hidden]);
+    screen->hidden ^= 1;
+}
+
+void screen_text(struct screen *screen, int32 line, const char *text)
+{
+    uint8 *at = screen->status + line * STATUS_LINE * STATUS_PITCH;
+
+    for (int32 column = 0; column < STATUS_COLUMNS; column++, at++) {
+        const uint32 letter = *text ? (uint32)(uint8)*text++ - FONT_FIRST : 0;
+        const uint8 *row = screen->font + (letter < FONT_LETTERS ? letter : 0) * FONT_ROWS;
+        uint8 *to = at;
+
+        for (int32 y = 0; y < FONT_ROWS; y++, to += STATUS_PITCH)
+            *to = *row++;
+    }
+}
+
+uint32 screen_fields(const struct screen *screen)
+{
+    return display_fields() - screen->since;
+}

@@ -1,0 +1,246 @@
+; The display, taken from the system and given back: copper lists of our own, while tasks and
+; interrupts go on. What there is to be shown is a matter of the lists alone.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    sys_base
+        xref    at_end
+
+LAST_LINE               equ     20      ; in which a list may still be started: it must be through
+                                        ; with its colours where the picture begins
+PRIORITY                equ     5       ; behind the system's own servers
+
+; What the server works with.
+FIELDS                  equ     0
+NEXT                    equ     4       ; the list that shall be shown,
+SET                     equ     8       ; the one the copper takes at the next field,
+SHOWN                   equ     12      ; and the one it is at
+
+;==============================================================================
+; display_has_aga - whether the machine has AGA
+;
+; in:      -
+; out:     d0  int32  1 or 0
+; trashes: d0-d1/a0-a1
+; reads:   Denise's number
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+; The first Denise has no number: what was last on the bus is read.
+
+        routine display_has_aga
+        moveq   #8-1,d1
+.again  cmp.b   #LISA,custom+denise_id+1
+        bne.s   .none
+        dbra    d1,.again
+        moveq   #1,d0
+        rts
+.none   moveq   #0,d0
+        rts
+
+;==============================================================================
+; display_open - takes the display over and shows a list, until display_close or the end
+;
+; in:      d0  uint16*  copper list in chip RAM
+; out:     d0  int32    1 taken, 0 not
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the copper's first list, DMACON, BEAMCON0 of NTSC machines
+; formats: -
+; error:   0 where it is taken already, or there is no graphics.library
+; cost:    two fields or more
+;==============================================================================
+        routine display_open,d0
+        movem.l d2/a6,-(sp)
+        move.l  d0,d2
+        moveq   #0,d0
+        tst.l   gfx_base
+        bne     .done
+        movea.l sys_base,a6
+        lea     .name(pc),a1
+        lvo     OpenLibrary
+        move.l  d0,gfx_base
+        beq     .done
+        movea.l d0,a6
+        move.l  gb_ActiView(a6),old_view
+        move.w  custom+dmaconr,old_dmacon
+        lea     ending,a0
+        lea     display_close,a1
+        jsr     at_end
+        suba.l  a1,a1
+        lvo     LoadView
+        lvo     WaitTOF
+        lvo     WaitTOF                 ; interlaced views have two lists
+        btst    #PAL_BIT,gb_DisplayFlags+1(a6)
+        bne.s   .pal
+        move.w  #BEAMCON_PAL,custom+beamcon0
+.pal    lea     state,a0
+        move.l  d2,NEXT(a0)
+        clr.l   SET(a0)
+        clr.l   SHOWN(a0)
+        movea.l sys_base,a6
+        lea     server,a1
+        moveq   #INTB_VERTB,d0
+        lvo     AddIntServer
+        bsr.s   wait_shown
+        move.w  #DMA_ON,custom+dmacon
+        moveq   #1,d0
+.done   movem.l (sp)+,d2/a6
+        rts
+.name   dc.b    'graphics.library',0
+        even
+
+wait_shown
+        movea.l gfx_base,a6
+.wait   lvo     WaitTOF
+        lea     state,a0
+        move.l  NEXT(a0),d0
+        cmp.l   SHOWN(a0),d0
+        bne.s   .wait
+        rts
+
+DMA_ON                  equ     $8380   ; all, bitplanes, copper
+
+;==============================================================================
+; display_show - shows another list from the next field on; returns when it is shown
+;
+; in:      d0  uint16*  copper list in chip RAM
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the copper's first list
+; formats: -
+; error:   the display must be ours
+; cost:    a field or two
+;==============================================================================
+        routine display_show,d0
+        move.l  a6,-(sp)
+        move.l  d0,state+NEXT
+        bsr.s   wait_shown
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
+; display_shown - the list that the copper is at
+;
+; in:      -
+; out:     d0  uint32  the list's address
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine display_shown
+        move.l  state+SHOWN,d0
+        rts
+
+;==============================================================================
+; display_fields - fields while the display was ours
+;
+; in:      -
+; out:     d0  uint32  vertical blanks, 50 a second
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine display_fields
+        move.l  state+FIELDS,d0
+        rts
+
+;==============================================================================
+; display_close - gives the display back
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  what display_open does
+; formats: -
+; error:   does nothing where it is not ours
+; cost:    two fields or more
+;==============================================================================
+        routine display_close
+        movem.l d2/a6,-(sp)
+        move.l  gfx_base,d2
+        beq     .done
+        clr.l   gfx_base
+        movea.l sys_base,a6
+        lea     server,a1
+        moveq   #INTB_VERTB,d0
+        lvo     RemIntServer
+        movea.l d2,a6
+        lea     custom,a0
+        move.l  gb_copinit(a6),cop1lc(a0)
+        btst    #PAL_BIT,gb_DisplayFlags+1(a6)
+        bne.s   .pal
+        clr.w   beamcon0(a0)
+.pal    lvo     WaitTOF
+        lea     custom,a0
+        move.w  #BPLCON0_NONE,bplcon0(a0)
+        move.w  #BPLCON3_RESET,bplcon3(a0)
+        move.w  #BPLCON4_RESET,bplcon4(a0)
+        clr.w   fmode(a0)
+        movea.l old_view,a1
+        lvo     LoadView
+        lvo     WaitTOF
+        lvo     WaitTOF
+        move.w  #DMA_DISPLAY,custom+dmacon
+        move.w  old_dmacon,d0
+        and.w   #DMA_DISPLAY,d0
+        or.w    #INTF_SETCLR,d0
+        move.w  d0,custom+dmacon
+        movea.l a6,a1
+        movea.l sys_base,a6
+        lvo     CloseLibrary
+.done   movem.l (sp)+,d2/a6
+        rts
+
+BPLCON0_NONE            equ     $0200
+BPLCON3_RESET           equ     $0c00
+BPLCON4_RESET           equ     $0011
+DMA_DISPLAY             equ     $01a0   ; bitplanes, copper, sprites
+
+; Each field. A list that comes too late to be started at once is shown a field later; what
+; the system may have set is set back.
+        section .text.display_server,code
+        cnop    0,4
+serve:  lea     custom,a0               ; where exec wants it left
+        addq.l  #1,FIELDS(a1)
+        move.l  NEXT(a1),d0
+        move.l  d0,cop1lc(a0)
+        move.l  SET(a1),SHOWN(a1)
+        cmp.l   SET(a1),d0
+        beq.s   .done
+        move.l  d0,SET(a1)
+        move.l  vposr(a0),d1
+        lsr.l   #8,d1
+        and.w   #$1ff,d1
+        cmp.w   #LAST_LINE,d1
+        bhi.s   .done
+        move.w  d0,copjmp1(a0)
+        move.l  d0,SHOWN(a1)
+.done   moveq   #0,d0
+        rts
+
+        section .data.display,data
+server  dc.l    0,0
+        dc.b    2,PRIORITY              ; NT_INTERRUPT
+        dc.l    server_name,state,serve
+server_name
+        dc.b    'tmap020 display',0
+        even
+
+        section .bss.display,bss
+gfx_base        ds.l    1
+old_view        ds.l    1
+ending          ds.l    2
+state           ds.l    4
+old_dmacon      ds.w    1

@@ -1,0 +1,174 @@
+/* display - takes the screen over in the ways that tests/test_display.py asks for.
+
+   display MODE n FORMAT n WIDTH n HEIGHT n NAME name */
+#include "scene/scene_file.h"
+#include "screen/screen.h"
+#include "system/file.h"
+#include "system/system.h"
+#include "system/text.h"
+
+/* tests/guest/events.s */
+void state(uint32 *found);
+void send_event(uint32 class, uint32 code, uint32 qualifier);
+uint32 break_signal(void);
+void illegal(void);
+
+enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED };
+enum event { RAW_KEY = 1, RAW_MOUSE = 2, KEY_UP = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
+
+#define STATES 6
+#define FRAMES 3
+/* The part of the last frame that is converted. */
+#define BOX_X 32
+#define BOX_Y 3
+#define BOX_WIDTH 64
+#define BOX_HEIGHT 5
+#define LEFT_OVER 100000        /* bytes of chip RAM that SHORT leaves, at most */
+
+static struct screen screen;
+
+static void print_numbers(const uint32 *from, int32 count)
+{
+    for (; count; count--) {
+        text_number((int32)*from++);
+        text_add(" ");
+    }
+    text_print();
+}
+
+/* The memory of the screen as it is now, and what is where in it. */
+static int32 dump(const char *name, int32 number)
+{
+    char file[64];
+    uint32 found[6];
+
+    found[0] = (uint32)screen.chip;
+    found[1] = display_shown();
+    found[2] = (uint32)screen.list[0];
+    found[3] = (uint32)screen.list[1];
+    found[4] = (uint32)screen.hidden;
+    found[5] = screen_fields(&screen);
+    print_numbers(found, 6);
+    text_add(name);
+    text_add(".");
+    text_number(number);
+    text_take(file);
+    return file_save(file, screen.chip, (uint32)screen.chip_bytes);
+}
+
+static int32 show(struct frame *frame, const char *name)
+{
+    static const char *const texts[] = {"0 first line", "1 [\\]^_`{|}~\177 \200beyond", "2"};
+    uint8 *palette, *pixels;
+    uint32 bytes;
+
+    if (!file_load("palette", &palette, &bytes) || !file_load(name, &pixels, &bytes))
+        return RETURN_FAIL;
+    screen_palette(&screen, palette);
+    for (int32 i = 0; i < FRAMES; i++) {
+        frame->pixels = pixels + i * frame->pitch * frame->height;
+        if (i < FRAMES - 1)
+            screen_convert(&screen, frame);
+        else
+            screen_convert_box(&screen, frame, BOX_X, BOX_Y, BOX_WIDTH, BOX_HEIGHT);
+        screen_text(&screen, i & 1, texts[i]);
+        screen_swap(&screen);
+        if (!dump(name, i))
+            return RETURN_FAIL;
+    }
+    return RETURN_OK;                   /* open */
+}
+
+static int32 keys(void)
+{
+    uint32 key;
+
+    send_event(RAW_KEY, 0x45, 0);
+    send_event(RAW_KEY, 0x45, REPEAT);
+    send_event(RAW_MOUSE, 0x68, 0);
+    send_event(RAW_KEY, 0x45 | KEY_UP, 0);
+    send_event(RAW_KEY, C_KEY, 0);
+    text_number((int32)break_signal());
+    send_event(RAW_KEY, C_KEY, CONTROL);
+    text_add(" ");
+    text_number((int32)break_signal());
+    for (uint32 i = 0; i < 20; i++)
+        send_event(RAW_KEY, i, 0);
+    for (key = key_take(); key != NO_KEY; key = key_take()) {
+        text_add(" ");
+        text_number((int32)key);
+    }
+    text_print();
+    return RETURN_OK;
+}
+
+/* Other screens one after the other in the same memory, as far as it lasts. */
+static int32 again(void)
+{
+    const uint8 *first = screen.chip;
+
+    screen_close(&screen);
+    screen_close(&screen);
+    if (!screen_open(&screen, 96, 60, PIXEL_CHUNKY))
+        return RETURN_FAIL;
+    text_number(screen.chip == first);
+    if (!screen_open(&screen, 320, 64, PIXEL_RGB565))
+        return RETURN_FAIL;
+    text_number(screen.chip == first);
+    text_print();
+    return RETURN_OK;
+}
+
+/* Takes chip RAM until there is less than LEFT_OVER. */
+static void take_chip(void)
+{
+    void *taken;
+
+    while (mem_alloc(&taken, LEFT_OVER, MEMORY_CHIP))
+        ;
+}
+
+static int32 opened(enum mode mode, struct frame *frame, const char *name)
+{
+    switch (mode) {
+    case SHOW: return show(frame, name);
+    case KEYS: return keys();
+    case AGAIN: return again();
+    case QUIET_CRASH:
+        clock_open();
+        quiet_enter();
+        /* falls through */
+    default: illegal();
+    }
+    return RETURN_FAIL;
+}
+
+int main(void)
+{
+    enum { MODE, FORMAT, WIDTH, HEIGHT, NAME, ITEMS };
+    static int32 args[ITEMS];
+    struct frame frame;
+    enum mode mode;
+    uint32 format;
+
+    if (!args_read("MODE/A/N,FORMAT/A/N,WIDTH/A/N,HEIGHT/A/N,NAME", args))
+        return RETURN_FAIL;
+    mode = (enum mode)*(const int32 *)args[MODE];
+    format = *(const uint32 *)args[FORMAT];
+    frame.width = *(const int32 *)args[WIDTH];
+    frame.height = *(const int32 *)args[HEIGHT];
+    frame.pixel_bytes = format == PIXEL_CHUNKY ? 1 : format == PIXEL_RGBA8888 ? 4 : 2;
+    frame.pitch = frame.width * frame.pixel_bytes;
+    if (mode == STATE) {
+        uint32 found[STATES];
+
+        state(found);
+        print_numbers(found, STATES);
+        return RETURN_OK;
+    }
+    if (mode == SHORT)
+        take_chip();
+    if (!screen_open(&screen, frame.width, frame.height, format))
+        return RETURN_ERROR;
+    return opened(mode, &frame, (const char *)args[NAME]);
+}

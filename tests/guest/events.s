@@ -1,0 +1,93 @@
+; What the test program display asks the system for.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    sys_base
+
+io_Length               equ     36
+IND_WRITEEVENT          equ     11
+_LVOSetSignal           equ     -306
+VECTOR_LEVEL_3          equ     $6c
+
+        routine state,a0                ; free memory, free chip RAM, INTENA, DMACON, view, vector
+        movem.l a2/a6,-(sp)
+        movea.l a0,a2
+        movea.l sys_base,a6
+        moveq   #0,d1
+        lvo     AvailMem
+        move.l  d0,(a2)+
+        moveq   #MEMF_CHIP,d1
+        lvo     AvailMem
+        move.l  d0,(a2)+
+        moveq   #0,d0
+        move.w  custom+intenar,d0
+        move.l  d0,(a2)+
+        moveq   #0,d0
+        move.w  custom+dmaconr,d0
+        and.w   #$07ff,d0               ; without the blitter's state
+        move.l  d0,(a2)+
+        lea     .graphics(pc),a1
+        moveq   #0,d0
+        lvo     OpenLibrary
+        movea.l d0,a1
+        move.l  gb_ActiView(a1),(a2)+
+        lvo     CloseLibrary
+        move.l  VECTOR_LEVEL_3.w,(a2)+
+        movem.l (sp)+,a2/a6
+        rts
+.graphics
+        dc.b    'graphics.library',0
+        even
+
+        routine send_event,d0,d1,a0     ; class, code, qualifier, as if a device did
+        movem.l d2/a2/a3/a6,-(sp)
+        lea     event,a2
+        clr.l   (a2)
+        move.b  d0,ie_Class(a2)
+        move.w  d1,ie_Code(a2)
+        move.w  a0,ie_Qualifier(a2)
+        movea.l sys_base,a6
+        lvo     CreateMsgPort
+        move.l  d0,d2
+        movea.l d0,a0
+        moveq   #IOStdReq_SIZE,d0
+        lvo     CreateIORequest
+        movea.l d0,a3
+        lea     .input(pc),a0
+        movea.l a3,a1
+        moveq   #0,d0
+        moveq   #0,d1
+        lvo     OpenDevice
+        movea.l a3,a1
+        move.w  #IND_WRITEEVENT,io_Command(a1)
+        move.l  a2,io_Data(a1)
+        move.l  #EVENT_BYTES,io_Length(a1)
+        lvo     DoIO
+        movea.l a3,a1
+        lvo     CloseDevice
+        movea.l a3,a0
+        lvo     DeleteIORequest
+        movea.l d2,a0
+        lvo     DeleteMsgPort
+        movem.l (sp)+,d2/a2/a3/a6
+        rts
+.input  dc.b    'input.device',0
+        even
+
+        routine break_signal            ; d0: whether Ctrl-C was signalled, which is forgotten
+        move.l  a6,-(sp)
+        moveq   #0,d0
+        move.l  #SIGBREAKF_CTRL_C,d1
+        movea.l sys_base,a6
+        lvo     SetSignal
+        movea.l (sp)+,a6
+        and.l   #SIGBREAKF_CTRL_C,d0
+        rts
+
+        routine illegal
+        illegal
+
+        section .bss.events,bss
+EVENT_BYTES             equ     22
+event           ds.b    EVENT_BYTES+2
