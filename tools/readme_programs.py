@@ -31,17 +31,26 @@ def programs_table() -> str:
                                 for source in sorted(PROGRAMS.glob("*.c")))])
 
 
-#: Chunky to planar: title, row, pixels of a line.
-PLANAR_LINES = (("8 bits: eight planes", "c2p_8", 320), ("RGB565: HAM8", "c2p_ham8_16", 160),
-                ("R G B A of 8 bits: HAM8", "c2p_ham8_32", 160))
+#: Chunky to planar: frame, row, pixels of a line, displays of 320x256: what shows it, end of the row.
+PLANAR_LINES = (
+    ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
+    *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
+      for title, row in (("`rgb565`", "c2p_ham8_16"), ("`rgba5551`", "c2p_ham8_5551"),
+                         ("`rgba8888`", "c2p_ham8_32"))))
 
 
 def planar_table(baseline: dict) -> str:
-    """Markdown: cycles a pixel of the frame, in plain C beside it."""
+    """Markdown: cycles a pixel of the frame, with nothing displayed and with the frame's own display."""
     figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
-    return lines_of("cycles a pixel", [*MACHINES.values(), "plain C, fast RAM"], [
-        [title, *(f"{figures[name, machine, width]:.1f}" for machine in MACHINES),
-         f"{figures[f'{name}_c', 'a1200-fast', width]:.0f}"] for title, name, width in PLANAR_LINES])
+    rows = []
+    for title, name, width, displays in PLANAR_LINES:
+        for shown, end in displays:
+            cells = [f"{figures[name + kind, machine, width]:.1f}"
+                     for kind in ("", end) for machine in ("a1200-mixed", "a1200")]
+            rows.append([f"{title}: {shown}", *cells, f"{figures[f'{name}_c', 'a1200-mixed', width]:.0f}"])
+    return lines_of("cycles a pixel", [
+        *(f"{display}: {MACHINES[machine]}" for display in ("display off", "shown")
+          for machine in ("a1200-mixed", "a1200")), "plain C, off: data in chip"], rows)
 
 
 def tables(baseline: dict) -> dict[str, str]:
