@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run scene-program bench accuracy polys report sdk fuzz test diff clean programs setup FORCE
+.PHONY: help run show demo scene-program bench accuracy polys report adf sdk fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -23,7 +23,7 @@ GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
   -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
 # For what no frame's time depends on.
-SMALL_FLAGS := -Os
+SMALL_FLAGS := -Os -fno-tree-loop-im -fno-move-loop-invariants
 # 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
 # that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
 # declaration, 162 no prototype, 169 extern in a function, 174 no return.
@@ -54,11 +54,14 @@ LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
 help:
 	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
+	@echo 'make show [SCENE=FILE] [MACHINE=NAME]             play a scene in a window: space, cursor keys, escape'
+	@echo 'make demo [PLAY=1] [MACHINE=NAME]                 the demo, for an Amiga: build/demo; PLAY=1: in a window'
 	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
 	@echo 'make report                                       all figures and pictures in one page: build/report'
+	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [MACHINE=NAME]       random polygons against model and bounds'
 	@echo 'make test                                         run all tests'
@@ -69,6 +72,12 @@ help:
 run: programs
 	@scripts/tmap run "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"} \
 	  -o "build/run/$$(basename "$$SCENE" .toml)"
+
+show: programs
+	@scripts/tmap show "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
+
+demo: programs
+	@scripts/tmap demo -o build/demo $${PLAY:+--play} $${MACHINE:+--machine "$$MACHINE"}
 
 scene-program: programs
 	@scripts/tmap scene-program "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
@@ -84,6 +93,9 @@ polys: programs
 
 report: programs
 	@scripts/tmap report -o build/report
+
+adf: programs
+	@scripts/tmap adf
 
 sdk: programs
 	@scripts/tmap sdk
@@ -193,7 +205,7 @@ build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
 endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
-  $(if $(filter bench,$(name)),$(KERNEL_TABLE)))))
+  $(if $(filter bench measure,$(name)),$(KERNEL_TABLE)))))
 $(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 

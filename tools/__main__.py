@@ -43,6 +43,21 @@ def run(args: argparse.Namespace) -> int:
                         args.frames, args.form, args.off)
 
 
+def show(args: argparse.Namespace) -> int:
+    """Plays a scene in a window."""
+    from . import show as tool
+    window = tool.window()
+    build_programs()
+    return tool.command(args.scene, args.machine, window)
+
+
+def demo(args: argparse.Namespace) -> int:
+    """Makes the demo's folder."""
+    build_programs()
+    from . import demo as tool
+    return tool.command(args.out or BUILD / "demo", args.machine if args.play else None)
+
+
 def scene_program(args: argparse.Namespace) -> int:
     """Makes the program of one scene."""
     build_programs()
@@ -100,6 +115,13 @@ def report(args: argparse.Namespace) -> int:
     return tool.command(args.out or BUILD / "report", args.scene, args.machine, args.committed)
 
 
+def adf(args: argparse.Namespace) -> int:
+    """Makes the disk."""
+    build_programs()
+    from . import disk as tool
+    return tool.command(args.out or tool.IMAGE)
+
+
 def readme(args: argparse.Namespace) -> int:
     """Types the tables of the pages."""
     from . import readme as tool
@@ -155,6 +177,19 @@ def parser() -> Parser:
                          help="which span and edge loops (addx); the picture is the same")
     command.add_argument("--off", metavar="RULES", help="rules of lowering that are not followed, "
                          "by commas, or all: the picture is the same but for tolerances")
+
+    command = add(show, "Play a scene in a window, on the emulated machine's screen: space pauses, "
+                  "cursor keys change the accuracy, escape leaves.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-030"),
+                         default="a1200-fast", help="as run has them (a1200-fast)")
+
+    command = add(demo, "Make the demo's folder, which can be run on an Amiga as it is.")
+    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/demo)")
+    command.add_argument("--play", action="store_true", help="play it in a window too: space goes "
+                         "on to the next part, escape leaves")
+    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
+                         help="what it is played on (a1200-fast)")
 
     command = add(scene_program, "Make a program that holds one scene and what draws it alone.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
@@ -243,6 +278,10 @@ def parser() -> Parser:
     command.add_argument("--committed", action="store_true",
                          help="take the committed figures of bench, accuracy and polygons instead "
                               "of measuring, and leave out what is not committed")
+
+    command = add(adf, "Write the image of a bootable disk: demo, the owners' bench, readme.")
+    command.add_argument("-o", dest="out", type=Path, metavar="FILE",
+                         help="where to (build/adf/tmap020.adf)")
 
     add(readme, "Bring the tables and pictures of README.md and the rooms' pages up to date.")
 

@@ -33,6 +33,8 @@ def mapper_case(name: str, length: int, du: int = DU, dv: int = DV, lines: int =
     if name == "generated":
         lying = np.concatenate([picture[128:], picture, picture[:128]]).tobytes()
         map_at = far.add(bytes(32768) + lying, 65536) + 65536
+    elif "gouraud" in name:
+        map_at = 0  # there is none
     else:
         map_at = far.add(b"\0" + picture.tobytes()) + 1
     entries = np.zeros(lines, layout.load().struct("scanline").dtype)

@@ -50,12 +50,13 @@ def place(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, ar
 
 
 def screen_case(row_name: str):
-    """A screen of noise in one call, each plane behind the one before."""
+    """A screen of noise, the maps' (a plan has it once), in one call; each plane behind the one
+    before."""
     name = routine_of(row_name)
     in_c = row_name == f"{name}_c"
     form, (width, rows) = planar.FORMS[name], SCREENS[name]
     rows = ROWS_IN_C if in_c else rows
-    pixels = planar.noise(name, np.random.default_rng(8), width, rows)
+    pixels = planar.noise(name, np.random.default_rng(256), width, rows)
     row = form.dots * width // 8
     planes = planar.Planes(8 * row, rows, row, row * rows, form.planes)
     case, out = place(f"{name}_c" if in_c else name, pixels, width * form.bytes, planes, Arena(),

@@ -16,7 +16,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from .errors import UserError
@@ -33,24 +33,31 @@ MACHINES = {
                   "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
                   "uae_cpu_speed": "real"},
 }
+#: What every run has.
 OPTIONS = {
     "amiga_model": "A1200",
     "floppy_drive_count": "0",
-    "warp_mode": "1",
     "deterministic": "1",  # files are served in step: threads of their own deadlock now and then
     "audio_driver": "null",
     "fullscreen": "0",
     "uae_sound_output": "none",
     "joystick_port_0": "none",
     "joystick_port_1": "none",
-    # Nobody sees the screen, and showing each of its frames is much of the host's work.
-    "window_width": "64",
-    "window_height": "64",
-    "low_resolution": "1",
-    "line_doubling": "0",
-    "video_sync": "1",
-    "assume_refresh_rate": "10",
 }
+
+
+@dataclass(frozen=True)
+class Display:
+    """Where the emulator's picture goes: its options, and what its environment has besides."""
+
+    options: dict[str, str]
+    environment: dict[str, str] = field(default_factory=dict)
+
+
+#: Nobody sees the screen, and showing each of its frames is much of the host's work.
+HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
+                  "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
+                  "assume_refresh_rate": "10"}, {"SDL_VIDEODRIVER": "offscreen"})
 #: Host seconds without a byte of output before a run counts as hung. A boot
 #: takes about 1 s and the guest's own watchdog bites within 3 s.
 STALL_SECONDS = 20.0
@@ -73,6 +80,10 @@ class Result:
     directory: Path
     output: str
     code: int
+
+
+class Closed(UserError):
+    """The emulator ended in peace, but before the guest: somebody closed its window."""
 
 
 def emulator_version() -> str:
@@ -127,9 +138,43 @@ def read(path: Path) -> str:
     return path.read_text("latin-1") if path.exists() else ""
 
 
-def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], machine: str,
-            programs: Path, apart: bool) -> Path:
-    """Lays out a run's directory, as run_many has it; returns the emulator's configuration file."""
+def floppies(*images: Path) -> dict[str, str]:
+    """Options for images in DF0:, DF1: and so on, read and written in no time; the guest writes into
+    the files themselves."""
+    return {f"floppy_drive_{n}": str(path) for n, path in enumerate(images)} | {
+        "floppy_drive_count": str(len(images)), "floppy_drive_speed": "0",
+        "writable_floppy_images": "1"}
+
+
+def write_config(directory: Path, machine: str, display: Display, drives: dict[str, str]) -> Path:
+    """The emulator's configuration file of a run's directory; ``drives``: its options for disks."""
+    options = OPTIONS | display.options | MACHINES[machine] | {
+        "base_dir": str(directory / "base")} | drives
+    config = directory / "a1200.fs-uae"
+    config.write_text("[fs-uae]\n" + "".join(f"{k} = {v}\n" for k, v in options.items()))
+    return config
+
+
+@contextlib.contextmanager
+def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
+    """The emulator while it runs, its own messages in ``log``; ended afterwards."""
+    with log.open("wb") as stream:
+        try:
+            process = subprocess.Popen(
+                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
+                stderr=subprocess.STDOUT, env=os.environ | display.environment)
+        except OSError:
+            raise UserError("fs-uae is not installed: run scripts/setup") from None
+        try:
+            yield process
+        finally:
+            process.kill()
+            process.wait()
+
+
+def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,
+            apart: bool) -> None:
+    """Lays out a run's volume, as run_many has it."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
     for name, content in files.items():
@@ -154,11 +199,6 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
                 script += [f"{program} >{number}.log {line}", f"echo >{number}.code $RC"]
     script += ["echo >end", "uaequit"]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
-    options = OPTIONS | MACHINES[machine] | {
-        "base_dir": str(directory / "base"), "hard_drive_0": str(volume)}
-    config = directory / "a1200.fs-uae"
-    config.write_text("[fs-uae]\n" + "".join(f"{k} = {v}\n" for k, v in options.items()))
-    return config
 
 
 def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> None:
@@ -194,40 +234,34 @@ def explain_end(program: Path, arguments: str, output: str, ended: bool, log: st
 
 def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
              on_output=None, programs: Path = PROGRAMS,
-             patience: float | None = None, apart: bool = False) -> list[Result]:
+             patience: float | None = None, apart: bool = False,
+             display: Display = HIDDEN, drives: dict[str, str] | None = None) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to
     a file that is copied); a command's first word is one of ``programs``.
     ``on_output`` is called with the output so far when there is more of it;
     ``patience``: seconds of silence that count as a hang (STALL_SECONDS);
-    ``apart``: each command loads its program, whatever ran before.
-    Raises UserError for a hang; return codes and crash reports are the caller's
-    to judge.
+    ``apart``: each command loads its program, whatever ran before; ``drives``: options for
+    disks besides the boot volume.
+    Raises UserError for a hang, Closed where a window was closed; return codes and
+    crash reports are the caller's to judge.
     """
-    config = prepare(directory, commands, files, machine, programs, apart)
+    prepare(directory, commands, files, programs, apart)
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
-    with log.open("wb") as stream:
-        try:
-            process = subprocess.Popen(
-                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
-                stderr=subprocess.STDOUT, env=os.environ | {"SDL_VIDEODRIVER": "offscreen"})
-        except OSError:
-            raise UserError("fs-uae is not installed: run scripts/setup") from None
-        try:
-            wait(process, volume, on_output, patience)
-            ended = process.poll() is not None
-        finally:
-            process.kill()
-            process.wait()
+    config = write_config(directory, machine, display,
+                          {"hard_drive_0": str(volume)} | (drives or {}))
+    with started(config, display, log) as process:
+        wait(process, volume, on_output, patience)
+        ended = process.poll() is not None
     codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
     outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
     if not (volume / "end").exists():
         last = codes.index("") if "" in codes else len(codes) - 1
         program, _, arguments = commands[last].partition(" ")
-        raise UserError(explain_end(programs / program, arguments, outputs[last], ended, read(log),
-                                    patience))
+        why = explain_end(programs / program, arguments, outputs[last], ended, read(log), patience)
+        raise (Closed if ended and process.returncode == 0 else UserError)(why)
     if "" in codes:
         raise UserError(f"{commands[codes.index('')]}: many could not run it")
     return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
@@ -235,10 +269,10 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
 
 def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
         directory: Path, on_output=None, programs: Path = PROGRAMS,
-        patience: float | None = None) -> Result:
+        patience: float | None = None, display: Display = HIDDEN) -> Result:
     """One command, as ``run_many`` runs it; a crash too raises UserError."""
     result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs,
-                       patience)
+                       patience, display=display)
     fault = explain_fault(programs / program, result.output)
     if fault:
         raise UserError(fault)

@@ -5,7 +5,7 @@ A case names a kernel, its registers and a memory image (the arena); the program
 Layouts come from c/bench/plan_file.h.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 
 import numpy as np
 
@@ -55,6 +55,18 @@ class Arena:
 
 
 @dataclass
+class Shown:
+    """What an owner's program shows of a case, as struct plan_case has it: cycles are those of
+    one of ``units`` on the emulated machine, in thousandths, 0 where the row is not shown."""
+
+    title: str
+    units: int
+    chip: int
+    fast: int
+    drawn: int
+
+
+@dataclass
 class Case:
     """One call. ``registers``: values; ``pointers``, ``far_pointers``: registers that
     hold offsets into ``arena`` (a program's own data) and ``far`` (map and frame).
@@ -70,6 +82,7 @@ class Case:
     repeats: int = 0
     display: str = "OFF"  # enum plan_display's, while it is timed
     limit: int = 100  # for the watchdog, 92 ms each
+    shown: Shown | None = None
 
 
 @dataclass
@@ -91,6 +104,13 @@ def checksum(content: bytes) -> int:
     return (2 * int(sums.sum(dtype=np.uint64)) - int(sums[-1])) & M32
 
 
+def pieces(image: bytes) -> list[bytes]:
+    """An image as plans keep it: cut, b"" for a piece of zeros."""
+    size = layout.load().constants["PLAN_PIECE"]
+    cut = [image[at:at + size] for at in range(0, len(image), size)]
+    return [piece if piece.strip(b"\0") else b"" for piece in cut]
+
+
 def plan(cases: list[Case]) -> bytes:
     """The plan file for ``cases``."""
     shapes = layout.load()
@@ -105,6 +125,13 @@ def plan(cases: list[Case]) -> bytes:
             body.extend(content)
         return kept[content]
 
+    def place_text(text: str) -> int:
+        return place(text.encode("ascii") + b"\0")
+
+    def place_image(image: bytes) -> int:
+        return place(np.array([piece and place(piece) or 0 for piece in pieces(image)],
+                              ">u4").tobytes())
+
     def mask(registers: dict[str, int]) -> int:
         return sum(1 << REGISTERS.index(name) for name in registers)
 
@@ -113,10 +140,11 @@ def plan(cases: list[Case]) -> bytes:
         for name, value in (case.registers | case.pointers | case.far_pointers).items():
             registers[REGISTERS.index(name)] = value & M32
         near, far = case.arena.image, case.far.image
+        shown = asdict(case.shown) if case.shown else {}
         at = header.size + index * case_shape.size
         body[at:at + case_shape.size] = case_shape.pack(
-            name_at=place(case.kernel.encode() + b"\0"),
-            near_at=place(near), near=len(near), far_at=place(far), far=len(far),
+            name_at=place_text(case.kernel), title_at=place_text(shown.pop("title", "")),
+            near_at=place_image(near), near=len(near), far_at=place_image(far), far=len(far),
             far_memory=shapes.constants["MEMORY_CHIP" if case.chip else "MEMORY_ANY"],
             near_offsets_at=place(np.array(case.arena.pointers, ">u4").tobytes()),
             near_offsets=len(case.arena.pointers),
@@ -124,7 +152,8 @@ def plan(cases: list[Case]) -> bytes:
             far_offsets=len(case.arena.far_pointers),
             near_registers=mask(case.pointers), far_registers=mask(case.far_pointers),
             registers=registers, display=shapes.constants[f"DISPLAY_{case.display}"],
-            repeats=case.repeats, limit=case.limit)
+            repeats=case.repeats, limit=case.limit,
+            **{field: shown.get(field, 0) for field in ("units", "chip", "fast", "drawn")})
     body.extend(bytes(-len(body) % 4))
     summed = header.fields["cases"]["offset"]
     values = dict(magic=shapes.constants["PLAN_MAGIC"], version=shapes.constants["PLAN_VERSION"],
@@ -137,15 +166,15 @@ def plan(cases: list[Case]) -> bytes:
 
 def batches(cases: list[Case], machine: str) -> list[list[Case]]:
     """The cases in runs whose images fit the guest's memory beside their arenas; equal
-    images are in a plan once."""
+    pieces are in a plan once."""
     limit = BATCH_BYTES_FAST if "fast_memory" in emulator.MACHINES[machine] else BATCH_BYTES
     runs: list[list[Case]] = []
     kept: dict[bytes, None] = {}
     room, size = 0, layout.load().struct("plan_case").size
     for case in cases:
-        images = [case.arena.image, case.far.image]
-        rest = size + 4 * len(case.arena.pointers) + 4 * len(case.arena.far_pointers)
-        more = rest + sum(len(image) for image in images if image not in kept)
+        images = pieces(case.arena.image) + pieces(case.far.image)
+        rest = size + 4 * (len(case.arena.pointers) + len(case.arena.far_pointers) + len(images))
+        more = rest + sum(len(piece) for piece in images if piece not in kept)
         if not runs or more > room:
             runs.append([])
             kept.clear()

@@ -12,6 +12,9 @@ struct kernel {
 /* Every routine of src68k's math, mesh, polygon, edge, span and tx, made from their contract blocks. */
 extern const struct kernel kernel_table[];
 
+/* One of those or of the ones in C; 0: no kernel has this name. */
+void (*kernel_find(const char *name))(void);
+
 /* src68k/amiga/call.s: contracts there. */
 void call_kernel(uint32 *registers, void (*routine)(void));
 void call_place(void (*routine)(void));

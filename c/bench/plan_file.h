@@ -9,8 +9,9 @@
 
 enum plan_constants {
     PLAN_MAGIC = 0x504c414e,    /* "PLAN" */
-    PLAN_VERSION = 3,
+    PLAN_VERSION = 4,
     PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
+    PLAN_PIECE = 1024,          /* bytes of an image that lie together */
     ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
 };
 
@@ -34,10 +35,13 @@ struct plan_header {
 /* One call. It has two pieces of memory: `near` where a program's own data would be
    (fast RAM first), and `far`, whose kind is chosen. Their images are copied there;
    to the longwords of `near` at the offsets listed, and to the registers marked,
-   the address of one piece or the other is added. */
+   the address of one piece or the other is added.
+
+   An image is listed: a longword for each PLAN_PIECE of its bytes, of which the last may
+   be shorter, says where in the file they are, or 0: zeros. What cases share is there once. */
 struct plan_case {
     uint32 name_at;             /* the kernel's name, ended by 0 */
-    uint32 near_at, near;       /* image, bytes: multiples of 4 */
+    uint32 near_at, near;       /* where the image's list is; its bytes: multiples of 4 */
     uint32 far_at, far;
     uint32 far_memory;          /* enum memory_kind */
     uint32 near_offsets_at, near_offsets;       /* 4 bytes each */
@@ -47,6 +51,13 @@ struct plan_case {
     uint32 display;             /* enum plan_display, while it is timed */
     uint32 repeats;             /* timed calls after the one whose memory is kept */
     uint32 limit;               /* for the watchdog, 65,536 E-clocks each */
+
+    /* For the program that shows figures; 0 in plans for others. */
+    uint32 title_at;            /* ended by 0 */
+    uint32 units;               /* pixels, or steps, that a call draws */
+    uint32 chip, fast;          /* thousandths of a cycle that the emulated A1200 takes for each,
+                                   with chip RAM alone and with fast RAM; 0: not shown there */
+    uint32 drawn;               /* checksum of `far` after a call; 0: none */
 };
 
 /* What a case leaves, behind near's and far's bytes after the first call. */

@@ -6,6 +6,7 @@
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 #include "tx/tx.h"
@@ -94,6 +95,8 @@ static int32 run_all(const uint8 *data)
         }
         if (!vectors_run(operation->code, values, operation->longs))
             return 0;
+        if (outcome_break())
+            return 0;
         operation = (const struct vector_operation *)(values + operation->longs);
     }
     return vector_answers_flush();
@@ -103,25 +106,26 @@ int main(void)
 {
     enum { QUESTIONS, ANSWERS, ITEMS };
     static int32 args[ITEMS];
-    const char *name;
+    const char *name, *to;
     uint8 *data;
     uint32 bytes;
     int32 results, done;
 
     if (!args_read("QUESTIONS/A,ANSWERS/A", args)) {
         print("vectors: usage: vectors QUESTIONS ANSWERS\n");
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     }
     name = (const char *)args[QUESTIONS];
     if (!file_load(name, &data, &bytes) || !usable(data, bytes, name))
-        return RETURN_FAIL;
-    results = file_open((const char *)args[ANSWERS], FILE_NEW);
-    if (!results) {
-        text_refuse((const char *)args[ANSWERS], "cannot be created");
-        return RETURN_FAIL;
-    }
+        return outcome_code(0);
+    to = (const char *)args[ANSWERS];
+    results = file_open(to, FILE_NEW);
+    if (!results)
+        return outcome_code(text_refuse(to, "cannot be created"));
     vector_answers_open(results);
     done = run_all(data);
     file_close(results);
-    return done ? RETURN_OK : RETURN_FAIL;
+    if (!done)
+        file_delete(to);
+    return outcome_code(done);
 }

@@ -74,6 +74,9 @@ const char *scene_wrong_unit(const struct scene *scene);
    one is refused. */
 int32 scene_try_units(const struct scene *scene, const char *name);
 
+/* Why a polygon was not drawn, an enum polygon_result from POLYGON_FEW on. */
+const char *scene_why(const struct scene *scene, uint32 result);
+
 /* Why the last polygon that a texture engine refused was. */
 const char *scene_why_refused(const struct scene *scene);
 
@@ -99,18 +102,15 @@ const char *scene_why_pipe_refused(const struct scene *scene);
 /* What there is not enough memory for. */
 enum scene_memory {
     SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES,
-    SCENE_UNITS
+    SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
 };
 
 /* Maps, materials and what else a checked scene is drawn with; textures go to memory of
    the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 
-/* Whether memory is to be reserved for what texture units make while they draw. */
-static inline int32 scene_makes(const struct scene *scene)
-{
-    return (scene->header->units | scene->header->pipes) != 0;
-}
+/* Sets memory aside for what texture units make while they draw, where a scene has any. */
+void scene_reserve(const struct scene *scene);
 
 /* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
 enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,

@@ -3,6 +3,7 @@
 #include "polygon/math.h"
 #include "polygon/tolerance.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -357,12 +358,9 @@ static const char *wrong_entry(const struct scene *scene)
 
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
-    static const char *const memory_lacks[] = {
-        "", "not enough memory for the textures",
-        "not enough memory for the reciprocals of perspective",
-        "not enough memory for the logarithms of perspective",
-        "not enough memory for the materials", "not enough memory for the meshes",
-        "not enough memory for the texture units"
+    static const char *const purposes[] = {
+        "", "the textures", "the reciprocals of perspective", "the logarithms of perspective",
+        "the materials", "the meshes", "the texture units"
     };
     enum scene_memory lacks;
     const char *wrong;
@@ -379,7 +377,9 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     if (wrong)
         return refuse(name, wrong);
     lacks = scene_make(scene, kind);
+    if (lacks == SCENE_CROWDED)
+        return refuse(name, "points, normals or faces of meshes between two objects");
     if (lacks != SCENE_MADE)
-        return text_refuse(name, memory_lacks[lacks]);
+        return outcome_lack_memory(name, purposes[lacks]);
     return scene_try_units(scene, name);
 }

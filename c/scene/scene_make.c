@@ -1,7 +1,7 @@
 /* A scene in memory, made ready to be drawn; nothing here checks it. */
 #include "scene/scene.h"
 
-#include "span/logarithm.h"
+#include "scene/scene_tables.h"
 #include "system/system.h"
 
 int32 scene_pixel_bytes(uint32 format)
@@ -56,37 +56,17 @@ static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct sc
     return 0;
 }
 
-/* The table of reciprocals, where a material needs it. */
+/* The tables of perspective, where a material needs them. */
 static int32 make_reciprocals(struct scene *scene)
 {
-    uint16 *table;
-
     scene->reciprocals = 0;
-    if (!is_needed(scene, needs_reciprocals))
-        return 1;
-    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
-        return 0;
-    scene->reciprocals = reciprocals_make(table);
-    return 1;
+    return !is_needed(scene, needs_reciprocals) || scene_make_reciprocals(scene);
 }
 
-/* Logarithms and powers alike, 673 KB. */
 static int32 make_logarithms(struct scene *scene)
 {
-    struct logarithm_tables *tables;
-    int16 *logs;
-    uint16 *powers;
-
     scene->logarithms = 0;
-    if (!is_needed(scene, needs_logarithms))
-        return 1;
-    if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
-        || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
-        || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
-        return 0;
-    logarithms_make(tables, logs, powers);
-    scene->logarithms = tables;
-    return 1;
+    return !is_needed(scene, needs_logarithms) || scene_make_logarithms(scene);
 }
 
 static polygon_routine *routine_of(const struct scene *scene,
@@ -135,7 +115,7 @@ static uint32 larger(uint32 a, uint32 b)
     return a > b ? a : b;
 }
 
-static int32 make_work(struct scene *scene)
+static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
     uint32 instances = 0, points = 0, normals = 0, faces = 0;
@@ -143,7 +123,7 @@ static int32 make_work(struct scene *scene)
     struct mesh_work *work = &scene->work;
 
     if (!scene->header->instances)
-        return 1;
+        return SCENE_MADE;
     for (uint32 i = 0; i < scene->header->instances; i++, o++) {
         const struct scene_mesh *mesh = &scene->meshes[o->mesh];
 
@@ -158,13 +138,14 @@ static int32 make_work(struct scene *scene)
         most_normals = larger(most_normals, normals);
         most_faces = larger(most_faces, faces);
         if (larger(points, larger(normals, faces)) > SCENE_COUNT_MAX)
-            return 0;
+            return SCENE_CROWDED;
     }
     return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
         && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
         && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
-        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
+        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY)
+        ? SCENE_MADE : SCENE_MESHES;
 }
 
 enum scene_memory scene_make(struct scene *scene, int32 kind)
@@ -179,7 +160,11 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
         return SCENE_UNITS;
     if (!make_materials(scene))
         return SCENE_MATERIALS;
-    if (!make_work(scene))
-        return SCENE_MESHES;
-    return SCENE_MADE;
+    return make_work(scene);
+}
+
+void scene_reserve(const struct scene *scene)
+{
+    if (scene->header->units | scene->header->pipes)
+        mem_reserve();
 }

@@ -68,7 +68,6 @@ SHOWN                   equ     12      ; and the one it is at
         move.l  gb_ActiView(a6),old_view
         move.w  custom+dmaconr,old_dmacon
         lea     ending,a0
-        lea     display_close,a1
         jsr     at_end
         suba.l  a1,a1
         lvo     LoadView
@@ -241,6 +240,8 @@ server_name
         section .bss.display,bss
 gfx_base        ds.l    1
 old_view        ds.l    1
-ending          ds.l    2
 state           ds.l    4
 old_dmacon      ds.w    1
+
+        section .data.display_end,data
+ending  dc.l    0,display_close

@@ -145,6 +145,26 @@ transfer macro
         rts
 
 ;==============================================================================
+; file_delete - deletes a file that is not whole
+;
+; in:      d0  char*  name, zero-terminated; closed
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   name
+; writes:  -
+; formats: -
+; error:   ignored: a line says already what is wrong
+; cost:    -
+;==============================================================================
+        routine file_delete,d0
+        move.l  a6,-(sp)
+        move.l  d0,d1
+        movea.l dos_base,a6
+        lvo     DeleteFile
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
 ; print - writes text to the program's output
 ;
 ; in:      d0  char*  text, zero-terminated

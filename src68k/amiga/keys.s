@@ -33,7 +33,6 @@ C_KEY                   equ     $33
         lvo     FindTask
         move.l  d0,task
         lea     ending,a0
-        lea     keys_close,a1
         jsr     at_end
         lvo     CreateMsgPort
         move.l  d0,port
@@ -191,8 +190,10 @@ handler_name
 task            ds.l    1
 port            ds.l    1
 request         ds.l    1
-ending          ds.l    2
 first           ds.b    1               ; of those that wait,
 last            ds.b    1               ; and behind the last
 is_open         ds.b    1
 ring            ds.b    RING
+
+        section .data.keys_end,data
+ending  dc.l    0,keys_close

@@ -1,7 +1,9 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
-; exec.library
+; exec.library, and where its base is read
+sys_base                equ     4
+_LVOFindResident        equ     -96
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
 _LVOPermit              equ     -138
@@ -13,6 +15,7 @@ _LVOAllocMem            equ     -198
 _LVOFreeMem             equ     -210
 _LVOAvailMem            equ     -216
 _LVOFindTask            equ     -294
+_LVOSetSignal            equ     -306
 _LVOSignal              equ     -324
 _LVOGetMsg              equ     -372
 _LVOReplyMsg            equ     -378
@@ -30,9 +33,22 @@ _LVODeleteIORequest     equ     -660
 _LVOCreateMsgPort       equ     -666
 _LVODeleteMsgPort       equ     -672
 
+lib_Version             equ     20
+lib_Revision            equ     22
+AttnFlags               equ     296
+ex_EClockFrequency      equ     568
+AFB_68020               equ     1
 tc_TrapCode             equ     50
+rt_Init                 equ     22
 pr_MsgPort              equ     92
+pr_CIS                  equ     156
+pr_COS                  equ     160
 pr_CLI                  equ     172
+pr_WindowPtr            equ     184
+sm_ArgList              equ     36
+wa_Lock                 equ     0
+
+SIGBREAKF_CTRL_C        equ     $1000
 
 MEMF_CHIP               equ     2
 MEMF_FAST               equ     4
@@ -47,10 +63,14 @@ _LVORead                equ     -42
 _LVOWrite               equ     -48
 _LVOOutput              equ     -60
 _LVOSeek                equ     -66
+_LVODeleteFile          equ     -72
+_LVOCurrentDir           equ     -126
 _LVOIoErr               equ     -132
 _LVOLoadSeg             equ     -150
 _LVOUnLoadSeg           equ     -156
+_LVODelay               equ     -198
 _LVOSelectOutput        equ     -300
+_LVOFault               equ     -468
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
@@ -89,7 +109,6 @@ IECLASS_RAWMOUSE        equ     2
 IECODE_UP               equ     $80
 IEQUALIFIERB_CONTROL    equ     3
 IEQUALIFIERB_REPEAT     equ     9       ; of the word
-SIGBREAKF_CTRL_C        equ     $1000
 
 ; ciab.resource
 _LVOAddICRVector        equ     -6

@@ -1,0 +1,128 @@
+#include "bench/plan_call.h"
+
+#include "bench/kernels.h"
+#include "bench/plan.h"
+#include "system/system.h"
+#include "system/text.h"
+
+static int32 make_arena(uint8 **arena, uint32 bytes, int32 kind)
+{
+    *arena = 0;
+    if (!bytes)
+        return 1;
+    if (!mem_alloc(arena, (int32)(bytes + ARENA_ALIGN), kind))
+        return 0;
+    *arena += (0 - (uint32)*arena) & (ARENA_ALIGN - 1);
+    return 1;
+}
+
+int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan)
+{
+    const struct plan_case *cases = plan_cases(plan);
+    uint32 near = 0, any = 0, chip = 0;
+
+    for (uint32 count = ((const struct plan_header *)plan)->cases; count; count--, cases++) {
+        uint32 *far = cases->far_memory == MEMORY_CHIP ? &chip : &any;
+
+        if (cases->near > near)
+            near = cases->near;
+        if (cases->far > *far)
+            *far = cases->far;
+    }
+    return make_arena(&arenas->near, near, MEMORY_ANY)
+        && make_arena(&arenas->any, any, MEMORY_ANY)
+        && make_arena(&arenas->chip, chip, MEMORY_CHIP);
+}
+
+/* Unrolled: most of the time of many short calls is the copying of their images. */
+void plan_copy(uint8 *to, const uint8 *from, uint32 bytes)
+{
+    uint32 *to_long = (uint32 *)to;
+    const uint32 *from_long = (const uint32 *)from;
+
+    for (; bytes >= 32; bytes -= 32) {
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+        *to_long++ = *from_long++;
+    }
+    for (; bytes; bytes -= 4)
+        *to_long++ = *from_long++;
+}
+
+static void place(uint8 *to, const uint8 *plan, uint32 at, uint32 bytes)
+{
+    static const uint8 zeros[PLAN_PIECE];
+    const uint32 *piece = (const uint32 *)(plan + at);
+
+    for (uint32 size; bytes; bytes -= size, to += size, piece++) {
+        size = bytes < PLAN_PIECE ? bytes : PLAN_PIECE;
+        plan_copy(to, *piece ? plan + *piece : zeros, size);
+    }
+}
+
+static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint8 *base)
+{
+    const uint32 *offset = (const uint32 *)offsets;
+
+    for (; count; count--, offset++)
+        *(uint32 *)(near + *offset) += (uint32)base;
+}
+
+static void prepare(struct plan_call *call, const struct plan_case *c, const uint8 *plan)
+{
+    place(call->near, plan, c->near_at, c->near);
+    place(call->far, plan, c->far_at, c->far);
+    relocate(call->near, plan + c->near_offsets_at, c->near_offsets, call->near);
+    relocate(call->near, plan + c->far_offsets_at, c->far_offsets, call->far);
+    for (int32 i = 0; i < PLAN_REGISTERS; i++) {
+        call->registers[i] = c->registers[i];
+        if (c->near_registers >> i & 1)
+            call->registers[i] += (uint32)call->near;
+        if (c->far_registers >> i & 1)
+            call->registers[i] += (uint32)call->far;
+    }
+}
+
+int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *plan,
+                const struct plan_arenas *arenas)
+{
+    const char *name = (const char *)(plan + c->name_at);
+
+    call->routine = kernel_find(name);
+    if (!call->routine)
+        return text_refuse(name, "no such kernel");
+    call->near = arenas->near;
+    call->far = c->far_memory == MEMORY_CHIP ? arenas->chip : arenas->any;
+    prepare(call, c, plan);
+    quiet_enter();
+    clock_start((int32)c->limit);
+    call_kernel(call->registers, call->routine);
+    clock_stop();
+    quiet_leave();
+    return 1;
+}
+
+uint32 plan_time(struct plan_call *call, const struct plan_case *c, const uint8 *plan)
+{
+    uint32 ticks;
+
+    prepare(call, c, plan);
+    call_place(call->routine);
+    quiet_enter();
+    if (c->display) {
+        planes_fetch(c->display);
+        clock_wait();           /* which lines are displayed counts now */
+    }
+    clock_start((int32)c->limit);
+    call_repeat(call->registers, c->repeats);
+    ticks = clock_stop();
+    if (c->display)
+        planes_fetch(DISPLAY_OFF);
+    quiet_leave();
+    return ticks;
+}

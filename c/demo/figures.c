@@ -1,0 +1,125 @@
+/* The figures of a part: below each pane, or in the second status line. */
+#include "demo/picture.h"
+#include "demo/player.h"
+
+#include "system/text.h"
+
+#define CYCLES 4                /* of the CPU in a colour clock */
+#define BOTH 3u
+#define FREE_EVERY 4            /* frames between two status lines where they take long */
+#define TEXT 160                /* bytes: the status line has 80 */
+
+/* A tenth's value with its point. */
+static void text_tenths(uint32 tenths)
+{
+    text_number((int32)(tenths / 10));
+    text_add(".");
+    text_number((int32)(tenths % 10));
+}
+
+/* Events in so many fields as tenths a second, to the nearest. */
+static uint32 rate(uint32 events, uint32 fields)
+{
+    return fields ? (events * 500 + fields / 2) / fields : 0;
+}
+
+/* Cycles a pixel of what was counted since the last time. */
+static void find_cost(struct lane *lane)
+{
+    if (lane->pixels)
+        lane->cost = (lane->counted * CYCLES + lane->pixels / 2) / lane->pixels;
+    lane->counted = lane->pixels = 0;
+}
+
+/* One line below a pane, in its middle. */
+static void put(const struct player *player, int32 number, int32 line, const char *text)
+{
+    const struct pane *pane = &player->part->pane[number];
+    const struct frame *frame = &player->lane[number].frame;
+    const int32 y = pane->y + frame->height + CAPTION_GAP + line * LETTER;
+    int32 length = 0;
+
+    while (text[length])
+        length++;
+    if (y + LETTER > player->frame.height)
+        return;
+    picture_fill(&player->frame, pane->x, y, frame->width, LETTER, player->ground);
+    picture_text(&player->frame, pane->x + (frame->width - length * LETTER) / 2, y, text,
+                 player->screen->font, player->ink);
+}
+
+static void make_below(struct player *player, int32 number)
+{
+    static char text[TEXT];
+    struct lane *lane = &player->lane[number];
+
+    find_cost(lane);
+    text_number((int32)lane->cost);
+    text_add(" c/px");
+    text_take(text);
+    put(player, number, 1, text);
+    text_tenths(rate(lane->pictures - lane->seen, player->shown - lane->figured));
+    text_add("/s");
+    text_take(text);
+    put(player, number, 2, text);
+    lane->seen = lane->pictures;
+    lane->figured = player->shown;
+    lane->unlabelled = BOTH;
+}
+
+static void make_status(const struct player *player, uint32 frames, uint32 fields)
+{
+    static char text[TEXT];
+    const struct part *part = player->part;
+
+    text_add(part->says);
+    if (frames) {
+        text_add("  ");
+        text_tenths(rate(frames, fields));
+        text_add(" frames/s");
+    }
+    if (frames && part->panes == 1) {
+        text_add(", ");
+        text_number((int32)player->lane[0].cost);
+        text_add(" c/px");
+    }
+    if (part->steps > 1) {
+        text_add("  step ");
+        text_number(player->governor.step + 1);
+        text_add(" of ");
+        text_number(part->steps);
+        text_add(": ");
+        text_add(part->step[player->governor.step].name);
+    }
+    text_take(text);
+    screen_text(player->screen, 1, text);
+}
+
+void figures_first(struct player *player)
+{
+    screen_text(player->screen, 0, player->part->title);
+    make_status(player, 0, 0);
+    if (player->scene->header->format == PIXEL_CHUNKY)
+        for (int32 i = 0; i < player->part->panes; i++)
+            put(player, i, 0, player->part->pane[i].caption);
+}
+
+/* Not all of it after one frame, which would be late. */
+void figures_make(struct player *player)
+{
+    const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
+    const uint32 phase = player->frames % every;
+
+    if (player->part->panes > 1)
+        for (uint32 i = 0; i < (uint32)player->part->panes; i++)
+            if (phase == (i + 1) * FIGURES_APART)
+                make_below(player, (int32)i);
+    if (phase)
+        return;
+    if (player->part->panes == 1)
+        find_cost(&player->lane[0]);
+    make_status(player, player->frames - player->figured_frames,
+                player->shown - player->figured);
+    player->figured_frames = player->frames;
+    player->figured = player->shown;
+}

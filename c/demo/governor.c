@@ -1,0 +1,55 @@
+#include "demo/governor.h"
+
+void governor_start(struct governor *governor, int32 steps, uint32 budget)
+{
+    governor->step = 0;
+    governor->steps = steps;
+    governor->budget = budget;
+    governor->late = governor->calm = 0;
+    governor->most = governor->left = 0;
+}
+
+static void change(struct governor *governor, int32 by, uint32 left)
+{
+    governor->step += by;
+    governor->late = governor->calm = 0;
+    governor->most = 0;
+    governor->left = left;
+}
+
+/* Whether the step above would have fitted, all the calm frames long. */
+static int32 has_room(const struct governor *governor)
+{
+    const uint32 room = governor->budget / 8 * GOVERNOR_ROOM;
+
+    return governor->step > 0 && governor->calm >= GOVERNOR_CALM
+        && governor->most * governor->ratio[governor->step - 1] >> GOVERNOR_RATIO_BITS <= room;
+}
+
+int32 governor_next(struct governor *governor, uint32 work)
+{
+    if (work > GOVERNOR_WORK_MAX)
+        work = GOVERNOR_WORK_MAX;
+    if (governor->left) {       /* less than 2^30; products above: less than 2^32 */
+        uint32 ratio = (governor->left << GOVERNOR_RATIO_BITS) / (work | 1);
+
+        governor->ratio[governor->step - 1] = ratio < 4096 ? ratio : 4095;
+        governor->left = 0;
+    }
+    if (work > governor->budget) {
+        governor->late += 2;
+        governor->calm = 0;
+        governor->most = 0;
+        if (governor->late >= GOVERNOR_LATE && governor->step < governor->steps - 1)
+            change(governor, 1, work);
+        return governor->step;
+    }
+    if (governor->late)
+        governor->late--;
+    governor->calm++;
+    if (work > governor->most)
+        governor->most = work;
+    if (has_room(governor))
+        change(governor, -1, 0);
+    return governor->step;
+}

@@ -1,0 +1,168 @@
+#include "demo/picture.h"
+#include "demo/player.h"
+
+#include "system/system.h"
+
+#define CLOCK_LIMIT 65535       /* for ever: the watchdog does not bite outside quiet mode */
+#define BOTH 3u
+#define FIGURES_ROWS (CAPTION_LINES * LETTER - LETTER)
+
+static void clear_counts(struct draw_counts *counts, uint32 materials)
+{
+    uint32 *to = (uint32 *)counts;
+
+    for (uint32 i = materials * (sizeof *counts / sizeof *to); i > 0; i--)
+        *to++ = 0;
+}
+
+static uint32 sum_pixels(const struct draw_counts *counts, uint32 materials)
+{
+    uint32 sum = 0;
+
+    for (; materials; materials--, counts++)
+        for (int32 kind = 0; kind < SPAN_KINDS; kind++)
+            sum += counts->pixels[kind];
+    return sum;
+}
+
+/* The frame of the scene that is next. */
+static int32 scene_frame(const struct player *player, const struct lane *lane)
+{
+    const struct step *step = &player->part->step[player->governor.step];
+    uint32 age = lane->pictures;
+
+    if (player->part->kind == PART_TOGETHER || player->part->kind == PART_FAIR)
+        age = (screen_fields(player->screen) - player->began) / FRAME_FIELDS;
+    return step->first + (int32)(age % (uint32)step->frames);
+}
+
+static void set_settings(struct player *player, int32 number)
+{
+    const struct pane *pane = &player->part->pane[number];
+    const struct step *step = &player->part->step[player->governor.step];
+    const int32 set = number * GOVERNOR_STEPS + player->governor.step;
+    struct settings settings;
+
+    if (player->set == set)
+        return;
+    player->set = set;
+    settings.accuracy = pane->settings.accuracy;
+    settings.perspective = pane->settings.perspective;
+    if (settings.perspective == SETTINGS_OWN)
+        settings.perspective = step->perspective;
+    settings_set(player->scene, &settings);
+}
+
+void lane_draw(struct player *player, int32 number)
+{
+    struct lane *lane = &player->lane[number];
+    const uint32 materials = player->scene->header->materials;
+    const int32 counted = lane->pictures % COUNT_EVERY == 0;
+    struct drawing drawing;
+
+    drawing.form = (enum form)player->part->pane[number].form;
+    drawing.off = 0;
+    drawing.counts = counted ? player->counts : 0;
+    set_settings(player, number);
+    if (counted)
+        clear_counts(player->counts, materials);
+    clock_start(CLOCK_LIMIT);
+    scene_draw(player->scene, &lane->frame, scene_frame(player, lane), &drawing);
+    lane->last = clock_stop();
+    if (counted) {
+        lane->pixels += sum_pixels(player->counts, materials);
+        lane->counted += lane->last;
+    }
+    lane->used += lane->last;
+    lane->sum += lane->last;
+    lane->pictures++;
+    lane->stale = BOTH;
+    player->work += lane->last;
+}
+
+/* The pane that has had the least time. */
+static int32 poorest(const struct player *player)
+{
+    int32 best = 0;
+
+    for (int32 i = 1; i < player->part->panes; i++)
+        if (player->lane[i].used < player->lane[best].used)
+            best = i;
+    return best;
+}
+
+/* As many pictures as there is time for, by turns; but one at least where nothing waits. The next
+   picture may take an eighth more than the last one. */
+static void draw_fairly(struct player *player)
+{
+    const uint32 hidden = 1u << player->screen->hidden;
+    uint32 converting = 0;
+
+    for (int32 i = 0; i < player->part->panes; i++) {
+        const struct lane *lane = &player->lane[i];
+
+        if (lane->stale & hidden)
+            converting += lane->converting;
+        if (lane->unlabelled & hidden)
+            converting += lane->converting * FIGURES_ROWS / (uint32)lane->frame.height;
+    }
+    for (;;) {
+        const int32 next = poorest(player);
+        const struct lane *lane = &player->lane[next];
+        const uint32 more = lane->stale & hidden ? 0 : lane->converting;
+
+        if (converting + player->work
+            && converting + player->work + more + lane->last + lane->last / 8
+               > FRAME_BUDGET)
+            break;
+        converting += more;
+        lane_draw(player, next);
+    }
+}
+
+void lanes_draw(struct player *player)
+{
+    const uint32 kind = player->part->kind;
+
+    if (kind == PART_RACE || kind == PART_FAIR) {
+        draw_fairly(player);
+        return;
+    }
+    for (int32 i = 0; i < player->part->panes; i++)
+        lane_draw(player, i);
+}
+
+/* Rows of a pane, counted from its frame's top, over its whole width. */
+static void convert_rows(const struct player *player, int32 number, int32 top, int32 rows)
+{
+    const struct pane *pane = &player->part->pane[number];
+
+    screen_convert_box(player->screen, &player->frame, pane->x, pane->y + top,
+                       player->lane[number].frame.width, rows);
+}
+
+void lanes_convert(struct player *player)
+{
+    const uint32 hidden = 1u << player->screen->hidden;
+    const struct step *step = &player->part->step[player->governor.step];
+
+    for (int32 i = 0; i < player->part->panes; i++) {
+        struct lane *lane = &player->lane[i];
+
+        if (lane->stale & hidden) {
+            clock_start(CLOCK_LIMIT);
+            convert_rows(player, i, step->top, step->rows);
+            lane->converting = clock_stop();
+            lane->stale &= ~hidden;
+            player->work += lane->converting;
+            if (player->whole)
+                convert_rows(player, i, 0, lane->frame.height);
+        }
+        if (lane->unlabelled & hidden) {
+            convert_rows(player, i, lane->frame.height + CAPTION_GAP + LETTER, FIGURES_ROWS);
+            lane->unlabelled &= ~hidden;
+        }
+    }
+    if (player->whole)
+        player->whole--;
+}

@@ -1,0 +1,39 @@
+#include "demo/log.h"
+
+#include "system/text.h"
+
+static void field(const char *name, uint32 value)
+{
+    text_add(name);
+    text_number((int32)value);
+}
+
+void log_part(const struct player *player, int32 number, int32 full)
+{
+    field("part ", (uint32)number + 1);
+    field(" frames ", player->frames);
+    field(" fields ", player->shown - player->began);
+    field(" late ", player->late);
+    field(" step ", (uint32)player->governor.step + 1);
+    text_add(" ");
+    text_add(player->part->title);
+    text_print();
+    if (!full)
+        return;
+    for (int32 i = 0; i < player->part->panes; i++) {
+        const struct lane *lane = &player->lane[i];
+
+        field("pane ", (uint32)i + 1);
+        field(" pictures ", lane->pictures);
+        field(" ticks ", lane->sum);
+        field(" cost ", lane->cost);
+        text_print();
+    }
+    for (uint32 i = 0; player->works && i < player->frames; i++) {
+        field("frame ", i);
+        field(" step ", (player->works[i] >> WORK_STEP) + 1);
+        field(" fields ", player->works[i] >> WORK_FIELDS & 15);
+        field(" work ", player->works[i] & ((1u << WORK_FIELDS) - 1));
+        text_print();
+    }
+}

@@ -1,0 +1,79 @@
+/* One part of the demo while it is played. */
+#ifndef PLAYER_H
+#define PLAYER_H
+
+#include "demo/script.h"
+#include "scene/scene.h"
+#include "screen/screen.h"
+
+enum player_constants {
+    FRAME_FIELDS = 2,           /* 25 frames a second */
+    /* Colour clocks: two fields of 312 lines of 227, less a twentieth for what is not timed:
+       figures, keys, waits. */
+    FRAME_BUDGET = 2 * 312 * 227 * 95 / 100,
+    FIGURES_EVERY = 25,         /* frames between two looks at the figures, */
+    FIGURES_APART = 4,          /* from one pane's to the next one's: each takes time, */
+    COUNT_EVERY = 4,            /* pictures between two whose pixels are counted: that too */
+    CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
+};
+
+/* In works: the lower bits are colour clocks. */
+enum work_bits { WORK_FIELDS = 24, WORK_STEP = 28 };
+
+enum player_end {
+    PLAYED,
+    SKIPPED,                    /* space */
+    LEFT,                       /* escape */
+    BROKEN,                     /* Ctrl-C */
+    FAILED                      /* a line was printed */
+};
+
+/* A pane's picture. */
+struct lane {
+    struct frame frame;         /* within the player's */
+    uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
+    uint32 last, converting;    /* of the last picture, and of turning it into planes */
+    uint32 pictures;            /* drawn; */
+    uint32 seen, figured;       /* pictures and field of the last figures */
+    uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
+    uint32 stale;               /* bit n: set n of planes does not have the picture; */
+    uint32 unlabelled;          /* nor the figures */
+    uint32 cost;                /* cycles a pixel, lately */
+    uint32 sum;                 /* colour clocks of all pictures, modulo 2^32 */
+};
+
+struct player {
+    struct screen *screen;
+    struct scene *scene;
+    const struct part *part;
+    struct frame frame;         /* the screen's; of 16- and 32-bit scenes the scene's */
+    struct draw_counts *counts; /* one a material */
+    struct governor governor;
+    struct lane lane[PANES_MAX];
+    int32 set;                  /* pane and step of the settings that are set, or -1 */
+    uint32 began, shown;        /* fields: the part, the last swap */
+    uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
+    uint32 figured, figured_frames;     /* field and frames of the last status line */
+    int32 whole;                /* frames for which panes are shown whole: the step is another */
+    uint32 work;                /* colour clocks of this frame */
+    uint32 *works;              /* of each frame, with its fields, up to 15, and step; or 0 */
+    uint8 ink, ground;
+};
+
+/* Plays a part until its time or, where not 0, so many frames are over; the screen is open. */
+enum player_end player_play(struct player *player, uint32 frames);
+
+/* figures.c: what a part is, on the screen; and, after each frame, what is measured. */
+void figures_first(struct player *player);
+void figures_make(struct player *player);
+
+/* lanes.c: draws a pane's next picture. */
+void lane_draw(struct player *player, int32 number);
+
+/* Draws what there is time for. */
+void lanes_draw(struct player *player);
+
+/* Turns what the hidden planes lack into them. */
+void lanes_convert(struct player *player);
+
+#endif

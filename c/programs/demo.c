@@ -1,0 +1,197 @@
+/* demo - the parts of a script, one after the other, on the machine's screen.
+
+   demo DIR FRAMES n PART n LOG
+   DIR holds the file "parts" (demo/script.h) and its scenes; PROGDIR:data where it is left out.
+   FRAMES shows so many frames of each part, whatever its seconds; PART this one only. Space goes on
+   to the next part, escape and Ctrl-C leave. A line a part is printed; LOG prints what tests read. */
+#include "demo/log.h"
+#include "demo/picture.h"
+#include "system/file.h"
+#include "system/system.h"
+#include "system/text.h"
+
+#define PATH 256                /* bytes */
+#define FRAMES_MAX 9999
+
+enum { DIR, FRAMES, PART, LOG, ITEMS };
+
+static struct screen screen;
+static struct script script;
+static struct scene scene;
+static struct player player;
+
+static int32 fail(const char *why)
+{
+    text_refuse("demo", why);
+    return RETURN_FAIL;
+}
+
+/* DIR and a name beside it; 0: longer than PATH. */
+static const char *path(const char *directory, const char *name)
+{
+    static char whole[PATH];
+    int32 length = 0;
+
+    for (; *directory && length < PATH - 2; directory++)
+        whole[length++] = *directory;
+    if (length && whole[length - 1] != ':' && whole[length - 1] != '/')
+        whole[length++] = '/';
+    for (; *name && length < PATH - 1; name++)
+        whole[length++] = *name;
+    whole[length] = 0;
+    return *name || *directory ? 0 : whole;
+}
+
+/* What is open. */
+static int32 width, height;
+static uint32 format;
+
+static int32 open_screen(int32 wide, int32 high, uint32 pixels)
+{
+    player.frame.width = wide;
+    player.frame.height = high;
+    player.frame.pixel_bytes = scene_pixel_bytes(pixels);
+    player.frame.pitch = wide * player.frame.pixel_bytes;
+    if (width == wide && height == high && format == pixels)
+        return 1;
+    if (width)
+        screen_close(&screen);
+    width = 0;
+    if (!screen_open(&screen, wide, high, pixels))
+        return 0;
+    width = wide;
+    height = high;
+    format = pixels;
+    return 1;
+}
+
+static int32 open_for_scene(void)
+{
+    const struct scene_header *header = scene.header;
+
+    if (header->format == PIXEL_CHUNKY)
+        return open_screen(script.width, script.height, PIXEL_CHUNKY);
+    return open_screen(header->width, header->height, header->format);
+}
+
+/* A pane or its captions outside the screen, or steps outside the scene: names the part. */
+static int32 is_usable(const struct part *part, int32 number)
+{
+    const struct scene_header *header = scene.header;
+    int32 wrong = 0;
+
+    for (int32 i = 0; i < part->panes; i++)
+        wrong |= part->pane[i].x + header->width > player.frame.width
+            || part->pane[i].y + header->height
+               + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)
+               > player.frame.height;
+    for (int32 i = 0; i < part->steps; i++)
+        wrong |= part->step[i].first + part->step[i].frames > header->frames
+            || part->step[i].top + part->step[i].rows > header->height;
+    if (!wrong)
+        return 1;
+    text_add("part ");
+    text_number(number + 1);
+    return text_refuse("", "a pane or step lies outside its scene or screen");
+}
+
+/* Loads what a part needs; 0: a line was printed. */
+static int32 load(const struct part *part, int32 number, const char *directory, uint32 frames)
+{
+    const char *name = path(directory, part->scene);
+
+    if (!name)
+        return text_refuse("DIR", "too long");
+    if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene() || !is_usable(part, number))
+        return 0;
+    if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height, MEMORY_ANY)
+        || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
+                      MEMORY_ANY)
+        || (frames && !mem_alloc(&player.works, (int32)(frames * sizeof *player.works),
+                                 MEMORY_ANY)))
+        return text_refuse(name, "not enough memory for its frame");
+    scene_reserve(&scene);
+    return 1;
+}
+
+/* One part from its file to its figures; the memory it took is given back. */
+static enum player_end play(int32 number, const char *directory, uint32 frames, int32 log)
+{
+    const uint32 before = mem_mark();
+    uint8 *const chip = screen.chip;
+    const int32 chip_bytes = screen.chip_bytes;
+    enum player_end end = FAILED;
+
+    player.screen = &screen;
+    player.scene = &scene;
+    player.part = &script.part[number];
+    player.works = 0;
+    screen_text(&screen, 0, player.part->title);
+    screen_text(&screen, 1, "");
+    if (load(player.part, number, directory, log ? frames : 0)) {
+        end = player_play(&player, frames);
+        log_part(&player, number, log);
+    }
+    if (screen.chip != chip) {          /* it took more */
+        screen_close(&screen);
+        width = 0;
+        screen.chip = chip;
+        screen.chip_bytes = chip_bytes;
+    }
+    mem_release(before);
+    return end;
+}
+
+/* All parts, or one; the return code. */
+static int32 play_all(const char *directory, uint32 frames, int32 only, int32 log)
+{
+    int32 result = RETURN_OK;
+
+    for (int32 i = 0; i < script.parts; i++) {
+        enum player_end end;
+
+        if (only && i != only - 1)
+            continue;
+        end = play(i, directory, frames, log);
+        if (end == LEFT)
+            break;
+        if (end == BROKEN)
+            return RETURN_WARN;
+        if (end == FAILED)
+            result = RETURN_WARN;
+    }
+    return result;
+}
+
+int main(void)
+{
+    static int32 args[ITEMS];
+    const char *directory = "PROGDIR:data", *name;
+    uint32 frames = 0;
+    int32 only = 0, result;
+
+    if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
+        return fail("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
+    if (args[DIR])
+        directory = (const char *)args[DIR];
+    if (args[FRAMES])
+        frames = *(const uint32 *)args[FRAMES];
+    if (args[PART])
+        only = *(const int32 *)args[PART];
+    name = path(directory, "parts");
+    if (!name)
+        return fail("DIR: too long");
+    if (!script_load(&script, name))
+        return RETURN_FAIL;
+    if (frames > FRAMES_MAX || (args[FRAMES] && !frames))
+        return fail("FRAMES: not between 1 and 9999");
+    if (only < 0 || only > script.parts || (args[PART] && !only))
+        return fail("PART: the script has no such part");
+    if (!clock_open())
+        return fail("another program uses CIA-B's timers");
+    if (!open_screen(script.width, script.height, PIXEL_CHUNKY))
+        return RETURN_FAIL;
+    result = play_all(directory, frames, only, args[LOG]);
+    screen_close(&screen);
+    return result;
+}

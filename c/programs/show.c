@@ -1,0 +1,398 @@
+/* show - plays a scene on the screen and says what it costs.
+
+   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n
+   draws frame after frame, from FRAME on, and again from the first: 8 bitplanes or HAM8. PAUSE
+   begins paused; ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0, else materials are as
+   the scene says. Keys: space pauses and goes on; cursor left and right change the accuracy, down
+   and up the perspective, each from cheap to exact, S goes back to the scene's own; escape leaves.
+   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 20.
+
+   The status lines below the picture:
+   - frames per second, of some 50 fields: drawing, conversion, the wait for the field and this
+     line, but no measuring;
+   - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
+     pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
+     more than `render` says. Pixels are counted by drawing again, for the frames that are measured;
+   - how many of the picture's pixels are others than under the most exact steps of both axes: by
+     drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
+     one now and then while it runs, so that no more than a fifth of the time goes there; the figures
+     of all that were since the last change of a step are added up. */
+#include "scene/scene_counts.h"
+#include "scene/settings.h"
+#include "screen/screen.h"
+#include "system/arguments.h"
+#include "system/system.h"
+#include "system/text.h"
+
+#define FIELDS 50               /* a second */
+#define NO_LIMIT 65535          /* of the clock: no watchdog is on */
+#define MEASURE_REST 4          /* times as long as measuring took it is not done again */
+#define READ_BEYOND 32          /* the conversion reads up to so many bytes behind a frame */
+
+enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
+           KEY_LEFT };
+
+/* Sums over the frames that were measured under the steps of now. */
+struct measured {
+    uint32 frames;
+    uint32 pixels, ticks;       /* of the polygons; while pixels stays inside 31 bits */
+    uint32 different, compared; /* of the picture */
+};
+
+/* Frames since a field. */
+struct rate {
+    uint32 since, frames;
+    uint32 spent;               /* fields that do not count */
+    uint32 tenths;              /* frames in 10 seconds: the last result */
+};
+
+struct show {
+    struct scene scene;
+    struct frame frame, exact;  /* exact.pixels 0: no memory */
+    struct screen screen;
+    struct settings settings;
+    struct drawing drawing;
+    struct scene_counts counts;
+    struct measured measured;
+    struct rate rate;
+    uint32 next_measuring;      /* field */
+    int32 number, paused;
+    int32 has_tables;           /* 0: perspective has to do without */
+    uint32 ticks;               /* of the last frame */
+    uint32 refused;             /* enum polygon_result, why a polygon was, or POLYGON_DRAWN */
+    int32 result;               /* return code of what goes on */
+};
+
+static int32 fail(const char *why)
+{
+    text_refuse("show", why);
+    return RETURN_FAIL;
+}
+
+static int32 make_frame(struct frame *frame, const struct scene_header *header)
+{
+    uint8 *pixels;
+
+    frame->width = header->width;
+    frame->height = header->height;
+    frame->pixel_bytes = scene_pixel_bytes(header->format);
+    frame->pitch = frame->width * frame->pixel_bytes;
+    frame->pixels = 0;
+    if (!mem_alloc(&pixels, frame->pitch * frame->height + READ_BEYOND, MEMORY_ANY))
+        return 0;
+    frame->pixels = pixels;
+    return 1;
+}
+
+static void set(struct show *s)
+{
+    struct measured *m = &s->measured;
+
+    s->has_tables = settings_set(&s->scene, &s->settings);
+    m->frames = m->pixels = m->ticks = m->different = m->compared = 0;
+    s->next_measuring = 0;
+}
+
+static void draw(struct show *s)
+{
+    enum polygon_result result;
+
+    clock_start(NO_LIMIT);
+    result = scene_draw(&s->scene, &s->frame, s->number, &s->drawing);
+    s->ticks = clock_stop();
+    if (result != POLYGON_DRAWN)
+        s->refused = result;
+}
+
+/* Pixels of a longword in which two frames differ. */
+static uint32 pixels_in(uint32 differs, int32 pixel_bytes)
+{
+    const uint32 bits = 8 * (uint32)pixel_bytes, mask = 0xffffffffu >> (32 - bits);
+    uint32 pixels = 0;
+
+    for (uint32 at = 0; at < 32; at += bits)
+        pixels += (differs >> at & mask) != 0;
+    return pixels;
+}
+
+static uint32 different(const struct frame *a, const struct frame *b)
+{
+    const uint32 *one = (const uint32 *)a->pixels, *other = (const uint32 *)b->pixels;
+    uint32 pixels = 0;
+
+    for (int32 i = a->pitch * a->height / 4; i > 0; i--) {
+        const uint32 differs = *one++ ^ *other++;
+
+        if (differs)
+            pixels += pixels_in(differs, a->pixel_bytes);
+    }
+    return pixels;
+}
+
+static void compare(struct show *s)
+{
+    static const struct settings best = {ACCURACY_STEPS - 1, PERSPECTIVE_KINDS - 1};
+
+    settings_set(&s->scene, &best);
+    scene_draw(&s->scene, &s->exact, s->number, &s->drawing);
+    settings_set(&s->scene, &s->settings);
+    s->measured.different += different(&s->frame, &s->exact);
+    s->measured.compared += (uint32)(s->frame.width * s->frame.height);
+}
+
+static uint32 counted_pixels(const struct scene_counts *counts)
+{
+    uint32 pixels = 0;
+
+    for (uint32 i = 0; i < counts->materials; i++)
+        for (uint32 kind = 0; kind < SPAN_KINDS; kind++)
+            pixels += counts->frame[i].pixels[kind];
+    return pixels;
+}
+
+/* Of the frame that was just drawn. */
+static void measure(struct show *s)
+{
+    const uint32 began = screen_fields(&s->screen);
+    struct measured *m = &s->measured;
+    uint32 took;
+
+    if (m->pixels < 0x10000000u && m->ticks < 0x10000000u && m->compared < 0x10000000u) {
+        counts_frame(&s->counts, &s->scene, &s->frame, s->number, &s->drawing);
+        m->pixels += counted_pixels(&s->counts);
+        m->ticks += s->ticks;
+        m->frames++;
+        if (s->exact.pixels)
+            compare(s);
+    }
+    took = screen_fields(&s->screen) - began;
+    s->rate.spent += took;
+    s->next_measuring = began + took + FIELDS / 2 + MEASURE_REST * took;
+}
+
+/* part / whole * scale, rounded down: whole is below 2^28.7, scale a power of ten. */
+static uint32 ratio(uint32 part, uint32 whole, uint32 scale)
+{
+    uint32 result = part / whole;
+
+    for (part %= whole; scale > 1; scale /= 10) {
+        part *= 10;
+        result = result * 10 + part / whole;
+        part %= whole;
+    }
+    return result;
+}
+
+/* A number of tenths or hundredths: a power of ten, 10 or 100. */
+static void add_decimal(uint32 value, uint32 power)
+{
+    text_number((int32)(value / power));
+    text_add(".");
+    for (power /= 10; power; power /= 10)
+        text_number((int32)(value / power % 10));
+}
+
+static void count_rate(struct show *s)
+{
+    struct rate *rate = &s->rate;
+    const uint32 now = screen_fields(&s->screen), fields = now - rate->since - rate->spent;
+
+    rate->frames++;
+    if (fields < FIELDS)
+        return;
+    rate->tenths = rate->frames * FIELDS * 10 / fields;
+    rate->since = now;
+    rate->frames = rate->spent = 0;
+}
+
+static void begin_rate(struct show *s)
+{
+    s->rate.since = screen_fields(&s->screen);
+    s->rate.frames = s->rate.spent = s->rate.tenths = 0;
+}
+
+static void add_speed(const struct show *s)
+{
+    if (s->paused) {
+        text_add("paused, frame ");
+        text_number(s->number);
+    } else if (s->rate.tenths) {
+        add_decimal(s->rate.tenths, 10);
+        text_add(" fps");
+    } else {
+        text_add("... fps");
+    }
+}
+
+static void add_figures(const struct show *s)
+{
+    const struct measured *m = &s->measured;
+
+    text_add("   ");
+    if (m->pixels) {
+        add_decimal(ratio(m->ticks * 4, m->pixels, 10), 10);
+        text_add(" cycles/pixel");
+    }
+    text_add("   ");
+    if (!s->exact.pixels)
+        text_add("error: no memory");
+    else if (m->compared) {
+        add_decimal(ratio(m->different, m->compared, 10000), 100);
+        text_add(" % of pixels off");
+    }
+}
+
+static void describe(struct show *s)
+{
+    char text[2 * STATUS_COLUMNS];
+
+    add_speed(s);
+    add_figures(s);
+    text_take(text);
+    screen_text(&s->screen, 0, text);
+    text_add(settings_accuracy(s->settings.accuracy));
+    text_add("   perspective ");
+    text_add(settings_perspective(s->settings.perspective));
+    if (!s->has_tables)
+        text_add("   (no memory for tables)");
+    text_take(text);
+    screen_text(&s->screen, 1, text);
+}
+
+/* The frame of now, on the screen. */
+static void present(struct show *s)
+{
+    draw(s);
+    if (s->paused || screen_fields(&s->screen) >= s->next_measuring)
+        measure(s);
+    describe(s);
+    screen_convert(&s->screen, &s->frame);
+    screen_swap(&s->screen);
+}
+
+/* One further, or onto the most exact step. */
+static void move(struct show *s, int32 *step, int32 steps, int32 by)
+{
+    const int32 to = *step == SETTINGS_OWN ? steps - 1 : *step + by;
+
+    if (to < 0 || to >= steps)
+        return;
+    *step = to;
+    set(s);
+}
+
+static void reset(struct show *s)
+{
+    s->settings.accuracy = s->settings.perspective = SETTINGS_OWN;
+    set(s);
+}
+
+/* Follows a key; 0: leave. */
+static int32 follow(struct show *s, uint32 key)
+{
+    switch (key) {
+    case KEY_ESCAPE:
+        return 0;
+    case KEY_SPACE:
+        s->paused = !s->paused;
+        set(s);
+        break;
+    case KEY_LEFT:
+        move(s, &s->settings.accuracy, ACCURACY_STEPS, -1);
+        break;
+    case KEY_RIGHT:
+        move(s, &s->settings.accuracy, ACCURACY_STEPS, 1);
+        break;
+    case KEY_DOWN:
+        move(s, &s->settings.perspective, PERSPECTIVE_KINDS, -1);
+        break;
+    case KEY_UP:
+        move(s, &s->settings.perspective, PERSPECTIVE_KINDS, 1);
+        break;
+    case KEY_S:
+        reset(s);
+        break;
+    default:
+        return 1;
+    }
+    begin_rate(s);
+    return 1;
+}
+
+/* Keys that were pressed, or while it is paused that will be; 0: leave. */
+static int32 follow_keys(struct show *s)
+{
+    uint32 key;
+
+    do {
+        if (break_asked()) {
+            s->result = RETURN_WARN;
+            return 0;
+        }
+        key = key_take();
+    } while (s->paused && key == NO_KEY);
+    for (; key != NO_KEY; key = key_take())
+        if (!follow(s, key))
+            return 0;
+    return 1;
+}
+
+static int32 play(struct show *s)
+{
+    begin_rate(s);
+    present(s);
+    while (follow_keys(s)) {
+        if (!s->paused && ++s->number == s->scene.header->frames)
+            s->number = 0;
+        present(s);
+        count_rate(s);
+    }
+    screen_close(&s->screen);
+    if (s->refused == POLYGON_DRAWN)
+        return s->result;
+    text_refuse("show: not all could be drawn", scene_why(&s->scene, s->refused));
+    return RETURN_WARN;
+}
+
+/* What is needed, and at last what can be done without. */
+static int32 make(struct show *s)
+{
+    const struct scene_header *header = s->scene.header;
+
+    if (!make_frame(&s->frame, header))
+        return fail("not enough memory for the frame");
+    if (!counts_make(&s->counts, header->materials))
+        return fail("not enough memory for the counts");
+    if (!clock_open())
+        return fail("another program uses CIA-B's timers");
+    if (!screen_open(&s->screen, header->width, header->height, header->format))
+        return RETURN_FAIL;
+    screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
+    scene_reserve(&s->scene);
+    make_frame(&s->exact, header);
+    set(s);
+    return RETURN_OK;
+}
+
+int main(void)
+{
+    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, ITEMS };
+    static int32 args[ITEMS];
+    static struct show show;
+    int32 result;
+
+    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args))
+        return fail("usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
+    show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
+    show.paused = args[PAUSE] != 0;
+    if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,
+                      "ACCURACY: not between 0 and 4")
+        || !number_asked("show", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
+                         &show.settings.perspective, "PERSPECTIVE: not between 0 and 4")
+        || !scene_load(&show.scene, (const char *)args[SCENE], MEMORY_ANY)
+        || !number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
+                         "FRAME: not one of the scene's"))
+        return RETURN_FAIL;
+    result = make(&show);
+    return result == RETURN_OK ? play(&show) : result;
+}

@@ -1,0 +1,158 @@
+#include "scene/settings.h"
+
+#include "scene/scene_tables.h"
+
+static const struct {
+    uint8 edges, gradients, start;
+    const char *name;
+} accuracy[ACCURACY_STEPS] = {
+    {EDGES_INTEGER, GRADIENTS_POLYGON, START_TRUNCATED, "integer, polygon, truncated"},
+    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_TRUNCATED, "subpixel, polygon, truncated"},
+    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_SUBTEXEL, "subpixel, polygon, subtexel"},
+    {EDGES_SUBPIXEL, GRADIENTS_PLANE, START_SUBTEXEL, "subpixel, plane, subtexel"},
+    {EDGES_EXACT, GRADIENTS_PLANE, START_SUBTEXEL, "exact, plane, subtexel"}
+};
+
+static const struct {
+    uint32 subdivision;         /* of Glide's units */
+    const char *name;
+} perspective[PERSPECTIVE_KINDS] = {
+    {16, "none"}, {16, "every16"}, {8, "every8"}, {0, "pixel"}, {0, "fine"}
+};
+
+static int32 is_unit(uint32 mapper)
+{
+    return mapper == MAPPER_UNIT || mapper == MAPPER_GLIDE;
+}
+
+/* Gradients and start of these are what they are. */
+static int32 is_fixed(uint32 mapper)
+{
+    return is_unit(mapper) || mapper == MAPPER_LIT_GOURAUD || mapper == MAPPER_DITHERED;
+}
+
+static void set_perspective(struct material *to, const struct scene_material *from, int32 step)
+{
+    to->perspective = (uint8)from->perspective;
+    to->tolerance = from->tolerance;
+    if (step == SETTINGS_OWN || !from->perspective)
+        return;
+    to->perspective = (uint8)step;
+    if (step == PERSPECTIVE_FINE)
+        to->tolerance = 0;
+}
+
+/* When its perspective is set. */
+static void set_accuracy(struct material *to, const struct scene_material *from, int32 step)
+{
+    to->edges = (uint8)from->edges;
+    to->gradients = (uint8)from->gradients;
+    to->start = (uint8)from->start;
+    if (step == SETTINGS_OWN)
+        return;
+    to->edges = accuracy[step].edges;
+    if (is_unit(from->mapper) && to->edges == EDGES_INTEGER)
+        to->edges = EDGES_SUBPIXEL;
+    if (is_fixed(from->mapper) || to->perspective)
+        return;
+    to->gradients = accuracy[step].gradients;
+    to->start = accuracy[step].start;
+}
+
+static int32 has_triangles_only(const struct scene *scene, const struct scene_mesh *mesh)
+{
+    const struct scene_face *face = &scene->faces[mesh->face];
+
+    for (uint32 i = mesh->faces; i; i--, face++)
+        if (face->corners > 3)
+            return 0;
+    return 1;
+}
+
+static void keep_gradients(const struct scene *scene, uint32 material)
+{
+    scene->drawn[material].gradients = (uint8)scene->materials[material].gradients;
+}
+
+/* Materials of polygons with more corners than three have their own. */
+static void restore_gradients(const struct scene *scene)
+{
+    const struct scene_object *object = scene->objects;
+    const struct scene_instance *instance = scene->instances;
+
+    for (uint32 i = scene->header->objects; i; i--, object++)
+        if (object->vertices > 3)
+            keep_gradients(scene, object->material);
+    for (uint32 i = scene->header->instances; i; i--, instance++)
+        if (!has_triangles_only(scene, &scene->meshes[instance->mesh]))
+            keep_gradients(scene, instance->material);
+}
+
+static void set_units(struct scene *scene, int32 step)
+{
+    for (uint32 i = 0; i < scene->header->tmus; i++)
+        tmu_subdivision(&scene->tmu[i], step == SETTINGS_OWN ? scene->tmus[i].subdivision
+                                                             : perspective[step].subdivision);
+}
+
+static int32 needs_reciprocals(const struct material *material)
+{
+    return material->perspective == PERSPECTIVE_EVERY16
+        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
+}
+
+static int32 needs_logarithms(const struct material *material)
+{
+    return material->perspective == PERSPECTIVE_PIXEL;
+}
+
+static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct material *))
+{
+    for (uint32 i = 0; i < scene->header->materials; i++)
+        if (needs(&scene->drawn[i]))
+            return 1;
+    return 0;
+}
+
+/* Tried once each: what memory was short for then it stays short for. */
+static int32 set_tables(struct scene *scene)
+{
+    static int32 reciprocals_tried, logarithms_tried;
+    const int32 reciprocals = is_needed(scene, needs_reciprocals);
+    const int32 logarithms = is_needed(scene, needs_logarithms);
+
+    if (reciprocals && !scene->reciprocals && !reciprocals_tried) {
+        reciprocals_tried = 1;
+        scene_make_reciprocals(scene);
+    }
+    if (logarithms && !scene->logarithms && !logarithms_tried) {
+        logarithms_tried = 1;
+        scene_make_logarithms(scene);
+    }
+    for (uint32 i = 0; i < scene->header->materials; i++) {
+        scene->drawn[i].reciprocals = scene->reciprocals;
+        scene->drawn[i].logarithms = scene->logarithms;
+    }
+    return (!reciprocals || scene->reciprocals) && (!logarithms || scene->logarithms);
+}
+
+int32 settings_set(struct scene *scene, const struct settings *settings)
+{
+    for (uint32 i = 0; i < scene->header->materials; i++) {
+        set_perspective(&scene->drawn[i], &scene->materials[i], settings->perspective);
+        set_accuracy(&scene->drawn[i], &scene->materials[i], settings->accuracy);
+    }
+    restore_gradients(scene);
+    set_units(scene, settings->perspective);
+    return set_tables(scene);
+}
+
+const char *settings_accuracy(int32 step)
+{
+    return step == SETTINGS_OWN ? "settings of the scene" : accuracy[step].name;
+}
+
+const char *settings_perspective(int32 step)
+{
+    return step == SETTINGS_OWN ? "of the scene" : perspective[step].name;
+}

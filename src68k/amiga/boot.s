@@ -1,0 +1,31 @@
+;==============================================================================
+; boot - the code in a disk's first two sectors: goes on with dos, as any bootable disk does
+;
+; in:      a6  struct ExecBase*  exec
+;          a1  struct IOStdReq*  the drive's, open
+; out:     d0  int32  0: start what a0 says; -1: no dos
+;          a0  void*  dos's initial routine
+; trashes: d0-d1/a0-a1
+; reads:   exec's list of resident modules
+; writes:  -
+; formats: behind 12 bytes of the sectors' own; position-independent, no data elsewhere
+; error:   -
+; cost:    -
+;==============================================================================
+        include "amiga.i"
+
+        xdef    boot
+        section .text.boot,code
+boot:
+        lea     .dos(pc),a1
+        lvo     FindResident
+        movea.l d0,a0
+        tst.l   d0
+        beq.s   .none
+        movea.l rt_Init(a0),a0
+        moveq   #0,d0
+        rts
+.none   moveq   #-1,d0
+        rts
+.dos    dc.b    'dos.library',0
+        even

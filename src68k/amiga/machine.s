@@ -1,0 +1,118 @@
+; What machine this is, and what dos says of a failure.
+
+        include "amiga.i"
+        include "layout.i"
+        include "routine.i"
+
+        xref    dos_base
+
+AGNUS_BITS              equ     $7f
+
+;==============================================================================
+; machine_read - reads what exec and Agnus say of the machine
+;
+; in:      a0  struct machine*  where to
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   ExecBase, VPOSR
+; writes:  the struct
+; formats: as its fields say
+; error:   -
+; cost:    -
+;==============================================================================
+        routine machine_read,a0
+        movem.l a2/a6,-(sp)
+        movea.l a0,a2
+        movea.l sys_base,a6
+        moveq   #0,d0
+        move.w  lib_Version(a6),d0
+        move.l  d0,machine_exec_version(a2)
+        move.w  lib_Revision(a6),d0
+        move.l  d0,machine_exec_revision(a2)
+        moveq   #0,d0
+        move.b  AttnFlags+1(a6),d0
+        move.l  d0,machine_attention(a2)
+        move.l  ex_EClockFrequency(a6),machine_e_clock(a2)
+        move.l  #MEMF_CHIP|MEMF_TOTAL,d1
+        lvo     AvailMem
+        move.l  d0,machine_chip(a2)
+        move.l  #MEMF_FAST|MEMF_TOTAL,d1
+        lvo     AvailMem
+        move.l  d0,machine_fast(a2)
+        moveq   #AGNUS_BITS,d0
+        and.b   custom+vposr,d0
+        move.l  d0,machine_agnus(a2)
+        movem.l (sp)+,a2/a6
+        rts
+
+;==============================================================================
+; memory_is_chip - whether an address is in chip RAM
+;
+; in:      a0  const void*  the address
+; out:     d0  int32        1 it is, 0 it is not
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine memory_is_chip,a0
+        move.l  a6,-(sp)
+        movea.l a0,a1
+        movea.l sys_base,a6
+        lvo     TypeOfMem
+        movea.l (sp)+,a6
+        and.l   #MEMF_CHIP,d0
+        beq.s   .done
+        moveq   #1,d0
+.done   rts
+
+;==============================================================================
+; dos_fault - why dos's last call failed, in dos's own words
+;
+; in:      d0  char*  where the text goes, zero-terminated
+;          d1  int32  how many bytes there are for it
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the text
+; formats: -
+; error:   a number that dos does not know is written as a number
+; cost:    -
+;==============================================================================
+        routine dos_fault,d0,d1
+        movem.l d2-d4/a6,-(sp)
+        move.l  d0,d3
+        move.l  d1,d4
+        movea.l dos_base,a6
+        lvo     IoErr
+        move.l  d0,d1
+        moveq   #0,d2                   ; nothing before it
+        lvo     Fault
+        movem.l (sp)+,d2-d4/a6
+        rts
+
+;==============================================================================
+; dos_requests - where dos's requesters go
+;
+; in:      d0  int32  the window's address; 0 on Workbench's screen, -1 nowhere: calls just fail
+; out:     d0  int32  the same as it was before
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the process's pr_WindowPtr, which is the shell's too: put the old one back
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine dos_requests,d0
+        movem.l d2/a6,-(sp)
+        move.l  d0,d2
+        suba.l  a1,a1
+        movea.l sys_base,a6
+        lvo     FindTask
+        movea.l d0,a0
+        move.l  pr_WindowPtr(a0),d0
+        move.l  d2,pr_WindowPtr(a0)
+        movem.l (sp)+,d2/a6
+        rts
