@@ -5,7 +5,7 @@
 ;
 ; What the program says goes to LOG. HOW is 0, or after how many fields a Ctrl-C comes, -1 at once;
 ; -2 is a double click on what lies in DRAWER, after which Ctrl-\ is pressed in the window titled
-; tmap020; -3 is 0 with DRAWER as the current directory.
+; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos.
 
         include "amiga.i"
         include "routine.i"
@@ -46,6 +46,7 @@ NP_FreeSeglist          equ     $800003ea
 AT_ONCE                 equ     -1      ; HOW
 DOUBLE_CLICK            equ     -2
 IN_DRAWER               equ     -3
+OLD_KICKSTART           equ     -4
 
         routine main
         movem.l d2-d7/a2-a6,-(sp)
@@ -71,6 +72,8 @@ IN_DRAWER               equ     -3
         move.l  (a0),d5
         cmpi.l  #DOUBLE_CLICK,d5
         bgt.s   .stay
+        cmpi.l  #IN_DRAWER,d5
+        blt.s   .stay
         move.l  drawer_name,d1
         moveq   #ACCESS_READ,d2
         movea.l dos_base,a6
@@ -87,15 +90,22 @@ IN_DRAWER               equ     -3
         jsr     program_load
         move.l  d0,d7
         cmpi.l  #DOUBLE_CLICK,d5
-        beq.s   .double
-        bsr.s   alarm_set
+        beq     .double
+        bsr     alarm_set
+        movea.l dos_base,a3
+        move.w  lib_Version(a3),d4
+        cmpi.l  #OLD_KICKSTART,d5
+        bne.s   .as_it_is
+        move.w  #34,lib_Version(a3)
+.as_it_is
         move.l  d7,d0
         move.l  #line,d1
         movea.l length,a0
         movea.l output,a1
         jsr     program_run
+        move.w  d4,lib_Version(a3)
         move.l  d0,d6
-        bsr.s   alarm_clear
+        bsr     alarm_clear
         bra.s   .ended
 .double bsr     double_click
         move.l  d0,d6

@@ -23,7 +23,7 @@ MACHINES = {"some": SOME, "cached": SOME | emulator.MACHINES["a1200-030"] | SOME
 #: The numbers of a line of citizen.s.
 STATE = ("chip RAM", "fast RAM", "INTENA", "DMACON", "level 6 vector", "trap code",
          "Disable and Forbid", "signals allocated", "Ctrl-C pending", "timer A", "timer B", "CACR")
-AT_ONCE, DOUBLE_CLICK, IN_RAM = -1, -2, -3
+AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART = range(-1, -5, -1)
 BREAK = "***Break"
 USAGE = "render: usage: render SCENE [FORM addx|swap|c]"
 
@@ -136,7 +136,7 @@ ENDINGS = [
     (0, "bench", 10, "bench: usage: bench PLAN RESULTS"),
     (0, "bench broken out", 10, "broken: not a usable plan file: size"),
     (0, "bench calls no/where", 10, "no/where: cannot be created"),
-    (0, "bench crash out", 20, "0000"),
+    (0, "bench crash gone", 20, "0000", "gone"),
     (AT_ONCE, "bench calls gone", 5, BREAK, "gone"),
     (0, "measure table PLAN figures", 0, "Saved as table"),
     (0, "measure no/where PLAN figures", 10, "no/where cannot be created: "),
@@ -153,6 +153,8 @@ ENDINGS = [
     (0, "three", 0, ""),
     (AT_ONCE, "three", 5, BREAK),
     (0, "huge", 20, "not enough memory"),
+    (OLD_KICKSTART, "render good", 20, "needs Kickstart 2.0 or later"),
+    (OLD_KICKSTART, "three", 20, "needs Kickstart 2.0 or later"),
 ]
 #: A volume that is full: what did not fit on it is not there.
 FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]

@@ -12,7 +12,7 @@ int32 vectors_run(uint32 code, const int32 *values, uint32 count)
     static int32 tx_open, tmu_open;
 
     if (!memory && !mem_alloc(&memory, VECTOR_DRAM_BYTES, MEMORY_ANY))
-        return outcome_lack_memory("vectors", "the engines' memory");
+        return outcome_lack_memory("vectors", "the engines");
     if (code >= VECTOR_TMU_RESET) {
         if (!tmu_open)
             vector_tmu_open(memory);

@@ -44,7 +44,7 @@ static void put(const struct player *player, int32 number, int32 line, const cha
     if (y + LETTER > player->frame.height)
         return;
     picture_fill(&player->frame, pane->x, y, frame->width, LETTER, player->ground);
-    picture_text(&player->frame, pane->x + (frame->width - length * LETTER) / 2, y, text,
+    picture_text(&player->frame, pane->x + (frame->width - length * LETTER) / 2, y, 1, text,
                  player->screen->font, player->ink);
 }
 
@@ -95,13 +95,32 @@ static void make_status(const struct player *player, uint32 frames, uint32 field
     screen_text(player->screen, 1, text);
 }
 
+static void put_mark(const struct player *player, const struct mark *mark)
+{
+    const struct scene_header *header = player->scene->header;
+    const uint32 pixel = picture_pixel(header->format,
+                                       (const uint8 *)header + header->palette_at, mark->colour);
+    int32 x = mark->x, length = 0;
+
+    if (!mark->scale) {
+        picture_fill(&player->frame, x, mark->y, mark->width, mark->height, pixel);
+        return;
+    }
+    while (mark->text[length])
+        length++;
+    if (x == MIDDLE)
+        x = (player->frame.width - length * mark->scale * LETTER) / 2;
+    picture_text(&player->frame, x, mark->y, mark->scale, mark->text, player->screen->font, pixel);
+}
+
 void figures_first(struct player *player)
 {
     screen_text(player->screen, 0, player->part->title);
     make_status(player, 0, 0);
-    if (player->scene->header->format == PIXEL_CHUNKY)
-        for (int32 i = 0; i < player->part->panes; i++)
-            put(player, i, 0, player->part->pane[i].caption);
+    for (int32 i = 0; i < player->part->marks; i++)
+        put_mark(player, &player->part->mark[i]);
+    for (int32 i = 0; i < player->part->panes; i++)
+        put(player, i, 0, player->part->pane[i].caption);
 }
 
 /* Not all of it after one frame, which would be late. */

@@ -6,6 +6,8 @@
 #define KEY_ESCAPE 0x45
 #define KEY_SPACE 0x40
 #define FIELDS_SECOND 50
+#define GROUND 0x000000         /* colours of the picture and of figures */
+#define INK 0xffffff
 
 static void make_lanes(struct player *player)
 {
@@ -31,6 +33,7 @@ static void make_lanes(struct player *player)
 static void begin(struct player *player)
 {
     const struct scene_header *header = player->scene->header;
+    const uint8 *palette;
 
     make_lanes(player);
     governor_start(&player->governor, player->part->steps, FRAME_BUDGET);
@@ -38,12 +41,11 @@ static void begin(struct player *player)
     player->frames = player->late = player->figured_frames = 0;
     player->whole = 0;
     player->began = screen_fields(player->screen);
-    if (header->format == PIXEL_CHUNKY) {
-        player->ground = (uint8)header->background;
-        player->ink = picture_ink((const uint8 *)header + header->palette_at);
-        picture_fill(&player->frame, 0, 0, player->frame.width, player->frame.height,
-                     player->ground);
-    }
+    palette = (const uint8 *)header + header->palette_at;
+    player->ground = picture_pixel(header->format, palette, GROUND);
+    player->ink = picture_pixel(header->format, palette, INK);
+    picture_fill(&player->frame, 0, 0, player->frame.width, player->frame.height,
+                 player->ground);
     figures_first(player);
     for (int32 i = 0; i < player->part->panes; i++) {
         lane_draw(player, i);
@@ -52,7 +54,7 @@ static void begin(struct player *player)
     for (int32 set = 0; set < 2; set++) {
         screen_convert(player->screen, &player->frame);
         if (!set)
-            screen_palette(player->screen, (const uint8 *)header + header->palette_at);
+            screen_palette(player->screen, palette);
         screen_swap(player->screen);
         lanes_convert(player);          /* times it */
     }

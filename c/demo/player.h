@@ -57,7 +57,7 @@ struct player {
     int32 whole;                /* frames for which panes are shown whole: the step is another */
     uint32 work;                /* colour clocks of this frame */
     uint32 *works;              /* of each frame, with its fields, up to 15, and step; or 0 */
-    uint8 ink, ground;
+    uint32 ink, ground;         /* pixels */
 };
 
 /* Plays a part until its time or, where not 0, so many frames are over; the screen is open. */

@@ -90,7 +90,8 @@ static int32 add_part(struct script *script, char *at)
     part->seconds = number(&at);
     part->kind = choice(&at, kinds, PART_KINDS);
     part->title = part->says = part->scene = "";
-    part->panes = part->steps = 0;
+    part->panes = part->steps = part->marks = 0;
+    part->width = part->height = 0;
     script->parts++;
     return part->seconds > 0 && part->kind < PART_KINDS;
 }
@@ -131,6 +132,60 @@ static int32 add_step(struct part *part, char *at)
         && step->perspective < PERSPECTIVE_KINDS;
 }
 
+/* Six hexadecimal digits, small letters; 0xff000000: they are none. */
+static uint32 colour(char **at)
+{
+    const char *digits = word(at);
+    uint32 value = 0;
+    int32 length = 0;
+
+    for (; digits[length]; length++) {
+        const char digit = digits[length];
+
+        if (digit >= '0' && digit <= '9')
+            value = value << 4 | (uint32)(digit - '0');
+        else if (digit >= 'a' && digit <= 'f')
+            value = value << 4 | (uint32)(digit - 'a' + 10);
+        else
+            return 0xff000000;
+    }
+    return length == 6 ? value : 0xff000000;
+}
+
+/* A text or, with a scale of 0, a rectangle. */
+static int32 add_mark(struct part *part, char *at, int32 is_text)
+{
+    struct mark *mark = &part->mark[part->marks];
+    const char *x;
+
+    if (part->marks == MARKS_MAX)
+        return 0;
+    x = word(&at);
+    mark->x = text_same(x, "middle") ? MIDDLE : value_of(x);
+    mark->y = number(&at);
+    mark->scale = mark->width = mark->height = 0;
+    mark->text = "";
+    if (is_text)
+        mark->scale = number(&at);
+    else {
+        mark->width = number(&at);
+        mark->height = number(&at);
+    }
+    mark->colour = colour(&at);
+    if (is_text)
+        mark->text = text(&at);
+    part->marks++;
+    return mark->y >= 0 && mark->colour < 0x1000000
+        && (is_text ? mark->scale > 0 : mark->x >= 0 && mark->width > 0 && mark->height > 0);
+}
+
+static int32 read_size(int32 *width, int32 *height, char *at)
+{
+    *width = number(&at);
+    *height = number(&at);
+    return *width > 0 && *height > 0;
+}
+
 /* One line; 0: it is wrong. */
 static int32 read_line(struct script *script, char *at)
 {
@@ -141,11 +196,8 @@ static int32 read_line(struct script *script, char *at)
         return 1;
     if (text_same(what, "part"))
         return add_part(script, at);
-    if (text_same(what, "screen")) {
-        script->width = number(&at);
-        script->height = number(&at);
-        return script->width > 0 && script->height > 0;
-    }
+    if (text_same(what, "screen"))
+        return read_size(&script->width, &script->height, at);
     if (!script->parts)
         return 0;
     if (text_same(what, "title"))
@@ -154,6 +206,10 @@ static int32 read_line(struct script *script, char *at)
         part->says = text(&at);
     else if (text_same(what, "scene"))
         part->scene = word(&at);
+    else if (text_same(what, "picture"))
+        return read_size(&part->width, &part->height, at);
+    else if (text_same(what, "text") || text_same(what, "fill"))
+        return add_mark(part, at, *what == 't');
     else if (text_same(what, "pane"))
         return add_pane(part, at);
     else if (text_same(what, "step"))

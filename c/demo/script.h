@@ -1,11 +1,14 @@
 /* The demo's parts, read from a text file: a line each statement, words parted by blanks, what is
    called a text up to the line's end; lines that begin with # are remarks.
 
-     screen WIDTH HEIGHT           first: of chunky parts; others have the size of their scene
+     screen WIDTH HEIGHT           of chunky parts; before the first one
      part SECONDS KIND             begins a part: enum part_kind's names
+     picture WIDTH HEIGHT          of the screen, where the scene is not chunky; without: the scene's
      title TEXT                    its first line of status
      says TEXT                     its second one, before what is measured
      scene FILE                    beside the script
+     text X Y SCALE COLOUR TEXT    on the picture, X from its left, or `middle`; COLOUR as ff8000
+     fill X Y WIDTH HEIGHT COLOUR  a rectangle; later statements lie on top, and panes on all
      pane X Y FORM ACCURACY PERSPECTIVE TEXT       where the scene's frame is drawn, and how: addx or
                                    swap, steps of settings.h, `own`; a caption
      step FIRST FRAMES TOP ROWS PERSPECTIVE TEXT   what the governor chooses from, the best first:
@@ -19,7 +22,9 @@
 
 enum script_constants {
     PARTS_MAX = 16,
-    PANES_MAX = 5
+    PANES_MAX = 5,
+    MARKS_MAX = 20,
+    MIDDLE = -1
 };
 
 enum part_kind {
@@ -44,11 +49,23 @@ struct step {
     const char *name;
 };
 
+/* What does not change: a text or a rectangle. */
+struct mark {
+    int32 x, y;                 /* pixels; x of a text may be MIDDLE */
+    int32 scale;                /* of a text's letters; 0: a rectangle, */
+    int32 width, height;        /* so large */
+    uint32 colour;              /* 0x00rrggbb */
+    const char *text;
+};
+
 struct part {
     int32 seconds;
     uint32 kind;                /* enum part_kind */
     const char *title, *says, *scene;
+    int32 width, height;        /* of the picture where it is not chunky, or 0 */
     int32 panes, steps;         /* 1 or more each */
+    int32 marks;
+    struct mark mark[MARKS_MAX];
     struct pane pane[PANES_MAX];
     struct step step[GOVERNOR_STEPS];
 };

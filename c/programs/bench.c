@@ -92,7 +92,7 @@ int main(void)
     enum { PLAN, RESULTS, ITEMS };
     static int32 args[ITEMS];
     const uint8 *plan;
-    const char *name, *to;
+    const char *name;
     int32 results, done;
 
     if (!args_read("PLAN/A,RESULTS/A", args)) {
@@ -104,14 +104,9 @@ int main(void)
         return outcome_code(0);
     if (!clock_open())
         return outcome_code(outcome_lack("bench", "another program uses CIA-B's timers"));
-    to = (const char *)args[RESULTS];
-    results = file_open(to, FILE_NEW);
-    if (!results)
-        return outcome_code(text_refuse(to, "cannot be created"));
-    done = run_plan(plan, name, results);
-    clock_close();
-    file_close(results);
-    if (!done)
-        file_delete(to);
+    results = outcome_create((const char *)args[RESULTS]);
+    done = results && run_plan(plan, name, results);
+    if (done)
+        outcome_keep();
     return outcome_code(done);
 }

@@ -65,12 +65,14 @@ static int32 open_screen(int32 wide, int32 high, uint32 pixels)
     return 1;
 }
 
-static int32 open_for_scene(void)
+static int32 open_for_scene(const struct part *part)
 {
     const struct scene_header *header = scene.header;
 
     if (header->format == PIXEL_CHUNKY)
         return open_screen(script.width, script.height, PIXEL_CHUNKY);
+    if (part->width)
+        return open_screen(part->width, part->height, header->format);
     return open_screen(header->width, header->height, header->format);
 }
 
@@ -85,6 +87,9 @@ static int32 is_usable(const struct part *part, int32 number)
             || part->pane[i].y + header->height
                + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)
                > player.frame.height;
+    for (int32 i = 0; i < part->marks; i++)
+        wrong |= part->mark[i].x + part->mark[i].width > player.frame.width
+            || part->mark[i].y + part->mark[i].height > player.frame.height;
     for (int32 i = 0; i < part->steps; i++)
         wrong |= part->step[i].first + part->step[i].frames > header->frames
             || part->step[i].top + part->step[i].rows > header->height;
@@ -92,7 +97,7 @@ static int32 is_usable(const struct part *part, int32 number)
         return 1;
     text_add("part ");
     text_number(number + 1);
-    return text_refuse("", "a pane or step lies outside its scene or screen");
+    return text_refuse("", "something lies outside its scene or screen");
 }
 
 /* Loads what a part needs; 0: a line was printed. */
@@ -102,7 +107,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
 
     if (!name)
         return text_refuse("DIR", "too long");
-    if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene() || !is_usable(part, number))
+    if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
         return 0;
     if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height, MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),

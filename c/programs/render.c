@@ -182,7 +182,7 @@ int main(void)
     struct frame frame;
     struct run run = {0, {FORM_ADDX, 0, 0}, {0, 0, 0}, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
-    int32 kind, result, form;
+    int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
                    "ACCURACY/K/N,PERSPECTIVE/K/N", args))
@@ -222,7 +222,5 @@ int main(void)
         return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));
     if (args[DCACHE] && !cache_data())
         return outcome_code(outcome_lack("render", "DCACHE: this processor has no data cache"));
-    result = render(&scene, &frame, &run);
-    clock_close();
-    return result;
+    return render(&scene, &frame, &run);
 }

@@ -106,7 +106,7 @@ int main(void)
 {
     enum { QUESTIONS, ANSWERS, ITEMS };
     static int32 args[ITEMS];
-    const char *name, *to;
+    const char *name;
     uint8 *data;
     uint32 bytes;
     int32 results, done;
@@ -118,14 +118,10 @@ int main(void)
     name = (const char *)args[QUESTIONS];
     if (!file_load(name, &data, &bytes) || !usable(data, bytes, name))
         return outcome_code(0);
-    to = (const char *)args[ANSWERS];
-    results = file_open(to, FILE_NEW);
-    if (!results)
-        return outcome_code(text_refuse(to, "cannot be created"));
+    results = outcome_create((const char *)args[ANSWERS]);
     vector_answers_open(results);
-    done = run_all(data);
-    file_close(results);
-    if (!done)
-        file_delete(to);
+    done = results && run_all(data);
+    if (done)
+        outcome_keep();
     return outcome_code(done);
 }

@@ -5,6 +5,10 @@
 
 static int32 code = RETURN_ERROR;
 
+/* A file that is not whole yet. */
+static int32 piece;
+static const char *piece_name;
+
 int32 outcome_break(void)
 {
     if (!break_asked())
@@ -35,6 +39,33 @@ int32 outcome_lack_memory(const char *name, const char *purpose)
     text_print();
     code = RETURN_FAIL;
     return 0;
+}
+
+static void drop(void)
+{
+    if (!piece)
+        return;
+    file_close(piece);
+    file_delete(piece_name);
+    piece = 0;
+}
+
+int32 outcome_create(const char *name)
+{
+    static struct end end = {0, drop};
+
+    piece = file_open(name, FILE_NEW);
+    if (!piece)
+        return text_refuse(name, "cannot be created");
+    piece_name = name;
+    at_end(&end);
+    return piece;
+}
+
+void outcome_keep(void)
+{
+    file_close(piece);
+    piece = 0;
 }
 
 int32 outcome_code(int32 done)

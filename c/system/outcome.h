@@ -14,6 +14,14 @@ int32 outcome_lack(const char *name, const char *what);
    which kind, and what there is in one piece; returns 0. */
 int32 outcome_lack_memory(const char *name, const char *purpose);
 
+/* Creates a file that is written in pieces; prints a line and returns 0 if it cannot. However the
+   program ends, the file is deleted if outcome_keep has not been called; one at a time. `name` stays
+   where it is. */
+int32 outcome_create(const char *name);
+
+/* That file is whole: closes it. */
+void outcome_keep(void);
+
 /* The program's return code. Not `done`: what a break or a lack calls for, else RETURN_ERROR. */
 int32 outcome_code(int32 done);
 

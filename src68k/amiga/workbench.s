@@ -5,6 +5,10 @@
         include "layout.i"
 
         xdef    workbench
+        xdef    no_arguments
+        xref    at_end
+        xref    dos_base
+        xref    read_args
         xref    program_begin
 
 DELAY                   equ     250     ; fiftieths of a second
@@ -31,6 +35,7 @@ workbench:
         lea     pr_MsgPort(a4),a0
         lvo     GetMsg
         movea.l d0,a2
+        st      by_icon
         moveq   #RETURN_FAIL,d3
         lea     dos_name(pc),a1
         moveq   #0,d0
@@ -75,5 +80,62 @@ workbench:
         movem.l (sp)+,d2-d7/a2-a6
         rts
 dos_name        dc.b    'dos.library',0
-window          dc.b    'CON:0/20/640/120/tmap020/AUTO/CLOSE/WAIT',0
                 even
+
+;==============================================================================
+; no_arguments - for ReadArgs, which would wait for a line from the window
+;
+; in:      -
+; out:     d0  struct RDArgs*  an empty line of arguments, freed at the program's end; 0 where the
+;                              program was started from a shell, or memory is short
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        section .text.no_arguments,code
+no_arguments:
+        tst.b   by_icon
+        bne.s   .icon
+        moveq   #0,d0
+        rts
+.icon   movem.l d2/a6,-(sp)
+        moveq   #DOS_RDARGS,d1
+        moveq   #0,d2
+        movea.l dos_base,a6
+        lvo     AllocDosObject
+        move.l  d0,empty
+        beq.s   .short
+        movea.l d0,a0
+        move.l  #line,RDA_Source(a0)
+        moveq   #1,d1
+        move.l  d1,RDA_Source+CS_Length(a0)
+        move.l  #RDAF_NOPROMPT,RDA_Flags(a0)
+        lea     args_end,a0
+        jsr     at_end
+.short  move.l  empty,d0
+        movem.l (sp)+,d2/a6
+        rts
+
+free_empty:
+        movem.l d2/a6,-(sp)
+        movea.l dos_base,a6
+        move.l  read_args,d1            ; before what it belongs to; it takes 0
+        clr.l   read_args
+        lvo     FreeArgs
+        moveq   #DOS_RDARGS,d1
+        move.l  empty,d2
+        lvo     FreeDosObject
+        movem.l (sp)+,d2/a6
+        rts
+
+        section .data.workbench,data
+args_end        dc.l    0,free_empty    ; struct end
+line            dc.b    10
+window          dc.b    'CON:0/20/640/120/tmap020/AUTO/CLOSE/WAIT',0
+
+        section .bss.workbench,bss
+empty           ds.l    1
+by_icon         ds.b    1

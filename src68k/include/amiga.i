@@ -69,11 +69,19 @@ _LVOIoErr               equ     -132
 _LVOLoadSeg             equ     -150
 _LVOUnLoadSeg           equ     -156
 _LVODelay               equ     -198
+_LVOAllocDosObject       equ     -228
+_LVOFreeDosObject        equ     -234
 _LVOSelectOutput        equ     -300
 _LVOFault               equ     -468
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
+
+DOS_RDARGS              equ     5       ; struct RDArgs
+RDA_Source              equ     0
+CS_Length               equ     4
+RDA_Flags               equ     28
+RDAF_NOPROMPT           equ     4
 
 ; graphics.library
 _LVOOpenFont            equ     -72
