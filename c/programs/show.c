@@ -5,7 +5,7 @@
    begins paused; ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0, else materials are as
    the scene says. Keys: space pauses and goes on; cursor left and right change the accuracy, down
    and up the perspective, each from cheap to exact, S goes back to the scene's own; escape leaves.
-   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 20.
+   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 10 for arguments, 20.
 
    The status lines below the picture:
    - frames per second, of some 50 fields: drawing, conversion, the wait for the field and this
@@ -34,8 +34,7 @@ enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY
 
 /* Sums over the frames that were measured under the steps of now. */
 struct measured {
-    uint32 frames;
-    uint32 pixels, ticks;       /* of the polygons; while pixels stays inside 31 bits */
+    uint32 pixels, ticks;       /* of the polygons */
     uint32 different, compared; /* of the picture */
 };
 
@@ -89,7 +88,7 @@ static void set(struct show *s)
     struct measured *m = &s->measured;
 
     s->has_tables = settings_set(&s->scene, &s->settings);
-    m->frames = m->pixels = m->ticks = m->different = m->compared = 0;
+    m->pixels = m->ticks = m->different = m->compared = 0;
     s->next_measuring = 0;
 }
 
@@ -161,7 +160,6 @@ static void measure(struct show *s)
         counts_frame(&s->counts, &s->scene, &s->frame, s->number, &s->drawing);
         m->pixels += counted_pixels(&s->counts);
         m->ticks += s->ticks;
-        m->frames++;
         if (s->exact.pixels)
             compare(s);
     }
@@ -281,12 +279,6 @@ static void move(struct show *s, int32 *step, int32 steps, int32 by)
     set(s);
 }
 
-static void reset(struct show *s)
-{
-    s->settings.accuracy = s->settings.perspective = SETTINGS_OWN;
-    set(s);
-}
-
 /* Follows a key; 0: leave. */
 static int32 follow(struct show *s, uint32 key)
 {
@@ -310,7 +302,8 @@ static int32 follow(struct show *s, uint32 key)
         move(s, &s->settings.perspective, PERSPECTIVE_KINDS, 1);
         break;
     case KEY_S:
-        reset(s);
+        s->settings.accuracy = s->settings.perspective = SETTINGS_OWN;
+        set(s);
         break;
     default:
         return 1;
@@ -381,18 +374,22 @@ int main(void)
     static struct show show;
     int32 result;
 
-    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args))
-        return fail("usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
+    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args)) {
+        fail("usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
+        return RETURN_ERROR;
+    }
     show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
     show.paused = args[PAUSE] != 0;
     if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,
                       "ACCURACY: not between 0 and 4")
         || !number_asked("show", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
-                         &show.settings.perspective, "PERSPECTIVE: not between 0 and 4")
-        || !scene_load(&show.scene, (const char *)args[SCENE], MEMORY_ANY)
-        || !number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
-                         "FRAME: not one of the scene's"))
+                         &show.settings.perspective, "PERSPECTIVE: not between 0 and 4"))
+        return RETURN_ERROR;
+    if (!scene_load(&show.scene, (const char *)args[SCENE], MEMORY_ANY))
         return RETURN_FAIL;
+    if (!number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
+                      "FRAME: not one of the scene's"))
+        return RETURN_ERROR;
     result = make(&show);
     return result == RETURN_OK ? play(&show) : result;
 }

@@ -124,7 +124,8 @@ ciab_name       dc.b    'ciab.resource',0
         rts
 
 ;==============================================================================
-; clock_start - starts the clock and the watchdog; in quiet mode only
+; clock_start - starts the clock and the watchdog; outside quiet mode nothing bites, and
+;               interrupts count as what they interrupt
 ;
 ; in:      d0  int32  limit before the watchdog bites, in 65,536 E-clocks (92 ms)
 ; out:     -
