@@ -7,6 +7,7 @@ import tools  # noqa: F401  before NumPy, whose threads it limits
 LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
            "wide", "fuzz", "show", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
            "scene_program", "accuracy", "mappers", "disk", "demo", "showcase", "tx_modes", "bounds",
+           "pages", "readme",
            "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
            "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}

@@ -7,6 +7,7 @@ import numpy as np
 from kernel_checker import Memory, Trial, Write, both, values
 from kernel_trials_edge import ONE
 from kernel_trials_span import MAP_ALIGN, STEPS, TURN, texels, texture
+from tools import bench_instructions
 from tools.kernels import M32, Case
 
 FRAME = 512
@@ -212,10 +213,29 @@ def floor_trials(rng) -> list[Trial]:
     return trials
 
 
+def instruction_trials(rng) -> list[Trial]:
+    """Code that adds and one that stores, a round's bytes lying behind one another."""
+    made = []
+    for rounds in ROUNDS:
+        start, step = (int(n) for n in rng.integers(0, 1 << 32, 2))
+        count = 16 * rounds
+        memory, far = Memory(rounds), Memory(rounds + 1)
+        out = far.add(bytes(count), name="bytes")
+        for words, end, writes in (
+                ("d081", start + count * step, []),  # add.l d1,d0
+                ("12c0", start, [Write(out, bytes([start & 255]) * count, far=True)])):  # move.b d0,(a1)+
+            at = memory.add(bench_instructions.code(words), name="code")
+            case = Case("instructions", memory, {"d0": start, "d1": step, "d7": rounds - 1},
+                        {"a4": at}, far, {"a1": out})
+            made.append(Trial(case, f"{count} times ${words}, {values(d0=start, d1=step)}",
+                              outputs={"d0": end & M32}, writes=writes))
+    return made
+
+
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(6)
-    made = floor_trials(rng)
+    made = floor_trials(rng) + instruction_trials(np.random.default_rng(16))
     for form in ("swap", "addx", "chain"):
         made += [t for count in (1, 2, 3) for t in step_trials(form, count, rng)]
     for form in ("swap", "addx"):

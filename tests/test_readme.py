@@ -1,4 +1,4 @@
-"""What the README shows is what the tree does."""
+"""The pictures of the pages are what the tree draws."""
 
 import json
 
@@ -9,13 +9,6 @@ from PIL import Image
 from tools import fuzz, methods, model, readme, scene
 from tools.emulator import CYCLES_PER_TICK
 from tools.paths import SCENES
-
-
-def test_table_is_the_baselines() -> None:
-    """The table of addx against swap was written by the tool from the committed figures."""
-    text = readme.README.read_text()
-    assert text == readme.with_tables(text), (
-        "the README's table is not the baseline's: scripts/tmap readme")
 
 
 def test_picture_is_the_default_scenes() -> None:

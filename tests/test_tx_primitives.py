@@ -159,10 +159,10 @@ def test_refused_by_other_scenes(folder):
                       f"objects[0].{field}: material 'it' has no text")
 
 
-def test_the_readmes_example(folder):
+def test_the_pages_example(folder):
     """It compiles as it stands, and moves."""
-    text = (ROOT / "README.md").read_text()
-    example = text[text.index("## The N64 texture engine"):].split("```")[3].removeprefix("toml")
+    text = (ROOT / "c" / "tx" / "README.md").read_text()
+    example = text.split("```")[3].removeprefix("toml")
     (folder / "scene.toml").write_text(HEAD.format(frames=2, pixels="rgba5551")
                                        + example.replace("tx/letter.png", "noise.png"))
     frames = [shown(compile_scene(folder / "scene.toml"), number) for number in range(2)]

@@ -276,10 +276,10 @@ def test_refused_besides(folder, kinds, message):
     check_refused(folder, scene_of(ONE, **kinds), message)
 
 
-def test_the_readmes_example(folder):
+def test_the_pages_example(folder):
     """It compiles, and what it says of vertices is right."""
-    text = (ROOT / "README.md").read_text()
-    example = text[text.index("## The N64 texture engine"):].split("```")[1].removeprefix("toml")
+    text = (ROOT / "c" / "tx" / "README.md").read_text()
+    example = text.split("```")[1].removeprefix("toml")
     example = example.replace("tx/pavement.png", "noise.png")
     corners = [[0, 0, 0, 0, 4, 0], [64, 0, 90, 0, 4, 255], [64, 48, 90, 90, 1, 255]]
     (folder / "scene.toml").write_text(

@@ -123,7 +123,7 @@ def adf(args: argparse.Namespace) -> int:
 
 
 def readme(args: argparse.Namespace) -> int:
-    """Types the tables of the README."""
+    """Types the tables of the pages."""
     from . import readme as tool
     return tool.command()
 
@@ -283,7 +283,7 @@ def parser() -> Parser:
     command.add_argument("-o", dest="out", type=Path, metavar="FILE",
                          help="where to (build/adf/tmap020.adf)")
 
-    add(readme, "Bring the tables of the README up to date.")
+    add(readme, "Bring the tables and pictures of README.md and the rooms' pages up to date.")
 
     command = add(diff, "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
     command.add_argument("a", type=Path, metavar="A")

@@ -33,6 +33,7 @@ ROUGH_CYCLES_PER_UNIT = 20
 NOTHING_REPEATS = 2000  # calls of the routine that only returns
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
+         "instructions": "cycles_per_instruction",
          "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
          "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
 #: Kinds that depend on the C compiler.
@@ -50,11 +51,12 @@ def repeats(row: bench_cases.Row) -> int:
 
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine by kind: in pixels, lines, points, frames, polygons with and without a
-    rule of lowering, and modes of the texture engine."""
+    """Rows of one machine by kind: in pixels, lines, points, instructions, frames, polygons with and
+    without a rule of lowering, and modes of the texture engine."""
     boot, chip = CONDITIONS[machine]
     kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
-             "points": bench_cases.point_rows(chip)}
+             "points": bench_cases.point_rows(chip),
+             "instructions": bench_cases.instruction_rows(chip)}
     kinds = {kind: [r for r in rows if fnmatch.fnmatch(r.name, only)]
              for kind, rows in kinds.items()}
     rows = [row for kind in kinds.values() for row in kind]
@@ -167,6 +169,8 @@ def write(found: dict, out: Path) -> None:
     text += "\nCycles a line:\n\n" + table(found["lines"], machines)
     text += "\nCycles a point (mesh_looks: a normal, mesh_faces: a face):\n\n" \
         + table(found["points"], machines)
+    text += "\nCycles of instructions, with a loop's around 16 of them:\n\n" \
+        + table(found["instructions"], machines)
     text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
     text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
         + table(found["rules"], machines)

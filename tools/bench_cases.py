@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import (bench_logarithm, bench_perspective, bench_reciprocal, bench_screen, bench_tmu,
-               bench_tx, layout, maps, model)
+from . import (bench_instructions, bench_logarithm, bench_perspective, bench_reciprocal, bench_screen,
+               bench_tmu, bench_tx, layout, maps, model)
 from .bench_dithered import dithered_rows
 from .bench_effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from .bench_mappers import first_difference, mapper_case
@@ -388,6 +388,14 @@ def line_rows(chip: bool) -> list[Row]:
 def point_rows(chip: bool) -> list[Row]:
     """All rows counted in points, normals, faces or vertices of meshes."""
     rows = [Row(name, 1, *make()) for name, make in MESH_CASES.items()]
+    for row in rows:
+        row.case.chip = chip
+    return rows
+
+
+def instruction_rows(chip: bool) -> list[Row]:
+    """All rows counted in instructions."""
+    rows = [Row(*row) for row in bench_instructions.rows()]
     for row in rows:
         row.case.chip = chip
     return rows

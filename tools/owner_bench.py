@@ -76,7 +76,7 @@ def rows() -> list[bench_cases.Row]:
     for entry in ENTRIES:
         assert len(entry.title) <= TITLE, entry
         row = made[entry.name, entry.length]
-        case = Case(**vars(row.case) | {"chip": entry.chip, "repeats": repeats(row.units)})
+        case = Case(**vars(row.case) | {"chip": entry.chip, "repeats": repeats(row)})
         chosen.append(bench_cases.Row(row.name, row.length, row.units, case, row.check))
     return chosen
 

@@ -1,6 +1,6 @@
-"""``tmap readme``: writes the README's tables and picture, so that nobody types them.
+"""``tmap readme``: writes the tables and pictures of the pages, so that nobody types them.
 
-Each table stands between two marker lines; its figures are the committed baselines'.
+Figures are the committed baselines'; tools/pages.py has where tables stand.
 """
 
 import json
@@ -8,16 +8,13 @@ import json
 import numpy as np
 from PIL import Image
 
-from . import (bench, bench_effects, bench_rules, bench_scenes, dither_errors, emulator, engines,
-               palette, polys, readme_modes, run, scene, scene_file)
-from .errors import UserError
+from . import (bench, bench_effects, bench_instructions, bench_rules, dither_errors, emulator, engines, pages, palette,
+               polys, readme_modes, readme_numbers, readme_programs, readme_scenes, run, scene, scene_file)
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
-README = ROOT / "README.md"
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
 METHODS = SCENES / "methods.png"
 COLOURS = 24  # of the animation
-BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
 MACHINES = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
 #: What is compared: title, name with {} for the form, length.
 LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 1024),
@@ -159,21 +156,6 @@ def mesh_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
-def scenes_table(baseline: dict) -> str:
-    """Markdown: cycles of a frame of each scene, and frames a second."""
-    figures = {bench.key(row): bench.cycles(row) for row in baseline["frames"]}
-    names = dict.fromkeys(row["name"] for row in baseline["frames"])
-    lines = ["| scene | fast RAM, kcycles a frame | frames a second | chip RAM only | frames a second |",
-             "|---|" + "--:|" * 4]
-    for name in names:
-        cells = []
-        for machine in ("a1200-fast", "a1200"):
-            spent = figures[name, machine, bench_scenes.FRAMES]
-            cells += [f"{spent / 1000:,.0f}", f"{run.CLOCK_HZ / spent:.1f}"]
-        lines.append(f"| {name.removeprefix('scene_')} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
-
-
 def rules_table(baseline: dict) -> str:
     """Markdown: what a polygon costs without each rule of lowering, and with it."""
     figures = {bench.key(row): bench.cycles(row) for row in baseline["rules"]}
@@ -191,35 +173,24 @@ def rules_table(baseline: dict) -> str:
     return "\n".join(lines)
 
 
-def with_table(text: str, title: str, content: str) -> str:
-    """The README's text with a table between its marker lines."""
-    begin = BEGIN.format(title)
-    if begin not in text or END not in text.split(begin, 1)[1]:
-        raise UserError(f"README.md: the lines {begin!r} and {END!r} are not there")
-    head, rest = text.split(begin, 1)
-    return f"{head}{begin}\n{content}\n{END}{rest.split(END, 1)[1]}"
-
-
-def with_tables(text: str) -> str:
-    """The README's text with all tables as the baselines have them."""
-    measured = json.loads(BASELINE.read_text())
-    text = with_table(text, "addx against swap", table(measured))
-    text = with_table(text, "effects", effects_table(measured))
-    text = with_table(text, "meshes", mesh_table(measured))
-    text = with_table(text, "scenes", scenes_table(measured))
-    text = with_table(text, "rules", rules_table(measured))
+def tables() -> dict[str, str]:
+    """All tables of all pages by title, as the baselines have them."""
+    measured, accuracy = (json.loads(path.read_text()) for path in (BASELINE, ACCURACY_BASELINE))
+    counted = json.loads(POLYS_BASELINE.read_text())
+    found = {"addx against swap": table(measured), "effects": effects_table(measured),
+             "meshes": mesh_table(measured), "rules": rules_table(measured),
+             "what accuracy costs": accuracy_table(accuracy),
+             "dithered points": dithered_tables(measured),
+             "perspective": perspective_table(measured, accuracy),
+             "polygons a second": polys.table(counted["rows"]).rstrip(),
+             "instructions": bench_instructions.table(measured, MACHINES),
+             "Glide's steps": readme_modes.steps_table(measured),
+             "Glide's steps not called for": readme_modes.uncalled_table(measured)}
     for engine in engines.ENGINES.values():
-        for what, make in (("modes", readme_modes.modes_table),
-                           ("formats", readme_modes.formats_table)):
-            text = with_table(text, f"{engine.title} {what}", make(measured, engine))
-    text = with_table(text, "Glide's steps", readme_modes.steps_table(measured))
-    text = with_table(text, "Glide's steps not called for", readme_modes.uncalled_table(measured))
-    accuracy = json.loads(ACCURACY_BASELINE.read_text())
-    text = with_table(text, "what accuracy costs", accuracy_table(accuracy))
-    text = with_table(text, "dithered points", dithered_tables(measured))
-    text = with_table(text, "perspective", perspective_table(measured, accuracy))
-    rows = json.loads(POLYS_BASELINE.read_text())["rows"]
-    return with_table(text, "polygons a second", polys.table(rows).rstrip())
+        found |= {f"{engine.title} modes": readme_modes.modes_table(measured, engine),
+                  f"{engine.title} formats": readme_modes.formats_table(measured, engine)}
+    return (found | readme_numbers.tables() | readme_programs.tables(measured)
+            | readme_scenes.tables(measured, accuracy, counted))
 
 
 def picture() -> Image.Image:
@@ -259,11 +230,15 @@ def command() -> int:
     """Writes the tables and all pictures."""
     from . import methods
 
-    README.write_text(with_tables(README.read_text()))
+    before = pages.read()
+    after = pages.with_tables(before, tables())
+    changed = [name for name, text in after.items() if text != before[name]]
+    for name in changed:
+        (ROOT / name).write_text(after[name])
     picture().save(PICTURE, optimize=True)
     first, *others = animation()
     first.save(ANIMATION, save_all=True, append_images=others, duration=80, loop=0)
     methods.write_picture(methods.measure("a1200-fast"), METHODS)
-    written = ", ".join(str(path.relative_to(ROOT)) for path in (README, PICTURE, ANIMATION, METHODS))
-    print(f"written: {written}")
+    pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
+    print(f"written: {', '.join([*changed, *pictures])}")
     return 0

@@ -9,7 +9,7 @@ from markdown_it import MarkdownIt
 from markupsafe import Markup
 
 from . import (accuracy, bench, engines, peers, polys, provenance, readme, readme_modes,
-               report_pictures, run, showcase)
+               readme_scenes, report_pictures, run, showcase)
 from .cache import Entry
 from .emulator import MACHINES as EMULATED
 from .hard_report import every_case
@@ -27,6 +27,7 @@ MACHINES = {
 BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)",
                "lines": "Cycles a line: edges and line tables",
                "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
+               "instructions": "Cycles of instructions, with a loop's around 16 of them",
                "frames": "Cycles a frame of whole scenes",
                "modes": "Cycles a pixel of texture engines' modes (_c: in plain C)",
                "first_frames": "Cycles more of the first frame of a mode"}
@@ -142,7 +143,7 @@ def page(found: Found, pictures: Path) -> str:
         machines=names, machine=MACHINE, pictures=pictures.name, columns=peers.COLUMNS,
         versus=readme.table(measured), effects=readme.effects_table(measured),
         rules=readme.rules_table(measured), meshes=readme.mesh_table(measured),
-        whole=readme.scenes_table(measured), steps=readme_modes.steps_table(measured),
+        whole=readme_scenes.scenes_table(measured), steps=readme_modes.steps_table(measured),
         uncalled=readme_modes.uncalled_table(measured),
         engines={name: (readme_modes.modes_table(measured, engine),
                         readme_modes.formats_table(measured, engine))
