@@ -23,7 +23,7 @@ GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffreestanding -fno-pic -fomit-frame-pointer -fleading-underscore \
   -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
 # For what no frame's time depends on.
-SMALL_FLAGS := -Os
+SMALL_FLAGS := -Os -fno-tree-loop-im -fno-move-loop-invariants
 # 172 (more optimizer passes would help) is nobody's fault. On top of the warnings
 # that are on: 64 never assigned, 67 and 124 type defaults to int, 161 no
 # declaration, 162 no prototype, 169 extern in a function, 174 no return.

@@ -8,7 +8,7 @@ LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_poly
            "wide", "fuzz", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
            "scene_program", "accuracy", "mappers", "showcase", "tx_modes", "bounds", "pages", "readme",
            "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
-           "still_steps")
+           "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

@@ -139,6 +139,33 @@ def values(**named: int) -> str:
     return ", ".join(f"{name} {both(value)}" for name, value in named.items())
 
 
+def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
+                 name: str = ""):
+    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
+    offsets into the arena."""
+    shape = layout.load().struct(struct)
+    writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
+                    bytes(shape.fields[f]["size"])) for f in numbers | pointers]
+
+    def check(result: kernels.Result) -> str | None:
+        for field, wanted in [*numbers.items(), *pointers.items()]:
+            entry = shape.fields[field]
+            place = at + entry["offset"]
+            found = int.from_bytes(result.memory[place:place + entry["size"]], "big")
+            wanted += result.address if field in pointers else 0
+            if (found - wanted) % (1 << 8 * entry["size"]):
+                return (f"{name or struct}.{field}: expected {both(wanted, entry['size'])}, "
+                        f"found {both(found, entry['size'])}")
+        return None
+
+    return writes, check
+
+
+def first_of(checks):
+    """One check out of several: what the first that fails says."""
+    return lambda result: next(filter(None, (check(result) for check in checks)), None)
+
+
 def register_complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
     """Registers that are not what the block and the trial say."""
     case, found = trial.case, result.registers

@@ -3,8 +3,7 @@ tables cost in precision against exact fractions."""
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write
-from kernel_trials_polygon import fields_check, first_of
+from kernel_checker import Memory, Trial, Write, fields_check, first_of
 from kernel_trials_reciprocal import PITCH, constants_of, emptied_lines, error, triangles
 from kernel_trials_span import BIAS, FRAME, picture_memory, texture
 from tools import bench_logarithm, bench_perspective, layout

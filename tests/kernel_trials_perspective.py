@@ -4,9 +4,8 @@ from fractions import Fraction
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write, values
+from kernel_checker import Memory, Trial, Write, fields_check, first_of, values
 from kernel_trials_math import any_size
-from kernel_trials_polygon import fields_check, first_of
 from kernel_trials_span import BIAS, FRAME, picture_memory, texture
 from tools import bench_perspective, layout
 from tools import model_perspective as model

@@ -1,14 +1,12 @@
-"""Trials of src68k/polygon: sides, edges and texture planes of polygons against exact
-integers, and against the model where numbers are rounded."""
-
-from fractions import Fraction
+"""Trials of src68k/polygon: sides and edges of polygons against exact integers, and against the
+model where numbers are rounded."""
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write, both, values
+from kernel_checker import Memory, Trial, Write, fields_check, first_of, values
 from kernel_trials_math import any_size
-from tools import layout, model, model_edges, model_texturing
-from tools.kernels import M32, Case, Result
+from tools import layout, model, model_edges
+from tools.kernels import Case
 
 BIAS = 16384
 FAR = 16384 << 16
@@ -26,33 +24,6 @@ def vertex_block(memory: Memory, vertices) -> int:
 def vertex_at(base: int, index: int) -> int:
     """Where vertex ``index`` lies."""
     return base + index * layout.load().struct("vertex").size
-
-
-def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
-                 name: str = ""):
-    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
-    offsets into the arena."""
-    shape = layout.load().struct(struct)
-    writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
-                    bytes(shape.fields[f]["size"])) for f in numbers | pointers]
-
-    def check(result: Result) -> str | None:
-        for field, wanted in [*numbers.items(), *pointers.items()]:
-            entry = shape.fields[field]
-            place = at + entry["offset"]
-            found = int.from_bytes(result.memory[place:place + entry["size"]], "big")
-            wanted += result.address if field in pointers else 0
-            if (found - wanted) % (1 << 8 * entry["size"]):
-                return (f"{name or struct}.{field}: expected {both(wanted, entry['size'])}, "
-                        f"found {both(found, entry['size'])}")
-        return None
-
-    return writes, check
-
-
-def first_of(checks):
-    """One check out of several: what the first that fails says."""
-    return lambda result: next(filter(None, (check(result) for check in checks)), None)
 
 
 def described(vertices) -> str:
@@ -269,132 +240,8 @@ def edges_make_trials(rng) -> list[Trial]:
     return [trial for trial in trials if trial]
 
 
-CHAINS = ("CHAIN_NONE", "CHAIN_ANYWHERE", "CHAIN_PLANE", "CHAIN_WHOLE")
-SETTINGS = (model.Settings(mapper="tiled"), model.Settings(start="truncated"), model.Settings())
-
-
-def texturing_plane_trial(vertices, chain: int) -> Trial | None:
-    """The plane of a polygon; None where nothing of it is in the frame."""
-    wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
-    if sides is None:
-        return None
-    t = model_texturing.plane(vertices, sides.corners, sides.box, SETTINGS[chain])
-    memory = Memory()
-    at = vertex_block(memory, vertices)
-    sides_at = sides_block(memory, at, vertices, wanted)
-    box = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), sides.box)))
-    out = memory.room("texturing")
-    numbers = {name: int(getattr(t, name)) for name in
-               ("dudx", "dvdx", "wraps", "spare", "guard", "dudy", "dvdy", "u", "v", "i", "j")}
-    writes, check = fields_check(out, "texturing", numbers, {})
-    a, b, c = (vertices[k] for k in sides.corners)
-    (x1, y1, s1, t1), (x2, y2, s2, t2) = ([p - q for p, q in zip(v, a)] for v in (b, c))
-    d = x1 * y2 - x2 * y1
-    exact = {"dudx": Fraction(s1 * y2 - s2 * y1, d), "dudy": Fraction(x1 * s2 - x2 * s1, d),
-             "dvdx": Fraction(t1 * y2 - t2 * y1, d), "dvdy": Fraction(x1 * t2 - x2 * t1, d)}
-
-    def bound(result: Result) -> str | None:
-        fields = layout.load().struct("texturing").fields
-        for name, gradient in exact.items():
-            place = out + fields[name]["offset"]
-            error = int.from_bytes(result.memory[place:place + 4], "big") - gradient * ONE
-            error -= round(error / (1 << 32)) * (1 << 32)
-            half = Fraction(1 << (t.spare if name[1] == "u" else 0), 2)
-            allowed = half + (abs(gradient) / 2**31 + Fraction(3, 2**32)) * ONE
-            if abs(error) > allowed:
-                return (f"{name}: exact is {float(gradient):.9f} modulo 2^16: off by "
-                        f"{float(error):.3f}/2^16, the block allows {float(allowed):.3f}/2^16")
-        return None
-
-    return Trial(Case("texturing_plane", memory, {"d1": layout.load().constants[CHAINS[chain]]},
-                      {"a0": out, "a1": sides_at, "d0": box}),
-                 f"{CHAINS[chain]}, box {sides.box}: {described(vertices)}", writes=writes,
-                 also=first_of([check, bound]))
-
-
-def texturing_plane_trials(rng) -> list[Trial]:
-    made = seen_polygons(rng)
-    for _ in range(60):  # anything around the frame, and slivers in it
-        made.append([tuple(any_size(rng, 30) for _ in range(4)) for _ in range(3)])
-        x, y = (int(n) for n in rng.integers(0, 256 * ONE, 2))
-        w, h = any_size(rng, 20), any_size(rng, 22)
-        made.append([(x, y, any_size(rng, 30), any_size(rng, 30)), (x + w, y + h, 5, 7),
-                     (x + 2 * w + int(rng.integers(-1, 2)), y + 2 * h, any_size(rng, 26), 9)])
-    trials = [texturing_plane_trial(p, chain) for p in made for chain in range(3)]
-    return [trial for trial in trials if trial]
-
-
-def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial:
-    """How a polygon lives with wraps of v."""
-    inside = chain >= 2 and model_texturing.inside_period(dvdx, dvdy, v, box)
-    spare, guard, wraps = (0, 0, not inside) if chain == 3 else \
-        model_texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
-    memory = Memory()
-    box_at = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
-    at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, spare=7, guard=7, dudy=0,
-                       dvdy=dvdy, u=0, v=v & M32, i=0, j=0)
-    writes, check = fields_check(at, "texturing", {"spare": spare, "guard": guard, "wraps": int(wraps)},
-                                 {})
-
-    def sound(_: Result) -> str | None:
-        left, top, right, bottom = box
-        i, j = (left + right) >> 1, (top + bottom) >> 1
-        ends = [(v & 0xFFFFFF) + (x - i) * dvdx + (y - j) * dvdy
-                for x in (left, right) for y in (top, bottom)]
-        if inside and not all(0 <= end < 1 << 24 for end in ends):
-            return f"v leaves its period at a corner: {ends}"
-        return None
-
-    return Trial(Case("texturing_wrap", memory, {"d0": layout.load().constants[CHAINS[chain]]},
-                      {"a0": at, "a1": box_at}),
-                 f"{CHAINS[chain]}, box {box}, {values(dvdx=dvdx, dvdy=dvdy, v=v)}",
-                 writes=writes, also=first_of([check, sound]))
-
-
-def texturing_wrap_trials(rng) -> list[Trial]:
-    steps = (0, 1, -1, ONE, -ONE, 0x1000000, -0x1000000, 0xFFFFFF, 0x7FFFFFFF, -0x80000000,
-             256 * ONE, 128 * ONE, -128 * ONE, 127 * ONE)
-    boxes = ((0, 0, 320, 256), (0, 0, 1, 1), (5, 7, 6, 200), (0, 0, 1024, 1024), (10, 10, 13, 15))
-    picked = [(int(rng.choice(steps)), int(rng.choice(steps)), any_size(rng)) for _ in range(20)]
-    picked += [(any_size(rng, 18), any_size(rng, 18), any_size(rng, 24)) for _ in range(40)]
-    # at the border between one wrap and more: ((speed >> 8) + 1) * width against 65,536
-    picked += [((65536 // width - 1 + near << 8), 0, 0) for width in (1, 3, 320, 1024) for near in (0, 1)]
-    return [texturing_wrap_trial(*p, box, chain) for p in picked for box in boxes for chain in (1, 2, 3)] \
-        + [texturing_wrap_trial(*picked[0], boxes[0], 0)]
-
-
-def texturing_starts_trials(rng) -> list[Trial]:
-    trials = []
-    for count in (1, 2, 5, 60):
-        for _ in range(10):
-            plane = {name: any_size(rng) for name in ("dudx", "dvdx", "dudy", "dvdy")}
-            plane |= {"u": any_size(rng) & M32, "v": any_size(rng) & M32}
-            i, j = (int(n) for n in rng.integers(0, 1024, 2))
-            memory = Memory()
-            at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, spare=0, guard=0)
-            shape, edges, parts = layout.load().struct("edge"), [], []
-            for _ in range(count):
-                edges.append({"x": BIAS + int(rng.integers(-16384, 16384)),
-                              "top": int(rng.integers(0, 1024)), "whole": any_size(rng, 15)})
-            others = dict.fromkeys(shape.fields, 0)
-            out = memory.add(b"".join(shape.pack(**others | edge) for edge in edges), name="edges",
-                             shape=shape)
-            for k, edge in enumerate(edges):
-                x, y = edge["x"] - BIAS - i, edge["top"] - j
-                numbers = {c: plane[c] + x * plane[f"d{c}dx"] + y * plane[f"d{c}dy"] for c in "uv"}
-                numbers |= {f"d{c}": plane[f"d{c}dy"] + edge["whole"] * plane[f"d{c}dx"] for c in "uv"}
-                parts.append(fields_check(out + k * shape.size, "edge", numbers, {}, f"edge {k}"))
-            trials.append(Trial(
-                Case("texturing_starts", memory, {"d0": count}, {"a0": at, "a1": out}),
-                f"{count} edges, pixel ({i}, {j}), " + values(**plane),
-                writes=[write for part in parts for write in part[0]],
-                also=first_of([part[1] for part in parts])))
-    return trials
-
-
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    makers = (sides_find_trials, edge_exact_trials, edge_rounded_trials, edges_make_trials,
-              texturing_plane_trials, texturing_wrap_trials, texturing_starts_trials)
+    makers = (sides_find_trials, edge_exact_trials, edge_rounded_trials, edges_make_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng([4, seed]))]

@@ -5,8 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from kernel_checker import Memory, Trial, Write
-from kernel_trials_polygon import fields_check, first_of
+from kernel_checker import Memory, Trial, Write, fields_check, first_of
 from kernel_trials_span import BIAS, FRAME, picture_memory, texture
 from tools import bench_perspective, bench_reciprocal, layout
 from tools import model_reciprocal as model

@@ -19,6 +19,7 @@ import kernel_trials_reciprocal
 import kernel_trials_scanline
 import kernel_trials_screen
 import kernel_trials_span
+import kernel_trials_texturing
 import kernel_trials_tiled
 import kernel_trials_tmu
 import kernel_trials_tx
@@ -46,8 +47,8 @@ CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C
 
 
 ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, kernel_trials_tiled,
-         kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_perspective,
-         kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
+         kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_texturing,
+         kernel_trials_perspective, kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
          kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
          kernel_trials_tmu, kernel_trials_screen, kernel_trials_dithered)
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one

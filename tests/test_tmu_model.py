@@ -6,17 +6,15 @@ from math import floor
 
 import numpy as np
 import pytest
-from tmu_reference import FOLDER, Question, only, questions
+from tmu_reference import FOLDER, only, questions
 
 from tools.errors import UserError
-from tools.tmu.chain import shaded
 from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, table_quotient, taps
 from tools.tmu.filters import filters_linearly, sample
 from tools.tmu.lod import DITHER, LEAST, base, chosen, level_of_detail
 from tools.tmu.logarithm import log2
 from tools.tmu.registers import modes_of, ncc_of, words_of, words_of_ncc
-from tools.tmu.state import (AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination, Modes, Ncc,
-                             Unit, packed)
+from tools.tmu.state import (AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination, Modes, Ncc, Unit)
 from tools.tmu.texels import decoded, level_bases, level_size
 from tools.tmu.vector_text import random_ncc, random_palette, read
 

@@ -115,7 +115,7 @@ def operations(*longs: int, count: int = 1) -> bytes:
 
 
 def test_the_program_refuses_bad_files() -> None:
-    """One line and return code 20 for each; nothing is run."""
+    """One line and return code 10 for each; nothing is run."""
     good = vector_file.Operations()
     good.add("HASH")
     codes = good.codes
@@ -141,7 +141,7 @@ def test_the_program_refuses_bad_files() -> None:
                                     {f"q{n}": data for n, (_, data) in enumerate(cases)},
                                     "a1200-fast", folder)
         for n, ((words, _), done) in enumerate(zip(cases, results)):
-            assert done.code == 20, (n, words, done.output)
+            assert done.code == 10, (n, words, done.output)
             assert done.output.count("\n") == 1 and done.output.startswith(f"q{n}: "), done.output
             assert done.output.endswith(f"{words}\n"), (n, words, done.output)
             assert not (done.directory / f"a{n}").exists()

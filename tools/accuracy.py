@@ -292,6 +292,22 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
             f"{row.perspective}: {row.complaint}" for row in rows if row.complaint]
 
 
+def write_other(folder: Path, name: str, machine: str, progress) -> str:
+    """What a set that is no set of polygons comes to: methods, scenes, texture engines' modes."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if name in ENGINES:
+        from . import engines
+
+        engine = engines.ENGINES[name]
+        progress.add_task(engine.title, total=None)
+        return engines.write(folder, engine, machine)
+    from . import methods, showcase
+
+    tool, steps = {METHODS: (methods, methods.METHODS), SCENES: (showcase, showcase.NAMES)}[name]
+    task = progress.add_task(name, total=len(steps))
+    return tool.write(folder, machine, lambda: progress.advance(task))
+
+
 def command(out: str, names: list[str] | None, machine: str | None, accept: bool) -> int:
     """``tmap accuracy``: measures, writes the report into ``out``, prints a table. 1: a hard
     case exceeds its bound."""
@@ -315,28 +331,9 @@ def command(out: str, names: list[str] | None, machine: str | None, accept: bool
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
             text = write_sets(folder, sets, machines, accept, lambda: progress.advance(task))
-        if METHODS in names:
-            from . import methods
-
-            task = progress.add_task("methods", total=len(methods.METHODS))
-            folder.mkdir(parents=True, exist_ok=True)
-            made = methods.write(folder, machines[-1], lambda: progress.advance(task))
-            text += f"\n{made}\n" if text else f"{made}\n"
-        if SCENES in names:
-            from . import showcase
-
-            task = progress.add_task("scenes", total=len(showcase.NAMES))
-            folder.mkdir(parents=True, exist_ok=True)
-            made = showcase.write(folder, machines[-1], lambda: progress.advance(task))
-            text += f"\n{made}\n" if text else f"{made}\n"
-        for name in ENGINES:
+        for name in others:
             if name in names:
-                from . import engines
-
-                engine = engines.ENGINES[name]
-                progress.add_task(engine.title, total=None)
-                folder.mkdir(parents=True, exist_ok=True)
-                made = engines.write(folder, engine, machines[-1])
+                made = write_other(folder, name, machines[-1], progress)
                 text += f"\n{made}\n" if text else f"{made}\n"
         if HARD in names:
             task = progress.add_task("hard cases", total=None)

@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from . import layout
 from . import model_logarithm as logarithms
 from . import model_reciprocal as reciprocals

@@ -169,6 +169,17 @@ def line_bound(b: float, setting: str) -> float:
     return 1.25 * b + TOLERANCE[setting] + FLOAT
 
 
+def inner_lines(vertices, polygon):
+    """Of each line with pixels inside the exact polygon: y, the line, the exact polygon's first pixel
+    and the one behind its last, and those of the pixels that are in both."""
+    exact = ideal.extents(vertices)
+    for y, line in enumerate(polygon.lines, polygon.top):
+        extent = [-(-n // (d << 16)) for n, d in exact(y)]
+        left, right = max(line.left, extent[0]), min(line.right, extent[1])
+        if left < right:
+            yield y, line, extent, left, right
+
+
 def line_errors(vertices, polygon, tolerance: float = 0.0):
     """(u or v, line, pixels, error, what is intended, bound) of each line inside the exact polygon,
     in texels, arrays over the pixels but for the bound; vertices as ``model.adapt`` gives them,
@@ -177,14 +188,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
               for key, curve in zip((2, 3), curves(vertices))]
-    exact = ideal.extents(vertices)
-    for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right <= line.left:
-            continue
-        extent = [-(-n // (d << 16)) for n, d in exact(y)]
-        left, right = max(line.left, extent[0]), min(line.right, extent[1])
-        if left >= right:
-            continue
+    for y, line, extent, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
@@ -235,13 +239,9 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
     because its planes are not sure; out.unsure counts those."""
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
-    three, exact = [vertices[k] for k in ideal.corners(vertices)], ideal.extents(vertices)
+    three = [vertices[k] for k in ideal.corners(vertices)]
     both = curves(vertices)
-    for y, line in enumerate(polygon.lines, polygon.top):
-        extent = [-(-n // (d << 16)) for n, d in exact(y)]
-        left, right = max(line.left, extent[0]), min(line.right, extent[1])
-        if left >= right:
-            continue
+    for y, line, _, left, right in inner_lines(vertices, polygon):
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
         for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
             values, spare = [v[key] for v in vertices], t.spare if key == 2 else 0

@@ -59,6 +59,13 @@ def text(value, where):
     return value
 
 
+def flag(value, where):
+    """True or false."""
+    if type(value) is not bool:
+        fail(where, "must be true or false")
+    return value
+
+
 def one_of(*names: str):
     """One of these words."""
     def check(value, where):

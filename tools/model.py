@@ -143,6 +143,20 @@ def scanline_lines(left: list[Edge], right: list[Edge], lines: list[Line],
             scanline_line(line, a, b, settings.start == "truncated")
 
 
+def outline(vertices, width: int, height: int, settings: Settings):
+    """The corners that gradients come from, the vertices that edges do and their sides; None where
+    nothing is covered."""
+    sides = measure(vertices, width, height)
+    if sides is None:
+        return None
+    corners = sides.corners
+    if settings.clip == "vertices" and settings.edges != "exact":
+        clipped = clip(vertices, frame_window(width, height))
+        if clipped != vertices:
+            vertices, sides = clipped, measure(clipped, width, height)
+    return sides and (corners, vertices, sides)
+
+
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
@@ -155,17 +169,10 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
-    sides = measure(vertices, width, height)
-    if sides is None:
+    found = outline(vertices, width, height, settings)
+    if found is None:
         return None
-    corners, edge_vertices = sides.corners, vertices
-    if settings.clip == "vertices" and settings.edges != "exact":
-        clipped = clip(vertices, frame_window(width, height))
-        if clipped != vertices:
-            edge_vertices = clipped
-            sides = measure(clipped, width, height)
-            if sides is None:
-                return None
+    corners, edge_vertices, sides = found
     box, direction, top = sides.box, sides.direction, sides.corners[0]
     exact = settings.edges == "exact"
     lefts = side(edge_vertices, top, direction, box[1], box[3], exact)

@@ -13,7 +13,7 @@ from math import floor, log, log2
 import numpy as np
 
 from .fixed import M32, signed
-from .model_reciprocal import swap
+from .model_reciprocal import ends, swap
 
 BITS = 14
 OCTAVE = 1 << BITS
@@ -156,12 +156,10 @@ def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
 def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
     """The line's record from ``model_reciprocal.Constants``; None: it is left to others.
     ``right`` is excluded."""
-    q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
-    if min(q0, q1) < p.least:
+    at_ends = ends(p, left, right, y, FURTHEST)
+    if not at_ends:
         return None
-    shift = 32 - max(q0, q1).bit_length()
-    if shift > FURTHEST:
-        return None
+    q0, q1, shift = at_ends
     factor = 1024 // ((max(q0, q1) << shift >> 26) + 1)
     q0, q1 = ((q << shift >> 4) * factor for q in (q0, q1))
     if min(q0, q1) < LOWEST + 1 << 16:

@@ -100,15 +100,21 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
                      piece and reach(piece, width) << 24 - piece, piece)
 
 
+def ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int] | None:
+    """q at a line's first and last pixel, and by how many bits, up to ``furthest``, the larger one
+    can go left; None: an end is too near, or q too small. ``right`` is excluded."""
+    q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
+    shift = 32 - max(q0, q1).bit_length()
+    return None if min(q0, q1) < p.least or shift > furthest else (q0, q1, shift)
+
+
 def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
     """The line's record; None: it is left to others. ``right`` is excluded."""
     n, m = right - 1 - left, 1 << k.piece
-    q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
-    if min(q0, q1) < p.least:
+    found = ends(p, left, right, y, FURTHEST)
+    if not found:
         return None
-    shift = 32 - max(q0, q1).bit_length()
-    if shift > FURTHEST:
-        return None
+    q0, q1, shift = found
     q0, q1 = q0 << shift, q1 << shift
     dq = signed(p.q.dx, 64) << shift + k.piece >> 32
     more = min(q0, q1) < TWO and max(q0, q1) < THREE

@@ -40,6 +40,22 @@ class Section:
         return ".".join(part for part in parts if part != "startup") or Path(self.file).stem
 
 
+def split_strings(section: Section) -> dict[int, Section]:
+    """A section of nothing but strings as one section each, by their offsets."""
+    parts, start = {}, 0
+    for text in section.data.split(b"\0")[:-1]:
+        data = text + b"\0"
+        parts[start] = Section(section.file, section.name, data, len(data), 1)
+        start += len(data)
+    return parts
+
+
+def part_at(parts: dict[int, Section], offset: int) -> tuple[Section, int]:
+    """The part of a section of strings that an offset lies in, and where in it."""
+    start = max(place for place in parts if place <= offset)
+    return parts[start], offset - start
+
+
 @dataclass
 class Relocation:
     """Where a section refers to another, or to a symbol of another object."""
@@ -56,7 +72,8 @@ def load(path: Path) -> list[Section]:
     with path.open("rb") as stream:
         elf = ELFFile(stream)
         found: dict[int, Section] = {}
-        tables = {}
+        tables: dict[int, list] = {}
+        strings: dict[int, dict[int, Section]] = {}
         for index, part in enumerate(elf.iter_sections()):
             if part["sh_flags"] & SH_FLAGS.SHF_ALLOC and part["sh_size"]:
                 bss = part["sh_type"] == "SHT_NOBITS"
@@ -64,6 +81,8 @@ def load(path: Path) -> list[Section]:
                     str(path), part.name, b"" if bss else part.data(), part["sh_size"],
                     max(part["sh_addralign"], 4), bool(part["sh_flags"] & SH_FLAGS.SHF_EXECINSTR),
                     bss)
+                if part["sh_flags"] & SH_FLAGS.SHF_STRINGS and part["sh_entsize"] == 1:
+                    strings[index] = split_strings(found[index])
             elif part["sh_type"] == "SHT_RELA":
                 tables[part["sh_info"]] = np.frombuffer(part.data(), RELA).tolist()
         names = elf.get_section_by_name(".strtab").data()
@@ -79,7 +98,10 @@ def load(path: Path) -> list[Section]:
             name, value, _, _, _, home = symbols[info >> 8]
             size, relative = RELOCATIONS[info & 255]
             target = names[name:names.index(b"\0", name)].decode()
-            if home in found:
+            if home in strings:
+                target, addend = part_at(strings[home], addend + value)
+            elif home in found:
                 target, addend = found[home], addend + value
             section.relocations.append(Relocation(offset, size, relative, target, addend))
-    return list(found.values())
+    return [part for index, section in found.items()
+            for part in strings.get(index, {0: section}).values()]

@@ -18,6 +18,10 @@ from .parts import Part, Program
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
 CACHE = 256  # bytes
 LAST = ".rodata.scene_data"  # maps too: addresses have to be relocated before it only
+#: jsr and jmp to an address become bsr and bra, of the same length, so that nothing is to be
+#: relocated.
+BRANCHES = {bytes.fromhex("4eb9"): 0x61, bytes.fromhex("4ef9"): 0x60}
+NOP = bytes.fromhex("4e71")
 AHEAD = 4  # bytes that are fetched behind an instruction, at most
 
 
@@ -43,6 +47,19 @@ def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]
             groups.append([part])
         end = int(held[-1])
     return sorted(groups, key=lambda group: -sum(p.bytes for p in group))
+
+
+def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
+    """The branch in place of a jump to an address, whose first two bytes are given, with a target so
+    far behind these; None: it stays. What is timed once has a 68020's, without a nop; what is not,
+    a 68000's, which runs what looks for a 68020; what is timed again and again keeps its time."""
+    if jump not in BRANCHES or timed > 1:
+        return None
+    if timed:
+        return bytes([BRANCHES[jump], 0xFF]) + (distance % (1 << 32)).to_bytes(4, "big")
+    if not -1 << 15 <= distance < 1 << 15:
+        return None
+    return bytes([BRANCHES[jump], 0]) + (distance % (1 << 16)).to_bytes(2, "big") + NOP
 
 
 class Layout:
@@ -111,7 +128,8 @@ class Layout:
         raise AssertionError("no room in four times the size")
 
     def link(self) -> tuple[bytes, list[int], list[int]]:
-        """The code's bytes, and where addresses of code and of cleared memory lie in it."""
+        """The code's bytes, and where addresses of code and of cleared memory lie in it. A program
+        that is whole is to be traced: its instructions stay what they are."""
         out = np.zeros(self.size, np.uint8)
         code, bss = [], []
         for part in self.program.parts.values():
@@ -126,6 +144,10 @@ class Layout:
                 place = self.at[part.section] + relocation.offset
                 target, offset = self.program.lead(part, relocation)
                 value = self.at[target] + offset
+                near = branch(bytes(image[place - 2:place]), value - place, part.timed)
+                if near and self.program.trace is not None and not target.bss:
+                    image[place - 2:place + 4] = near
+                    continue
                 if relocation.relative:
                     value -= place
                 else:

@@ -5,11 +5,10 @@ The words are Glide's where it has one; c/tmu/tmu.h tells what each does.
 
 import numpy as np
 
-from .fields import REQUIRED, fail, integer, number, one_of, rows, table, text
+from .fields import REQUIRED, fail, flag, integer, number, one_of, rows, table, text
 from .map_range import fixed
 from .mipmap import FILTERS as MIPMAP_FILTERS
 from .scene_pipes import PREFILTER_KB
-from .scene_tx import flag
 from .tmu.state import LAST_LEVEL, SUBDIVISIONS
 from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
 

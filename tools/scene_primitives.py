@@ -5,8 +5,8 @@ import copy
 import numpy as np
 
 from . import materials, scene_tx, scene_units
-from .fields import REQUIRED, fail, integer, number, rows
-from .scene_tx import colour_and_alpha, flag
+from .fields import REQUIRED, fail, flag, integer, number, rows
+from .scene_tx import colour_and_alpha
 
 ONE = 65536  # 1.0 in 16.16
 TEXEL = 32  # parts of a texel where a rectangle begins, s10.5

@@ -23,7 +23,8 @@ from .scene import compile_scene
 from .scene_file import Scene, ordered, write
 
 #: What calls the first calls the second: short memory ends the program with a line.
-ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take"}
+ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
+           "workbench": "workbench_none"}
 TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait",
           "_clock_start": "_trace_start"}
 FLAGS = "trace.flags"

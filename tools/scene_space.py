@@ -10,7 +10,7 @@ import numpy as np
 
 from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
                scene_projectors, scene_tx_build, space)
-from .fields import REQUIRED, fail, integer, join, named, number, one_of, rows, table, text
+from .fields import REQUIRED, fail, flag, integer, join, named, number, one_of, rows, table, text
 from .map_range import check_engine, check_map, extent_of, fixed, inside
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
@@ -19,13 +19,6 @@ from .scene_textures import UNITS
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, s or t
-
-
-def flag(value, where):
-    """True or false."""
-    if type(value) is not bool:
-        fail(where, "must be true or false")
-    return value
 
 
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:

@@ -6,7 +6,8 @@ The words are the N64 manual's where it has one; c/tx/tx.h tells what each does.
 import re
 from dataclasses import dataclass
 
-from .fields import (REQUIRED, colour, expect, fail, integer, number, one_of, rows, table, text)
+from .fields import (REQUIRED, colour, expect, fail, flag, integer, number, one_of, rows, table,
+                     text)
 from .tx.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
 from .tx.state import CI, IA, RGBA, YUV, I
 from .tx.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
@@ -92,13 +93,6 @@ def palette(value, where) -> list[int]:
     """A palette's number, or one for each frame, over and over: always a list."""
     one = integer(0, 15)
     return rows(one, 1, 1000)(value, where) if isinstance(value, list) else [one(value, where)]
-
-
-def flag(value, where):
-    """True or false."""
-    if type(value) is not bool:
-        fail(where, "must be true or false")
-    return value
 
 
 def tile_schema():

@@ -20,10 +20,10 @@ int32 vector_answers_flush(void)
 {
     const int32 bytes = (int32)(answered * sizeof *answers);
 
-    if (file_write(results, answers, bytes) != bytes)
-        failed = 1;
+    if (file_write(results, answers, bytes) != bytes && !failed)
+        failed = !text_refuse("vectors", "answers cannot be written");
     answered = 0;
-    return !failed || text_refuse("vectors", "answers cannot be written");
+    return !failed;
 }
 
 void vector_answer(int32 value)

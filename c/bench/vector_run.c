@@ -3,8 +3,8 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_engines.h"
 #include "bench/vector_file.h"
+#include "system/outcome.h"
 #include "system/system.h"
-#include "system/text.h"
 
 int32 vectors_run(uint32 code, const int32 *values, uint32 count)
 {
@@ -12,7 +12,7 @@ int32 vectors_run(uint32 code, const int32 *values, uint32 count)
     static int32 tx_open, tmu_open;
 
     if (!memory && !mem_alloc(&memory, VECTOR_DRAM_BYTES, MEMORY_ANY))
-        return text_refuse("vectors", "not enough memory");
+        return outcome_lack_memory("vectors", "the engines");
     if (code >= VECTOR_TMU_RESET) {
         if (!tmu_open)
             vector_tmu_open(memory);

@@ -53,7 +53,7 @@ static int32 is_equal(const fix16 *value, int32 count, int32 lowest)
     int32 first = *value >> lowest;
 
     while (--count > 0) {
-        value += sizeof(struct vertex) / sizeof *value;
+        value += VERTEX_FIELDS;
         if (*value >> lowest != first)
             return 0;
     }

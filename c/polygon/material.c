@@ -11,22 +11,11 @@
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP (4 * 65536)
 
-/* The least and the greatest value of an interpolant, as an offset in struct vertex. */
-static void range(const fix16 *value, int32 count, fix16 *low, fix16 *high)
-{
-    *low = *high = *value;
-    for (; count > 0; count--, value += sizeof(struct vertex) / sizeof(fix16)) {
-        if (*value < *low)
-            *low = *value;
-        if (*value > *high)
-            *high = *value;
-    }
-}
-
 /* The shades between which every pixel has one of the vertices' range. */
 static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
 {
-    range(&vertices->shade, count, low, high);
+    *high = vertex_range(&vertices->shade, count, low);
+    *high += *low;
     *low = (*low & ~0xffff) + INSET;
     *high = (*high | 0xffff) - INSET;
 }
@@ -88,7 +77,8 @@ void material_range(struct hold_plan *hold, const struct setup *s)
 {
     hold->u_low = hold->v_low = hold->v_high = 0;
     if (s->material->mapper == MAPPER_GOURAUD) {
-        range(&s->vertices->s, s->count, &hold->u_low, &hold->u_high);
+        hold->u_high = vertex_range(&s->vertices->s, s->count, &hold->u_low);
+        hold->u_high += hold->u_low;
         hold->u_low &= ~0xffff;
         hold->u_high |= 0xffff;
     } else {
@@ -109,8 +99,10 @@ int32 material_leaves_range(const struct setup *s)
     if (gouraud && s->count == 3)
         return 0;               /* material_vertices saw to it */
     if (s->count == 3) {
-        range(&s->vertices->s, 3, &s_low, &s_high);
-        range(&s->vertices->t, 3, &t_low, &t_high);
+        s_high = vertex_range(&s->vertices->s, 3, &s_low);
+        s_high += s_low;
+        t_high = vertex_range(&s->vertices->t, 3, &t_low);
+        t_high += t_low;
     } else {                    /* the plane need not run through all of them */
         inset = ON_PLANE;
         plane_range(t->u, t->dudx, t->dudy, t, s->vertices, s->count, &s_low, &s_high);

@@ -4,10 +4,16 @@
 
 #include "compiler.h"
 
-/* A number of 64 bits, modulo 2^64. */
+/* A number of 64 bits. */
 struct number64 {
     uint32 hi, lo;
 };
+
+/* |value| */
+static inline uint32 fix_magnitude(int32 value)
+{
+    return value < 0 ? 0 - (uint32)value : (uint32)value;
+}
 
 fix16 mul_fix(fix16 a, fix16 b);
 int32 mul_div(int32 a, int32 b, int32 c);

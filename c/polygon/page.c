@@ -66,11 +66,6 @@ uint8 *page_row(const struct page *page, int32 v)
     return (uint8 *)page->map.texels + (int8)v * SIDE * page->map.texel_bytes;
 }
 
-static const fix16 *next(const fix16 *value)
-{
-    return value + sizeof(struct vertex) / sizeof *value;
-}
-
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
 {
     fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
@@ -78,24 +73,10 @@ int32 page_is_within(const struct setup *s, const fix16 *value, const struct pag
 
     if (window->period)
         return 1;
-    for (int32 i = 0; i < s->count; i++, value = next(value))
+    for (int32 i = 0; i < s->count; i++, value += VERTEX_FIELDS)
         if (*value < low || *value >= high)
             return 0;
     return 1;
-}
-
-/* What values lie within; *least: the least. */
-static fix16 extent(const fix16 *value, int32 count, fix16 *least)
-{
-    fix16 most = *value;
-
-    *least = *value;
-    for (int32 i = 1; i < count; i++) {
-        value = next(value);
-        *least = *value < *least ? *value : *least;
-        most = *value > most ? *value : most;
-    }
-    return most - *least;
 }
 
 static int32 is_parallelogram(const struct vertex *v)
@@ -115,8 +96,8 @@ static int32 keeps_range(const struct setup *s, fix16 range)
 
     if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
         return 0;
-    width = extent(&v->x, s->count, &least);
-    height = extent(&v->y, s->count, &least);
+    width = vertex_range(&v->x, s->count, &least);
+    height = vertex_range(&v->y, s->count, &least);
     side = ((width > height ? width : height) >> 16) + 1;
     if (width < 0 || height < 0 || side > 1024)
         return 0;
@@ -129,7 +110,7 @@ static int32 keeps_range(const struct setup *s, fix16 range)
 static void find_rows(const struct setup *s, fix16 origin, int32 least_row,
                       struct page_rows *shown)
 {
-    fix16 least, range = extent(&s->given->t, s->count, &least);
+    fix16 least, range = vertex_range(&s->given->t, s->count, &least);
 
     shown->first = ((least - origin) >> 16) - PAGE_MARGIN;
     shown->last = ((least + range - origin) >> 16) + PAGE_MARGIN;
@@ -145,7 +126,7 @@ static fix16 origin_of(const struct setup *s, const fix16 *value, const struct p
 
     if (!window->period)
         return window->origin;
-    range = extent(value, s->count, &least);
+    range = vertex_range(value, s->count, &least);
     middle = least + (range >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
     return window->origin + ((middle + (window->period >> 1)) & -window->period);
 }

@@ -3,6 +3,7 @@
 #ifndef PAGE_H
 #define PAGE_H
 
+#include "polygon/key.h"
 #include "polygon/setup.h"
 
 enum page_constants {
@@ -39,18 +40,6 @@ void page_init(struct page *page);
 
 /* None of its rows is right any more. */
 void page_forget(struct page *page);
-
-/* Whether the longs that a page depends on are others than those kept, which they become. */
-static inline uint32 page_differs(uint32 *kept, const uint32 *key, int32 count)
-{
-    uint32 differs = 0;
-
-    for (int32 i = 0; i < count; i++) {
-        differs |= key[i] ^ kept[i];
-        kept[i] = key[i];
-    }
-    return differs;
-}
 
 /* Whether rows are made. */
 int32 page_has(const struct page *page, const struct page_rows *rows);

@@ -10,11 +10,6 @@
                                           moves less than 8,192, and stays inside 16.16 */
 #define TOO_STEEP (1 << 28)            /* SURE times this is above all q but the nearest's */
 
-static int32 magnitude(int32 value)
-{
-    return value < 0 ? -value : value;
-}
-
 int32 perspective_steepness(const struct number64 *gradient)
 {
     int32 steep = (int32)gradient->hi;
@@ -57,19 +52,11 @@ static void scale_plane(struct screen_plane *to, const struct screen_plane *from
 
 /* The range of s or t from its middle, a whole texel, which it returns; makes *farthest
    the distance of the range's ends from it, if that is more. */
-static fix16 middle(const struct vertex *v, int32 count, int32 of_t, fix16 *from, fix16 *to,
-                    int32 *farthest)
+static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int32 *farthest)
 {
-    fix16 low = 0x7fffffff, high = -0x7fffffff, base;
+    fix16 low, base, high = vertex_range(value, count, &low);
 
-    for (; count > 0; count--, v++) {
-        fix16 value = of_t ? v->t : v->s;
-
-        if (value < low)
-            low = value;
-        if (value > high)
-            high = value;
-    }
+    high += low;
     base = ((low + high) >> 1) & ~0xffff;
     *from = low - base;
     *to = high - base;
@@ -135,8 +122,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     for (int32 i = 1; i < count; i++)
         if (vertices[i].w < nearest)
             nearest = vertices[i].w;
-    plan->u = middle(vertices, count, 0, &plan->u_low, &plan->u_high, &farthest);
-    plan->v = middle(vertices, count, 1, &plan->v_low, &plan->v_high, &farthest);
+    plan->u = middle(&vertices->s, count, &plan->u_low, &plan->u_high, &farthest);
+    plan->v = middle(&vertices->t, count, &plan->v_low, &plan->v_high, &farthest);
     while (farthest >> scale)
         scale++;
     set_corner(&corners.first, sides->top, nearest, plan, scale);
@@ -149,8 +136,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     corners.area = sides->area;
     planes_find(&planes, &corners);
     least = least_q(&planes.q, vertices, count, box);
-    right = (magnitude(corners.x) >> 16) + box->right - box->left + 1;
-    down = (magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
+    right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
+    down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
     if (!is_sure(&planes.q, right, down, least) || !is_sure(&planes.s, right, down, least)
         || !is_sure(&planes.t, right, down, least))
         return 0;
@@ -182,7 +169,7 @@ static void plane_of(struct screen_plane *to, uint32 at, fix16 ddx, fix16 ddy,
 
 static int32 is_flat(fix16 step)
 {
-    return magnitude(step) < FLAT;
+    return fix_magnitude(step) < FLAT;
 }
 
 int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,

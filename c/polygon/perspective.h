@@ -14,7 +14,7 @@ struct plane_corner {
 /* What planes_find takes. */
 struct plane_corners {
     struct plane_corner first, a, b;    /* a, b: vectors from the first, a x b > 0 */
-    struct wide area;                   /* a x b, 32.32 */
+    struct number64 area;               /* a x b, 32.32 */
     fix16 x, y;                         /* from the first corner to the pixel asked for */
 };
 

@@ -30,47 +30,42 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
     b->dy = (uint32)t.dvdy << bits;
 }
 
-static fix16 magnitude(fix16 value)
-{
-    return value < 0 ? -value : value;
-}
-
 /* What w of the corners are like. */
 struct depths {
     fix16 least;                /* |w| */
     int32 is_constant, is_positive;
 };
 
-static void find_depths(struct depths *depths, const struct planes_corners *corners, int32 count)
+static void find_depths(struct depths *depths, const struct vertex *corners, int32 count)
 {
-    const fix16 *w = corners->w;
+    const fix16 first = corners->w;
+    uint32 least = fix_magnitude(first);
 
-    depths->least = magnitude(*w);
     depths->is_constant = depths->is_positive = 1;
-    for (; count; count--, w += corners->stride) {
-        if (magnitude(*w) < depths->least)
-            depths->least = magnitude(*w);
-        if (*w != *corners->w)
+    for (; count; count--, corners++) {
+        if (fix_magnitude(corners->w) < least)
+            least = fix_magnitude(corners->w);
+        if (corners->w != first)
             depths->is_constant = 0;
-        if (*w < 0)
+        if (corners->w < 0)
             depths->is_positive = 0;
     }
+    depths->least = (fix16)least;
 }
 
 static void find_divided(struct planes *planes, const struct setup *s, int32 first,
-                         const struct planes_corners *corners, const struct planes_scale *scale,
+                         const struct vertex *corners, const struct planes_scale *scale,
                          const struct depths *depths)
 {
     const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
     fix16 w[POLYGON_VERTICES_MAX];
-    int32 at = 0;
 
-    for (int32 i = 0; i < s->count; i++, at += corners->stride) {
-        w[i] = mul_div(one, depths->least, magnitude(corners->w[at]));
-        if (corners->w[at] < 0)
+    for (int32 i = 0; i < s->count; i++, corners++) {
+        w[i] = mul_div(one, depths->least, (fix16)fix_magnitude(corners->w));
+        if (corners->w < 0)
             w[i] = -w[i];
-        places[i].s = mul_div((fix16)((uint32)corners->s[at] << scale->bits), w[i], scale->one);
-        places[i].t = mul_div((fix16)((uint32)corners->t[at] << scale->bits), w[i], scale->one);
+        places[i].s = mul_div((fix16)((uint32)corners->s << scale->bits), w[i], scale->one);
+        places[i].t = mul_div((fix16)((uint32)corners->t << scale->bits), w[i], scale->one);
     }
     planes_pair(planes, s, first, 0);
     for (int32 i = 0; i < s->count; i++) {
@@ -81,40 +76,34 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
 }
 
 static void find_plain(struct planes *planes, const struct setup *s, int32 first,
-                       const struct planes_corners *corners, const struct planes_scale *scale)
+                       const struct vertex *corners, const struct planes_scale *scale)
 {
     struct plane *w = &planes->of[first + 2];
-    int32 at = 0;
 
-    for (int32 i = 0; i < s->count; i++, at += corners->stride) {
-        places[i].s = corners->s[at];
-        places[i].t = corners->t[at];
+    for (int32 i = 0; i < s->count; i++, corners++) {
+        places[i].s = corners->s;
+        places[i].t = corners->t;
     }
     planes_pair(planes, s, first, scale->bits);
     w->at = (uint32)scale->one;
     w->dx = w->dy = 0;
 }
 
-static int32 is_narrow(const fix16 *value, int32 stride, int32 count, fix16 reach)
+static int32 is_narrow(const fix16 *value, int32 count, fix16 reach)
 {
-    fix16 low = *value, high = *value;
+    fix16 least;
 
-    while (--count > 0) {
-        value += stride;
-        low = *value < low ? *value : low;
-        high = *value > high ? *value : high;
-    }
-    return high - low < reach;
+    return vertex_range(value, count, &least) < reach;
 }
 
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,
-                         const struct planes_corners *corners, const struct planes_scale *scale,
+                         const struct vertex *corners, const struct planes_scale *scale,
                          int32 perspective)
 {
     struct depths depths;
 
-    if (!is_narrow(corners->s, corners->stride, s->count, scale->reach)
-        || !is_narrow(corners->t, corners->stride, s->count, scale->reach))
+    if (!is_narrow(&corners->s, s->count, scale->reach)
+        || !is_narrow(&corners->t, s->count, scale->reach))
         return 0;
     if (perspective)
         find_depths(&depths, corners, s->count);

@@ -17,14 +17,7 @@ struct planes {
     struct plane of[PLANES_MAX];
 };
 
-/* Coordinates of a polygon's corners: pointers to those of the first; those of the next one lie
-   `stride` longs behind. s and t: 16.16. w: any unit; not 0. */
-struct planes_corners {
-    const fix16 *s, *t, *w;
-    int32 stride;
-};
-
-/* What they become. */
+/* What the corners' coordinates become. */
 struct planes_scale {
     int32 bits;                 /* S of an s that is not divided: s times 2^bits */
     int32 one;                  /* W of 1.0, the corner that is nearest; even, above 0 */
@@ -39,7 +32,8 @@ struct vertex *planes_vertices(const struct vertex *vertices, int32 count);
    and box are found. Two corners are less than 2^31 apart. */
 void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits);
 
-/* Planes `first` to `first` + 2: S, T and W of corners; the next one is trashed.
+/* Planes `first` to `first` + 2: S, T and W of the corners, of which s, t and w (any unit; not 0)
+   count; the next one is trashed.
 
    Where w is the same everywhere, and above 0, or perspective is 0: s and t are planes in 16.16,
    taken times 2^bits; W is `one`. Otherwise W of a corner is `one` |w|least / w, half of that if
@@ -48,7 +42,7 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
 
    0: coordinates of two corners are too far apart. */
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,
-                         const struct planes_corners *corners, const struct planes_scale *scale,
+                         const struct vertex *corners, const struct planes_scale *scale,
                          int32 perspective);
 
 /* Of a plane at pixel (x, y). */

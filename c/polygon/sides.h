@@ -2,18 +2,15 @@
 #ifndef SIDES_H
 #define SIDES_H
 
+#include "polygon/math.h"
 #include "polygon/polygon.h"
-
-/* An unsigned 32.32 number below 2^63. */
-struct wide {
-    uint32 hi, lo;
-};
 
 struct sides {
     const struct vertex *first, *last;  /* in the order of the vertices */
     const struct vertex *top, *bottom;  /* of several the leftmost */
     const struct vertex *apex;          /* the one farthest from the line between them */
-    struct wide area;                   /* twice that of these three, square pixels */
+    struct number64 area;               /* twice that of these three, square pixels: 32.32, below
+                                           2^63 */
     int32 left_step;                    /* bytes to the left side's next vertex; after
                                            the last comes the first */
     fix16 x_low, x_high;

@@ -2,11 +2,6 @@
 
 #include "polygon/math.h"
 
-static int32 magnitude(fix16 value)
-{
-    return value < 0 ? -value : value;
-}
-
 /* The difference a - b of x, y, s and t. */
 static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {
@@ -21,7 +16,7 @@ static fix16 saturated_step(fix16 part, fix16 whole)
 {
     const fix16 largest = 0x7fffffff;
 
-    if (magnitude(part) >> 15 >= magnitude(whole))
+    if (fix_magnitude(part) >> 15 >= fix_magnitude(whole))
         return (part < 0) == (whole < 0) ? largest : -largest;
     return whole < 0 ? mul_div(-part, 65536, -whole) : mul_div(part, 65536, whole);
 }

@@ -3,30 +3,13 @@
 #include "polygon/math.h"
 #include "polygon/perspective.h"
 
-/* The range of a field of struct vertex. */
-struct extent {
-    fix16 low, high;
-};
-
-static struct extent extent_of(const fix16 *value, int32 count)
+/* Half the range of a triangle's u or v, rounded up. */
+static fix16 half_range(const fix16 *value)
 {
-    struct extent e;
+    fix16 low, high = vertex_range(value, 3, &low);
 
-    e.low = e.high = *value;
-    while (--count > 0) {
-        value += sizeof(struct vertex) / sizeof *value;
-        if (*value < e.low)
-            e.low = *value;
-        if (*value > e.high)
-            e.high = *value;
-    }
-    return e;
-}
-
-/* Half of it, rounded up. */
-static fix16 half(struct extent e)
-{
-    return (e.high >> 1) - (e.low >> 1) + 1;
+    high += low;
+    return (high >> 1) - (low >> 1) + 1;
 }
 
 /* Inside a triangle a point has shares a_i of its vertices, Q = sum a_i q_i, and u, affine, is
@@ -35,18 +18,17 @@ static fix16 half(struct extent e)
    in the middle |u_i - c| is half u's range. */
 int32 tolerance_is_flat(const struct setup *s)
 {
-    struct extent w;
-    fix16 u, v;
+    fix16 least, range, u, v;
 
     if (s->count != 3)          /* of more, the plane is that of three: outside them shares
                                    have no bound */
         return 0;
-    w = extent_of(&s->vertices->w, 3);
-    if (w.high - w.low > w.low)
+    range = vertex_range(&s->vertices->w, 3, &least);
+    if (range > least)
         return 0;
-    u = half(extent_of(&s->vertices->s, 3));
-    v = half(extent_of(&s->vertices->t, 3));
-    return mul_div(u > v ? u : v, w.high - w.low, w.low) < 2 * s->material->tolerance;
+    u = half_range(&s->vertices->s);
+    v = half_range(&s->vertices->t);
+    return mul_div(u > v ? u : v, range, least) < 2 * s->material->tolerance;
 }
 
 /* A piece of n pixels, right at both ends, is off by n^2 |u''| / 8 at most, u'' = -2 q' u' / q

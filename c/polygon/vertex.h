@@ -13,6 +13,12 @@ struct vertex {
     fix16 x, y, s, t, shade, w;
 };
 
+enum { VERTEX_FIELDS = sizeof(struct vertex) / sizeof(fix16) };
+
+/* The least value of a field of vertices, and how much more the greatest is; value: the first
+   one's. */
+fix16 vertex_range(const fix16 *value, int32 count, fix16 *least);
+
 enum vertex_limits {
     POLYGON_FAR = 16384,        /* pixels: differences stay inside 16.16 */
     W_MIN = 1 << 8,             /* 1/256 ... */

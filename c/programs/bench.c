@@ -8,6 +8,7 @@
 #include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 #include "texture/map.h"
@@ -320,11 +321,11 @@ static int32 run_plan(const uint8 *plan, uint32 bytes, const char *name, int32 r
     if (!usable_cases(cases, header->cases, plan, bytes, name))
         return 0;
     if (!make_arenas(&arenas, cases, header->cases))
-        return text_refuse(name, "not enough memory");
+        return outcome_lack_memory(name, "the cases");
     for (uint32 i = 0; i < header->cases; i++) {
         if (cases[i].repeats || i % REPORTED == 0)
             report(i, header->cases, (const char *)(plan + cases[i].name_at));
-        if (!run(&cases[i], plan, &arenas, results))
+        if ((i && outcome_break()) || !run(&cases[i], plan, &arenas, results))
             return 0;
     }
     return results_flush(results);
@@ -341,22 +342,16 @@ int main(void)
 
     if (!args_read("PLAN/A,RESULTS/A", args)) {
         print("bench: usage: bench PLAN RESULTS\n");
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     }
     name = (const char *)args[PLAN];
     if (!file_load(name, &plan, &bytes) || !usable(plan, bytes, name))
-        return RETURN_FAIL;
-    results = file_open((const char *)args[RESULTS], FILE_NEW);
-    if (!results) {
-        text_refuse((const char *)args[RESULTS], "cannot be created");
-        return RETURN_FAIL;
-    }
-    if (!clock_open()) {
-        print("bench: another program uses CIA-B's timers\n");
-        return RETURN_FAIL;
-    }
-    done = run_plan(plan, bytes, name, results);
-    clock_close();
-    file_close(results);
-    return done ? RETURN_OK : RETURN_FAIL;
+        return outcome_code(0);
+    if (!clock_open())
+        return outcome_code(outcome_lack("bench", "another program uses CIA-B's timers"));
+    results = outcome_create((const char *)args[RESULTS]);
+    done = results && run_plan(plan, bytes, name, results);
+    if (done)
+        outcome_keep();
+    return outcome_code(done);
 }

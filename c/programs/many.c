@@ -4,6 +4,7 @@
    takes the lines from FIRST.run and numbers them from FIRST: what the program says goes to
    N.log, its return code to N.code. Before each run the program's data is as it was loaded. */
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -34,7 +35,7 @@ static int32 keep(struct hunk *hunk, uint32 *link)
     if (at == hunk->longs)
         return 1;
     if (!mem_alloc(&hunk->kept, (int32)(4 * hunk->longs), MEMORY_ANY))
-        return 0;
+        return outcome_lack_memory("many", "a copy of the program's data");
     for (at = 0; at < hunk->longs; at++)
         hunk->kept[at] = hunk->at[at];
     return 1;
@@ -46,7 +47,9 @@ static int32 keep_all(struct data *data, uint32 program)
 
     for (data->count = 0; *link; data->count++) {
         link = (uint32 *)(*link << 2);
-        if (data->count == HUNKS || !keep(&data->hunks[data->count], link))
+        if (data->count == HUNKS)
+            return text_refuse("many", "the program has too many hunks");
+        if (!keep(&data->hunks[data->count], link))
             return 0;
     }
     return 1;
@@ -114,6 +117,8 @@ static int32 run_all(uint32 program, const struct data *data, const char *lines,
             return 0;
         lines += length;
         bytes -= length;
+        if (bytes && outcome_break())
+            return 0;
     }
     return 1;
 }
@@ -130,20 +135,17 @@ int main(void)
 
     if (!args_read("PROGRAM/A,FIRST/A/N", args)) {
         print("many: usage: many PROGRAM FIRST\n");
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     }
     number = *(const int32 *)args[FIRST];
     name_file(name, number, ".run");
     if (!file_load(name, &lines, &bytes))
-        return RETURN_FAIL;
+        return outcome_code(0);
     program = program_load((const char *)args[PROGRAM]);
-    if (!program) {
-        text_refuse((const char *)args[PROGRAM], "cannot be loaded");
-        return RETURN_FAIL;
-    }
+    if (!program)
+        return outcome_code(text_refuse((const char *)args[PROGRAM], "cannot be loaded"));
     done = keep_all(&data, program)
-        ? run_all(program, &data, (const char *)lines, bytes, number)
-        : text_refuse((const char *)args[PROGRAM], "its data does not fit into memory");
+        && run_all(program, &data, (const char *)lines, bytes, number);
     program_unload(program);
-    return done ? RETURN_OK : RETURN_FAIL;
+    return outcome_code(done);
 }

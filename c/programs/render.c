@@ -9,6 +9,7 @@
    rules of lowering that are not followed, by commas, or all. */
 #include "scene/scene_counts.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -22,10 +23,11 @@ static const char *const why_refused[] = {
     "gradients polygon are for triangles", "its mapper cannot draw its map or this frame"
 };
 
-static int32 fail(const char *why)
+/* For a wrong argument. */
+static int32 refuse(const char *why)
 {
     text_refuse("render", why);
-    return RETURN_FAIL;
+    return RETURN_ERROR;
 }
 
 static int32 make_frame(struct frame *frame, const struct scene *scene, int32 kind)
@@ -102,6 +104,8 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
         text_number((int32)drawn.ticks);
         counts_add(&run->counts);
         text_print();
+        if (number + 1 < run->frames && outcome_break())
+            return 0;
     }
     counts_print(&run->counts);
     return 1;
@@ -132,7 +136,7 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
     struct frame_digest *digests;
 
     if (!mem_alloc(&digests, run->frames * (int32)sizeof *digests, MEMORY_ANY))
-        return text_refuse("render", "not enough memory for the digests");
+        return outcome_lack_memory("render", "the digests");
     for (int32 number = 0; number < run->frames; number++) {
         if (number % 50 == 0) {
             text_add("from frame ");
@@ -142,6 +146,8 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
         if (!draw(scene, frame, number, run, &digests[number]))
             return 0;
         add_up(frame, &digests[number]);
+        if (number + 1 < run->frames && outcome_break())
+            return 0;
     }
     return file_save(run->digest, digests, (uint32)run->frames * sizeof *digests);
 }
@@ -151,9 +157,9 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     uint32 refused = POLYGON_DRAWN;
 
     if (run->digest)
-        return digest_frames(scene, frame, run) ? RETURN_OK : RETURN_FAIL;
+        return outcome_code(digest_frames(scene, frame, run));
     if (!dump_frames(scene, frame, run, &refused))
-        return RETURN_FAIL;
+        return outcome_code(0);
     if (refused != POLYGON_DRAWN) {
         text_refuse("render: not all could be drawn", refused == POLYGON_REFUSED
                     ? scene_why_refused(scene) : why_refused[refused]);
@@ -177,49 +183,42 @@ int main(void)
     struct scene scene;
     struct frame frame;
     struct run run = {0, {FORM_ADDX, 0, 0}, {0, 0, 0}, 0};
-    int32 kind, result, form;
+    int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K", args))
-        return fail("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
+        return refuse("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
                     "[DIGEST name] [OFF rules]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
-            return fail("FORM: not one of addx, swap, c");
+            return refuse("FORM: not one of addx, swap, c");
         run.drawing.form = (enum form)form;
     }
     if (args[OFF]) {
         run.drawing.off = rules_named((const char *)args[OFF]);
         if (!run.drawing.off)
-            return fail("OFF: not a rule of lowering, or all");
+            return refuse("OFF: not a rule of lowering, or all");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
     if (!scene_load(&scene, (const char *)args[SCENE], kind))
-        return RETURN_FAIL;
+        return outcome_code(0);
     run.digest = (const char *)args[DIGEST];
     run.frames = scene.header->frames;
     if (args[FRAMES]) {
         int32 asked = *(const int32 *)args[FRAMES];
 
         if (asked < 1 || asked > run.frames)
-            return fail("FRAMES: not between 1 and the scene's frames");
+            return refuse("FRAMES: not between 1 and the scene's frames");
         run.frames = asked;
     }
     if (args[COUNT] && !counts_make(&run.counts, scene.header->materials))
-        return fail("not enough memory for the counts");
+        return outcome_code(outcome_lack_memory("render", "the counts"));
     if (!make_frame(&frame, &scene, kind))
-        return fail("not enough memory for the frame");
-    if (scene_makes(&scene))
-        mem_reserve();
+        return outcome_code(outcome_lack_memory("render", "the frame"));
+    scene_reserve(&scene);
     if (!clock_open())
-        return fail("another program uses CIA-B's timers");
-    if (args[DCACHE] && !cache_data(1)) {
-        clock_close();
-        return fail("DCACHE: this processor has no data cache");
-    }
-    result = render(&scene, &frame, &run);
-    if (args[DCACHE])
-        cache_data(0);
-    clock_close();
-    return result;
+        return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));
+    if (args[DCACHE] && !cache_data())
+        return outcome_code(outcome_lack("render", "DCACHE: this processor has no data cache"));
+    return render(&scene, &frame, &run);
 }

@@ -17,8 +17,8 @@ static int32 fail(const char *why)
 
 int main(void)
 {
-    static struct scene scene;
-    static struct frame frame;
+    struct scene scene;
+    struct frame frame;
     static const struct drawing drawing = {FORM_ADDX, 0, 0};
 
     scene_place(&scene, scene_data);
@@ -28,16 +28,17 @@ int main(void)
     frame.pixel_bytes = scene_pixel_bytes(scene.header->format);
     frame.pitch = frame.width * frame.pixel_bytes;
     mem_need(&frame.pixels, frame.pitch * frame.height, MEMORY_ANY);
-    if (scene_makes(&scene))
-        mem_reserve();
+    scene_reserve(&scene);
     if (!clock_open())
         return fail("another program uses CIA-B's timers\n");
     for (int32 number = 0; number < scene.header->frames; number++) {
         uint32 ticks;
 
+        if (number && break_asked())
+            return RETURN_WARN;
         scene_time(&scene, &frame, number, &drawing, &ticks);
         if (!scene_save(&frame, number))
-            return RETURN_FAIL;
+            return RETURN_ERROR;
         text_number((int32)ticks);
         text_print();
     }

@@ -6,6 +6,7 @@
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 #include "tx/tx.h"
@@ -94,6 +95,8 @@ static int32 run_all(const uint8 *data)
         }
         if (!vectors_run(operation->code, values, operation->longs))
             return 0;
+        if (outcome_break())
+            return 0;
         operation = (const struct vector_operation *)(values + operation->longs);
     }
     return vector_answers_flush();
@@ -110,18 +113,15 @@ int main(void)
 
     if (!args_read("QUESTIONS/A,ANSWERS/A", args)) {
         print("vectors: usage: vectors QUESTIONS ANSWERS\n");
-        return RETURN_FAIL;
+        return RETURN_ERROR;
     }
     name = (const char *)args[QUESTIONS];
     if (!file_load(name, &data, &bytes) || !usable(data, bytes, name))
-        return RETURN_FAIL;
-    results = file_open((const char *)args[ANSWERS], FILE_NEW);
-    if (!results) {
-        text_refuse((const char *)args[ANSWERS], "cannot be created");
-        return RETURN_FAIL;
-    }
+        return outcome_code(0);
+    results = outcome_create((const char *)args[ANSWERS]);
     vector_answers_open(results);
-    done = run_all(data);
-    file_close(results);
-    return done ? RETURN_OK : RETURN_FAIL;
+    done = results && run_all(data);
+    if (done)
+        outcome_keep();
+    return outcome_code(done);
 }

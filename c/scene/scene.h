@@ -41,12 +41,15 @@ struct scene {
    layout wants it; 0 where memory is short. */
 int32 scene_make_maps(struct scene *scene, int32 kind);
 
+/* The first field of a header that is wrong, or 0; bytes: of the file. */
+const char *scene_wrong_header(const struct scene_header *header, uint32 bytes);
+
+/* The greatest number that a pixel of the header's format can be. */
+uint32 scene_pixel_max(const struct scene_header *header);
+
 /* The first field of meshes, instances or views that is wrong, or 0; tables lie in the
    file, materials are checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
-
-/* Whether the objects of a material are rectangles. */
-int32 scene_has_rectangles(const struct scene_material *material);
 
 /* "s" or "t" where this one leaves a map that is not repeated; else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
@@ -99,18 +102,15 @@ const char *scene_why_pipe_refused(const struct scene *scene);
 /* What there is not enough memory for. */
 enum scene_memory {
     SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES,
-    SCENE_UNITS
+    SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
 };
 
 /* Maps, materials and what else a checked scene is drawn with; textures go to memory of
    the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 
-/* Whether memory is to be reserved for what texture units make while they draw. */
-static inline int32 scene_makes(const struct scene *scene)
-{
-    return (scene->header->units | scene->header->pipes) != 0;
-}
+/* Sets memory aside for what texture units make while they draw, where a scene has any. */
+void scene_reserve(const struct scene *scene);
 
 /* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
 enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,

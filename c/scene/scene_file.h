@@ -50,7 +50,8 @@ struct scene_header {
     fix16 near_plane;           /* depth, from W_MIN on; counts where instances are */
     uint32 guard;               /* log2 of how far right and down of the frame's middle
                                    camera x and y of the size of the depth lie, pixels */
-    uint32 textures, materials, objects, vertices, poses;       /* counts */
+    /* Counts, and below in the same order where each table is. */
+    uint32 textures, materials, objects, vertices, poses;
     uint32 points, normals, corners, faces, meshes, instances, views;
     uint32 units, lists, words, dram;           /* dram: bytes, a multiple of 8 */
     uint32 tmus, pipes, tmu_memory;             /* tmu_memory: bytes, the same */

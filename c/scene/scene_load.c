@@ -3,6 +3,7 @@
 #include "polygon/math.h"
 #include "polygon/tolerance.h"
 #include "system/file.h"
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -10,87 +11,6 @@ static int32 refuse(const char *name, const char *field)
 {
     text_add(name);
     return text_refuse(": not a usable scene file", field);
-}
-
-/* Behind the header, inside the file, and not too long. */
-static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
-{
-    return at >= sizeof(struct scene_header) && count <= SCENE_COUNT_MAX
-        && table_inside(at, count, size, bytes);
-}
-
-static uint32 pixel_max(const struct scene_header *h)
-{
-    return ~(uint32)0 >> (32 - 8 * scene_pixel_bytes(h->format));
-}
-
-/* The name of the first field that is wrong, or 0; so below. */
-static const char *wrong_header(const struct scene_header *h, uint32 bytes)
-{
-    const uint32 summed = (uint32)((const uint8 *)&h->width - (const uint8 *)h);
-
-    if (bytes < sizeof *h)
-        return "size";
-    if (h->magic != SCENE_MAGIC)
-        return "magic";
-    if (h->version != SCENE_VERSION)
-        return "version";
-    if (h->size != bytes)
-        return "size";
-    if (h->checksum != crc32((const uint8 *)h + summed, bytes - summed))
-        return "checksum";
-    if (h->width < 4 || h->width > SCENE_SIDE_MAX || h->width & 3)
-        return "width";
-    if (h->height < 1 || h->height > SCENE_SIDE_MAX)
-        return "height";
-    if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
-        return "frames";
-    if (h->format >= PIXEL_FORMATS)
-        return "format";
-    if (h->background > pixel_max(h))
-        return "background";
-    if (!table_usable(h->palette_at, 256, 4, bytes))
-        return "palette_at";
-    if (!table_usable(h->textures_at, h->textures, sizeof(struct scene_texture), bytes))
-        return "textures or textures_at";
-    if (!table_usable(h->materials_at, h->materials, sizeof(struct scene_material), bytes))
-        return "materials or materials_at";
-    if (!table_usable(h->objects_at, h->objects, sizeof(struct scene_object), bytes))
-        return "objects or objects_at";
-    if (!table_usable(h->vertices_at, h->vertices, sizeof(struct vertex), bytes))
-        return "vertices or vertices_at";
-    if (!table_usable(h->poses_at, h->poses, sizeof(struct scene_pose), bytes))
-        return "poses or poses_at";
-    if (!table_usable(h->points_at, h->points, sizeof(struct scene_point), bytes))
-        return "points or points_at";
-    if (!table_usable(h->normals_at, h->normals, sizeof(struct scene_normal), bytes))
-        return "normals or normals_at";
-    if (!table_usable(h->corners_at, h->corners, sizeof(struct scene_corner), bytes))
-        return "corners or corners_at";
-    if (!table_usable(h->faces_at, h->faces, sizeof(struct scene_face), bytes))
-        return "faces or faces_at";
-    if (!table_usable(h->meshes_at, h->meshes, sizeof(struct scene_mesh), bytes))
-        return "meshes or meshes_at";
-    if (!table_usable(h->instances_at, h->instances, sizeof(struct scene_instance), bytes))
-        return "instances or instances_at";
-    if (!table_usable(h->views_at, h->views, sizeof(struct scene_view), bytes))
-        return "views or views_at";
-    if (!table_usable(h->units_at, h->units, sizeof(struct scene_unit), bytes))
-        return "units or units_at";
-    if (!table_usable(h->lists_at, h->lists, sizeof(struct scene_list), bytes))
-        return "lists or lists_at";
-    if (!table_usable(h->words_at, h->words, sizeof(struct tx_word), bytes))
-        return "words or words_at";
-    if (h->dram_at < sizeof *h || h->dram & 7 || !table_inside(h->dram_at, h->dram, 1, bytes))
-        return "dram or dram_at";
-    if (!table_usable(h->tmus_at, h->tmus, sizeof(struct scene_tmu), bytes))
-        return "tmus or tmus_at";
-    if (!table_usable(h->pipes_at, h->pipes, sizeof(struct scene_pipe), bytes))
-        return "pipes or pipes_at";
-    if (h->tmu_memory_at < sizeof *h || h->tmu_memory & 7
-        || !table_inside(h->tmu_memory_at, h->tmu_memory, 1, bytes))
-        return "tmu_memory or tmu_memory_at";
-    return 0;
 }
 
 static int32 is_power_of_two(int32 side)
@@ -119,6 +39,7 @@ static int32 size_usable(int32 width, int32 height, enum map_layout layout)
     }
 }
 
+/* The name of the first field that is wrong, or 0; so below. */
 static const char *wrong_texture(const struct scene *scene)
 {
     const struct scene_header *h = scene->header;
@@ -223,7 +144,7 @@ static const char *wrong_material(const struct scene *scene)
                                 || scene->textures[m->light].layout != MAP_LIGHT
             : m->light != NO_TEXTURE)
             return "material.light";
-        if (m->colour > pixel_max(h))
+        if (m->colour > scene_pixel_max(h))
             return "material.colour";
     }
     return 0;
@@ -242,7 +163,8 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
     return 0;
 }
 
-int32 scene_has_rectangles(const struct scene_material *material)
+/* Whether the objects of a material are rectangles. */
+static int32 has_rectangles(const struct scene_material *material)
 {
     return material->primitive >= UNIT_RECTANGLES;
 }
@@ -321,7 +243,7 @@ static const char *wrong_object(const struct scene *scene)
         if (o->material >= h->materials)
             return "object.material";
         m = &scene->materials[o->material];
-        if ((scene_has_rectangles(m) ? o->vertices != 2 : o->vertices < 3)
+        if ((has_rectangles(m) ? o->vertices != 2 : o->vertices < 3)
             || o->vertices > POLYGON_VERTICES_MAX || o->vertex > h->vertices
             || o->vertices > h->vertices - o->vertex
             || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON)
@@ -332,7 +254,7 @@ static const char *wrong_object(const struct scene *scene)
         if (o->first_frame >= (uint32)h->frames)
             return "object.first_frame";
         wrong = wrong_vertex(scene, o);
-        if (!wrong && scene_has_rectangles(m))
+        if (!wrong && has_rectangles(m))
             wrong = wrong_rectangle(scene, o);
         if (wrong)
             return wrong;
@@ -357,12 +279,9 @@ static const char *wrong_entry(const struct scene *scene)
 
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
-    static const char *const memory_lacks[] = {
-        "", "not enough memory for the textures",
-        "not enough memory for the reciprocals of perspective",
-        "not enough memory for the logarithms of perspective",
-        "not enough memory for the materials", "not enough memory for the meshes",
-        "not enough memory for the texture units"
+    static const char *const purposes[] = {
+        "", "the textures", "the reciprocals of perspective", "the logarithms of perspective",
+        "the materials", "the meshes", "the texture units"
     };
     enum scene_memory lacks;
     const char *wrong;
@@ -371,7 +290,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
 
     if (!file_load(name, &data, &bytes))
         return 0;
-    wrong = wrong_header((const struct scene_header *)data, bytes);
+    wrong = scene_wrong_header((const struct scene_header *)data, bytes);
     if (wrong)
         return refuse(name, wrong);
     scene_place(scene, data);
@@ -379,7 +298,9 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     if (wrong)
         return refuse(name, wrong);
     lacks = scene_make(scene, kind);
+    if (lacks == SCENE_CROWDED)
+        return refuse(name, "points, normals or faces of meshes between two objects");
     if (lacks != SCENE_MADE)
-        return text_refuse(name, memory_lacks[lacks]);
+        return outcome_lack_memory(name, purposes[lacks]);
     return scene_try_units(scene, name);
 }

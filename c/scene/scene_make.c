@@ -135,7 +135,7 @@ static uint32 larger(uint32 a, uint32 b)
     return a > b ? a : b;
 }
 
-static int32 make_work(struct scene *scene)
+static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
     uint32 instances = 0, points = 0, normals = 0, faces = 0;
@@ -143,7 +143,7 @@ static int32 make_work(struct scene *scene)
     struct mesh_work *work = &scene->work;
 
     if (!scene->header->instances)
-        return 1;
+        return SCENE_MADE;
     for (uint32 i = 0; i < scene->header->instances; i++, o++) {
         const struct scene_mesh *mesh = &scene->meshes[o->mesh];
 
@@ -158,13 +158,14 @@ static int32 make_work(struct scene *scene)
         most_normals = larger(most_normals, normals);
         most_faces = larger(most_faces, faces);
         if (larger(points, larger(normals, faces)) > SCENE_COUNT_MAX)
-            return 0;
+            return SCENE_CROWDED;
     }
     return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
         && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
         && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
-        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY);
+        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY)
+        ? SCENE_MADE : SCENE_MESHES;
 }
 
 enum scene_memory scene_make(struct scene *scene, int32 kind)
@@ -179,7 +180,11 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
         return SCENE_UNITS;
     if (!make_materials(scene))
         return SCENE_MATERIALS;
-    if (!make_work(scene))
-        return SCENE_MESHES;
-    return SCENE_MADE;
+    return make_work(scene);
+}
+
+void scene_reserve(const struct scene *scene)
+{
+    if (scene->header->units | scene->header->pipes)
+        mem_reserve();
 }

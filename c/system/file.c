@@ -1,5 +1,6 @@
 #include "system/file.h"
 
+#include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
@@ -16,7 +17,7 @@ int32 file_load(const char *name, uint8 **data, uint32 *bytes)
     }
     if (!mem_alloc(data, size, MEMORY_ANY)) {
         file_close(file);
-        return text_refuse(name, "does not fit into memory");
+        return outcome_lack_memory(name, "the file");
     }
     got = file_read(file, *data, size);
     file_close(file);
@@ -34,7 +35,10 @@ int32 file_save(const char *name, const void *data, uint32 bytes)
         return text_refuse(name, "cannot be created");
     put = file_write(file, data, (int32)bytes);
     file_close(file);
-    return put == (int32)bytes ? 1 : text_refuse(name, "cannot be written");
+    if (put == (int32)bytes)
+        return 1;
+    file_delete(name);
+    return text_refuse(name, "cannot be written");
 }
 
 uint32 crc32(const uint8 *data, uint32 bytes)

@@ -7,7 +7,7 @@
 /* Reads a file into new memory; prints a line and returns 0 if it cannot. */
 int32 file_load(const char *name, uint8 **data, uint32 *bytes);
 
-/* Writes a file; prints a line and returns 0 if it cannot. */
+/* Writes a file; prints a line, leaves none and returns 0 if it cannot. */
 int32 file_save(const char *name, const void *data, uint32 bytes);
 
 /* CRC-32 as zlib, PNG and Ethernet have it (polynomial $edb88320, reflected). */

@@ -4,21 +4,40 @@
 
 #include "compiler.h"
 
-enum return_code { RETURN_OK = 0, RETURN_WARN = 5, RETURN_ERROR = 10, RETURN_FAIL = 20 };
+/* What programs return. */
+enum return_code {
+    RETURN_OK = 0,      /* all is done */
+    RETURN_WARN = 5,    /* not all: polygons were refused, or Ctrl-C; what was written is whole */
+    RETURN_ERROR = 10,  /* arguments, or a file that cannot be read or written, or is not as it
+                           should be: the user can mend it */
+    RETURN_FAIL = 20    /* the machine lacks something: processor, Kickstart, memory, timers,
+                           chips; or the program crashed */
+};
 enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
 enum memory_kind { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
 
+/* What gives something back at the program's end; see at_end. Keeps d2-d7/a2-a6. */
+struct end {
+    struct end *next;
+    void (*routine)(void);
+};
+
+void at_end(struct end *end);
+int32 break_asked(void);
 int32 file_open(const char *name, int32 mode);
 int32 file_read(int32 file, void *data, int32 bytes);
 int32 file_write(int32 file, const void *data, int32 bytes);
 int32 file_size(int32 file);
 void file_close(int32 file);
+void file_delete(const char *name);
 void print(const char *text);
 int32 args_read(const char *template_text, int32 *items);
 uint32 program_load(const char *name);
 void program_unload(uint32 program);
 int32 program_run(uint32 program, const char *arguments, int32 bytes, const char *output);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
+int32 mem_asked(int32 *kind);
+int32 mem_largest(int32 kind);
 int32 mem_take(void *address, int32 bytes, int32 kind);
 void mem_reserve(void);
 int32 mem_need(void *address, int32 bytes, int32 kind);
@@ -31,6 +50,6 @@ void clock_start(int32 limit);
 uint32 clock_stop(void);
 void quiet_enter(void);
 void quiet_leave(void);
-int32 cache_data(int32 on);
+int32 cache_data(void);
 
 #endif

@@ -1,3 +1,4 @@
+#include "polygon/key.h"
 #include "tmu/bands.h"
 
 #define LOD_ONE 256             /* 1.0 */
@@ -115,7 +116,7 @@ static void make_bands(struct tmu_bands *bands, const struct tmu_modes *modes,
 void tmu_bands_find(struct tmu_bands *bands, const struct tmu *tmu, int32 has_other,
                     int32 has_alpha)
 {
-    uint32 key[TMU_BANDS_KEY], differs = !bands->count;
+    uint32 key[TMU_BANDS_KEY];
     struct tmu_wanted wanted;
 
     wanted.has_other = has_other;
@@ -123,10 +124,6 @@ void tmu_bands_find(struct tmu_bands *bands, const struct tmu *tmu, int32 has_ot
     key[0] = (uint32)tmu;
     key[1] = tmu->mode_generation;
     key[2] = (uint32)(has_other << 1 | has_alpha);
-    for (int32 i = 0; i < TMU_BANDS_KEY; i++) {
-        differs |= key[i] ^ bands->key[i];
-        bands->key[i] = key[i];
-    }
-    if (differs)
+    if (key_differs(bands->key, key, TMU_BANDS_KEY) || !bands->count)
         make_bands(bands, &tmu->modes, &wanted);
 }

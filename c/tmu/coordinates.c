@@ -1,5 +1,5 @@
 #include "tmu/pixel.h"
-#include "tmu/wide.h"
+#include "tmu/product.h"
 
 /* 2^32 / w where bit 31 of w is set: 23 bits, on the line between two of the entries
    2^31 / (512 + i), rounded down, i = 0 to 512. */
@@ -32,14 +32,14 @@ static int32 cut(struct number64 number, int32 shift, int32 negative)
 
 int32 tmu_table_quotient(int32 s, int32 w)
 {
-    uint32 normal = tmu_magnitude(w);
+    uint32 normal = fix_magnitude(w);
     int32 shift = 23;
 
     if (!w)
         return 0;
     for (; !(normal >> 31); normal <<= 1)
         shift--;
-    return cut(tmu_product(tmu_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
+    return cut(tmu_product(fix_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
 }
 
 /* hi * 2^32 + lo by w, hi below w: the quotient, rounded up where there is a rest and up is 1. */
@@ -58,10 +58,10 @@ static uint32 divided(uint32 hi, uint32 lo, uint32 w, uint32 up)
     return hi && up && lo != 0xffffffff ? lo + 1 : lo;
 }
 
-int32 tmu_exact_quotient(int32 s, int32 w)
+static int32 exact_quotient(int32 s, int32 w)
 {
     const uint32 negative = (s < 0) != (w < 0), limit = negative ? 0x80000000u : 0x7fffffff;
-    const uint32 size = tmu_magnitude(s), by = tmu_magnitude(w);
+    const uint32 size = fix_magnitude(s), by = fix_magnitude(w);
     uint32 value = limit;
 
     if (!w)
@@ -81,8 +81,8 @@ void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s,
         *s = tmu_table_quotient(point->s, point->w);
         *t = tmu_table_quotient(point->t, point->w);
     } else if (tmu->modes.perspective) {
-        *s = tmu_exact_quotient(point->s, point->w);
-        *t = tmu_exact_quotient(point->t, point->w);
+        *s = exact_quotient(point->s, point->w);
+        *t = exact_quotient(point->t, point->w);
     } else {
         *s = point->s;
         *t = point->t;

@@ -1,5 +1,6 @@
 #include "tmu/decode.h"
 
+#include "polygon/key.h"
 #include "system/system.h"
 
 /* A texel is its bytes' entries, exclusive-ored: no bit of its colour comes from both. */
@@ -71,7 +72,7 @@ static uint16 bits_of(uint32 side)
 static int32 is_fresh(struct tmu_kept *kept, const struct tmu *tmu, uint32 level)
 {
     const struct tmu_modes *modes = &tmu->modes;
-    uint32 key[TMU_LEVEL_KEY], differs = 0;
+    uint32 key[TMU_LEVEL_KEY];
 
     key[0] = 1 | (uint32)modes->odd << 1 | (uint32)modes->split << 2 | (uint32)modes->wide << 3
         | (uint32)modes->aspect << 4 | (uint32)modes->ncc_table << 8
@@ -80,11 +81,7 @@ static int32 is_fresh(struct tmu_kept *kept, const struct tmu *tmu, uint32 level
     key[2] = tmu->memory_generation;
     key[3] = tmu->table_generation;
     key[4] = (uint32)tmu;
-    for (int32 i = 0; i < TMU_LEVEL_KEY; i++) {
-        differs |= key[i] ^ kept->key[i];
-        kept->key[i] = key[i];
-    }
-    return !differs;
+    return !key_differs(kept->key, key, TMU_LEVEL_KEY);
 }
 
 static int32 room(void *address, uint32 *has, uint32 count, uint32 size)

@@ -9,7 +9,7 @@ struct work {
 };
 
 /* The same where pixels' LODs are asked for. */
-struct depths {
+struct lod_work {
     uint16 lods[SCENE_SIDE_MAX];
     uint8 details[SCENE_SIDE_MAX];
     uint32 quarters[4][SCENE_SIDE_MAX / 4];     /* of a line: each fourth pixel */
@@ -17,19 +17,19 @@ struct depths {
 };
 
 static struct work *work;
-static struct depths *depths;
+static struct lod_work *lod_work;
 
 int32 tmu_line_ready(int32 lods)
 {
     if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
         work = 0;
-    if (!lods || depths)
+    if (!lods || lod_work)
         return work != 0;
-    if (mem_take(&depths, sizeof *depths, MEMORY_ANY))
-        tmu_logarithms_make(depths->logarithms, tmu_logarithms);
+    if (mem_take(&lod_work, sizeof *lod_work, MEMORY_ANY))
+        tmu_logarithms_make(lod_work->logarithms, tmu_logarithms);
     else
-        depths = 0;
-    return work && depths;
+        lod_work = 0;
+    return work && lod_work;
 }
 
 /* LODs of a run's pixels; x: the first one's. */
@@ -43,7 +43,7 @@ static void find_lods(const struct tmu_runs *runs, const struct tmu_row *row, in
     lods.w = runs->part->by_w ? runs->by.w : 0;
     lods.least = (int16)tmu_lod_least(modes);
     lods.most = (int16)tmu_lod_most(modes);
-    lods.logarithms = depths->logarithms;
+    lods.logarithms = lod_work->logarithms;
     for (int32 i = 0; i < 4; i++) {
         int32 lod = runs->part->lod - 256;
 
@@ -51,7 +51,7 @@ static void find_lods(const struct tmu_runs *runs, const struct tmu_row *row, in
             lod += tmu_dither(x + (i << row->step_bits), row->y);
         lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
     }
-    tmu_lod(&at, depths->lods, &lods, count);
+    tmu_lod(&at, lod_work->lods, &lods, count);
 }
 
 /* What of a run's factors comes from LODs. */
@@ -73,19 +73,19 @@ static void find_factors(struct tmu_factors *factors, const struct tmu_runs *run
         return;
     find_lods(runs, row, x, count);
     if (band->bits & TMU_FRACTIONS_DIFFER) {
-        factors->fractions = (const uint8 *)depths->lods + 1;
-        factors->fraction_step = alike ? 0 : sizeof *depths->lods;
+        factors->fractions = (const uint8 *)lod_work->lods + 1;
+        factors->fraction_step = alike ? 0 : sizeof *lod_work->lods;
     }
     if (band->bits & TMU_DETAILS_DIFFER) {
         nearness.end = (int16)(modes->detail_bias * 256);
         nearness.shift = (uint16)(8 - modes->detail_scale);
-        tmu_details(depths->lods, depths->details, &nearness, count);
-        factors->details = depths->details;
+        tmu_details(lod_work->lods, lod_work->details, &nearness, count);
+        factors->details = lod_work->details;
         factors->detail_step = !alike;
     }
 }
 
-/* The same where s and t are divided at the ends of pieces. */
+/* Coordinates of a run whose s and t are divided at the ends of pieces. */
 static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
 {
     const uint32 place = (uint32)(runs->end - runs->left);
@@ -103,6 +103,7 @@ static void find_pieces(const struct tmu_runs *runs, struct tmu_steps *steps)
     tmu_pieces(&at, work->coordinates, steps, runs->count);
 }
 
+/* Coordinates of any run. */
 static void find_coordinates(struct tmu_runs *runs, struct tmu_steps *steps)
 {
     static const struct tmu_iterators none = {0, 0, 0};
@@ -196,11 +197,11 @@ static int32 draw_quarters(struct tmu_plan *plan, struct tmu_row *row, int32 cou
     row->step_bits = 2;
     for (int32 i = 0; i < 4 && i < count; i++) {
         row->x = x + i;
-        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, depths->quarters[i]))
+        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, lod_work->quarters[i]))
             return 0;
     }
-    quarters.bytes = sizeof depths->quarters[0];
-    tmu_interleave(depths->quarters, to, &quarters, count);
+    quarters.bytes = sizeof lod_work->quarters[0];
+    tmu_interleave(lod_work->quarters, to, &quarters, count);
     return 1;
 }
 

@@ -1,5 +1,5 @@
 #include "tmu/pixel.h"
-#include "tmu/wide.h"
+#include "tmu/product.h"
 
 #define LOD_ONE 256             /* 1.0 */
 
@@ -10,7 +10,7 @@ static const uint8 pattern[4][4] = {
 
 static struct number64 square(int32 value)
 {
-    return tmu_product(tmu_magnitude(value), tmu_magnitude(value));
+    return tmu_product(fix_magnitude(value), fix_magnitude(value));
 }
 
 int32 tmu_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy)
@@ -41,7 +41,7 @@ static int32 unclamped(const struct tmu *tmu, const struct tmu_point *point)
         /* A negative w counts as the positive one does: so the reference data have it. */
         if (!point->w)
             return TMU_LOD_MOST;
-        lod -= tmu_logarithm(0, tmu_magnitude(point->w)) - 30 * LOD_ONE;
+        lod -= tmu_logarithm(0, fix_magnitude(point->w)) - 30 * LOD_ONE;
     }
     lod += tmu->modes.lod_bias * (LOD_ONE / 4);
     if (tmu->modes.dither)

@@ -22,7 +22,7 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
     for (int32 i = 0; i < s->count; i++) {
         if (*value < low || *value >= high)
             return 0;
-        value += sizeof(struct vertex) / sizeof *value;
+        value += VERTEX_FIELDS;
     }
     return 1;
 }
@@ -122,7 +122,7 @@ static int32 find_page(struct tmu_pipe *pipe, const struct showing *shown, int32
     key[1] = tmu->mode_generation;
     key[2] = tmu->memory_generation;
     key[3] = tmu->table_generation;
-    if (page_differs(page->key, key, TMU_PAGE_KEY))
+    if (key_differs(page->key, key, TMU_PAGE_KEY))
         page_forget(&page->page);
     if (page_has(&page->page, rows))
         return 1;

@@ -25,7 +25,7 @@ struct tmu_level {
 
 /* Units in a row. */
 struct tmu_chain {
-    struct tmu *units[2];       /* 0 is nearest the pixel, the last has nothing upstream */
+    struct tmu *units[TMU_UNITS];       /* 0 is nearest the pixel, the last has nothing upstream */
     uint32 count;
     uint32 own;                 /* bit n: unit n has points of its own, or else unit 0's */
 };
@@ -35,7 +35,6 @@ struct tmu_chain {
    straight line between two of 513 entries: that is up to 2^-17 and 2^-20 of it too large, 2^-20
    too small, and what reference data have. */
 void tmu_project(const struct tmu *tmu, const struct tmu_point *point, int32 *s, int32 *t);
-int32 tmu_exact_quotient(int32 s, int32 w);
 int32 tmu_table_quotient(int32 s, int32 w);
 
 /* logarithm.c: 256 log2 of a number of 64 bits, not 0, rounded to the nearest; bits below its

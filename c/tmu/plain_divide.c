@@ -1,9 +1,5 @@
+#include "polygon/math.h"
 #include "tmu/plain.h"
-
-static inline uint32 magnitude(int32 value)
-{
-    return value < 0 ? 0 - (uint32)value : (uint32)value;
-}
 
 /* n * 2^bits / w rounded down, n < 2 w. */
 static uint32 quotient(uint32 n, uint32 w, int32 bits, uint32 *rest)
@@ -28,7 +24,7 @@ static uint32 quotient(uint32 n, uint32 w, int32 bits, uint32 *rest)
 /* s * 2^30 / w rounded down, cut to 32 bits, >> shift. */
 static int32 divided(int32 s, int32 w, int32 shift)
 {
-    const uint32 n = magnitude(s), by = magnitude(w);
+    const uint32 n = fix_magnitude(s), by = fix_magnitude(w);
     uint32 rest, found;
 
     if (n >> 1 >= by) {
@@ -127,7 +123,7 @@ void tmu_pieces_c(const struct tx_call *call)
 static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
 {
     const struct tmu_logarithm *entry;
-    uint32 size = magnitude(w);
+    uint32 size = fix_magnitude(w);
 
     if (!size)
         return lods->most;

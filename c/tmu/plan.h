@@ -130,42 +130,26 @@ void tmu_combine_line(const struct tmu_combining *combining, const struct tmu_mo
                       const struct tmu_factors *factors, const uint32 *local,
                       const uint32 *other, uint32 *to, int32 count);
 
-/* A unit's piece of a line: s and t of the pixel (14.18), and what they change by. */
-struct tmu_piece {
-    int32 bits;                 /* 2^bits pixels; 0: each pixel by itself */
-    int32 s, t, ds, dt;
-};
-
-/* A line pixel by pixel. */
-struct tmu_pieces {
-    const struct tmu_chain *chain;
-    const struct tmu_iterations *at;    /* points: the pixel's */
-    int32 count, done;
-    struct tmu_piece of[TMU_UNITS];
-};
-
-/* pieces.c. By how many pixels, 2^bits, a unit in a row divides where it divides: tmu_subdivision.
+/* pixels.c. By how many pixels, 2^bits, a unit in a row divides where it divides: tmu_subdivision.
    0: each. */
 int32 tmu_piece_bits(const struct tmu_chain *chain, uint32 unit);
 
-/* pieces.c. Before a line's first pixel; count: its pixels. */
-void tmu_pieces_open(struct tmu_pieces *pieces, const struct tmu_chain *chain,
-                     const struct tmu_iterations *at, int32 count);
-
-/* pieces.c. A R G B of the line's next pixel. */
-uint32 tmu_pieces_pixel(struct tmu_pieces *pieces);
+/* pixels.c. Draws pixels x to end - 1 of line y, one by one; at->points are theirs. */
+void tmu_pixels_draw(const struct tmu_pipe *pipe, struct tmu_iterations *at,
+                     const struct frame *frame, int32 x, int32 end, int32 y);
 
 /* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a
    unit looks at them or is dithered; 0: there is none. */
 int32 tmu_line_ready(int32 lods);
 
+typedef int32 tmu_plan_routine(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
+                               int32 count);
+
 /* line.c. Draws pixels x to x + count - 1 of line y. 0: some have no passes, or memory is short:
    whoever calls draws them all. */
-int32 tmu_plan_draw(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
-                    int32 count);
+tmu_plan_routine tmu_plan_draw;
 
 /* line.c. The same, added to the frame (tmu_pipe_adds). 0: nothing is added. */
-int32 tmu_plan_add(struct tmu_plan *plan, const struct frame *frame, int32 x, int32 y,
-                   int32 count);
+tmu_plan_routine tmu_plan_add;
 
 #endif

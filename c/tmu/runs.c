@@ -3,7 +3,6 @@
    A LOD is the polygon's, bias, dither and 30 * 256, less 256 log2 |w|, rounded to the nearest. So
    it reaches a band where |w| is below the first number whose logarithm is too large. */
 #include "tmu/plan.h"
-#include "tmu/wide.h"
 
 #define LOD_ONE 256             /* 1.0 */
 #define LOGARITHM_MOST (31 * LOD_ONE)   /* of |w| */
@@ -39,7 +38,7 @@ static const uint32 *limits_of(struct tmu_part *part, int32 dither)
 /* How many pixels from w on have sizes from low to high - 1 and w's sign, `left` at most. */
 static int32 pixels_between(int32 w, int32 step, uint32 low, uint32 high, int32 left)
 {
-    const uint32 size = tmu_magnitude(w), by = tmu_magnitude(step);
+    const uint32 size = fix_magnitude(w), by = fix_magnitude(step);
     const uint32 end = w < 0 ? 0x80000001 : 0x80000000;
     uint32 count;
 
@@ -83,7 +82,7 @@ static int32 pixels_of_band(struct tmu_part *part, int32 dither, int32 w, int32 
 {
     struct limits between;
 
-    *band = band_of(part, dither, part->by_w ? tmu_magnitude(w) : (uint32)1 << 30, &between);
+    *band = band_of(part, dither, part->by_w ? fix_magnitude(w) : (uint32)1 << 30, &between);
     if (!part->by_w) {
         between.low = 0;
         between.high = 0xffffffff;

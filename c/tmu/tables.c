@@ -55,14 +55,3 @@ enum tmu_result tmu_ncc_registers(struct tmu *tmu, uint32 table, const uint32 *r
     }
     return tmu_ncc(tmu, table, &values);
 }
-
-enum tmu_result tmu_ncc_select(struct tmu *tmu, uint32 table)
-{
-    struct tmu_modes modes = tmu->modes;
-
-    if (table >= TMU_NCC_TABLES)
-        return TMU_BAD_NCC_TABLE;
-    modes.ncc_table = (uint8)table;
-    tmu_set_modes(tmu, &modes);
-    return TMU_DONE;
-}

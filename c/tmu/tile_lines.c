@@ -124,6 +124,16 @@ static int32 prepare(struct tmu_tiling *tiling, const struct tmu_iterators *at, 
     return 1;
 }
 
+/* Pixels without tiles; returns how many were drawn one by one. */
+static int32 draw_untiled(const struct tmu_tiling *tiling, const struct frame *frame, int32 x,
+                          int32 y, int32 count)
+{
+    if (tmu_plan_draw(tiling->plan, frame, x, y, count))
+        return 0;
+    tmu_pixels_draw(tiling->pipe, tiling->iterations, frame, x, x + count, y);
+    return count;
+}
+
 /* A line piece by piece; returns how many pixels were drawn one by one. */
 static int32 draw_line(struct tmu_tiling *tiling, const struct frame *frame,
                       struct tmu_iterators *at, int32 x, int32 y, int32 count)
@@ -138,8 +148,7 @@ static int32 draw_line(struct tmu_tiling *tiling, const struct frame *frame,
         if (prepare(tiling, at, piece))
             tiling->draw(at, pixels, &tiling->paging, piece);
         else
-            missed += tmu_line_draw(tiling->pipe, tiling->plan, tiling->iterations, frame, x, y,
-                                    piece);
+            missed += draw_untiled(tiling, frame, x, y, piece);
         count -= piece;
         if (!count)
             return missed;

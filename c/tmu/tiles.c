@@ -19,16 +19,11 @@ static int32 find_shift(const struct tmu_tiling *tiling)
     return shift;
 }
 
-static uint32 magnitude(uint32 value)
-{
-    return value >> 31 ? 0 - value : value;
-}
-
 /* Whether its way along a line, and along a column, has 31 bits at most. */
 static int32 is_short(const struct plane *plane, const struct rectangle *box)
 {
-    return magnitude(plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
-        && magnitude(plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
+    return fix_magnitude((int32)plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
+        && fix_magnitude((int32)plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
 }
 
 /* Finds each unit's LOD; 0: pixels differ in it. */
@@ -86,15 +81,11 @@ static void find_kinds(struct tmu_tiling *tiling)
 /* How far the vertices' values (16.16) are apart, and the least of them, both in 14.18. */
 static uint32 vertices_range(const struct setup *s, const fix16 *value, int32 *least)
 {
-    fix16 low = *value, high = *value;
+    fix16 low;
+    const fix16 range = vertex_range(value, s->count, &low);
 
-    for (int32 i = 1; i < s->count; i++) {
-        value += sizeof(struct vertex) / sizeof *value;
-        low = *value < low ? *value : low;
-        high = *value > high ? *value : high;
-    }
     *least = (int32)((uint32)low << 2);
-    return ((uint32)high - (uint32)low) << 2;
+    return (uint32)range << 2;
 }
 
 /* The same of a plane within the polygon's box, if that is less. */
@@ -104,7 +95,7 @@ static uint32 box_range(const struct setup *s, const struct planes *planes, int3
     const struct plane *plane = &planes->of[which];
     const int32 across = (int32)plane->dx * (s->box.right - s->box.left - 1);
     const int32 down = (int32)plane->dy * (s->box.bottom - s->box.top - 1);
-    const uint32 inside = magnitude((uint32)across) + magnitude((uint32)down);
+    const uint32 inside = fix_magnitude(across) + fix_magnitude(down);
 
     if (inside >= range)
         return range;

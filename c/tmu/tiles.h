@@ -82,11 +82,6 @@ int32 tmu_tiles_pay(struct tmu_tiling *tiling, struct tmu_pipe *pipe, struct tmu
 /* tile_lines.c. Draws the polygon's lines; returns how many pixels were drawn one by one. */
 uint32 tmu_tiles_draw(struct tmu_tiling *tiling, const struct setup *s);
 
-/* draw.c. Draws pixels of a line without tiles: by passes, or, where there are none (plan is 0, or
-   memory is short), one by one; returns how many of those. */
-int32 tmu_line_draw(const struct tmu_pipe *pipe, struct tmu_plan *plan, struct tmu_iterations *at,
-                    const struct frame *frame, int32 x, int32 y, int32 count);
-
 /* tile_store.c. How many tiles of these pixels the pipe may have. */
 int32 tmu_tiles_room(const struct tmu_pipe *pipe, int32 pixel_bytes);
 

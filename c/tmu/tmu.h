@@ -150,8 +150,8 @@ struct tmu {
     struct tmu_modes modes;
     uint8 *memory;
     uint32 memory_bytes;        /* a power of two; addresses count modulo it */
-    uint32 palette[256];        /* 00RRGGBB */
-    struct tmu_ncc ncc[2];
+    uint32 palette[TMU_ENTRIES];        /* 00RRGGBB */
+    struct tmu_ncc ncc[TMU_NCC_TABLES];
     /* Each grows with every change of what it stands for: who keeps something that was made
        from it compares. */
     uint32 memory_generation, table_generation, mode_generation;
@@ -208,6 +208,7 @@ enum tmu_result tmu_quotients(struct tmu *tmu, uint32 by_table);
 
 /* dithered: 0 or 1. The polygons that it changes are in unit.h. */
 enum tmu_result tmu_bilinear_by(struct tmu *tmu, uint32 dithered);
+
 /* How often the s and t of polygons are divided by w: 0, at each pixel, or only each 8 or 16
    pixels. A line's pixels, as the frame cuts it, are counted from its first one on, and pieces
    begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the one where the next

@@ -18,7 +18,7 @@ void tx_init(struct tx *tx, const uint8 *dram, uint32 dram_bytes)
     tx_command(tx, (uint32)TX_OP_OTHER_MODES << 24 | 1u << 11 | 1u << 10, 0);
 }
 
-int32 tx_drawable_pair(uint32 format, uint32 size)
+static int32 drawable_pair(uint32 format, uint32 size)
 {
     switch (format) {
     case TX_RGBA:
@@ -37,7 +37,7 @@ int32 tx_drawable_pair(uint32 format, uint32 size)
 
 int32 tx_loadable_pair(uint32 format, uint32 size)
 {
-    return size != TX_4 && (tx_drawable_pair(format, size) || (size == TX_16 && format <= TX_I));
+    return size != TX_4 && (drawable_pair(format, size) || (size == TX_16 && format <= TX_I));
 }
 
 static int32 is_split(const struct tx_tile *tile)
@@ -96,7 +96,7 @@ enum tx_result tx_check_tile(const struct tx *tx, int32 n)
 
     if (!tx->checked)
         return TX_DONE;
-    if (!tx_drawable_pair(tile->format, tile->size))
+    if (!drawable_pair(tile->format, tile->size))
         return TX_ILLEGAL_PAIR;
     if (index != tx->modes.tlut)
         return TX_TLUT_MODE;

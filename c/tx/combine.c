@@ -9,7 +9,7 @@ struct inputs {
     int32 fraction, primitive_fraction, k4, k5;
 };
 
-static int32 rgb_a(const struct inputs *in, uint32 code, int32 channel)
+static int32 rgb_ad(const struct inputs *in, uint32 code, int32 channel)
 {
     return code < TX_CODE_ONE ? in->colours[code][channel] : code == TX_CODE_ONE ? 0x100 : 0;
 }
@@ -30,14 +30,9 @@ static int32 rgb_c(const struct inputs *in, uint32 code, int32 channel)
         : code == TX_CODE_K5 ? in->k5 : 0;
 }
 
-static int32 rgb_d(const struct inputs *in, uint32 code, int32 channel)
-{
-    return code < TX_CODE_ONE ? in->colours[code][channel] : code == TX_CODE_ONE ? 0x100 : 0;
-}
-
 static int32 alpha_abd(const struct inputs *in, uint32 code)
 {
-    return rgb_d(in, code, 3);
+    return rgb_ad(in, code, 3);
 }
 
 static int32 alpha_c(const struct inputs *in, uint32 code)
@@ -67,8 +62,8 @@ static void combine_cycle(const struct tx_combine *codes, int32 cycle, struct in
     int32 made[4];
 
     for (int32 i = 0; i < 3; i++)
-        made[i] = combine(rgb_a(in, rgb->a, i), rgb_b(in, rgb->b, i), rgb_c(in, rgb->c, i),
-                          rgb_d(in, rgb->d, i));
+        made[i] = combine(rgb_ad(in, rgb->a, i), rgb_b(in, rgb->b, i), rgb_c(in, rgb->c, i),
+                          rgb_ad(in, rgb->d, i));
     made[3] = combine(alpha_abd(in, alpha->a), alpha_abd(in, alpha->b), alpha_c(in, alpha->c),
                       alpha_abd(in, alpha->d));
     for (int32 i = 0; i < 4; i++)
@@ -83,7 +78,8 @@ static void put(struct inputs *in, int32 code, const struct tx_colour *colour)
     in->colours[code][3] = colour->a;
 }
 
-int32 tx_clamp_9(int32 value)
+/* 9 bits to 0-255. */
+static int32 clamp_9(int32 value)
 {
     value &= 0x1ff;
     return (value & 0x180) == 0x180 ? 0 : value & 0x100 ? 255 : value;
@@ -113,7 +109,7 @@ uint32 tx_combine_pixel(const struct tx *tx, const struct tx_sources *sources)
     }
     combine_cycle(&tx->combine, 1, &in);
     for (int32 i = 0; i < 4; i++)
-        colour = colour << 8 | (uint32)tx_clamp_9(in.colours[TX_CODE_COMBINED][i]);
+        colour = colour << 8 | (uint32)clamp_9(in.colours[TX_CODE_COMBINED][i]);
     return colour;
 }
 

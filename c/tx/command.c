@@ -2,13 +2,20 @@
 #include "tx/bits.h"
 #include "tx/tx.h"
 
-static int32 same(const void *a, const void *b, uint32 bytes)
+/* A part of the state becomes another; whether that changes it: its generation grows then. */
+static int32 change(void *part, const void *other, uint32 bytes, uint32 *generation)
 {
-    const uint8 *x = (const uint8 *)a, *y = (const uint8 *)b;
+    const uint8 *from = other;
+    uint32 changed = 0;
+    uint8 *to = part;
 
-    while (bytes && *x == *y)
-        x++, y++, bytes--;
-    return !bytes;
+    for (; bytes; bytes--, to++, from++) {
+        changed |= *to ^ (uint32)*from;
+        *to = *from;
+    }
+    if (changed)
+        ++*generation;
+    return changed != 0;
 }
 
 /* Strict: what a change of this kind may not find pending. */
@@ -53,10 +60,7 @@ static enum tx_result set_tile(struct tx *tx, uint32 hi, uint32 lo)
     tile.s.mirror = (uint8)tx_bits(lo, 8, 8);
     tile.s.mask = (uint8)tx_bits(lo, 7, 4);
     tile.s.shift = (uint8)tx_bits(lo, 3, 0);
-    if (!same(&tile, &tx->tiles[n], sizeof tile)) {
-        tx->tiles[n] = tile;
-        tx->tile_generation[n]++;
-    }
+    change(&tx->tiles[n], &tile, sizeof tile, &tx->tile_generation[n]);
     return TX_DONE;
 }
 
@@ -69,10 +73,7 @@ void tx_set_edges(struct tx *tx, uint32 hi, uint32 lo)
     tile.t.low = (uint16)tx_bits(hi, 11, 0);
     tile.s.high = (uint16)tx_bits(lo, 23, 12);
     tile.t.high = (uint16)tx_bits(lo, 11, 0);
-    if (!same(&tile, &tx->tiles[n], sizeof tile)) {
-        tx->tiles[n] = tile;
-        tx->tile_generation[n]++;
-    }
+    change(&tx->tiles[n], &tile, sizeof tile, &tx->tile_generation[n]);
 }
 
 static enum tx_result set_tile_size(struct tx *tx, uint32 hi, uint32 lo)
@@ -113,11 +114,8 @@ static enum tx_result set_modes(struct tx *tx, uint32 hi)
     modes.filter1 = (uint8)tx_bits(hi, 10, 10);
     modes.convert_one = (uint8)tx_bits(hi, 9, 9);
     tx->other_modes = tx_bits(hi, 23, 0);
-    if (!same(&modes, &tx->modes, sizeof modes)) {
-        tx->modes = modes;
-        tx->mode_generation++;
+    if (change(&tx->modes, &modes, sizeof modes, &tx->mode_generation))
         tx_find_inputs(tx);
-    }
     return TX_DONE;
 }
 
@@ -146,11 +144,7 @@ static enum tx_result set_convert(struct tx *tx, uint32 hi, uint32 lo)
     k[3] = (int16)tx_signed_9((int32)(tx_bits(lo, 26, 18)));
     k[4] = (int16)tx_signed_9((int32)(tx_bits(lo, 17, 9)));
     k[5] = (int16)tx_signed_9((int32)(tx_bits(lo, 8, 0)));
-    if (!same(k, tx->k, sizeof k)) {
-        for (int32 i = 0; i < 6; i++)
-            tx->k[i] = k[i];
-        tx->mode_generation++;
-    }
+    change(tx->k, k, sizeof k, &tx->mode_generation);
     return TX_DONE;
 }
 
@@ -182,26 +176,22 @@ static enum tx_result set_combine(struct tx *tx, uint32 hi, uint32 lo)
         if (result != TX_DONE)
             return result;
     }
-    if (!same(&combine, &tx->combine, sizeof combine)) {
-        tx->combine = combine;
-        tx->mode_generation++;
+    if (change(&tx->combine, &combine, sizeof combine, &tx->mode_generation))
         tx_find_inputs(tx);
-    }
     return TX_DONE;
 }
 
 static void set_byte(struct tx *tx, uint8 *byte, uint32 value)
 {
-    if (*byte == value)
-        return;
-    *byte = (uint8)value;
-    tx->mode_generation++;
+    const uint8 other = (uint8)value;
+
+    change(byte, &other, 1, &tx->mode_generation);
 }
 
+/* R G B A lie in memory as in the word. */
 static void set_colour(struct tx *tx, uint8 *colour, uint32 word)
 {
-    for (int32 i = 0; i < 4; i++)
-        set_byte(tx, &colour[i], word >> (24 - 8 * i) & 0xff);
+    change(colour, &word, sizeof word, &tx->mode_generation);
 }
 
 /* Not of the modes that pending primitives were given with: no sync is due. */

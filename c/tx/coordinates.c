@@ -6,10 +6,7 @@ uint32 tx_relative(const struct tx_axis *axis, int32 c)
     const int32 high = axis->high;
     int32 over;
 
-    if (axis->shift <= 10)
-        c = (int16)c >> axis->shift;
-    else
-        c = (int16)((uint32)c << (16 - axis->shift));
+    c = tx_shifted(axis, c);
     over = c >> 3 >= high;      /* before the origin is taken away */
     c -= 8 * axis->low;
     if (axis->clamp || !axis->mask) {

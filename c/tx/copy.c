@@ -5,11 +5,7 @@
 /* Shift and origin only: copy mode does not clamp. */
 static int32 first_index(const struct tx_axis *axis, int32 c)
 {
-    if (axis->shift <= 10)
-        c = (int16)c >> axis->shift;
-    else
-        c = (int16)((uint32)c << (16 - axis->shift));
-    return (c - 8 * axis->low) >> 5;
+    return (tx_shifted(axis, c) - 8 * axis->low) >> 5;
 }
 
 /* The 16 bits that hold a texel; of 32 bits those in the low half. */

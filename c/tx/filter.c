@@ -2,7 +2,8 @@
 #include "tx/bits.h"
 #include "tx/texel.h"
 
-int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft)
+/* One channel; fs, ft: 0 to 31. */
+static int32 three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft)
 {
     if (fs + ft < 32)
         return c00 + ((fs * (c10 - c00) + ft * (c01 - c00) + 16) >> 5);
@@ -37,7 +38,7 @@ static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
         return (int16)tx_signed_9(weigh(c00, c10, c01, c11, fs + at->t >= 32, mid, at->by));
     if (mid)
         return (int16)tx_signed_9((c00 + c10 + c01 + c11 + 2) >> 2);
-    return (int16)tx_signed_9(tx_three_points(c00, c10, c01, c11, fs, at->t));
+    return (int16)tx_signed_9(three_points(c00, c10, c01, c11, fs, at->t));
 }
 
 /* The four texels of a quad. Of YUV, chroma's second column may be another than luma's. */

@@ -17,7 +17,8 @@ static int32 overflows(const struct tx_divided *at)
     return at->overflow_s || at->overflow_t;
 }
 
-void tx_find_level(const struct tx *tx, int32 lod, int32 far, struct tx_level *level)
+/* lod: s10.5, 32 is one texel a pixel; far: beyond reckoning. */
+static void find_level(const struct tx *tx, int32 lod, int32 far, struct tx_level *level)
 {
     const struct tx_modes *modes = &tx->modes;
     int32 magnified = 0, distant = 1, step = 0;
@@ -80,5 +81,5 @@ void tx_level_of_point(const struct tx *tx, const struct tx_point *point,
                                  distance(at->raw_t, there.raw_t)));
         far = far || overflows(&there);
     }
-    tx_find_level(tx, lod, far || lod >= 0x4000, level);
+    find_level(tx, lod, far || lod >= 0x4000, level);
 }

@@ -238,7 +238,7 @@ int32 tx_page_make(struct tx_unit *unit, const struct tx_needs *needs, int32 pix
     uint32 key[TX_PAGE_KEY];
 
     find_key(key, &unit->tx, unit->tx.primitive_tile, pixel_bytes, &needs->shade);
-    if (page_differs(page->key, key, TX_PAGE_KEY))
+    if (key_differs(page->key, key, TX_PAGE_KEY))
         page_forget(&page->page);
     if (page_has(&page->page, rows))
         return 1;

@@ -29,9 +29,6 @@ struct tx_level {
     int32 tile0, tile1, fraction;
 };
 
-/* lod.c. lod: s10.5, 32 is one texel a pixel; far: beyond reckoning. */
-void tx_find_level(const struct tx *tx, int32 lod, int32 far, struct tx_level *level);
-
 /* lod.c. at: the divided pixel itself. In one-cycle mode only the neighbour to the right
    counts. */
 void tx_level_of_point(const struct tx *tx, const struct tx_point *point,
@@ -47,9 +44,6 @@ struct tx_sources {
    of two cycles texel 0 is tile T1's sample and texel 1 this pixel's T0 (the hardware has the
    next pixel's there); in one-cycle mode texel 1 is texel 0. */
 uint32 tx_combine_pixel(const struct tx *tx, const struct tx_sources *sources);
-
-/* combine.c. 9 bits to 0-255. */
-int32 tx_clamp_9(int32 value);
 
 /* pixel.c. Tiles and their two samples, as in two-cycle mode. */
 struct tx_pixel {

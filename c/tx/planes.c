@@ -22,12 +22,9 @@ static void find_shades(struct tx_planes *planes, const struct setup *s, const u
 int32 tx_planes_find(struct tx_planes *planes, const struct setup *s, int32 perspective,
                      int32 shades, const uint32 *colours)
 {
-    const struct vertex *v = s->given;
-    const struct planes_corners corners = {&v->s, &v->t, &v->w, sizeof *v / sizeof v->s};
-
     planes->divided = perspective;
     planes->shaded = shades;
-    if (!planes_coordinates(&planes->all, s, TX_S, &corners, &scale, perspective))
+    if (!planes_coordinates(&planes->all, s, TX_S, s->given, &scale, perspective))
         return 0;
     if (shades)
         find_shades(planes, s, colours);

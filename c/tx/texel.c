@@ -33,7 +33,7 @@ static int16 five(uint32 bits)
     return (int16)(bits << 3 | bits >> 2);
 }
 
-void tx_expand_rgba16(uint32 bits, struct tx_colour *texel)
+static void expand_rgba16(uint32 bits, struct tx_colour *texel)
 {
     texel->r = five(bits >> 11);
     texel->g = five(bits >> 6);
@@ -41,7 +41,7 @@ void tx_expand_rgba16(uint32 bits, struct tx_colour *texel)
     texel->a = bits & 1 ? 255 : 0;
 }
 
-void tx_expand_ia16(uint32 bits, struct tx_colour *texel)
+static void expand_ia16(uint32 bits, struct tx_colour *texel)
 {
     texel->r = texel->g = texel->b = (int16)(bits >> 8 & 255);
     texel->a = (int16)(bits & 255);
@@ -68,7 +68,7 @@ static void fetch_4(const struct tx_tile *tile, uint32 nibble, struct tx_colour 
 static void fetch_16(const struct tx_tile *tile, const uint8 *at, struct tx_colour *texel)
 {
     if (tile->format == TX_RGBA) {
-        tx_expand_rgba16((uint32)at[0] << 8 | at[1], texel);
+        expand_rgba16((uint32)at[0] << 8 | at[1], texel);
     } else if (tile->format == TX_IA && tile->size == TX_16) {
         grey(at[0], at[1], texel);
     } else {
@@ -108,9 +108,9 @@ void tx_fetch(const struct tx *tx, const struct tx_tile *tile, int32 s, int32 ro
     if (tx->modes.tlut) {
         address = tx_tlut_entry(tx, tx_tlut_index(tx, tile, s, row), tap);
         if (tx->modes.tlut_type)
-            tx_expand_ia16(address, texel);
+            expand_ia16(address, texel);
         else
-            tx_expand_rgba16(address, texel);
+            expand_rgba16(address, texel);
         return;
     }
     address = tx_texel_address(tile, tile->size, s, row);

@@ -15,6 +15,13 @@ struct tx_place {
     int32 index, step;
 };
 
+/* A coordinate (s10.5) after an axis' shift. */
+static inline int32 tx_shifted(const struct tx_axis *axis, int32 c)
+{
+    return axis->shift <= 10 ? (int16)c >> axis->shift
+                             : (int16)((uint32)c << (16 - axis->shift));
+}
+
 /* coordinates.c. c: s10.5. Relative coordinate: 11.5 bits unsigned; steps 1-4 (shift, clamp,
    origin). Where the axis neither clamps nor masks nothing, it is modulo 2^16. */
 uint32 tx_relative(const struct tx_axis *axis, int32 c);
@@ -38,13 +45,6 @@ uint32 tx_tlut_index(const struct tx *tx, const struct tx_tile *tile, int32 s, i
 
 /* texel.c. A TLUT's entry: 16 bits, as they are. */
 uint32 tx_tlut_entry(const struct tx *tx, uint32 index, int32 tap);
-
-/* texel.c. What stands in 16 bits. */
-void tx_expand_rgba16(uint32 bits, struct tx_colour *texel);
-void tx_expand_ia16(uint32 bits, struct tx_colour *texel);
-
-/* filter.c. One channel through the three-point filter; fs, ft: 0 to 31. */
-int32 tx_three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft);
 
 /* filter.c. Samples tile n at s, t (s10.5) as the modes of the cycle (0 or 1) say. previous:
    cycle 0's sample, which cycle 1 may convert. */

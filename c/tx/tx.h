@@ -131,8 +131,8 @@ enum tx_inputs {
 enum tx_pending { TX_PENDING_LOAD = 1, TX_PENDING_TILE = 2, TX_PENDING_PIPE = 4 };
 
 struct tx {
-    uint8 tmem[4096];
-    struct tx_tile tiles[8];
+    uint8 tmem[TX_TMEM_BYTES];
+    struct tx_tile tiles[TX_TILES];
     struct tx_modes modes;
     struct tx_combine combine;
     struct tx_image image;
@@ -148,7 +148,7 @@ struct tx {
     uint32 dram_bytes;          /* multiple of 8 */
     /* Each grows when what it stands for really changes: who keeps something that was made
        from it compares. */
-    uint32 tmem_generation, tile_generation[8], mode_generation;
+    uint32 tmem_generation, tile_generation[TX_TILES], mode_generation;
     uint8 checked;              /* 1: illegal uses are results of their own; 0: they do what
                                    the hardware does, but those that hang it */
     uint8 strict;               /* 1: a change without its sync is a result of its own */
@@ -199,8 +199,7 @@ enum tx_result tx_load_tlut_words(struct tx *tx, uint32 hi, uint32 lo);
 /* command.c: the edges of a tile as set tile size and the loads give them. */
 void tx_set_edges(struct tx *tx, uint32 hi, uint32 lo);
 
-/* check.c: whether a format exists in this size; for drawing, and (views of 16 bits) loads. */
-int32 tx_drawable_pair(uint32 format, uint32 size);
+/* check.c: whether a format exists in this size for loads: as for drawing, and views of 16 bits. */
 int32 tx_loadable_pair(uint32 format, uint32 size);
 
 /* combine.c: tx->inputs anew; whether all codes that count are supported. */

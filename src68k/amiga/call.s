@@ -75,7 +75,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
         moveq   #LOOP_SIZE/4-1,d0
 .copy   move.l  (a0)+,(a1)+
         dbra    d0,.copy
-        movea.l 4.w,a6
+        movea.l sys_base,a6
         lvo     CacheClearU
         return_all
 

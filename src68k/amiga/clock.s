@@ -8,7 +8,6 @@
         include "routine.i"
 
         xdef    ciab_base
-        xref    sys_base
 
 BEAM_LINES              equ     $1ff00  ; of vposr and vhposr
 BEAM_PLACE              equ     $40     ; colour clocks

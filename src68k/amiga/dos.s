@@ -5,7 +5,9 @@
         include "routine.i"
 
         xref    dos_base
+        xref    no_arguments
         xdef    file_close_all
+        xdef    read_args
 
 FILES                   equ     8
 
@@ -145,6 +147,26 @@ transfer macro
         rts
 
 ;==============================================================================
+; file_delete - deletes a file that is not whole
+;
+; in:      d0  char*  name, zero-terminated; closed
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   name
+; writes:  -
+; formats: -
+; error:   ignored: a line says already what is wrong
+; cost:    -
+;==============================================================================
+        routine file_delete,d0
+        move.l  a6,-(sp)
+        move.l  d0,d1
+        movea.l dos_base,a6
+        lvo     DeleteFile
+        movea.l (sp)+,a6
+        rts
+
+;==============================================================================
 ; print - writes text to the program's output
 ;
 ; in:      d0  char*  text, zero-terminated
@@ -185,16 +207,18 @@ transfer macro
 ; cost:    -
 ;==============================================================================
         routine args_read,d0,d1
-        movem.l d2/d3/a6,-(sp)
+        movem.l d2-d4/a6,-(sp)
         move.l  d1,d2
-        move.l  d0,d1
-        moveq   #0,d3
+        move.l  d0,d4
+        jsr     no_arguments
+        move.l  d0,d3
+        move.l  d4,d1
         movea.l dos_base,a6
         lvo     ReadArgs
         move.l  d0,read_args
         beq.s   .bad
         moveq   #1,d0
-.bad    movem.l (sp)+,d2/d3/a6
+.bad    movem.l (sp)+,d2-d4/a6
         rts
 
 ;==============================================================================

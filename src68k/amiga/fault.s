@@ -3,6 +3,7 @@
 ; an orderly end with return code 20.
 
         include "amiga.i"
+        include "layout.i"
 
         xdef    fault_handler
         xdef    fault_enter
@@ -11,8 +12,6 @@
         xref    program_end
         xref    quiet_leave
         xref    _print
-
-RETURN_FAIL             equ     20
 
 ;==============================================================================
 ; fault_handler - the task's trap code: notes the fault, resumes at the report

@@ -1,17 +1,17 @@
 ; Memory through exec. What a program allocates is noted here and freed when it ends.
 
         include "amiga.i"
+        include "layout.i"
         include "routine.i"
 
-        xref    sys_base
         xref    program_end
         xref    _print
+        xref    quiet_leave
         xdef    mem_free_all
 
 BLOCK_SIZE              equ     4       ; head of an allocated block: next, size
 BLOCK_HEAD              equ     8
 ALIGN                   equ     8       ; of what is taken, as exec does
-RETURN_FAIL             equ     20
 
 ; Returns with what is set aside, or goes on. That is of any kind.
 take    macro
@@ -46,6 +46,51 @@ take    macro
 ; cost:    -
 ;==============================================================================
         routine mem_alloc,d0,d1,a0
+        move.l  d1,asked_bytes
+        move.l  a0,asked_kind
+        jmp     cleared
+
+;==============================================================================
+; mem_asked - what mem_alloc was last asked for
+;
+; in:      a0  int32*  where the kind goes
+; out:     d0  int32   bytes
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *a0
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_asked,a0
+        move.l  asked_kind,(a0)
+        move.l  asked_bytes,d0
+        rts
+
+;==============================================================================
+; mem_largest - the largest piece of memory that is free
+;
+; in:      d0  int32   kind: 0 any, 2 chip, 4 fast
+; out:     d0  int32   bytes
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_largest,d0
+        move.l  a6,-(sp)
+        move.l  d0,d1
+        or.l    #MEMF_LARGEST,d1
+        movea.l sys_base,a6
+        lvo     AvailMem
+        movea.l (sp)+,a6
+        rts
+
+; As mem_alloc.
+        section .text.mem_cleared,code
+cleared:
         movem.l d2/d3/a6,-(sp)
         move.l  d0,d2
         move.l  d1,d3
@@ -92,11 +137,8 @@ uncleared:
 ; cost:    -
 ;==============================================================================
         routine mem_reserve
-        move.l  a6,-(sp)
-        move.l  #MEMF_LARGEST,d1
-        movea.l sys_base,a6
-        lvo     AvailMem
-        movea.l (sp)+,a6
+        moveq   #0,d0
+        jsr     mem_largest
         lsr.l   #1,d0
         and.w   #-ALIGN,d0
         move.l  d0,d1
@@ -146,11 +188,12 @@ uncleared:
 ; Programs of one scene call it wherever others call mem_alloc.
 
         routine mem_need,d0,d1,a0
-        jsr     mem_alloc
+        jsr     cleared
 needed: tst.l   d0
         beq.s   .short
         rts
-.short  pea     .text(pc)
+.short  jsr     quiet_leave             ; some ask while they draw
+        pea     .text(pc)
         jsr     _print
         moveq   #RETURN_FAIL,d0
         jmp     program_end
@@ -208,6 +251,8 @@ mem_free_all:
         rts
 
         section .bss.memory,bss
+asked_bytes     ds.l    1
+asked_kind      ds.l    1
 blocks          ds.l    1
 reserve         ds.l    1
 reserve_bytes   ds.l    1

@@ -6,7 +6,6 @@
 
         xdef    quiet_leave
         xdef    quiet
-        xref    sys_base
         xref    ciab_base
         xref    fault_number
         xref    fault_enter

@@ -1,53 +1,84 @@
-; Start and end of every program: libraries, the fault handler, and the release
-; of all that is still held, whichever way the program ends.
+; Start and end of every program: what it needs of the machine, libraries, the fault handler,
+; and the release of all that is still held, whichever way the program ends.
 
         include "amiga.i"
+        include "layout.i"
 
         xdef    start
+        xdef    program_begin
         xdef    program_end
-        xdef    sys_base
         xdef    dos_base
+        xdef    ends_call
         xref    _main
+        xref    print
         xref    fault_handler
+        xref    workbench
         xref    quiet_leave
         xref    clock_close
         xref    file_close_all
         xref    mem_free_all
 
-RETURN_FAIL             equ     20
+DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand
 
 ;==============================================================================
-; start - entry of a CLI program: calls int main(void), returns what it returns
+; start - entry of a program, from a shell or by a double click
 ;
 ; in:      -
 ; out:     d0  int32  AmigaDOS return code: 0, 5, 10 or 20
 ; trashes: d0-d1/a0-a1
 ; reads:   -
-; writes:  the task's trap vector, restored at the end
+; writes:  -
 ; formats: -
-; error:   started from Workbench: replies and leaves; no dos 36: returns 20
+; error:   -
 ; cost:    -
 ;==============================================================================
+; All of it is a 68000's code, and for any Kickstart.
         section .text.start,code
 start:
         movem.l d2-d7/a2-a6,-(sp)
-        movea.l 4.w,a6
-        move.l  a6,sys_base
+        movea.l sys_base,a6
         suba.l  a1,a1
         lvo     FindTask
         movea.l d0,a4
         tst.l   pr_CLI(a4)
-        beq.s   from_workbench
+        bne.s   program_begin
+        jmp     workbench               ; which comes back, if at all
+
+;==============================================================================
+; program_begin - calls main where the machine has what every program needs
+;
+; in:      a4  struct Process*   this task
+;          a6  struct ExecBase*  exec
+; out:     d0  int32  return code, from program_end
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the task's trap vector
+; formats: -
+; error:   no 68020 or no Kickstart 2.0: prints so, returns 20
+; cost:    -
+;==============================================================================
+; On the stack are d2-d7/a2-a6. A 68000 runs this, and what ends a program that has opened nothing.
+program_begin:
+        move.l  a4,-(sp)
+        move.l  tc_TrapCode(a4),-(sp)
+        move.l  sp,initial_sp
         lea     dos_name(pc),a1
-        moveq   #36,d0
+        moveq   #0,d0
         lvo     OpenLibrary
         move.l  d0,dos_base
-        beq     no_dos
-        move.l  tc_TrapCode(a4),old_trap_code
+        movea.l d0,a0
+        move.l  #no_68020,d0
+        btst    #AFB_68020,AttnFlags+1(a6)
+        beq.s   .lacking
+        move.l  #no_kickstart,d0
+        cmpi.w  #DOS_VERSION,lib_Version(a0)
+        blo.s   .lacking
         move.l  #fault_handler,tc_TrapCode(a4)
-        move.l  a4,this_task
-        move.l  sp,initial_sp
         jsr     _main
+        bra.s   program_end
+.lacking
+        jsr     print
+        moveq   #RETURN_FAIL,d0
 
 ;==============================================================================
 ; program_end - ends the program from anywhere, in user mode
@@ -65,36 +96,33 @@ program_end:
         movea.l initial_sp,sp
         move.l  d0,d2
         jsr     quiet_leave
+        move.l  ends_call,d0
+        beq.s   .no_ends
+        movea.l d0,a0
+        jsr     (a0)
+.no_ends
         jsr     clock_close
         jsr     file_close_all
         jsr     mem_free_all
-        movea.l this_task,a4
-        move.l  old_trap_code,tc_TrapCode(a4)
+        move.l  (sp)+,d0
+        movea.l (sp)+,a4
+        move.l  d0,tc_TrapCode(a4)
         movea.l sys_base,a6
         movea.l dos_base,a1
         lvo     CloseLibrary
         move.l  d2,d0
-        bra.s   leave_program
-
-from_workbench
-        lea     pr_MsgPort(a4),a0
-        lvo     WaitPort
-        lea     pr_MsgPort(a4),a0
-        lvo     GetMsg
-        move.l  d0,d2
-        lvo     Forbid                  ; until our code is unloaded
-        movea.l d2,a1
-        lvo     ReplyMsg
-no_dos moveq   #RETURN_FAIL,d0
-leave_program  movem.l (sp)+,d2-d7/a2-a6
+        movem.l (sp)+,d2-d7/a2-a6
         rts
 
 dos_name        dc.b    'dos.library',0
                 even
 
+        section .rodata.startup,data
+no_68020        dc.b    'needs a 68020 or better',10,0
+no_kickstart    dc.b    'needs Kickstart 2.0 or later',10,0
+                even
+
         section .bss.startup,bss
-sys_base        ds.l    1
 dos_base        ds.l    1
-this_task       ds.l    1
-old_trap_code   ds.l    1
 initial_sp      ds.l    1
+ends_call       ds.l    1               ; what calls the routines of at_end, once there is one

@@ -8,7 +8,6 @@
         xref    _file_save
         xref    clock_start
         xref    start
-        xref    sys_base
         xref    quiet
 
 TRACE_WORDS             equ     131072  ; of code: 256 KB

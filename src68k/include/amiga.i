@@ -1,7 +1,8 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
-; exec.library
+; exec.library, and where its base is read
+sys_base                equ     4
 _LVOSupervisor          equ     -30
 _LVOForbid              equ     -132
 _LVOPermit              equ     -138
@@ -11,6 +12,7 @@ _LVOAllocMem            equ     -198
 _LVOFreeMem             equ     -210
 _LVOAvailMem            equ     -216
 _LVOFindTask            equ     -294
+_LVOSetSignal            equ     -306
 _LVOGetMsg              equ     -372
 _LVOReplyMsg            equ     -378
 _LVOWaitPort            equ     -384
@@ -20,9 +22,18 @@ _LVOTypeOfMem           equ     -534
 _LVOOpenLibrary         equ     -552
 _LVOCacheClearU         equ     -636
 
+lib_Version             equ     20
+AttnFlags               equ     296
+AFB_68020               equ     1
 tc_TrapCode             equ     50
 pr_MsgPort              equ     92
+pr_CIS                  equ     156
+pr_COS                  equ     160
 pr_CLI                  equ     172
+sm_ArgList              equ     36
+wa_Lock                 equ     0
+
+SIGBREAKF_CTRL_C        equ     $1000
 
 MEMF_CHIP               equ     2
 MEMF_FAST               equ     4
@@ -37,13 +48,24 @@ _LVORead                equ     -42
 _LVOWrite               equ     -48
 _LVOOutput              equ     -60
 _LVOSeek                equ     -66
+_LVODeleteFile          equ     -72
+_LVOCurrentDir           equ     -126
 _LVOIoErr               equ     -132
 _LVOLoadSeg             equ     -150
 _LVOUnLoadSeg           equ     -156
+_LVODelay               equ     -198
+_LVOAllocDosObject       equ     -228
+_LVOFreeDosObject        equ     -234
 _LVOSelectOutput        equ     -300
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858
+
+DOS_RDARGS              equ     5       ; struct RDArgs
+RDA_Source              equ     0
+CS_Length               equ     4
+RDA_Flags               equ     28
+RDAF_NOPROMPT           equ     4
 
 ; ciab.resource
 _LVOAddICRVector        equ     -6

@@ -44,15 +44,6 @@ step    macro
 .down\@
         endm
 
-; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits. Uses d2.
-last    macro
-        moveq   #0,d2
-        move.w  \1(a2),d2
-        addq.w  #1,d2
-        subq.l  #1,d2
-        move.l  d2,\2
-        endm
-
 ; On to .single if the value d4 lies outside 0 to \1. d5 = shift. Uses d4.
 inside  macro
         asr.l   d5,d4
@@ -67,4 +58,59 @@ at_end  macro
         lsl.l   d5,d4
         sub.l   \2,d4
         add.l   \1,d4
+        endm
+
+; The routines .ends and .both: d0, d1 = the quotients of a3 and a4 by a5; .both also where w is not
+; above 0, or 32 bits are too few. a0 = steps. Uses d2-d5.
+quotients_of_ends macro
+.ends   move.l  a5,d3
+        ble.s   .both
+        move.l  d3,d5
+        add.l   d5,d5
+        moveq   #30,d4
+        move.l  a3,d0
+        quotient d0,.both
+        move.l  a4,d1
+        quotient d1,.both
+        rts
+.both   move.l  a4,d0
+        bsr.s   .one
+        move.l  d0,d1
+        move.l  a3,d0
+.one    move.l  a5,d3
+        beq.s   .zero
+        bpl.s   .front
+        tst.w   tmu_steps_behind(a0)
+        bne.s   .zero
+.front  move.l  d0,d4
+        eor.l   d3,d4                   ; below 0: the quotient is
+        tst.l   d3
+        bpl.s   .w
+        neg.l   d3
+.w      tst.l   d0
+        bpl.s   .size
+        neg.l   d0
+.size   move.l  d0,d2
+        lsr.l   #1,d2
+        cmp.l   d3,d2
+        bhs.s   .cut
+        lsr.l   #1,d2
+        moveq   #30,d5
+        lsl.l   d5,d0
+        divu.l  d3,d2:d0
+        tst.l   d4
+        bpl.s   .found
+        neg.l   d0
+        tst.l   d2
+        beq.s   .found
+        subq.l  #1,d0
+.found  rts
+.zero   moveq   #0,d0
+        rts
+.cut    moveq   #-1,d0
+        lsr.l   #1,d0
+        tst.l   d4
+        bpl.s   .most
+        not.l   d0
+.most   rts
         endm

@@ -35,6 +35,53 @@ tmu_filter macro
 .done   return_all
         endm
 
+; \2 = the last coordinate \1 of the steps a2; of a wrapped axis the greatest number of 32 bits.
+; Uses \3.
+tmu_last macro
+        moveq   #0,\3
+        move.w  \1(a2),\3
+        addq.w  #1,\3
+        subq.l  #1,\3
+        move.l  \3,\2
+        endm
+
+; s:t of iterators d0 and d1, stepped by d2 and d3, to a1 until a0: shifted right by d6, less d7, cut
+; to 0 to a3 and a4. tmu_clamp_outside stands behind what follows. Uses d4-d5.
+tmu_clamp_pixels macro
+.pixel  move.l  d0,d4
+        asr.l   d6,d4
+        add.l   d2,d0
+        sub.l   d7,d4
+        cmp.l   a3,d4
+        bhi.s   .out_s
+.s_in   move.l  d1,d5
+        asr.l   d6,d5
+        add.l   d3,d1
+        sub.l   d7,d5
+        cmp.l   a4,d5
+        bhi.s   .out_t
+.t_in   swap    d4
+        move.w  d5,d4
+        move.l  d4,(a1)+
+        cmpa.l  a0,a1
+        bne.s   .pixel
+        endm
+
+tmu_clamp_outside macro
+.out_s  tst.l   d4
+        bmi.s   .low_s
+        move.l  a3,d4
+        bra.s   .s_in
+.low_s  moveq   #0,d4
+        bra.s   .s_in
+.out_t  tst.l   d5
+        bmi.s   .low_t
+        move.l  a4,d5
+        bra.s   .t_in
+.low_t  moveq   #0,d5
+        bra.s   .t_in
+        endm
+
 ; For texels and others: a3 = others, a4 = factors, a5 = bytes between those, a6 = the texels' end,
 ; d5 = flip, d6 = bytes between the others, d7 = 00ff00ff, a2 = one. In: a0, a2, d0.
 tmu_mix_open macro

@@ -64,8 +64,8 @@ plane   macro
         movea.l a1,a5
         lea     plane_corners_a(a5),a2
         lea     plane_corners_b(a5),a3
-        move.l  plane_corners_area+wide_hi(a5),d0
-        move.l  plane_corners_area+wide_lo(a5),d7
+        move.l  plane_corners_area+number64_hi(a5),d0
+        move.l  plane_corners_area+number64_lo(a5),d7
         divisor
         plane   q
         plane   s

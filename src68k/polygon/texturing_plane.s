@@ -105,8 +105,8 @@ step    macro
         middle  left,right,i,d4,a4      ; from the first vertex to (i, j)
         middle  top,bottom,j,d5,a5
 
-        move.l  sides_area+wide_hi(a1),d0
-        move.l  sides_area+wide_lo(a1),d7
+        move.l  sides_area+number64_hi(a1),d0
+        move.l  sides_area+number64_lo(a1),d7
         divisor
 
         gradient vertex_t,vertex_y

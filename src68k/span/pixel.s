@@ -60,7 +60,7 @@ pixel_a3 macro
 ;          a6  uint8*  behind the last pixel
 ; out:     a1  uint8*  behind the last pixel
 ; trashes: d0/d4
-; reads:   the map, the table
+; reads:   the row
 ; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767
 ; error:   none
@@ -79,7 +79,7 @@ pixel_a3 macro
 ;          a6  uint8*  behind the last pixel
 ; out:     a1  uint8*  behind the last pixel
 ; trashes: d0
-; reads:   the map, the table
+; reads:   the row
 ; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
 ; error:   none where u's first carry is in d0 already
@@ -102,7 +102,7 @@ pixel_a3 macro
 ;          a6  uint8*  behind the last pixel
 ; out:     a1  uint8*  behind the last pixel
 ; trashes: d0-d1/d4
-; reads:   the map, the table
+; reads:   the map
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v 8.16, both wrap
 ; error:   none
@@ -123,7 +123,7 @@ pixel_a3 macro
 ;          a6  uint8*  behind the last pixel
 ; out:     a1  uint8*  behind the last pixel
 ; trashes: d0-d1/d4/a2
-; reads:   the map, the table
+; reads:   the map
 ; writes:  the pixels, a multiple of 16
 ; formats: u, v 8.16, both wrap, v once
 ; error:   none where v's first carry is in d0 already

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tmu.i"
         include "pieces.i"
 
 ;==============================================================================
@@ -66,8 +67,8 @@ locals  equ     68
         move.l  d2,half(sp)
         swap    d2
         movea.l d2,a6
-        last    tmu_steps_last_s,last_s(sp)
-        last    tmu_steps_last_t,last_t(sp)
+        tmu_last tmu_steps_last_s,last_s(sp),d2
+        tmu_last tmu_steps_last_t,last_t(sp),d2
         moveq   #0,d3
         move.w  tmu_steps_shift(a2),d3
         move.l  d3,shift(sp)
@@ -202,37 +203,10 @@ locals  equ     68
         movea.l last_t+16(sp),a4
         move.l  shift+16(sp),d6
         move.l  half+16(sp),d7
-.pixel  move.l  d0,d4
-        asr.l   d6,d4
-        add.l   d2,d0
-        sub.l   d7,d4
-        cmp.l   a3,d4
-        bhi.s   .out_s
-.s_in   move.l  d1,d5
-        asr.l   d6,d5
-        add.l   d3,d1
-        sub.l   d7,d5
-        cmp.l   a4,d5
-        bhi.s   .out_t
-.t_in   swap    d4
-        move.w  d5,d4
-        move.l  d4,(a1)+
-        cmpa.l  a0,a1
-        bne.s   .pixel
+        tmu_clamp_pixels
         movem.l (sp)+,d6-d7/a3-a4
         bra     .next
-.out_s  tst.l   d4
-        bmi.s   .low_s
-        move.l  a3,d4
-        bra.s   .s_in
-.low_s  moveq   #0,d4
-        bra.s   .s_in
-.out_t  tst.l   d5
-        bmi.s   .low_t
-        move.l  a4,d5
-        bra.s   .t_in
-.low_t  moveq   #0,d5
-        bra.s   .t_in
+        tmu_clamp_outside
 
 .odd    movea.l steps(sp),a0
         bsr     .both
@@ -319,54 +293,4 @@ locals  equ     68
 .done   lea     locals(sp),sp
         return_all
 
-        ; d0, d1 = the quotients of a3 and a4 by a5. a0 = steps. Uses d2-d5.
-.ends   move.l  a5,d3
-        ble.s   .both
-        move.l  d3,d5
-        add.l   d5,d5
-        moveq   #30,d4
-        move.l  a3,d0
-        quotient d0,.both
-        move.l  a4,d1
-        quotient d1,.both
-        rts
-.both   move.l  a4,d0
-        bsr.s   .one
-        move.l  d0,d1
-        move.l  a3,d0
-.one    move.l  a5,d3
-        beq.s   .zero
-        bpl.s   .front
-        tst.w   tmu_steps_behind(a0)
-        bne.s   .zero
-.front  move.l  d0,d4
-        eor.l   d3,d4                   ; below 0: the quotient is
-        tst.l   d3
-        bpl.s   .w
-        neg.l   d3
-.w      tst.l   d0
-        bpl.s   .size
-        neg.l   d0
-.size   move.l  d0,d2
-        lsr.l   #1,d2
-        cmp.l   d3,d2
-        bhs.s   .cut
-        lsr.l   #1,d2
-        moveq   #30,d5
-        lsl.l   d5,d0
-        divu.l  d3,d2:d0
-        tst.l   d4
-        bpl.s   .found
-        neg.l   d0
-        tst.l   d2
-        beq.s   .found
-        subq.l  #1,d0
-.found  rts
-.zero   moveq   #0,d0
-        rts
-.cut    moveq   #-1,d0
-        lsr.l   #1,d0
-        tst.l   d4
-        bpl.s   .most
-        not.l   d0
-.most   rts
+        quotients_of_ends

@@ -1,5 +1,6 @@
         include "routine.i"
         include "layout.i"
+        include "tmu.i"
 
 ;==============================================================================
 ; tmu_walk_clamp - a level's coordinates without perspective, clamped
@@ -23,19 +24,10 @@
 
 FEW     equ     5                       ; pixels: looking at the ends takes as long
 
-; \2 = the last coordinate \1; of a wrapped axis the greatest number of 32 bits.
-last    macro
-        moveq   #0,d1
-        move.w  \1(a2),d1
-        addq.w  #1,d1
-        subq.l  #1,d1
-        movea.l d1,\2
-        endm
-
         routine tmu_walk_clamp,a0,a1,a2,d0
         movem.l d2-d7/a3-a4,-(sp)
-        last    tmu_steps_last_s,a3
-        last    tmu_steps_last_t,a4
+        tmu_last tmu_steps_last_s,a3,d1
+        tmu_last tmu_steps_last_t,a4,d1
         moveq   #0,d6
         move.w  tmu_steps_shift(a2),d6
         moveq   #0,d7
@@ -80,34 +72,7 @@ last    macro
         movem.l (a0),d0-d1
         lea     4(a1,d5.l*4),a0         ; end
         movem.l (a2),d2-d3
-.pixels move.l  d0,d4
-        asr.l   d6,d4
-        add.l   d2,d0
-        sub.l   d7,d4
-        cmp.l   a3,d4
-        bhi.s   .out_s
-.s      move.l  d1,d5
-        asr.l   d6,d5
-        add.l   d3,d1
-        sub.l   d7,d5
-        cmp.l   a4,d5
-        bhi.s   .out_t
-.t      swap    d4
-        move.w  d5,d4
-        move.l  d4,(a1)+
-        cmpa.l  a0,a1
-        bne.s   .pixels
+        tmu_clamp_pixels
         movem.l (sp)+,d2-d7/a3-a4
         rts
-.out_s  tst.l   d4
-        bmi.s   .low_s
-        move.l  a3,d4
-        bra.s   .s
-.low_s  moveq   #0,d4
-        bra.s   .s
-.out_t  tst.l   d5
-        bmi.s   .low_t
-        move.l  a4,d5
-        bra.s   .t
-.low_t  moveq   #0,d5
-        bra.s   .t
+        tmu_clamp_outside

@@ -1,5 +1,6 @@
-#ifndef TMU_WIDE_H
-#define TMU_WIDE_H
+/* Products and sums of 64 bits. */
+#ifndef TMU_PRODUCT_H
+#define TMU_PRODUCT_H
 
 #include "polygon/math.h"
 
@@ -22,11 +23,6 @@ static inline struct number64 tmu_sum(struct number64 a, struct number64 b)
     a.lo += b.lo;
     a.hi += b.hi + (a.lo < b.lo);
     return a;
-}
-
-static inline uint32 tmu_magnitude(int32 value)
-{
-    return value < 0 ? 0 - (uint32)value : (uint32)value;
 }
 
 #endif

@@ -1,0 +1,19 @@
+/* What something that is kept was made from: longs, compared before it is made again. */
+#ifndef KEY_H
+#define KEY_H
+
+#include "compiler.h"
+
+/* Whether the longs are others than those kept, which they become. */
+static inline uint32 key_differs(uint32 *kept, const uint32 *key, int32 count)
+{
+    uint32 differs = 0;
+
+    for (int32 i = 0; i < count; i++) {
+        differs |= key[i] ^ kept[i];
+        kept[i] = key[i];
+    }
+    return differs;
+}
+
+#endif

@@ -1,0 +1,76 @@
+/* The header of a scene file: checked, so that its tables can be read. */
+#include "scene/scene.h"
+
+#include "system/file.h"
+
+/* The header's tables, in its order: bytes of an entry; what is wrong where one is. */
+static const struct {
+    uint32 size;
+    const char *wrong;
+} tables[] = {
+    {sizeof(struct scene_texture), "textures or textures_at"},
+    {sizeof(struct scene_material), "materials or materials_at"},
+    {sizeof(struct scene_object), "objects or objects_at"},
+    {sizeof(struct vertex), "vertices or vertices_at"},
+    {sizeof(struct scene_pose), "poses or poses_at"},
+    {sizeof(struct scene_point), "points or points_at"},
+    {sizeof(struct scene_normal), "normals or normals_at"},
+    {sizeof(struct scene_corner), "corners or corners_at"},
+    {sizeof(struct scene_face), "faces or faces_at"},
+    {sizeof(struct scene_mesh), "meshes or meshes_at"},
+    {sizeof(struct scene_instance), "instances or instances_at"},
+    {sizeof(struct scene_view), "views or views_at"},
+    {sizeof(struct scene_unit), "units or units_at"},
+    {sizeof(struct scene_list), "lists or lists_at"},
+    {sizeof(struct tx_word), "words or words_at"},
+    {1, "dram or dram_at"},
+    {sizeof(struct scene_tmu), "tmus or tmus_at"},
+    {sizeof(struct scene_pipe), "pipes or pipes_at"},
+    {1, "tmu_memory or tmu_memory_at"}
+};
+
+/* Behind the header, inside the file, and not too long; of bytes a multiple of 8. */
+static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
+{
+    return at >= sizeof(struct scene_header)
+        && (size == 1 ? !(count & 7) : count <= SCENE_COUNT_MAX)
+        && table_inside(at, count, size, bytes);
+}
+
+uint32 scene_pixel_max(const struct scene_header *h)
+{
+    return ~(uint32)0 >> (32 - 8 * scene_pixel_bytes(h->format));
+}
+
+const char *scene_wrong_header(const struct scene_header *h, uint32 bytes)
+{
+    const uint32 summed = (uint32)((const uint8 *)&h->width - (const uint8 *)h);
+    const uint32 *count = &h->textures, *at = &h->textures_at;
+
+    if (bytes < sizeof *h)
+        return "size";
+    if (h->magic != SCENE_MAGIC)
+        return "magic";
+    if (h->version != SCENE_VERSION)
+        return "version";
+    if (h->size != bytes)
+        return "size";
+    if (h->checksum != crc32((const uint8 *)h + summed, bytes - summed))
+        return "checksum";
+    if (h->width < 4 || h->width > SCENE_SIDE_MAX || h->width & 3)
+        return "width";
+    if (h->height < 1 || h->height > SCENE_SIDE_MAX)
+        return "height";
+    if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
+        return "frames";
+    if (h->format >= PIXEL_FORMATS)
+        return "format";
+    if (h->background > scene_pixel_max(h))
+        return "background";
+    if (!table_usable(h->palette_at, 256, 4, bytes))
+        return "palette_at";
+    for (uint32 i = 0; i < sizeof tables / sizeof *tables; i++, count++, at++)
+        if (!table_usable(*at, *count, tables[i].size, bytes))
+            return tables[i].wrong;
+    return 0;
+}

@@ -1,0 +1,35 @@
+; Ctrl-C: a program asks between two pieces of its work.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    _print
+
+;==============================================================================
+; break_asked - whether the user wants the program to end: Ctrl-C, or Break
+;
+; in:      -
+; out:     d0  int32  1: he does; printed, as AmigaDOS's commands do. 0: he does not
+; trashes: d0-d1/a0-a1
+; reads:   the task's signals
+; writes:  clears that one
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine break_asked
+        move.l  a6,-(sp)
+        moveq   #0,d0
+        move.l  #SIGBREAKF_CTRL_C,d1
+        movea.l sys_base,a6
+        lvo     SetSignal
+        movea.l (sp)+,a6
+        and.l   #SIGBREAKF_CTRL_C,d0
+        beq.s   .done
+        pea     .text(pc)
+        jsr     _print
+        addq.l  #4,sp
+        moveq   #1,d0
+.done   rts
+.text   dc.b    '***Break',10,0
+        even

@@ -1,0 +1,370 @@
+; Runs a program as a shell or a double click does, and prints the machine's state before and
+; after, and how it ended: for tests alone.
+;
+;       citizen LOG HOW DRAWER PROGRAM ARGUMENTS
+;
+; What the program says goes to LOG. HOW is 0, or after how many fields a Ctrl-C comes, -1 at once;
+; -2 is a double click on what lies in DRAWER, after which Ctrl-\ is pressed in the window titled
+; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos.
+
+        include "amiga.i"
+        include "routine.i"
+
+        xref    args_read
+        xref    program_load
+        xref    program_unload
+        xref    program_run
+        xref    dos_base
+        xref    _text_add
+        xref    _text_number
+        xref    _text_print
+
+_LVOAddIntServer        equ     -168
+_LVORemIntServer        equ     -174
+_LVOSignal              equ     -324
+_LVOPutMsg              equ     -366
+_LVOOpenDevice          equ     -444
+_LVOCloseDevice         equ     -450
+_LVODoIO                equ     -456
+_LVOCreateMsgPort       equ     -666
+_LVODeleteMsgPort       equ     -672
+_LVOUnLock              equ     -90
+_LVOLock                equ     -84
+_LVOCreateNewProc       equ     -498
+INTB_VERTB              equ     5
+IDNestCnt               equ     294     ; and TDNestCnt behind it
+AFB_68030               equ     2
+tc_SigAlloc             equ     18
+ACCESS_READ             equ     -2
+ib_FirstScreen          equ     60
+sc_FirstWindow          equ     4
+wd_Title                equ     32
+IND_WRITEEVENT          equ     11
+NP_Seglist              equ     $800003e9
+NP_FreeSeglist          equ     $800003ea
+
+AT_ONCE                 equ     -1      ; HOW
+DOUBLE_CLICK            equ     -2
+IN_DRAWER               equ     -3
+OLD_KICKSTART           equ     -4
+
+        routine main
+        movem.l d2-d7/a2-a6,-(sp)
+        move.l  #template,d0
+        move.l  #items,d1
+        jsr     args_read
+        lea     line,a1
+        move.l  arguments,d0
+        beq.s   .no_arguments
+        movea.l d0,a0
+.copy   move.b  (a0)+,(a1)+
+        bne.s   .copy
+        subq.l  #1,a1
+.no_arguments
+        move.b  #10,(a1)+
+        suba.l  #line,a1
+        move.l  a1,length
+        movea.l sys_base,a6
+        suba.l  a1,a1
+        lvo     FindTask
+        movea.l d0,a4
+        movea.l how,a0
+        move.l  (a0),d5
+        cmpi.l  #DOUBLE_CLICK,d5
+        bgt.s   .stay
+        cmpi.l  #IN_DRAWER,d5
+        blt.s   .stay
+        move.l  drawer_name,d1
+        moveq   #ACCESS_READ,d2
+        movea.l dos_base,a6
+        lvo     Lock
+        move.l  d0,drawer
+        cmpi.l  #IN_DRAWER,d5
+        bne.s   .stay
+        move.l  d0,d1
+        lvo     CurrentDir
+        move.l  d0,home
+.stay
+        bsr     state
+        move.l  program,d0
+        jsr     program_load
+        move.l  d0,d7
+        cmpi.l  #DOUBLE_CLICK,d5
+        beq     .double
+        bsr     alarm_set
+        movea.l dos_base,a3
+        move.w  lib_Version(a3),d4
+        cmpi.l  #OLD_KICKSTART,d5
+        bne.s   .as_it_is
+        move.w  #34,lib_Version(a3)
+.as_it_is
+        move.l  d7,d0
+        move.l  #line,d1
+        movea.l length,a0
+        movea.l output,a1
+        jsr     program_run
+        move.w  d4,lib_Version(a3)
+        move.l  d0,d6
+        bsr     alarm_clear
+        bra.s   .ended
+.double bsr     double_click
+        move.l  d0,d6
+.ended  move.l  d7,d0
+        jsr     program_unload
+        bsr     state
+        move.l  d6,d0
+        bsr     number
+        jsr     _text_print
+        movea.l dos_base,a6
+        cmpi.l  #IN_DRAWER,d5
+        bne.s   .at_home
+        move.l  home,d1
+        lvo     CurrentDir
+.at_home
+        move.l  drawer,d1               ; UnLock takes 0
+        lvo     UnLock
+        moveq   #0,d0
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+alarm_set:
+        movea.l sys_base,a6
+        move.l  a4,task
+        move.l  d5,fields
+        cmpi.l  #AT_ONCE,d5
+        beq.s   ring
+        tst.l   d5
+        ble.s   no_alarm
+        lea     server,a1
+        moveq   #INTB_VERTB,d0
+        lvo     AddIntServer
+no_alarm
+        rts
+
+alarm_clear:
+        movea.l sys_base,a6
+        tst.l   d5
+        ble.s   no_alarm
+        lea     server,a1
+        moveq   #INTB_VERTB,d0
+        jmp     _LVORemIntServer(a6)
+
+field:  subq.l  #1,fields
+        bne.s   .not_yet
+        movea.l sys_base,a6
+        bsr.s   ring
+.not_yet
+        lea     custom,a0
+        moveq   #0,d0
+        rts
+
+ring:   movea.l task,a1
+        move.l  #SIGBREAKF_CTRL_C,d0
+        jmp     _LVOSignal(a6)
+
+; A line: free chip and fast memory, INTENA, DMACON, the level 6 vector, the task's trap code,
+; nesting of Disable and Forbid, signals allocated, Ctrl-C pending, CIA-B's timers free, CACR.
+state:  movea.l sys_base,a6
+        move.l  #$7ffffff0,d0           ; fails, and flushes what nobody uses
+        moveq   #0,d1
+        lvo     AllocMem
+        moveq   #MEMF_CHIP,d1
+        lvo     AvailMem
+        bsr     number
+        moveq   #MEMF_FAST,d1
+        movea.l sys_base,a6
+        lvo     AvailMem
+        bsr     number
+        moveq   #0,d0
+        move.w  custom+intenar,d0
+        bsr     number
+        moveq   #0,d0
+        move.w  custom+dmaconr,d0
+        and.w   #$7ff,d0                ; not the blitter's zero flag
+        bsr     number
+        move.l  $78.w,d0
+        bsr     number
+        move.l  tc_TrapCode(a4),d0
+        bsr     number
+        movea.l sys_base,a6
+        moveq   #0,d0
+        move.w  IDNestCnt(a6),d0
+        bsr     number
+        move.l  tc_SigAlloc(a4),d0
+        bsr     number
+        movea.l sys_base,a6
+        moveq   #0,d0
+        moveq   #0,d1
+        lvo     SetSignal
+        and.l   #SIGBREAKF_CTRL_C,d0
+        bsr     number
+        movea.l sys_base,a6
+        lea     ciab_name,a1
+        lvo     OpenResource
+        movea.l d0,a6
+        moveq   #ICRB_TA,d2
+        bsr.s   timer
+        moveq   #ICRB_TB,d2
+        bsr.s   timer
+        movea.l sys_base,a6
+        moveq   #0,d0
+        btst    #AFB_68030,AttnFlags+1(a6)
+        beq.s   .no_cache
+        lea     .read_cacr(pc),a5
+        lvo     Supervisor
+.no_cache
+        bsr.s   number
+        jmp     _text_print
+.read_cacr
+        mc68030
+        movec   cacr,d0
+        and.l   #$3313,d0               ; what is on: not what is being cleared
+        mc68020
+        rte
+
+; Who has timer d2 of the CIA a6: 0 nobody.
+timer:  lea     server,a1
+        move.l  d2,d0
+        lvo     AddICRVector
+        move.l  d0,d3
+        bne.s   .taken
+        lea     server,a1
+        move.l  d2,d0
+        lvo     RemICRVector
+.taken  move.l  d3,d0
+
+number: move.l  d0,-(sp)
+        jsr     _text_number
+        pea     blank
+        jsr     _text_add
+        addq.l  #8,sp
+        rts
+
+; d7 = the program. d0 = 2 where it opened a window that stayed and a key then closed, 1 where the
+; window cannot be closed, else 0.
+double_click:
+        movem.l d2-d7/a2-a6,-(sp)
+        movea.l sys_base,a6
+        lea     intuition_name,a1
+        moveq   #0,d0
+        lvo     OpenLibrary
+        movea.l d0,a2
+        lvo     CreateMsgPort
+        movea.l d0,a3
+        move.l  d0,startup+14
+        move.l  d0,request+14
+        lea     input_name,a0
+        moveq   #0,d0
+        lea     request,a1
+        moveq   #0,d1
+        lvo     OpenDevice
+        lsr.l   #2,d7
+        move.l  d7,seglist
+        move.l  #tags,d1
+        movea.l dos_base,a6
+        lvo     CreateNewProc
+        movea.l d0,a5
+        movea.l sys_base,a6
+        lea     pr_MsgPort(a5),a0
+        lea     startup,a1
+        lvo     PutMsg
+        movea.l a3,a0
+        lvo     WaitPort
+        movea.l a3,a0
+        lvo     GetMsg
+        bsr.s   pause                   ; until the process is gone, too
+        moveq   #0,d6
+        bsr.s   find_window
+        tst.l   d0
+        beq.s   .close
+        moveq   #1,d6
+        lea     request,a1
+        lvo     DoIO
+        bsr.s   pause
+        bsr.s   find_window
+        tst.l   d0
+        bne.s   .close
+        moveq   #2,d6
+.close  lea     request,a1
+        lvo     CloseDevice
+        movea.l a3,a0
+        lvo     DeleteMsgPort
+        movea.l a2,a1
+        lvo     CloseLibrary
+        move.l  d6,d0
+        movem.l (sp)+,d2-d7/a2-a6
+        rts
+
+pause:  move.l  a6,-(sp)
+        moveq   #25,d1
+        movea.l dos_base,a6
+        lvo     Delay
+        movea.l (sp)+,a6
+        rts
+
+; d0 = the first window of our title, or 0. a2 = intuition.
+find_window:
+        move.l  ib_FirstScreen(a2),d1
+.screen movea.l d1,a0
+        tst.l   d1
+        beq.s   .none
+        move.l  sc_FirstWindow(a0),d0
+.window beq.s   .next
+        movea.l d0,a1
+        move.l  wd_Title(a1),d1
+        beq.s   .other
+        movea.l d1,a1
+        cmpi.l  #'tmap',(a1)
+        beq.s   .found
+.other  movea.l d0,a1
+        move.l  (a1),d0
+        bra.s   .window
+.next   move.l  (a0),d1
+        bra.s   .screen
+.none   moveq   #0,d0
+.found  rts
+
+        section .data.citizen,data
+        cnop    0,4
+server  dc.l    0,0
+        dc.b    2,0
+        dc.l    blank,0,field
+        cnop    0,4
+tags    dc.l    NP_Seglist
+seglist dc.l    0,NP_FreeSeglist,0,0
+startup dc.l    0,0,0                   ; struct WBStartup
+        dc.w    0
+        dc.l    0
+        dc.w    40
+        dc.l    0,0,1,0,drawer
+drawer  dc.l    0,blank                 ; struct WBArg
+request dc.l    0,0,0                   ; struct IOStdReq
+        dc.w    0
+        dc.l    0
+        dc.w    48
+        dc.l    0,0
+        dc.w    IND_WRITEEVENT
+        dc.w    0
+        dc.l    0,22,key,0
+key     dc.l    0                       ; struct InputEvent: Ctrl-\, the end of a console's input
+        dc.b    1,0
+        dc.w    $0d,8
+        dc.l    0,0,0
+template        dc.b    'LOG/A,HOW/A/N,DRAWER/A,PROGRAM/A,ARGUMENTS/F',0
+ciab_name       dc.b    'ciab.resource',0
+input_name      dc.b    'input.device',0
+intuition_name  dc.b    'intuition.library',0
+blank           dc.b    ' ',0
+
+        section .bss.citizen,bss
+items
+output          ds.l    1
+how             ds.l    1
+drawer_name     ds.l    1
+program         ds.l    1
+arguments       ds.l    1
+home            ds.l    1
+task            ds.l    1
+fields          ds.l    1
+length          ds.l    1
+line            ds.b    512
