@@ -2,6 +2,7 @@
 #include "demo/picture.h"
 #include "demo/player.h"
 
+#include "system/system.h"
 #include "system/text.h"
 
 #define CYCLES 4                /* of the CPU in a colour clock */
@@ -48,7 +49,7 @@ static void put(const struct player *player, int32 number, int32 line, const cha
                  player->screen->font, player->ink);
 }
 
-static void make_below(struct player *player, int32 number)
+static void put_cost(struct player *player, int32 number)
 {
     static char text[TEXT];
     struct lane *lane = &player->lane[number];
@@ -58,13 +59,30 @@ static void make_below(struct player *player, int32 number)
     text_add("/px");
     text_take(text);
     put(player, number, 1, text);
+}
+
+static void put_rate(struct player *player, int32 number)
+{
+    static char text[TEXT];
+    struct lane *lane = &player->lane[number];
+
     text_tenths(rate(lane->pictures - lane->seen, player->shown - lane->figured));
     text_add("/s");
     text_take(text);
     put(player, number, 2, text);
     lane->seen = lane->pictures;
     lane->figured = player->shown;
-    lane->unlabelled = BOTH;
+}
+
+/* Line 1 or 2 of a pane's figures. */
+static void make_below(struct player *player, int32 number, int32 line)
+{
+    if (line == 1)
+        put_cost(player, number);
+    else
+        put_rate(player, number);
+    player->lane[number].line = line;
+    player->lane[number].unlabelled = BOTH;
 }
 
 static void make_status(const struct player *player, uint32 frames, uint32 fields)
@@ -124,16 +142,13 @@ void figures_first(struct player *player)
             put(player, i, 0, player->part->pane[i].caption);
 }
 
-/* Not all of it after one frame, which would be late. */
-void figures_make(struct player *player)
+static void make(struct player *player, uint32 phase)
 {
-    const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
-    const uint32 phase = player->frames % every;
+    const uint32 line = phase / FIGURES_APART;          /* two a pane, from 1 on */
 
-    if (player->part->panes > 1)
-        for (uint32 i = 0; i < (uint32)player->part->panes; i++)
-            if (phase == (i + 1) * FIGURES_APART)
-                make_below(player, (int32)i);
+    if (player->part->panes > 1 && phase % FIGURES_APART == 0 && line
+        && line <= 2 * (uint32)player->part->panes)
+        make_below(player, (int32)(line - 1) / 2, (int32)((line - 1) & 1) + 1);
     if (phase)
         return;
     if (player->part->panes == 1)
@@ -142,4 +157,14 @@ void figures_make(struct player *player)
                 player->shown - player->figured);
     player->figured_frames = player->frames;
     player->figured = player->shown;
+}
+
+/* Not all of it after one frame, which would be late. */
+void figures_make(struct player *player)
+{
+    const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
+
+    clock_start(CLOCK_LIMIT);
+    make(player, player->frames % every);
+    player->aside = clock_stop();
 }

@@ -3,9 +3,7 @@
 
 #include "system/system.h"
 
-#define CLOCK_LIMIT 65535       /* for ever: the watchdog does not bite outside quiet mode */
 #define BOTH 3u
-#define FIGURES_ROWS (CAPTION_LINES * LETTER - LETTER)
 
 static void clear_counts(struct draw_counts *counts, uint32 materials)
 {
@@ -53,7 +51,7 @@ static void set_settings(struct player *player, int32 number)
     settings_set(player->scene, &settings);
 }
 
-void lane_draw(struct player *player, int32 number)
+static void draw(struct player *player, int32 number, int32 frame)
 {
     struct lane *lane = &player->lane[number];
     const uint32 materials = player->scene->header->materials;
@@ -67,7 +65,7 @@ void lane_draw(struct player *player, int32 number)
     if (counted)
         clear_counts(player->counts, materials);
     clock_start(CLOCK_LIMIT);
-    scene_draw(player->scene, &lane->frame, scene_frame(player, lane), &drawing);
+    scene_draw(player->scene, &lane->frame, frame, &drawing);
     lane->last = clock_stop();
     if (counted) {
         lane->pixels += sum_pixels(player->counts, materials);
@@ -78,6 +76,41 @@ void lane_draw(struct player *player, int32 number)
     lane->pictures++;
     lane->stale = BOTH;
     player->work += lane->last;
+}
+
+void lane_draw(struct player *player, int32 number)
+{
+    draw(player, number, scene_frame(player, &player->lane[number]));
+}
+
+static int32 takes_turns(const struct player *player)
+{
+    return player->part->kind == PART_RACE || player->part->kind == PART_FAIR;
+}
+
+void lanes_probe(struct player *player)
+{
+    const struct step *step = &player->part->step[player->governor.step];
+
+    if (!takes_turns(player))
+        return;
+    for (int32 probe = 0; probe < PROBES; probe++)
+        for (int32 i = 0; i < player->part->panes; i++) {
+            draw(player, i, step->first + step->frames * probe / PROBES);
+            player->lane[i].probe[probe] = player->lane[i].last;
+        }
+}
+
+/* What a pane's next picture may take: the dearer one of the probes around it, and a sixteenth for
+   what lies between them. */
+static uint32 expected(const struct player *player, const struct lane *lane)
+{
+    const struct step *step = &player->part->step[player->governor.step];
+    const int32 frame = scene_frame(player, lane) - step->first;
+    const int32 before = frame * PROBES / step->frames, after = (before + 1) % PROBES;
+    const uint32 a = lane->probe[before], b = lane->probe[after], most = a > b ? a : b;
+
+    return most + most / 16;
 }
 
 /* The pane that has had the least time. */
@@ -91,8 +124,7 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns; but one at least where nothing waits. The next
-   picture may take an eighth more than the last one. */
+/* As many pictures as there is time for, by turns; but one at least where nothing waits. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
@@ -104,7 +136,7 @@ static void draw_fairly(struct player *player)
         if (lane->stale & hidden)
             converting += lane->converting;
         if (lane->unlabelled & hidden)
-            converting += lane->converting * FIGURES_ROWS / (uint32)lane->frame.height;
+            converting += lane->converting * LETTER / (uint32)lane->frame.height;
     }
     for (;;) {
         const int32 next = poorest(player);
@@ -112,7 +144,7 @@ static void draw_fairly(struct player *player)
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
 
         if (converting + player->work
-            && converting + player->work + more + lane->last + lane->last / 8
+            && player->aside + converting + player->work + more + expected(player, lane)
                > FRAME_BUDGET)
             break;
         converting += more;
@@ -122,9 +154,7 @@ static void draw_fairly(struct player *player)
 
 void lanes_draw(struct player *player)
 {
-    const uint32 kind = player->part->kind;
-
-    if (kind == PART_RACE || kind == PART_FAIR) {
+    if (takes_turns(player)) {
         draw_fairly(player);
         return;
     }
@@ -159,7 +189,7 @@ void lanes_convert(struct player *player)
                 convert_rows(player, i, 0, lane->frame.height);
         }
         if (lane->unlabelled & hidden) {
-            convert_rows(player, i, lane->frame.height + CAPTION_GAP + LETTER, FIGURES_ROWS);
+            convert_rows(player, i, lane->frame.height + CAPTION_GAP + lane->line * LETTER, LETTER);
             lane->unlabelled &= ~hidden;
         }
     }

@@ -71,13 +71,29 @@ void picture_fill(const struct frame *frame, int32 x, int32 y, int32 width, int3
                 ((uint32 *)row)[i] = pixel;
 }
 
-/* Letters in pixels of a byte, which are written while a part is played. */
-static void put_small(uint8 *to, int32 pitch, const uint8 *rows, uint8 pixel)
+/* Four pixels of a byte for each four bits. */
+static const uint32 dots_table[16] = {
+    0x00000000, 0x000000ff, 0x0000ff00, 0x0000ffff, 0x00ff0000, 0x00ff00ff, 0x00ffff00, 0x00ffffff,
+    0xff000000, 0xff0000ff, 0xff00ff00, 0xff00ffff, 0xffff0000, 0xffff00ff, 0xffffff00, 0xffffffff
+};
+
+static uint32 mixed(uint32 below, uint32 ink, uint32 bits)
 {
-    for (int32 y = 0; y < LETTER; y++, to += pitch)
-        for (uint32 bits = *rows++, x = 0; bits; bits = bits << 1 & 0xff, x++)
-            if (bits & 0x80)
-                to[x] = pixel;
+    return below ^ ((below ^ ink) & dots_table[bits]);
+}
+
+/* Letters in pixels of a byte, which are written while a part is played. */
+static void put_small(uint8 *to, int32 pitch, const uint8 *rows, uint32 pixel)
+{
+    const uint32 ink = pixel * 0x01010101u;
+
+    for (int32 y = 0; y < LETTER; y++, to += pitch) {
+        uint32 *four = (uint32 *)to;
+        const uint32 bits = *rows++;
+
+        four[0] = mixed(four[0], ink, bits >> 4);
+        four[1] = mixed(four[1], ink, bits & 15);
+    }
 }
 
 static void put_letter(const struct frame *frame, int32 x, int32 y, int32 scale,
@@ -103,7 +119,7 @@ void picture_text(const struct frame *frame, int32 x, int32 y, int32 scale, cons
         if (x < 0 || x + size > frame->width || letter >= FONT_LETTERS)
             continue;
         if (scale == 1 && frame->pixel_bytes == 1)
-            put_small(frame->pixels + y * frame->pitch + x, frame->pitch, rows, (uint8)pixel);
+            put_small(frame->pixels + y * frame->pitch + x, frame->pitch, rows, pixel);
         else
             put_letter(frame, x, y, scale, rows, pixel);
     }

@@ -40,6 +40,7 @@ static void begin(struct player *player)
     player->set = -1;
     player->frames = player->late = player->figured_frames = 0;
     player->whole = 0;
+    player->aside = 0;
     player->began = screen_fields(player->screen);
     palette = (const uint8 *)header + header->palette_at;
     player->ground = picture_pixel(header->format, palette, GROUND);
@@ -51,6 +52,9 @@ static void begin(struct player *player)
         lane_draw(player, i);
         lane_draw(player, i);           /* the first one makes and counts */
     }
+    lanes_probe(player);
+    for (int32 i = 0; i < player->part->panes; i++)
+        lane_draw(player, i);
     for (int32 set = 0; set < 2; set++) {
         screen_convert(player->screen, &player->frame);
         if (!set)
@@ -58,6 +62,7 @@ static void begin(struct player *player)
         screen_swap(player->screen);
         lanes_convert(player);          /* times it */
     }
+    screen_swap(player->screen);        /* from a field's begin on */
     player->began = player->shown = player->figured = screen_fields(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];

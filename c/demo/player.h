@@ -8,14 +8,18 @@
 
 enum player_constants {
     FRAME_FIELDS = 2,           /* 25 frames a second */
-    /* Colour clocks: two fields of 312 lines of 227, less a twentieth for what is not timed:
-       figures, keys, waits. */
-    FRAME_BUDGET = 2 * 312 * 227 * 95 / 100,
+    /* Colour clocks: two fields of 312 lines of 227, less a tenth, 62 lines, for what is not timed:
+       keys, waits, and what the system does each tenth of a second, up to 46 lines. */
+    FRAME_BUDGET = 2 * 312 * 227 * 90 / 100,
     FIGURES_EVERY = 25,         /* frames between two looks at the figures, */
-    FIGURES_APART = 4,          /* from one pane's to the next one's: each takes time, */
+    FIGURES_APART = 2,          /* from one line to the next: each takes time, */
     COUNT_EVERY = 4,            /* pictures between two whose pixels are counted: that too */
+    PROBES = 15,                /* pictures that are timed before a part whose panes take turns */
     CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
 };
+
+/* For ever: the watchdog does not bite outside quiet mode. */
+#define CLOCK_LIMIT 65535
 
 /* In works: the lower bits are colour clocks. */
 enum work_bits { WORK_FIELDS = 24, WORK_STEP = 28 };
@@ -37,7 +41,9 @@ struct lane {
     uint32 seen, figured;       /* pictures and field of the last figures */
     uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
     uint32 stale;               /* bit n: set n of planes does not have the picture; */
-    uint32 unlabelled;          /* nor the figures */
+    uint32 unlabelled;          /* nor the line of figures */
+    int32 line;                 /* that was written last */
+    uint32 probe[PROBES];       /* colour clocks of pictures, evenly over a step's frames */
     uint32 cost;                /* cycles a pixel, lately */
     uint32 sum;                 /* colour clocks of all that were not, modulo 2^32 */
 };
@@ -55,7 +61,8 @@ struct player {
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
     uint32 figured, figured_frames;     /* field and frames of the last status line */
     int32 whole;                /* frames for which panes are shown whole: the step is another */
-    uint32 work;                /* colour clocks of this frame */
+    uint32 work;                /* colour clocks of this frame, */
+    uint32 aside;               /* and of figures before it */
     uint32 *works;              /* of each frame, with its fields, up to 15, and step; or 0 */
     uint32 ink, ground;         /* pixels */
 };
@@ -69,6 +76,9 @@ void figures_make(struct player *player);
 
 /* lanes.c: draws a pane's next picture. */
 void lane_draw(struct player *player, int32 number);
+
+/* Times PROBES pictures of each pane where panes take turns. */
+void lanes_probe(struct player *player);
 
 /* Draws what there is time for. */
 void lanes_draw(struct player *player);

@@ -57,8 +57,6 @@ static int32 open_screen(int32 wide, int32 high, uint32 pixels)
     player.frame.pitch = wide * player.frame.pixel_bytes;
     if (width == wide && height == high && format == pixels)
         return 1;
-    if (width)
-        screen_close(&screen);
     width = 0;
     if (!screen_open(&screen, wide, high, pixels))
         return 0;

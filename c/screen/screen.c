@@ -47,6 +47,7 @@ static void place(struct screen *screen)
     uint8 *at = screen->chip + BLANK_LONGS * 4;
 
     clear(at, chip_needed(layout) - BLANK_LONGS * 4);
+    clear(&screen->text[0][0], sizeof screen->text);
     screen->status = at;
     at += STATUS_ROWS * STATUS_PITCH;
     for (int32 set = 0; set < 2; set++) {
@@ -186,13 +187,17 @@ void screen_swap(struct screen *screen)
 
 void screen_text(struct screen *screen, int32 line, const char *text)
 {
-    uint8 *at = screen->status + line * STATUS_LINE * STATUS_PITCH;
+    uint8 *at = screen->status + line * STATUS_LINE * STATUS_PITCH, *there = screen->text[line];
 
-    for (int32 column = 0; column < STATUS_COLUMNS; column++, at++) {
-        const uint32 letter = *text ? (uint32)(uint8)*text++ - FONT_FIRST : 0;
-        const uint8 *row = screen->font + (letter < FONT_LETTERS ? letter : 0) * FONT_ROWS;
+    for (int32 column = 0; column < STATUS_COLUMNS; column++, at++, there++) {
+        const uint32 found = *text ? (uint32)(uint8)*text++ - FONT_FIRST : 0;
+        const uint32 letter = found < FONT_LETTERS ? found : 0;
+        const uint8 *row = screen->font + letter * FONT_ROWS;
         uint8 *to = at;
 
+        if (*there == letter)           /* chip RAM is slow */
+            continue;
+        *there = (uint8)letter;
         for (int32 y = 0; y < FONT_ROWS; y++, to += STATUS_PITCH)
             *to = *row++;
     }

@@ -25,6 +25,7 @@ struct screen {
     uint32 since;               /* display_fields when it was opened */
     int32 is_open;
     uint8 font[FONT_LETTERS * FONT_ROWS];
+    uint8 text[STATUS_LINES][STATUS_COLUMNS];       /* the letters that are there, 0: none */
 };
 
 /* Takes the screen over for frames of this size, at most 320x256 and the width a multiple of 8, and
