@@ -154,7 +154,8 @@ def test_pictures_keys_and_the_end(server, steps, tmp_path) -> None:
         play_chunky(server, scene)
         server.press("Escape")
         after = prompt(server, before)
-        rows = np.flatnonzero((after != before).any(axis=(1, 2)))
+        quiet = slice(0, 480)  # the emulator's own notices at its start are below
+        rows = np.flatnonzero((after[quiet] != before[quiet]).any(axis=(1, 2)))
         assert np.ptp(rows) < 2 * LETTER[0], "more than the lines of the prompts is other than before"
         server.enter("echo >left $RC")
         server.enter("show h.scene pause")
