@@ -188,6 +188,10 @@ def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:
     assert main(["show", str(SCENES / "default.toml")]) == 2
     assert capsys.readouterr().err == ("tmap: show: there is no DISPLAY to open a window on; tmap "
                                        "run makes pictures\n")
+    monkeypatch.setenv("DISPLAY", ":9999")
+    assert main(["show", str(SCENES / "default.toml")]) == 2
+    assert capsys.readouterr().err == ("tmap: show: nothing answers at DISPLAY :9999; tmap run makes "
+                                       "pictures\n")
     wide = tmp_path / "wide.toml"
     wide.write_text('width = 400\nheight = 8\nframes = 1\nbackground = "#000000"\n[materials]\n'
                     'it.colour = "#ffffff"\n[[objects]]\nmaterial = "it"\nsides = 3\nradius = 9\n')
