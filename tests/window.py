@@ -107,13 +107,7 @@ def shell(on: Screen, volume: dict[str, bytes | Path], directory: Path) -> Itera
     for name, content in volume.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.read_bytes())
     display = window(on)
-    config = emulator.write_config(directory, "a1200-fast", display)
-    machine = subprocess.Popen(["fs-uae", str(config)], env=os.environ | display.environment,
-                               stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                               stderr=subprocess.DEVNULL)
-    try:
+    config = emulator.write_config(directory, "a1200-fast", display, {"hard_drive_0": str(folder)})
+    with emulator.started(config, display, directory / "emulator.log"):
         on.wait("the start-up script's end", lambda _: (folder / "started").exists())
         yield folder
-    finally:
-        machine.kill()
-        machine.wait()

@@ -12,6 +12,7 @@ import itertools
 import os
 import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import time
@@ -158,18 +159,25 @@ def write_config(directory: Path, machine: str, display: Display, drives: dict[s
 @contextlib.contextmanager
 def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
     """The emulator while it runs, its own messages in ``log``; ended afterwards."""
-    with log.open("wb") as stream:
-        try:
+    # Ctrl-C waits until the process is known, or nobody would end it.
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    process = None
+    try:
+        with log.open("wb") as stream:
             process = subprocess.Popen(
                 ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
                 stderr=subprocess.STDOUT, env=os.environ | display.environment)
-        except OSError:
-            raise UserError("fs-uae is not installed: run scripts/setup") from None
-        try:
-            yield process
-        finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        yield process
+    except FileNotFoundError:
+        if process:
+            raise
+        raise UserError("fs-uae is not installed: run scripts/setup") from None
+    finally:
+        if process:
             process.kill()
             process.wait()
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,

@@ -2,6 +2,7 @@
 
 import math
 import os
+import subprocess
 from pathlib import Path
 
 from . import emulator
@@ -20,10 +21,17 @@ OPTIONS = {"window_width": str(WIDTH), "window_height": str(HEIGHT), "zoom": "fu
 DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
 
 
+def answers() -> bool:
+    """Whether there is an X server at DISPLAY: the emulator would end without a word."""
+    return subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True).returncode == 0
+
+
 def window() -> Display:
     """A window; raises UserError where none can be opened."""
     for name, driver in DRIVERS.items():
-        if os.environ.get(name):
+        if place := os.environ.get(name):
+            if driver == "x11" and not answers():
+                raise UserError(f"show: nothing answers at DISPLAY {place}; tmap run makes pictures")
             return Display(OPTIONS, {"SDL_VIDEODRIVER": driver})
     raise UserError("show: there is no DISPLAY to open a window on; tmap run makes pictures")
 

@@ -115,14 +115,21 @@ def quad_8_bytes(corners: np.ndarray) -> bytes:
     return longs(np.stack(rows, 1))
 
 
+def row_of_quads(rng, count: int) -> tuple[bytes, np.ndarray]:
+    """A row and the one below, in memory; each texel with its neighbours: [n][4][4]."""
+    rows = any_texels(rng, 2 * count).reshape(2, count, 4)
+    beside = np.roll(rows, -1, 1)
+    return pixels(rows), np.stack([rows[0], beside[0], rows[1], beside[1]], 1)
+
+
 def quads_8(rng, count: int) -> Example:
-    corners = any_texels(rng, 4 * count).reshape(count, 4, 4)
-    return Example("tmu_quads_8", pixels(corners), quad_8_bytes(corners), count)
+    texels, corners = row_of_quads(rng, count)
+    return Example("tmu_quads_8", texels, quad_8_bytes(corners), count)
 
 
 def quads(rng, count: int) -> Example:
-    corners = any_texels(rng, 4 * count).reshape(count, 4, 4)
-    return Example("tmu_quads", pixels(corners), quad_bytes(corners), count)
+    texels, corners = row_of_quads(rng, count)
+    return Example("tmu_quads", texels, quad_bytes(corners), count)
 
 
 @dataclass

@@ -57,6 +57,7 @@ struct show {
     struct rate rate;
     uint32 next_measuring;      /* field */
     int32 number, paused;
+    int32 is_broken;            /* by Ctrl-C */
     int32 has_tables;           /* 0: perspective has to do without */
     uint32 ticks;               /* of the last frame */
     uint32 refused;             /* enum polygon_result, why a polygon was, or POLYGON_DRAWN */
@@ -312,8 +313,10 @@ static int32 follow_keys(struct show *s)
     uint32 key;
 
     for (;;) {
-        if (outcome_break())
+        if (outcome_break()) {
+            s->is_broken = 1;
             return 0;
+        }
         key = key_take();
         if (key != NO_KEY || !s->paused)
             break;
@@ -337,7 +340,7 @@ static int32 play(struct show *s)
     }
     screen_close(&s->screen);
     if (s->refused == POLYGON_DRAWN)
-        return outcome_code(1);
+        return outcome_code(!s->is_broken);
     text_refuse("show: not all could be drawn", scene_why(&s->scene, s->refused));
     return RETURN_WARN;
 }

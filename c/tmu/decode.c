@@ -49,13 +49,12 @@ static void make_quads(void *to, int32 bits, const uint32 *texels, const struct 
         const uint32 *upper = texels + j * level->columns;
         const uint32 *lower = texels + ((j + 1) & (level->rows - 1)) * level->columns;
 
-        for (uint32 i = 0; i < level->columns; i++) {
-            const uint32 next = (i + 1) & (level->columns - 1);
-
-            if (bits == 8)
-                tmu_quad_8_make(quad_8++, upper[i], upper[next], lower[i], lower[next]);
-            else
-                tmu_quad_make(quad++, upper[i], upper[next], lower[i], lower[next]);
+        if (bits == 8) {
+            tmu_quads_8_make(quad_8, upper, lower, level->columns);
+            quad_8 += level->columns;
+        } else {
+            tmu_quads_make(quad, upper, lower, level->columns);
+            quad += level->columns;
         }
     }
 }

@@ -127,9 +127,11 @@ extern const uint32 tmu_logarithms[256];
 /* limits: as in tmu_logarithms. */
 void tmu_logarithms_make(struct tmu_logarithm *logarithms, const uint32 *limits);
 
-/* Texels R G B A: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
-void tmu_quad_make(struct tmu_quad *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
-void tmu_quad_8_make(struct tmu_quad_8 *quad, uint32 c00, uint32 c10, uint32 c01, uint32 c11);
+/* The quads of a row of texels R G B A and the row below; the texel behind a row's last is its first.
+   Of each: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
+void tmu_quads_make(struct tmu_quad *quad, const uint32 *upper, const uint32 *lower, uint32 columns);
+void tmu_quads_8_make(struct tmu_quad_8 *quad, const uint32 *upper, const uint32 *lower,
+                      uint32 columns);
 
 void tmu_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
 void tmu_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);

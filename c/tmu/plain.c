@@ -185,23 +185,13 @@ void tmu_tile_32_c(const struct tx_call *call)
 void tmu_quads_c(const struct tx_call *call)
 {
     const uint32 *in = call->in;
-    struct tmu_quad *out = call->out;
-    int32 count = call->count;
 
-    do {
-        tmu_quad_make(out++, in[0], in[1], in[2], in[3]);
-        in += 4;
-    } while (--count > 0);
+    tmu_quads_make(call->out, in, in + call->count, (uint32)call->count);
 }
 
 void tmu_quads_8_c(const struct tx_call *call)
 {
     const uint32 *in = call->in;
-    struct tmu_quad_8 *out = call->out;
-    int32 count = call->count;
 
-    do {
-        tmu_quad_8_make(out++, in[0], in[1], in[2], in[3]);
-        in += 4;
-    } while (--count > 0);
+    tmu_quads_8_make(call->out, in, in + call->count, (uint32)call->count);
 }

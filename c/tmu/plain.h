@@ -46,7 +46,7 @@ void tmu_combine_line_c(const struct tx_call *call);
 /* tmu_logarithms_make of the limits in. */
 void tmu_logarithms_c(const struct tx_call *call);
 
-/* tmu_quad_make, tmu_quad_8_make of the four texels in, R G B A. */
+/* tmu_quads_make, tmu_quads_8_make of the two rows in, one behind the other. */
 void tmu_quads_c(const struct tx_call *call);
 void tmu_quads_8_c(const struct tx_call *call);
 
