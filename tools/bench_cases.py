@@ -320,6 +320,13 @@ def wide_rows(length: int) -> list[Row]:
         for name, pair in names.items()]
 
 
+def placed(rows: list[Row], chip: bool) -> list[Row]:
+    """The rows, with their data in chip RAM or not."""
+    for row in rows:
+        row.case.chip = chip
+    return rows
+
+
 def pixel_rows(chip: bool) -> list[Row]:
     """All rows counted in pixels (or steps of one pixel)."""
     rows = []
@@ -361,9 +368,7 @@ def pixel_rows(chip: bool) -> list[Row]:
     for end in ("_low", "_super"):  # what is drawn while something is shown
         rows.append(Row(f"affine_addx{end}", 256, *span_case("span_affine_addx", "addx", 256)))
         rows[-1].case.display = bench_screen.SHOWN[end]
-    for row in rows:
-        row.case.chip = chip
-    return rows
+    return placed(rows, chip)
 
 
 def line_rows(chip: bool) -> list[Row]:
@@ -380,22 +385,14 @@ def line_rows(chip: bool) -> list[Row]:
     rows.append(Row("level_lines", bench_perspective.LINES, *bench_perspective.level_case()))
     rows.append(Row("reciprocal_lines", bench_perspective.LINES, *bench_reciprocal.lines_case(16)))
     rows.append(Row("logarithm_lines", bench_perspective.LINES, *bench_logarithm.lines_case()))
-    for row in rows:
-        row.case.chip = chip
-    return rows
+    return placed(rows, chip)
 
 
 def point_rows(chip: bool) -> list[Row]:
     """All rows counted in points, normals, faces or vertices of meshes."""
-    rows = [Row(name, 1, *make()) for name, make in MESH_CASES.items()]
-    for row in rows:
-        row.case.chip = chip
-    return rows
+    return placed([Row(name, 1, *make()) for name, make in MESH_CASES.items()], chip)
 
 
 def instruction_rows(chip: bool) -> list[Row]:
     """All rows counted in instructions."""
-    rows = [Row(*row) for row in bench_instructions.rows()]
-    for row in rows:
-        row.case.chip = chip
-    return rows
+    return placed([Row(*row) for row in bench_instructions.rows()], chip)

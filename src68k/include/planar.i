@@ -205,3 +205,22 @@ six_planes macro
         adda.l  a2,a1
         two_planes a6,d0
         endm
+
+; A frame of 16 bits a pixel to the colour planes of HAM8. \1: the macro that parts the colours.
+ham8_rows_16 macro
+        planar_open 1,2
+        planar_row
+.keep   keep_half
+        addq.l  #2,a0
+.longs  \1
+        merge_blue
+        merge   d0,d2,1,d7
+        merge   d1,d3,1,d7
+        move.w  a0,d4
+        lsr.w   #2,d4
+        bcc     .keep                   ; of the even pixels
+        move.l  #$f0f0f0f0,d5
+        lea     14(a0),a0
+        six_planes
+        planar_next
+        endm

@@ -18,18 +18,4 @@
 ; are not written.
 
         routine c2p_ham8_16,a0
-        planar_open 1,2
-        planar_row
-.keep   keep_half
-        addq.l  #2,a0
-.longs  colours_565
-        merge_blue
-        merge   d0,d2,1,d7
-        merge   d1,d3,1,d7
-        move.w  a0,d4
-        lsr.w   #2,d4
-        bcc     .keep                   ; of the even pixels
-        move.l  #$f0f0f0f0,d5
-        lea     14(a0),a0
-        six_planes
-        planar_next
+        ham8_rows_16 colours_565
