@@ -1,6 +1,19 @@
 """Fixed-point arithmetic as src68k does it, in Python integers."""
 
+import numpy as np
+
 M32 = (1 << 32) - 1
+ONE = 65536  # 1.0 in 16.16
+
+
+def fix(value: float) -> int:
+    """The nearest 16.16 number, the even one of two."""
+    return round(value * ONE)
+
+
+def fix_all(values) -> np.ndarray:
+    """The nearest 16.16 numbers of an array or nested lists, int64."""
+    return np.rint(np.asarray(values) * ONE).astype(np.int64)
 
 
 def signed(value: int, bits: int = 32) -> int:

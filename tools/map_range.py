@@ -4,20 +4,15 @@ import numpy as np
 
 from . import layout
 from .fields import fail
+from .fixed import ONE
 from .scene_tx import REACH
 
-ONE = 65536  # 1.0 in 16.16
 MAP_CENTRE = 128.0  # of s along the longer side
 
 
 def extent_of(size: tuple[int, int]) -> tuple[float, float]:
     """s and t at the far ends of a map: 256 for the longer side."""
     return tuple(2 * MAP_CENTRE * side / max(size) for side in size)
-
-
-def fixed(values: list[list[float]]) -> np.ndarray:
-    """The nearest 16.16 numbers, int64."""
-    return np.rint(np.array(values) * ONE).astype(np.int64)
 
 
 def inside(made: np.ndarray, texture: dict) -> np.ndarray:

@@ -7,9 +7,10 @@ import numpy as np
 
 from . import images, palette, scene_glide, scene_tx
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
+from .fixed import fix
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, ONE, SETTINGS, UNITS, Material,
+from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, UNITS, Material,
                          Texture, size_fault)
 
 SIDE_MAX = 1 << 15  # texels, of any map
@@ -187,6 +188,6 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
-                 light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE),
+                 light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
                  engines.get(name, -1), m.get("primitive", "polygons"))
         for name, m in spec["materials"].items()]

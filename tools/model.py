@@ -16,7 +16,7 @@ import numpy as np
 
 from . import model_logarithm, model_reciprocal, scene_pipes, scene_units
 from .clip import clip, frame_window
-from .fixed import M32, ceil16, mul, signed
+from .fixed import M32, ONE, ceil16, mul, signed
 from .model_edges import Edge, measure, side
 from .model_mesh import polygons_at
 from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective
@@ -33,7 +33,7 @@ __all__ = ["M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt", "
            "signed"]
 
 FAR = 16384 << 16
-INSET = 65536 // 16  # see c/polygon/material.c
+INSET = ONE // 16  # see c/polygon/material.c
 ON_PLANE = 3 * INSET // 4
 STEEP = 4 << 16
 

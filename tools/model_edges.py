@@ -4,7 +4,7 @@ and what they call, c/polygon/edges.c."""
 from dataclasses import dataclass
 from functools import cached_property
 
-from .fixed import ceil16, mul_div
+from .fixed import ONE, ceil16, mul_div
 
 EDGE_ERROR = 1024  # pixels that an edge's x may lie beyond its vertices, 16.16
 
@@ -24,7 +24,7 @@ class Edge:
         """Pixels a line, 16.16; 0 where the edge has one line only."""
         width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
         several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
-        return mul_div(width, 65536, height) if several else 0
+        return mul_div(width, ONE, height) if several else 0
 
     @cached_property
     def first(self) -> int:

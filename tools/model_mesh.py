@@ -5,7 +5,7 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 
 from dataclasses import dataclass
 
-from .fixed import mul_div, signed
+from .fixed import ONE, mul_div, signed
 from .scene_meshes import ENVIRONMENT, LIT
 
 #: What a frame draws: number of the material, vertices.
@@ -42,7 +42,7 @@ def transform(scene, points, view) -> list[Point]:
 
 def project(scene, x: int, y: int, w: int) -> tuple[int, int]:
     """Where a point before the camera is on the screen."""
-    scale = 65536 << scene.guard
+    scale = ONE << scene.guard
     return (mul_div(x, scale, w) + (scene.width << 15), mul_div(y, scale, w) + (scene.height << 15))
 
 

@@ -16,8 +16,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from . import emulator, layout, model, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
+from .fixed import ONE
 from .scene import compile_scene, parse
-from .scene_file import ONE, SETTINGS, Scene, write
+from .scene_file import SETTINGS, Scene, write
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "

@@ -15,12 +15,12 @@ from . import (layout, materials, scene_glide, scene_glide_build, scene_primitiv
                scene_projectors, scene_space, scene_tx, scene_tx_build)
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
-from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, fixed, inside
+from .fixed import ONE, fix_all
+from .map_range import MAP_CENTRE, check_engine, check_map, extent_of, inside
 from .model_shading import LIT
 from .pixel_formats import FORMATS
 from .scene_file import IDENTITY, Object, Scene
 
-ONE = 65536  # 1.0 in 16.16
 CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
 UNEVEN = 1 / 64  # of s or t a corner may be off the plane where the map does not repeat
 UNEVEN_SHADE = 0.5
@@ -254,7 +254,7 @@ def in_file(corners: list[list[float]], material: dict, texture: dict | None,
             ramp: tuple[int, int] | None, colours: list[tuple] | None) -> np.ndarray:
     """Corners as the file has them, 16.16: shades are pixels, or colours; rounding does not leave
     a map that is not repeated."""
-    made = fixed([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
+    made = fix_all([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
                   for corner in corners])
     if materials.mapper_of(material) == "arbitrary":
         made[:, 2:4] = inside(made[:, 2:4], texture)
@@ -314,7 +314,7 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
             corners = object_corners(obj, material, texture, ramps.get(obj["material"]), at)
             if lives < 1:
                 continue
-            motion = fixed([pose_at(obj, age, spec["frames"]) for age in range(lives)])
+            motion = fix_all([pose_at(obj, age, spec["frames"]) for age in range(lives)])
             if scene_primitives.is_rectangle(obj):
                 motion = scene_primitives.whole_pixels(motion)
             check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)

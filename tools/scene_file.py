@@ -7,6 +7,7 @@ import numpy as np
 
 from . import layout, scene_meshes, scene_pipes, scene_units
 from .errors import UserError
+from .fixed import ONE
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_meshes import Instance, Mesh
@@ -29,7 +30,6 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
-ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import layout, scene_pipes
 from .errors import UserError
+from .fixed import ONE
 
 #: The tables that are rows of numbers, with their columns.
 COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
@@ -18,7 +19,7 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
                      "eye_x", "eye_y", "eye_z", "s_x", "s_y", "s_z", "t_x", "t_y", "t_z",
                      "light_x", "light_y", "light_z", "spare")}
 ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
-ONE, UNIT_14, UNIT_30 = 1 << 16, 1 << 14, 1 << 30
+UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
 
 @dataclass

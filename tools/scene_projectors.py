@@ -17,9 +17,9 @@ import numpy as np
 
 from . import model_mesh, space
 from .fields import REQUIRED, fail, integer, number, rows, table
-from .map_range import extent_of, fixed
+from .fixed import ONE, fix, fix_all
+from .map_range import extent_of
 from .scene_glide import LEAST_W, REACH, has_own
-from .scene_meshes import ONE
 
 #: What a corner has on its way to the screen: x, y, s, t, shade and w as tools.model_mesh has them,
 #: 16.16, then S Q, T Q and Q of the second unit, of FINE fraction bits.
@@ -93,7 +93,7 @@ class Faces:
         self.obj, self.space, self.where = obj, made, where
         camera = made.spec["camera"]
         self.scene = SimpleNamespace(width=made.spec["width"], height=made.spec["height"],
-                                     guard=made.guard, near_plane=round(camera["near"] * ONE))
+                                     guard=made.guard, near_plane=fix(camera["near"]))
         self.projector = made.spec["projectors"].get(obj["projector"])
         unit = material["glide"]["units"][1]
         self.most = made.limits["POLYGON_VERTICES_MAX"] // 2
@@ -160,7 +160,7 @@ class Faces:
                         for x, y, w in first[:, [X, Y, W]].tolist()]
         second = first.copy()
         st, w = own_of(face)
-        second[:, S:] = fixed(np.column_stack([st, np.zeros(len(face)), w]))
+        second[:, S:] = fix_all(np.column_stack([st, np.zeros(len(face)), w]))
         return np.concatenate([first, second])
 
     def polygons(self, frame: int, age: int) -> list[np.ndarray]:

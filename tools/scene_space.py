@@ -11,9 +11,10 @@ import numpy as np
 from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
                scene_projectors, scene_tx_build, space)
 from .fields import REQUIRED, fail, flag, integer, join, named, number, one_of, rows, table, text
-from .map_range import check_engine, check_map, extent_of, fixed, inside
+from .fixed import ONE, fix
+from .map_range import check_engine, check_map, extent_of, inside
 from .mesh_build import Wishes
-from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
+from .scene_meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from .scene_textures import UNITS
 
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
@@ -256,7 +257,7 @@ class Space:
             dark, bright = (materials.shade_pixel(shade, ramp)
                             for shade in (ambient, materials.SHADES - 1))
         self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
-                                       flags, *fixed([[dark, bright]])[0].tolist()))
+                                       flags, fix(dark), fix(bright)))
         self.views += [self.view(obj, age, obj["first"] + age, bright - dark, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
@@ -267,6 +268,6 @@ class Space:
         made = {name: np.array(stored, np.int64) if stored else empty(name)
                 for name, stored in (self.rows | {"views": self.views}).items()}
         if self.instances:
-            near = round(self.spec["camera"]["near"] * ONE)
+            near = fix(self.spec["camera"]["near"])
             made |= {"near_plane": near, "guard": self.guard}
         return made | {"meshes": self.meshes, "instances": self.instances}

@@ -6,7 +6,7 @@ Formats stand in c/scene/scene_file.h.
 import numpy as np
 
 from .errors import UserError
-from .fixed import M32
+from .fixed import M32, ONE
 from .tx.commands import replay
 from .tx.state import COPY, State
 
@@ -108,7 +108,7 @@ def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: s
         for value in vertices[:, column].tolist():
             if not -1 << 15 <= value < 1 << 15:
                 raise UserError(f"{name}: {where}: {noun}: {value} does not fit 16 bits")
-    if (poses[:, :4] != (65536, 0, 0, 65536)).any():
+    if (poses[:, :4] != (ONE, 0, 0, ONE)).any():
         raise UserError(f"{name}: {where}: a rectangle cannot be turned or scaled")
     if (poses[:, 4:] & 0xFFFF).any():
         raise UserError(f"{name}: {where}: a rectangle moves by whole pixels")

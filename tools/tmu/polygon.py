@@ -13,7 +13,7 @@ import numpy as np
 
 from .. import model
 from ..errors import UserError
-from ..fixed import signed
+from ..fixed import ONE, signed
 from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
 from .coordinates import to_32
@@ -35,7 +35,7 @@ class Vertex(NamedTuple):
     y: int
     s: int = 0
     t: int = 0
-    w: int = 65536
+    w: int = ONE
     own: tuple[int, int, int] | None = None
 
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from .. import model
 from ..errors import UserError
-from ..fixed import M32
+from ..fixed import M32, ONE
 from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
 from .copy import check as check_copy
@@ -38,7 +38,7 @@ class Vertex(NamedTuple):
     y: int
     s: int = 0
     t: int = 0
-    w: int = 65536
+    w: int = ONE
     colour: tuple[int, int, int, int] = (255, 255, 255, 255)
     shade: int | None = None
 
