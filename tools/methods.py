@@ -16,7 +16,7 @@ import matplotlib
 import numpy as np
 from PIL import Image
 
-from . import model
+from . import markdown, model
 from .accuracy import Errors
 from .ideal_perspective import Picture
 from .model import Settings
@@ -83,7 +83,8 @@ def measure(machine: str, on_step=None) -> list[Method]:
         scene = scene_of(settings)
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
-        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent, errors_of(scene, settings)))
+        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
+                           errors_of(scene, settings)))
         if on_step:
             on_step()
     return made
@@ -91,12 +92,13 @@ def measure(machine: str, on_step=None) -> list[Method]:
 
 def table(methods: list[Method], machine: str) -> str:
     """The figures in Markdown."""
-    lines = [f"| method, {machine} | cycles a frame | largest error, texels | rms | wrong texels |",
-             "|---|--:|--:|--:|--:|"]
+    rows = []
     for m in methods:
         wrong = 100 * m.errors.wrong / max(m.errors.pixels, 1)
-        lines.append(f"| {m.name} | {m.cycles:,.0f} | {m.errors.worst:.3f} | {m.rms:.4f} | {wrong:.2f} % |")
-    return "\n".join(lines)
+        rows.append([m.name, f"{m.cycles:,.0f}", f"{m.errors.worst:.3f}", f"{m.rms:.4f}",
+                     f"{wrong:.2f} %"])
+    return markdown.table([f"method, {machine}", "cycles a frame", "largest error, texels", "rms",
+                           "wrong texels"], rows)
 
 
 def described(methods: list[Method]) -> dict[str, dict]:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import ideal, model, run
+from . import ideal, markdown, model, run
 from .accuracy import Errors
 from .errors import UserError
 from .fuzz_polygons import has_ideal
@@ -71,15 +71,16 @@ def show(name: str, machine: str, folder: Path) -> Shown:
 
 def table(shown: list[Shown], machine: str) -> str:
     """The figures in Markdown."""
-    lines = [f"| scene, {machine} | frames | polygons a frame | cycles a frame | cycles a pixel "
-             "| largest error, texels | rms | spans |", "|---|--:|--:|--:|--:|--:|--:|---|"]
+    rows = []
     for each in shown:
         t, e = each.totals, each.errors
-        errors = f"{e.worst:.4f} | {(e.squares / e.pixels) ** 0.5:.4f}" if e.pixels else " | "
-        lines.append(f"| {each.name} | {each.frames} | {t['polygons'] / each.frames:,.0f} "
-                     f"| {t['cycles'] / each.frames:,.0f} | {t['cycles_per_pixel']:.1f} "
-                     f"| {errors} | {', '.join(t['spans'])} |")
-    return "\n".join(lines)
+        errors = [f"{e.worst:.4f}", f"{(e.squares / e.pixels) ** 0.5:.4f}"] if e.pixels else ["", ""]
+        rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
+                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}", *errors,
+                     ", ".join(t["spans"])])
+    return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
+                           "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
+                          "lrrrrrrl")
 
 
 def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:
