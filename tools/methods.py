@@ -21,6 +21,7 @@ from .accuracy import Errors
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
+from .outputs import save_animation
 from .paths import SCENES
 from .run import render
 from .scene import compile_scene
@@ -129,7 +130,7 @@ def write_animation(methods: list[Method], path: Path) -> None:
     strips = np.concatenate([m.frames for m in three], axis=2)
     pictures = [Image.fromarray(np.kron(strip, np.ones((2, 2, 1), np.uint8)))
                 for strip in [*strips, *strips[-2:0:-1]]]
-    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=80, loop=0)
+    save_animation(path, pictures, 80)
 
 
 def write(folder: Path, machine: str, on_step=None) -> str:

@@ -13,6 +13,7 @@ from . import emulator, markdown, model, polygon_sets, provenance
 from .accuracy import MACHINES, as_json, picture
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
+from .outputs import check_directory
 from .paths import POLYS_BASELINE
 from .run import CLOCK_HZ
 from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
@@ -99,8 +100,7 @@ def measure_all(machine: str | None = None) -> dict:
 def command(out: str, machine: str | None, accept: bool) -> int:
     """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
     folder = Path(out)
-    if folder.exists() and not folder.is_dir():
-        raise UserError(f"{out}: is not a directory")
+    check_directory(folder)
     if accept and machine:
         raise UserError("polys: --accept needs all machines")
     found = measure_all(machine)

@@ -11,6 +11,7 @@ from PIL import Image
 from . import (bench_instructions, engines, methods, pages, palette, polys, readme_cycles,
                readme_modes, readme_numbers, readme_programs, readme_scenes, run, scene)
 from .markdown import MACHINES
+from .outputs import save_animation
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
@@ -75,8 +76,7 @@ def command() -> int:
     for name in changed:
         (ROOT / name).write_text(after[name])
     picture().save(PICTURE, optimize=True)
-    first, *others = animation()
-    first.save(ANIMATION, save_all=True, append_images=others, duration=80, loop=0)
+    save_animation(ANIMATION, animation(), 80)
     methods.write_picture(methods.measure("a1200-fast"), METHODS)
     pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
     print(f"written: {', '.join([*changed, *pictures])}")

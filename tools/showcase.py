@@ -17,6 +17,7 @@ from .fuzz_polygons import has_ideal
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
+from .outputs import save_animation
 from .paths import SCENES
 from .scene import compile_scene
 from .scene_file import Scene
@@ -63,9 +64,8 @@ def show(name: str, machine: str, folder: Path) -> Shown:
     drawn = run.render(scene, machine, "addx")
     if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
         raise UserError(f"{name}: a frame of one colour")
-    first, *others = [run.picture_of(frame, scene) for frame in drawn.frames]
-    first.save(folder / f"{name}.gif", save_all=True, append_images=others,
-               duration=run.gif_frame_ms(scene.frames), loop=0)
+    pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
+    save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
     return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
 
 
