@@ -6,6 +6,7 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 from dataclasses import dataclass
 
 from .fixed import ONE, mul_div, signed
+from .scene_file import vertices_at
 from .scene_meshes import ENVIRONMENT, LIT
 
 #: What a frame draws: number of the material, vertices.
@@ -152,8 +153,6 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
 def polygons_at(scene, number: int) -> list[Drawn]:
     """All that a frame draws, in drawing order: each polygon's material and its vertices on
     the screen."""
-    from .scene_file import vertices_at
-
     groups: dict[int, list] = {}  # instances by the object that they are drawn before
     for instance in scene.instances:
         groups.setdefault(instance.before, []).append(instance)

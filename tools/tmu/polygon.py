@@ -11,9 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import model
 from ..errors import UserError
 from ..fixed import ONE, signed
+from ..model_polygon import Polygon
+from ..model_texturing import Settings
 from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
 from .coordinates import to_32
@@ -58,7 +59,7 @@ def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
 
 
 def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
-           frame: np.ndarray, settings: model.Settings) -> tuple[Spans, Point] | None:
+           frame: np.ndarray, settings: Settings) -> tuple[Spans, Point] | None:
     """A polygon's pixels and what is iterated for them; None where there are none.
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
@@ -95,7 +96,7 @@ def blended(pixels: np.ndarray, colours: np.ndarray, adds: bool) -> np.ndarray:
     return stored(pixels, np.minimum(widened(pixels) + colours, 255) if adds else colours)
 
 
-def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) -> int:
+def draw_lines(frame: np.ndarray, polygon: Polygon | None, colours: list) -> int:
     """Draws the colours of a polygon's lines; gives the number of pixels."""
     if polygon is None:
         return 0
@@ -106,7 +107,7 @@ def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) 
 
 
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
-         settings: model.Settings, adds: bool = False) -> int:
+         settings: Settings, adds: bool = False) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
     [height, width], by one or two units, the first nearest the frame; gives the number of its
     pixels. The second unit goes by its own corners where the vertices have them. ``adds``: to what
