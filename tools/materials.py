@@ -10,8 +10,8 @@ from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_o
 from .fixed import fix
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, UNITS, Material,
-                         Texture, size_fault)
+from .scene_materials import SETTINGS, Material
+from .scene_textures import LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNITS, Texture, size_fault
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20

@@ -21,7 +21,8 @@ from .parts import Program
 from .paths import BUILD, PROGRAMS, ROOT
 from .run import SCENE_NAME, parse_output
 from .scene import compile_scene
-from .scene_file import Scene, ordered, write
+from .scene_file import Scene, write
+from .scene_textures import ordered
 
 #: What calls the first calls the second: short memory ends the program with a line.
 ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
