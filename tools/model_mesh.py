@@ -53,7 +53,7 @@ def looks(normals, factors, base: int, low: int, high: int) -> list[int]:
     return [min(max(base + ((a * x + b * y + c * z) >> 5), low), high) for x, y, z, _ in normals]
 
 
-def looks_of(scene, instance, normals, view) -> tuple[list[int], list[int], list[int]]:
+def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
     """s, t and shade of an instance's normals; empty what it has no use for."""
     s, t, shade = [], [], []
     if instance.flags & ENVIRONMENT:
@@ -119,7 +119,7 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
     mesh, view = scene.meshes[instance.mesh], scene.views[instance.view + age].tolist()
     points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
     normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
-    made_s, made_t, shades = looks_of(scene, instance, normals, view)
+    made_s, made_t, shades = looks_of(instance, normals, view)
     made = []
     for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
         if not is_seen(face, view):

@@ -84,7 +84,7 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
         return None
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
-    for base, plane in zip(p.base, (p.s, p.t)):
+    for plane in (p.s, p.t):
         full = asymptote(p.q, plane)
         if full is None:
             return None
@@ -190,7 +190,7 @@ def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
             q = q & 0xFFFF0000 | (q & 0xFFFF) + (q >> 32) & 0xFFFF
             r = TABLE[signed(q << 16) // 65536 + ORIGIN - LOWEST]
             du, dv = (c * ((r - old + 32768 & 0xFFFF) - 32768) for c in each.c)
-            old, first, rest = r, 0, m - 1
+            old, rest = r, m - 1
         else:
             r = (each.last - old + 32768 & 0xFFFF) - 32768
             part = 0x7FFFFFFF // rest if rest else 0

@@ -8,11 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
-               scene_projectors, scene_tx_build, space)
+from . import layout, materials, mesh_build, mesh_file, scene_projectors, space
 from .fields import REQUIRED, fail, flag, integer, join, named, number, one_of, rows, table, text
 from .fixed import ONE, fix
-from .map_range import check_engine, check_map, extent_of, inside
+from .map_range import Map, check_corners, inside_map, map_of
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from .scene_textures import UNITS
@@ -67,6 +66,12 @@ def has_light(material: dict) -> bool:
 def is_mesh(obj: dict) -> bool:
     """Whether an object is one in space."""
     return "mesh" in obj or "points" in obj
+
+
+def lives_of(obj: dict, count: int) -> int:
+    """Frames of the first ``count`` in which an object is there; below 1: none."""
+    last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
+    return last - obj["first"] + 1
 
 
 def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
@@ -146,36 +151,30 @@ class Space:
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables:
         """The tables of an object with a unit of Glide's, with the coordinates of one field."""
-        size = scene_glide_build.size_of(material)
-        return self.build(obj, "glide", (size, extent_of(size)), self.wishes_of(obj, material),
+        return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
                           where, uvs)
 
     def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
         """The number of an object's mesh; the same one for the same wishes."""
-        size = (texture["width"], texture["height"]) if texture else (256, 256)
-        mapper = materials.mapper_of(material)
+        mapper, shown = materials.mapper_of(material), map_of(material, texture)
         wishes = self.wishes_of(obj, material)
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
-        if mapper == "glide":
-            size = scene_glide_build.size_of(material)
-        extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
-        key = repr((source, size, extent, mapper in ("arbitrary", *UNITS), wishes))
+        key = repr((source, shown, mapper in ("arbitrary", *UNITS), wishes))
         if key not in self.asked:
-            made = self.build(obj, mapper, (size, extent), wishes, where)
+            made = self.build(obj, mapper, shown, wishes, where)
             if mapper == "arbitrary":
-                made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
+                made.corners[:, 2:4] = inside_map(made.corners[:, 2:4], texture)
             if made.key not in self.known:
                 self.known[made.key] = self.store(made, where)
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
-    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes, where: str,
+    def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
               uvs: str = "uvs") -> mesh_build.Tables:
-        """The tables of an object's mesh, refused where the material cannot draw it.
-        ``map_size``: sides in texels; s and t at the far ends. ``uvs``: the field with those."""
-        size, extent = map_size
+        """The tables of an object's mesh, refused where the material cannot draw it. ``uvs``: the
+        field with s and t."""
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
-        shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
+        shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
             mesh_file.listed(obj, where, uvs)
         if obj["normals"] == "file" and shape.normals is None:
             fail(f"{where}.normals", '"file", but not every corner has a normal there')
@@ -183,16 +182,8 @@ class Space:
             if shape.texels is None:
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
             texels_at = at if "mesh" in obj else f"{where}.{uvs}"
-            faces = [[(0, 0, *texel) for texel in face] for face in shape.texels]
-            if mapper == "unit":
-                for face in faces:
-                    check_engine(face, texels_at)
-            elif mapper == "glide":
-                for face in faces:
-                    scene_glide.check_range([corner[2:] for corner in face], texels_at)
-            else:
-                check_map([corner for face in faces for corner in face], mapper, size, extent,
-                          texels_at)
+            for face in shape.texels:
+                check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
         return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
@@ -245,8 +236,7 @@ class Space:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
         number, material, texture, ramp = look
         mesh = self.mesh_of(obj, material, texture, where)
-        last = self.count - 1 if obj["last"] is None else min(obj["last"], self.count - 1)
-        lives = last - obj["first"] + 1
+        lives = lives_of(obj, self.count)
         if lives < 1:
             return
         self.check_together(self.meshes[mesh], before, where)

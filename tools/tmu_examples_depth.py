@@ -64,13 +64,13 @@ def divide(rng, count: int) -> Example:
     return found(*iterators(rng, count), count, ground)
 
 
-def divide_clamp(rng, count: int) -> Example:
+def divide_clamp(_, count: int) -> Example:
     ground = Axes(14, 8, (255 * 16, 255 * 16))
     line = between([-9 << 18, 50 << 18, ONE], [300 << 16, 200 << 16, ONE >> 2], count)
     return found(*line, count, ground)
 
 
-def divide_each(rng, count: int) -> Example:
+def divide_each(_, count: int) -> Example:
     """A line that has to be divided pixel by pixel, for its w."""
     ground = Axes(14, 8, (WRAPPED, WRAPPED))
     line = between([40 << 18, 50 << 18, ONE + count], [300 << 16, 200 << 16, ONE >> 2], count)
@@ -158,7 +158,7 @@ def logarithms() -> bytes:
     return longs(rows)
 
 
-def logarithm_table(rng, count: int) -> Example:
+def logarithm_table(_, count: int) -> Example:
     return Example("tmu_logarithms", longs(limits()), logarithms(), count)
 
 

@@ -63,7 +63,7 @@ def divide(rng, count: int) -> Example:
                    dict(zip("stw", step)), {"reciprocals": reciprocals()})
 
 
-def reciprocal_table(rng, count: int) -> Example:
+def reciprocal_table(_, count: int) -> Example:
     return Example("tx_reciprocals", bytes(4), reciprocals(), count)
 
 
