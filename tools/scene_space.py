@@ -16,7 +16,8 @@ from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from .scene_textures import UNITS
 
-MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
+#: What mappers take; all others "uv" or "environment".
+MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, s or t
 
@@ -24,15 +25,15 @@ RADIUS = 127.0  # of an environment in its map, s or t
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     """The fields of an object with a mesh, by the one that tells it."""
     most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
-    away, reach = number(-1e5, 1e5), number(-1e6, 1e6)
-    place, angles = rows(away, 3, 3), rows(number(-3600, 3600), 3, 3)
+    reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
+    place = rows(number(-space.AWAY, space.AWAY), 3, 3)
     texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
     key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
                  "position": (place, None), "rotation": (angles, None)})
     placing = {
         "position": (place, [0.0, 0.0, 0.0]), "rotation": (angles, [0.0, 0.0, 0.0]),
         "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
-        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, 1000), None),
+        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
         "mapping": (one_of("uv", "environment", "shade", "none"), None),
         "normals": (one_of("file", "smooth", "faces"), None),
         "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
@@ -45,15 +46,10 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
 
 def schema(limits: dict[str, int]) -> dict:
     """The fields of a scene for camera and light."""
-    place = rows(number(-1e5, 1e5), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    camera = table({
-        "eye": (place, REQUIRED), "target": (place, [0.0, 0.0, 0.0]),
-        "up": (place, [0.0, 1.0, 0.0]),
-        "fov": (number(1, 170), 60.0),  # degrees, across the frame's width
-        "near": (number(limits["W_MIN"] / ONE, 1000), 0.125), "keys": (rows(key, 1, 1000), None)})
-    light = table({"direction": (place, REQUIRED), "ambient": (number(0, 1), 0.25)})
+    camera = table(space.camera_fields(limits, [0.0, 0.0, 0.0])
+                   | {"near": (number(limits["W_MIN"] / ONE, 1000), 0.125)})
+    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED),
+                   "ambient": (number(0, 1), 0.25)})
     return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
             "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
 
@@ -82,16 +78,37 @@ def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
+def check_camera(camera: dict, width: int, where: str) -> None:
+    """Refuses a camera that sees too little for frames of so many pixels a line."""
+    fill_keys(camera, ("eye", "target"), where)
+    focal = space.focal_length(width, camera["fov"])
+    most = 1 << layout.load().constants["GUARD_MAX"]
+    if focal > most:
+        fail(f"{where}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+                             f"pixels; {most} at most")
+
+
+def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
+    """Refuses an object in space that its material does not draw; fills in its mapping and what its
+    keys leave out."""
+    if not np.any(obj["axis"]):
+        fail(f"{where}.axis", "must have a length")
+    fill_keys(obj, ("position", "rotation"), where)
+    scene_projectors.check_object(obj, material, projectors, where)
+    mapper, name = materials.mapper_of(material), obj["material"]
+    allowed = MAPPINGS.get(mapper, ("uv", "environment"))
+    obj["mapping"] = obj["mapping"] or allowed[0]
+    if obj["mapping"] not in allowed:
+        fail(f"{where}.mapping", f'"{obj["mapping"]}", but material {name!r} takes '
+                                 f"{' or '.join(allowed)}")
+    if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
+        fail(f"{where}.normals", f"material {name!r} has no use for them")
+
+
 def check(spec: dict, where: str) -> None:
     """Refuses camera, light and objects that make no sense; fills what keys leave out."""
-    camera = spec["camera"]
-    if camera:
-        fill_keys(camera, ("eye", "target"), f"{where}camera")
-        focal, most = space.focal_length(spec["width"], camera["fov"]), \
-            1 << layout.load().constants["GUARD_MAX"]
-        if focal > most:
-            fail(f"{where}camera.fov", f"is too narrow for {spec['width']} pixels: a focal length "
-                                       f"of {focal:.0f} pixels; {most} at most")
+    if spec["camera"]:
+        check_camera(spec["camera"], spec["width"], f"{where}camera")
     for name, projector in spec["projectors"].items():
         fill_keys(projector, ("eye", "target"), join(f"{where}projectors", name))
     if not np.any(spec["light"]["direction"]):
@@ -99,23 +116,10 @@ def check(spec: dict, where: str) -> None:
     for i, obj in enumerate(spec["objects"]):
         if not is_mesh(obj):
             continue
-        at = f"{where}objects[{i}]"
-        if not camera:
+        if not spec["camera"]:
             fail(f"{where}camera", f"is missing; objects[{i}] has a mesh")
-        if not np.any(obj["axis"]):
-            fail(f"{at}.axis", "must have a length")
-        fill_keys(obj, ("position", "rotation"), at)
-        scene_projectors.check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
-                                      at)
-        material = spec["materials"][obj["material"]]
-        mapper = materials.mapper_of(material)
-        allowed = MAPPINGS.get(mapper, ("uv",) if mapper == "arbitrary" else ("uv", "environment"))
-        obj["mapping"] = obj["mapping"] or allowed[0]
-        if obj["mapping"] not in allowed:
-            fail(f"{at}.mapping", f'"{obj["mapping"]}", but material {obj["material"]!r} takes '
-                                  f"{' or '.join(allowed)}")
-        if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
-            fail(f"{at}.normals", f"material {obj['material']!r} has no use for them")
+        check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
+                     f"{where}objects[{i}]")
 
 
 def rounded(values, bits: int) -> list[int]:
