@@ -12,7 +12,7 @@ from .tx.state import COPY, State
 
 
 def settings_of(material) -> Settings:
-    """How units' polygons are set up (tools.planes)."""
+    """How units' polygons are set up (tools.unit_planes)."""
     return Settings(edges=material.edges, clip=material.clip, mapper="tiled")
 
 

@@ -1,8 +1,8 @@
 """Polygons as texture units draw them, bit for bit.
 
-What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
-W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
-share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
+What is iterated are planes over the screen (tools.unit_planes): S = 4 s is 14.18 where w does not
+count, W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the
+others share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
 subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
 
@@ -15,7 +15,7 @@ from ..errors import UserError
 from ..fixed import ONE, signed
 from ..model_polygon import Polygon
 from ..model_texturing import Settings
-from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
 from .coordinates import to_32
 from .dithered import lines
@@ -84,7 +84,8 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
 
 
 def widened(pixels: np.ndarray) -> np.ndarray:
-    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without alpha."""
+    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without
+    alpha."""
     value = pixels.astype(np.int64)
     if pixels.dtype != np.uint16:
         return np.stack([value >> shift & 255 for shift in (24, 16, 8, 0)], -1)

@@ -1,10 +1,10 @@
 """Polygons and rectangles as the texture unit draws them, bit for bit.
 
-A polygon's iterators are planes over the screen, found a pair at a time (tools.planes): (S, T),
-(W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+A polygon's iterators are planes over the screen, found a pair at a time (tools.unit_planes):
+(S, T), (W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
 
-- s, t and w as tools.planes has them: S = 32 s is s15.16 of s10.5, exact, and W is 0x7fff0000
-  where w does not count;
+- s, t and w as tools.unit_planes has them: S = 32 s is s15.16 of s10.5, exact, and W is
+  0x7fff0000 where w does not count;
 - a colour 0..255 is the whole part of 16.16, exact;
 - the iterators' upper 16 bits are s, t and w;
 - shade is the whole part of the iterator, clamped to 0..255.
@@ -17,7 +17,7 @@ import numpy as np
 from ..errors import UserError
 from ..fixed import M32, ONE
 from ..model_texturing import Settings
-from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
 from .copy import check as check_copy
 from .copy import copy
