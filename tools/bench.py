@@ -96,6 +96,11 @@ def cycles(row: dict) -> float:
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
+def figures(rows: list[dict]) -> dict[tuple, float]:
+    """Cycles by what identifies a row."""
+    return {key(row): cycles(row) for row in rows}
+
+
 def compare(found: dict, baseline: dict) -> list[str]:
     """Rows that left the baseline by more than TOLERANCE and DOUBT, in words."""
     old = {key(row): cycles(row) for kind in UNITS for row in baseline.get(kind, [])}
@@ -119,7 +124,7 @@ def table(rows: list[dict], machines: list[str]) -> str:
     """Markdown: a line for each name and length, a column for each machine."""
     lines = ["| row | length | " + " | ".join(machines) + " |",
              "|---|---|" + "---|" * len(machines)]
-    values = {key(row): cycles(row) for row in rows}
+    values = figures(rows)
     for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows):
         cells = [f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
                  for m in machines]
@@ -135,7 +140,7 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
     figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
     height = 0.8 / len(machines)
-    values = {key(row): cycles(row) for row in rows}
+    values = figures(rows)
     for k, machine in enumerate(machines):
         axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
                   [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
