@@ -5,7 +5,6 @@ frame must be the model's, byte for byte, so the model's u and v are the rendere
 are compared with the exact rational ideal (tools/ideal.py) pixel by pixel.
 """
 
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -18,8 +17,8 @@ from .emulator import CYCLES_PER_TICK, MEASURED
 from .errors import UserError
 from .model import Settings
 from .model_shading import LIT
+from .outputs import bars, check_directory
 from .paths import ACCURACY_BASELINE
-from .run import check_directory
 from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
 #: The sets whose rows are kept beside the bench's baseline, for README and tests.
@@ -249,15 +248,13 @@ def written_files(names: list[str], sets: list[str]) -> list[str]:
 def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
     """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. 1: a hard
     case exceeds its bound."""
-    from rich.progress import Progress
-
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)
     names = measured_names(names)
     sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
     machines, made, excess = [machine] if machine else list(MEASURED), [], []
-    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+    with bars() as progress:
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
             made.append(write_sets(folder, sets, machines, accept, lambda: progress.advance(task)))

@@ -8,6 +8,7 @@ from PIL import Image
 
 from .emulator import MEASURED
 from .model import Settings
+from .outputs import save_animation
 from .paths import SCENES
 from .run import render
 from .scene import compile_scene
@@ -65,7 +66,7 @@ def plot(rows: list[dict], path: Path) -> None:
 SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
             Settings("subpixel", "plane", "truncated", mapper="affine"),
             Settings("exact", "plane", "subtexel", mapper="affine"))
-SWIM_FRAMES = 24
+SWIM_FRAMES, SWIM_FRAME_MS = 24, 120
 SWIM_SIDE = 64  # pixels of a panel
 
 
@@ -95,8 +96,7 @@ def write_swimming(out: Path) -> None:
         big = np.kron(frame, np.ones((5, 5), np.uint8))
         big[:, 5 * SWIM_SIDE::5 * SWIM_SIDE] = 255
         pictures.append(Image.fromarray(big))
-    pictures[0].save(out / "swimming.gif", save_all=True, append_images=pictures[1:],
-                     duration=120, loop=0)
+    save_animation(out / "swimming.gif", pictures, SWIM_FRAME_MS)
     strip = np.concatenate([np.asarray(p) for p in pictures[::SWIM_FRAMES // 3][:3]])
     Image.fromarray(strip).save(out / "swimming.png")
 

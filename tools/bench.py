@@ -17,8 +17,8 @@ from .bench_conditions import CONDITIONS
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .kernels import Case, Result, call
+from .outputs import bars, check_directory
 from .paths import BASELINE
-from .run import check_directory
 
 #: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
 TICKS = 25_000
@@ -107,6 +107,11 @@ def cycles(row: dict) -> float:
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
+def figures(rows: list[dict]) -> dict[tuple, float]:
+    """Cycles by what identifies a row."""
+    return {key(row): cycles(row) for row in rows}
+
+
 def compare(found: dict, baseline: dict) -> list[str]:
     """Rows that left the baseline by more than TOLERANCE and DOUBT, in words."""
     old = {key(row): cycles(row) for kind in UNITS for row in baseline.get(kind, [])}
@@ -130,7 +135,7 @@ def table(rows: list[dict], machines: list[str]) -> str:
     """Markdown: a line for each name and length, a column for each machine."""
     lines = ["| row | length | " + " | ".join(machines) + " |",
              "|---|---|" + "---|" * len(machines)]
-    values = {key(row): cycles(row) for row in rows}
+    values = figures(rows)
     for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows):
         cells = [f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
                  for m in machines]
@@ -146,7 +151,7 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
     figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
     height = 0.8 / len(machines)
-    values = {key(row): cycles(row) for row in rows}
+    values = figures(rows)
     for k, machine in enumerate(machines):
         axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
                   [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
@@ -185,13 +190,11 @@ def write(found: dict, out: Path) -> None:
 
 def command(out: Path, machine: str | None, only: str | None, accept: bool) -> int:
     """``tmap bench``: prints the table; status 1 where the baseline is left."""
-    from rich.progress import Progress
-
     check_directory(out)
     if accept and (machine or only):
         raise UserError("bench: --accept needs all machines and all rows")
     machines = [machine] if machine else list(CONDITIONS)
-    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+    with bars() as progress:
         task = progress.add_task("bench", total=None)
         found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
     rows = [row for kind in UNITS for row in found[kind]]

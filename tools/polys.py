@@ -9,10 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, model, polygon_sets, provenance, random_maps
+from . import emulator, markdown, model, polygon_sets, provenance, random_maps
 from .accuracy_rows import as_json
 from .emulator import CYCLES_PER_TICK, MEASURED
 from .errors import UserError
+from .outputs import check_directory
 from .paths import POLYS_BASELINE
 from .run import CLOCK_HZ
 from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
@@ -75,13 +76,14 @@ def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[d
 def table(rows: list[dict]) -> str:
     """Markdown: a line a row, two columns a machine."""
     machines = list(dict.fromkeys(r["machine"] for r in rows))
-    lines = ["| filler | " + " | ".join(f"{m}, polygons/s | {m}, kcycles" for m in machines)
-             + " | Pentium 120, kcycles |", "|---" + "|--:" * (2 * len(machines) + 1) + "|"]
+    lines = []
     for name in dict.fromkeys(r["name"] for r in rows):
         some = [r for r in rows if r["name"] == name]
-        cells = [f"{r['polygons_per_second']:.0f} | {r['kilocycles_per_polygon']:.1f}" for r in some]
-        lines.append(f"| {name} | " + " | ".join(cells) + f" | {some[0]['pentium_kilocycles']} |")
-    return "\n".join(lines) + "\n"
+        cells = [cell for r in some for cell in (f"{r['polygons_per_second']:.0f}",
+                                                 f"{r['kilocycles_per_polygon']:.1f}")]
+        lines.append([name, *cells, str(some[0]["pentium_kilocycles"])])
+    titles = [f"{machine}, {what}" for machine in machines for what in ("polygons/s", "kcycles")]
+    return markdown.table(["filler", *titles, "Pentium 120, kcycles"], lines) + "\n"
 
 
 def measure_all(machine: str | None = None) -> dict:
@@ -97,8 +99,7 @@ def measure_all(machine: str | None = None) -> dict:
 def command(out: str, machine: str | None, accept: bool) -> int:
     """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
     folder = Path(out)
-    if folder.exists() and not folder.is_dir():
-        raise UserError(f"{out}: is not a directory")
+    check_directory(folder)
     if accept and machine:
         raise UserError("polys: --accept needs all machines")
     found = measure_all(machine)

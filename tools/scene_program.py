@@ -15,10 +15,11 @@ import numpy as np
 from . import emulator, objects, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
+from .outputs import check_directory
 from .pack import Layout
 from .parts import Program
 from .paths import BUILD, PROGRAMS, ROOT
-from .run import SCENE_NAME, check_directory, parse_output
+from .run import SCENE_NAME, parse_output
 from .scene import compile_scene
 from .scene_file import Scene, ordered, write
 
