@@ -5,9 +5,11 @@ import re
 
 import pytest
 
-from tools import bench, bench_modes, bench_rules, contracts, readme_modes
+from tools import bench, bench_modes, bench_rules, bench_scenes, contracts, readme_modes
 from tools.emulator import CYCLES_PER_TICK, MEASURED
+from tools.model_mesh import polygons_at
 from tools.paths import BASELINE, ROOT, SCENES
+from tools.scene import compile_scene
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
           "reason in the commit")
@@ -79,6 +81,17 @@ def test_every_scene_has_rows(found) -> None:
                               for machine in MEASURED}
     for name in names:
         assert 50_000 < figures[f"scene_{name}", "a1200-fast"] < figures[f"scene_{name}", "a1200"]
+
+
+@pytest.mark.parametrize("name", ["glide_wall", "environment", "corridor", "tx_rectangles"])
+def test_cut_scenes_have_their_frames(name: str) -> None:
+    """Frames of a scene, some of them twice, show the polygons that they show in the whole of it: all of
+    them, and no other frame's."""
+    whole = compile_scene(SCENES / f"{name}.toml")
+    numbers = [0, 3, 4, whole.frames - 1, 0, 3, 4, whole.frames - 1]
+    cut = bench_scenes.some_frames(whole, numbers)
+    for number, kept in enumerate(numbers):
+        assert list(polygons_at(cut, number)) == list(polygons_at(whole, kept)), (number, kept)
 
 
 def test_every_rule_of_lowering_saves_cycles(found) -> None:

@@ -2,6 +2,8 @@
 
 import json
 
+from . import markdown
+
 #: Mappers without texture: all others draw the same picture, and a row is on the frontier among those
 #: that draw its own.
 UNTEXTURED = ("flat", "gouraud")
@@ -33,13 +35,9 @@ def table(rows: list[dict], name: str, machine: str) -> str:
     chosen = [r for r in rows if r["name"] == name and r["machine"] == machine]
     order = list(dict.fromkeys(r["mapper"] for r in chosen))
     chosen.sort(key=lambda r: (order.index(r["mapper"]), r["cycles_per_polygon"]))
-    lines = ["| " + " | ".join(c.replace("_", " ") for c in COLUMNS) + " |",
-             "|---" * 5 + "|--:" * 6 + "|---|"]
-    for row in chosen:
-        cells = [row[c] for c in COLUMNS[:-1]] + ["yes" if row["frontier"] else ""]
-        lines.append("| " + " | ".join(f"{c:,}" if isinstance(c, float) else str(c)
-                                       for c in cells) + " |")
-    return "\n".join(lines) + "\n"
+    rows = [[*(f"{row[c]:,}" if isinstance(row[c], float) else row[c] for c in COLUMNS[:-1]),
+             "yes" if row["frontier"] else ""] for row in chosen]
+    return markdown.table([c.replace("_", " ") for c in COLUMNS], rows, "lllllrrrrrrl") + "\n"
 
 
 def report(found: dict) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 
-from . import bench_cases, bench_modes, bench_rules, bench_scenes, provenance
+from . import bench_cases, bench_modes, bench_rules, bench_scenes, markdown, provenance
 from .bench_conditions import CONDITIONS
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
@@ -114,7 +114,7 @@ def figures(rows: list[dict]) -> dict[tuple, float]:
 
 def compare(found: dict, baseline: dict) -> list[str]:
     """Rows that left the baseline by more than TOLERANCE and DOUBT, in words."""
-    old = {key(row): cycles(row) for kind in UNITS for row in baseline.get(kind, [])}
+    old = figures([row for kind in UNITS for row in baseline.get(kind, [])])
     complaints = []
     for kind in UNITS:
         for row in found[kind]:
@@ -125,22 +125,19 @@ def compare(found: dict, baseline: dict) -> list[str]:
             where = "{} {} length {}".format(*key(row))
             if before is None:
                 complaints.append(f"{where}: {now} cycles, not in the baseline")
-            elif abs(now - before) > max(TOLERANCE * before, DOUBT * row["one_tick"]):
-                complaints.append(f"{where}: {now} cycles, the baseline says {before} "
-                                  f"({100 * (now - before) / before:+.1f} %)")
+            elif abs(now - before) > max(TOLERANCE * abs(before), DOUBT * row["one_tick"]):
+                change = f" ({100 * (now - before) / before:+.1f} %)" if before else ""
+                complaints.append(f"{where}: {now} cycles, the baseline says {before}{change}")
     return complaints
 
 
 def table(rows: list[dict], machines: list[str]) -> str:
     """Markdown: a line for each name and length, a column for each machine."""
-    lines = ["| row | length | " + " | ".join(machines) + " |",
-             "|---|---|" + "---|" * len(machines)]
     values = figures(rows)
-    for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows):
-        cells = [f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
-                 for m in machines]
-        lines.append(f"| {name} | {length} | " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    cells = [[name, str(length), *(f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
+                                   for m in machines)]
+             for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows)]
+    return markdown.table(["row", "length", *machines], cells, "l") + "\n"
 
 
 def plot(rows: list[dict], machines: list[str], path: Path) -> None:
@@ -202,9 +199,8 @@ def command(out: Path, machine: str | None, only: str | None, accept: bool) -> i
         raise UserError(f"bench: no row is called {only}")
     write(found, out)
     print(table(rows, machines))
-    print(f"written to {out}: bench.json, bench.md, bench.png")
+    print(f"written to {out}: bench.json, bench.md" + ", bench.png" * bool(found["rows"]))
     if accept:
-        BASELINE.parent.mkdir(parents=True, exist_ok=True)
         BASELINE.write_text(json.dumps(found, indent=1) + "\n")
         print("the baseline is these figures now; give the reason in the commit")
         return 0
