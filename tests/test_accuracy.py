@@ -182,5 +182,5 @@ def test_every_mapper_is_shown() -> None:
 def test_unknown_set_is_refused(tmp_path) -> None:
     """One line that names the sets there are."""
     with pytest.raises(UserError, match="no set is called huge; there are small, medium"):
-        accuracy.command(str(tmp_path / "out"), ["huge"], None, False)
+        accuracy.command(tmp_path / "out", ["huge"], None, False)
     assert not (tmp_path / "out").exists()
