@@ -10,6 +10,7 @@ from wrong_fields import M32, SHAPES, Row, WrongFields, changed, lengths
 from tools import scene_file
 from tools.scene_file import Material, Object, Scene, Texture
 from tools.scene_meshes import Instance
+from tools.scene_textures import LAYOUTS, ON_PLANE
 
 NOT_USABLE = ": not a usable scene file: "
 
@@ -39,28 +40,28 @@ def large_with(perspective: str) -> Scene:
     return scene
 
 
-def every_mapper() -> Scene:
-    """A scene with a triangle of each mapper, material n with texture n - 2."""
+#: Layouts of maps and a size that each may have.
+SIZES = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
+         "margins": (256, 256), "light": (256, 64)}
+
+
+def mapped(*mappers: str) -> Scene:
+    """A scene with a triangle of each of these mappers, in their order, each with the only map of its
+    layout; what is lit has the only light."""
     scene = example(0)
-    sizes = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
-             "margins": (256, 256), "light": (256, 64)}
-    scene.textures = [Texture(np.zeros((height, width), np.uint8), layout)
-                      for layout, (width, height) in sizes.items()]
-    mappers = list(scene_file.MAPPERS[1])
-    scene.materials = [Material(mapper, gradients="polygon", texture=max(n - 2, -1))
-                       for n, mapper in enumerate(mappers[:7])]
-    scene.materials += [Material("lit", texture=0, light=5),
-                        Material("lit_gouraud", texture=0, light=5),
-                        Material("dithered", texture=0)]
+    layouts = list(dict.fromkeys(filter(None, map(scene_file.MAPPER_LAYOUT.get, mappers))))
+    layouts += ["light"] if any(mapper.startswith("lit") for mapper in mappers) else []
+    scene.textures = [Texture(np.zeros(SIZES[name][::-1], np.uint8), name) for name in layouts]
+    scene.materials = []
+    for mapper in mappers:
+        layout = scene_file.MAPPER_LAYOUT.get(mapper)
+        is_lit = mapper.startswith("lit")
+        scene.materials.append(Material(
+            mapper, gradients="plane" if is_lit or mapper in ON_PLANE else "polygon",
+            texture=layouts.index(layout) if layout else -1,
+            light=layouts.index("light") if is_lit else -1))
     scene.vertices = np.full((6, 6), 65536)
     scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
-    return scene
-
-
-def lit() -> Scene:
-    """A scene with a lit triangle."""
-    scene = every_mapper()
-    scene.objects = [Object(7, 0, 3, 0, 3, 0)]
     return scene
 
 
@@ -76,35 +77,42 @@ def wide_pixels(pixels: str, mapper: str) -> Scene:
 def wrong_mappers() -> list[Row]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
     rows: list[Row] = []
-    every, wide, widest, light_only = (WrongFields(scene, rows) for scene in (
-        every_mapper(), wide_pixels("rgb565", "columns"), wide_pixels("rgba8888", "affine"), lit()))
+    every, large, wide, widest, light_only = (WrongFields(scene, rows) for scene in (
+        mapped("flat", "gouraud", "affine", "arbitrary", "columns", "lit", "lit_gouraud", "dithered"),
+        mapped("tiled", "generated"), wide_pixels("rgb565", "columns"),
+        wide_pixels("rgba8888", "affine"), mapped("lit")))
     size = "texture.width or texture.height"
-    page, linear, tiled, columns, margins, light = range(6)
-    flat, gouraud, affine, arbitrary, *_, lit_flat, lit_gouraud, dithered = range(10)
-    every.entry("textures", page, "layout", 6, M32)
-    every.entry("textures", page, "layout", linear, said="material.texture")
+    flat, gouraud, affine, arbitrary, _, lit_flat, lit_gouraud, dithered = range(8)
+    page, linear, columns, light, past_all = range(5)
+    tiled, margins = range(2)  # of the large ones
+    layouts = {name: number for number, name in enumerate(LAYOUTS)}
+    mappers = {name: number for number, name in enumerate(scene_file.SETTINGS["mapper"])}
+    every.entry("textures", page, "layout", len(LAYOUTS), M32)
+    every.entry("textures", page, "layout", layouts["linear"], said="material.texture")
     every.entry("textures", page, "texel_bytes", 0, 2, M32)
     every.entry("textures", page, "at", 0, 82, len(every.data) - 124, M32 - 3)
-    for index, widths in ((page, (0, 4, 12, 512, M32, 2**31)), (linear, (0, 1025, M32, 2**31)),
-                          (tiled, (0, 255, 512, M32)), (columns, (4, 48, 2**16, M32, 2**31)),
-                          (margins, (8, 512, M32)), (light, (255, 128, M32))):
-        every.entry("textures", index, "width", *widths, said=size)
-        every.entry("textures", index, "height", *widths, said=size)
-    wide.entry("textures", 0, "layout", linear, tiled, light)
+    for wrong, index, widths in (
+            (every, page, (0, 4, 12, 512, M32, 2**31)), (every, linear, (0, 1025, M32, 2**31)),
+            (large, tiled, (0, 255, 512, M32)), (every, columns, (4, 48, 2**16, M32, 2**31)),
+            (large, margins, (8, 512, M32)), (every, light, (255, 128, M32))):
+        wrong.entry("textures", index, "width", *widths, said=size)
+        wrong.entry("textures", index, "height", *widths, said=size)
+    wide.entry("textures", 0, "layout", *(layouts[name] for name in ("linear", "tiled", "light")))
     wide.entry("textures", 0, "texel_bytes", 1, 4)
-    widest.entry("textures", 0, "layout", columns)
-    widest.entry("materials", 1, "mapper", gouraud, arbitrary, 4, 5, 6, 7, 8)
+    widest.entry("textures", 0, "layout", layouts["columns"])
+    widest.entry("materials", 1, "mapper", *(mappers[name] for name in (
+        "gouraud", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud")))
     widest.entry("materials", 1, "perspective", 1, 4)
-    every.entry("materials", flat, "mapper", 10, 11, M32)
+    every.entry("materials", flat, "mapper", mappers["unit"], mappers["glide"], M32)
     every.entry("materials", flat, "texture", 0)
     every.entry("materials", gouraud, "texture", 0)
-    every.entry("materials", affine, "texture", linear, light, -1, 6)
+    every.entry("materials", affine, "texture", linear, light, -1, past_all)
     for field, past in (("edges", 3), ("gradients", 3), ("start", 2), ("clip", 2)):
         every.entry("materials", affine, field, past, M32)
     every.entry("materials", affine, "light", 0, light)
     for index in lit_flat, lit_gouraud:
         every.entry("materials", index, "texture", linear, light, -1)
-        every.entry("materials", index, "light", page, -1, 6, M32)
+        every.entry("materials", index, "light", page, -1, past_all, M32)
     for index in lit_gouraud, dithered:
         every.entry("materials", index, "gradients", 0, 1)
         every.entry("materials", index, "start", 0)
@@ -122,7 +130,9 @@ def wrong_mappers() -> list[Row]:
 
 def bad_scenes() -> list[tuple[bytes, str]]:
     """Files and what must be said of each."""
-    data, textured = (scene_file.write(example(textures)) for textures in (0, 1))
+    small = example(1)
+    small.textures = [Texture(np.zeros((8, 16), np.uint8))]
+    data, textured = scene_file.write(example(0)), scene_file.write(small)
     header = SHAPES.struct("scene_header")
     cases = [(b"", ": is empty"), (data + b"\0", NOT_USABLE + "size")]
     cases += [(data[:length], NOT_USABLE + "size") for length in lengths("scene_header", data)]
