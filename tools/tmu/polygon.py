@@ -17,7 +17,6 @@ from ..model_polygon import Polygon
 from ..model_texturing import Settings
 from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
-from .coordinates import to_32
 from .dithered import lines
 from .lod import base
 from .state import ONE_W, Unit
@@ -71,7 +70,7 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     st = enlarged(st, bits)
     steps = [signed(c) for c in (*st.ddx, *st.ddy)]
     is_one = not w.ddx[0] and not w.ddy[0] and bool((w.values[0] == ONE_W).all())
-    return at, Point(*(to_32(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
+    return at, Point(*(signed(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
                      *((0, 0) if is_one else sides(at)))  # w of 1.0 divides nothing
 
 

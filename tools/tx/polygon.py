@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
-from ..fixed import M32, ONE
+from ..fixed import M32, ONE, signed
 from ..model_texturing import Settings
 from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
@@ -52,7 +52,7 @@ class Vertex(NamedTuple):
 
 def whole(iterator: np.ndarray) -> np.ndarray:
     """A colour's iterator as 0..255."""
-    return np.clip((iterator + (1 << 31) & M32) - (1 << 31) >> 16, 0, 255)
+    return np.clip(signed(iterator) >> 16, 0, 255)
 
 
 class Prepared(NamedTuple):
