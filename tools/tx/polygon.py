@@ -24,10 +24,10 @@ from .copy import copy
 from .lod import Gradients
 from .misuse import Misuse
 from .pixels import pixels, store
-from .state import COPY, State
+from .state import COPY, REACH, State
 
 SETTINGS = Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
-SCALE = Scale(5, 0x7FFF0000, 1024 << 16)
+SCALE = Scale(5, 0x7FFF0000, REACH << 16)
 
 
 class Vertex(NamedTuple):
