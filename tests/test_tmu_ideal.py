@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from tools.errors import UserError
+from tools.ideal_texels import Coordinate
 from tools.tmu import combine, ideal
 from tools.tmu.chain import Point, chain_pixel
 from tools.tmu.coordinates import TOO_LARGE, coordinates
@@ -16,7 +17,6 @@ from tools.tmu.functions import combine as combine_by
 from tools.tmu.ideal import Corner, Surface
 from tools.tmu.lod import base, level_of_detail
 from tools.tmu.state import ARGB4444, ONE_W, UNIT_MEMORY, Modes, Unit
-from tools.tx.ideal import Coordinate
 
 AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_ideal.py"
 ONE = 1 << 18  # of 14.18

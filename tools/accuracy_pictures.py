@@ -2,19 +2,16 @@
 
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from PIL import Image
 
 from .accuracy import MACHINES
 from .model import Settings
 from .paths import SCENES
+from .plots import plt
 from .run import render
 from .scene import compile_scene
 from .scene_file import Material, Object, Scene, Texture
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",

@@ -10,16 +10,12 @@ import json
 import sys
 from pathlib import Path
 
-import matplotlib
-
 from . import bench_cases, bench_modes, bench_rules, bench_scenes, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .kernels import Case, call
 from .paths import BASELINE
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from .plots import plt
 
 #: Name to (emulated machine, data in chip RAM).
 CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),

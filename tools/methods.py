@@ -12,7 +12,6 @@ import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from PIL import Image
 
@@ -23,12 +22,10 @@ from .model import Settings
 from .model_mesh import polygons_at
 from .outputs import save_animation
 from .paths import SCENES
+from .plots import plt
 from .run import render
 from .scene import compile_scene
 from .scene_file import Scene
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 #: What is shown, in the note's words and ours.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),

@@ -2,12 +2,8 @@
 
 from pathlib import Path
 
-import matplotlib
-
 from .accuracy_pictures import LEAST, MARKS, drawn_by
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from .plots import plt
 
 #: Set to its title and colour: polygons without depth and with it.
 SETS = {"medium": ("without depth", "#1f5fa8"), "depth": ("with depth", "#b3541e")}
