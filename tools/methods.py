@@ -12,6 +12,7 @@ import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
@@ -22,7 +23,6 @@ from .model import Settings
 from .model_mesh import polygons_at
 from .outputs import save_animation
 from .paths import SCENES
-from .plots import plt
 from .run import render
 from .scene import compile_scene
 from .scene_file import Scene

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
 from .fixed import ONE
 from .ideal_perspective import Curve
-from .plots import plt
 
 #: Pixels of a piece, from far off to near.
 PIECES = (32, 16, 8, 4)

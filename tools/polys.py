@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, markdown, model, polygon_sets, provenance
-from .accuracy import MACHINES, as_json, picture
-from .emulator import CLOCK_HZ, CYCLES_PER_TICK
+from . import emulator, markdown, model, polygon_sets, provenance, random_maps
+from .accuracy_rows import as_json
+from .emulator import CLOCK_HZ, CYCLES_PER_TICK, MEASURED
 from .errors import UserError
 from .outputs import check_directory
 from .paths import POLYS_BASELINE
@@ -37,9 +37,8 @@ def scene(row: str, count: int) -> Scene:
     for triangle in polygon_sets.random_triangles(count):
         objects.append(Object(0, len(vertices), 3, 0, 1, 1))
         vertices += triangle
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, 2, 7, palette,
-                 [Texture(picture(), layout)] if layout else [], [material], objects,
+    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, 2, 7, random_maps.palette(),
+                 [Texture(random_maps.page(), layout)] if layout else [], [material], objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 
@@ -90,7 +89,7 @@ def table(rows: list[dict]) -> str:
 
 def measure_all(machine: str | None = None) -> dict:
     """The content of polys.json; one machine alone has no rows of a 68030 beside it."""
-    rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
+    rows = [row for m in ([machine] if machine else MEASURED) for row in measure(m)]
     cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
     return provenance.record() | {
         "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "

@@ -10,6 +10,7 @@ from rich.progress import Progress
 
 from . import cache, provenance
 from .cache import Entry
+from .emulator import MEASURED
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
 
@@ -94,8 +95,8 @@ def of_accuracy(tell: Tell) -> Entry:
         from . import accuracy, polygon_sets
 
         names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], count(1)
-        total = len(names) * len(accuracy.MACHINES)
-        accuracy.write_sets(folder, names, list(accuracy.MACHINES), False,
+        total = len(names) * len(MEASURED)
+        accuracy.write_sets(folder, names, list(MEASURED), False,
                             lambda: tell(next(done), total))
         return json.loads((folder / "accuracy.json").read_text())
 

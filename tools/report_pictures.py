@@ -2,8 +2,9 @@
 
 from pathlib import Path
 
+import matplotlib.pyplot as plt
+
 from .accuracy_pictures import LEAST, MARKS, drawn_by
-from .plots import plt
 
 #: Set to its title and colour: polygons without depth and with it.
 SETS = {"medium": ("without depth", "#1f5fa8"), "depth": ("with depth", "#b3541e")}
