@@ -15,7 +15,7 @@ import pytest
 from amitools.binfmt.hunk import Hunk
 from amitools.binfmt.hunk.HunkReader import HunkReader
 
-from engine_polygons import first_wrong
+from arrays import first_wrong
 from tools import contracts, emulator, hunk_object, model, objects, planar, sdk
 from tools.errors import UserError
 from tools.model_texturing import Settings
