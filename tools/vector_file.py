@@ -7,8 +7,7 @@ import numpy as np
 
 from . import emulator, layout
 from .errors import UserError
-
-M32 = (1 << 32) - 1
+from .fixed import M32
 
 
 class Operations:
