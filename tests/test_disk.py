@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tools import bench, disk, emulator, kernels, owner_bench
-from tools.bench_cases import step_case
+from tools.bench_steps import step_case
 from tools.errors import UserError
 from tools.kernels import Shown
 from tools.paths import BASELINE

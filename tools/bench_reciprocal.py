@@ -56,10 +56,9 @@ def constants_fields(constants) -> dict:
         | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1])}
 
 
-def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int,
-                        shape: str = "reciprocal_plan") -> int:
+def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int) -> int:
     """Adds a reciprocal_plan with its constants."""
-    return arena.struct(shape, dict(planes=planes_at, table=table_at, to=to_at),
+    return arena.struct("reciprocal_plan", dict(planes=planes_at, table=table_at, to=to_at),
                         **constants_fields(constants), limit=constants.limit, piece=constants.piece)
 
 

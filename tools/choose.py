@@ -7,6 +7,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from .accuracy_rows import beats
 from .errors import UserError
 from .paths import ACCURACY_BASELINE
 from .scene_file import MAPPER_LAYOUT
@@ -69,12 +70,6 @@ def candidates(rows: list[dict], wish: Wish) -> list[dict]:
     mappers = (wish.mapper,) if wish.mapper else FAMILY
     return sorted((r for r in rows if (r["name"], r["machine"]) == (wish.set_name, wish.machine)
                    and r["mapper"] in mappers), key=lambda r: (r[COST], r[wish.measure]))
-
-
-def beats(a: dict, b: dict, measures: tuple[str, ...]) -> bool:
-    """Whether ``a`` is nowhere worse than ``b``, and better in one."""
-    pairs = [(a[m], b[m]) for m in measures]
-    return all(x <= y for x, y in pairs) and any(x < y for x, y in pairs)
 
 
 def choose(rows: list[dict], wish: Wish) -> tuple[dict | None, dict | None, dict | None]:

@@ -34,6 +34,8 @@ MACHINES = {
                   "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
                   "uae_cpu_speed": "real"},
 }
+#: Those that everything is measured on.
+MEASURED = ("a1200", "a1200-fast")
 #: What every run has.
 OPTIONS = {
     "amiga_model": "A1200",

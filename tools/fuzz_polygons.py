@@ -11,13 +11,13 @@ from functools import cache
 import numpy as np
 
 from . import fuzz_depths
-from .fixed import ceil16
+from .fixed import ONE, ceil16, fix
 from .ideal_perspective import in_front
 from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
-from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, ONE, SETTINGS, Material, Object,
+from .random_polygons import convex_polygon, is_convex
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material, Object,
                          Scene, Texture)
 
 BLOCK = 1000

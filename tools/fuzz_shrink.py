@@ -5,11 +5,11 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TypeVar
 
+from .fixed import ONE
 from .fuzz_depths import limits
 from .fuzz_polygons import Fuzzed
 from .scene_file import SETTINGS
 
-ONE = 65536
 ROUNDS = 60  # each takes a boot
 #: Settings from plain to demanding; a shrunken polygon has the plainest that still fails.
 PLAIN = {"clip": ("scissor", "vertices"), "start": ("subtexel", "truncated"),

@@ -13,8 +13,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from .fixed import ONE
 from .hard_case import UNIT, label
-from .scene_meshes import ONE
 
 REACH, NEAREST = 2048, Fraction(1, 256)
 FOCAL = 64  # pixels from the eye to the screen

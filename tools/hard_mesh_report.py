@@ -5,13 +5,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from . import fuzz, ideal_faces, mesh_build, model, space
+from . import guest_frames, ideal_faces, mesh_build, model, random_maps, space
 from .diff import compare
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .hard_case import HEIGHT, WIDTH
 from .hard_case_meshes import MeshCase
-from .hard_cases import noise
 from .ideal_faces import Camera, Verdict
 from .mesh_file import Shape
 from .model_texturing import Settings
@@ -71,10 +70,10 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
     flags = FLAGS.get(case.look, 0)
     ends = (DARK << 16, BRIGHT << 16) if flags == LIT else (0, 0)
     instances = [Instance(0, k, 0, 0, 1, k, flags, *ends) for k in range(len(settings))]
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     exact = camera(case)
-    return Scene(WIDTH, HEIGHT, len(settings), BACKGROUND, palette, [Texture(texels)], materials, [],
-                 np.zeros((0, 6), int), np.array([IDENTITY]), near_plane=round(case.near * ONE),
+    return Scene(WIDTH, HEIGHT, len(settings), BACKGROUND, random_maps.palette(), [Texture(texels)],
+                 materials, [], np.zeros((0, 6), int), np.array([IDENTITY]),
+                 near_plane=round(case.near * ONE),
                  guard=exact.guard, points=tables.points, normals=tables.normals,
                  corners=tables.corners, faces=tables.faces,
                  meshes=[mesh], instances=instances, views=np.array([view(exact)]))
@@ -119,11 +118,11 @@ def cycles(drawings: list[Drawing], machine: str) -> list[int]:
     not the model's ends it."""
     groups = grouped(drawings)
     lenses: dict[tuple[int, int], list[int]] = {}  # scenes by what holds for all of a file
-    scenes = [scene(case, settings, noise(256, 256)) for case, settings in groups.items()]
+    scenes = [scene(case, settings, random_maps.of_size(256, 256)) for case, settings in groups.items()]
     for k, each in enumerate(scenes):
         lenses.setdefault((each.near_plane, each.guard), []).append(k)
     whole = [joined([scenes[k] for k in part]) for part in lenses.values()]
-    drawn = fuzz.draw([(each, "addx") for each in whole], machine)
+    drawn = guest_frames.draw([(each, "addx") for each in whole], machine)
     found = {}  # by scene: the digests of its frames, and that of an empty one
     for part, digests in zip(lenses.values(), drawn):
         ends = np.cumsum([scenes[k].frames for k in part])
@@ -134,11 +133,11 @@ def cycles(drawings: list[Drawing], machine: str) -> list[int]:
         digests, empty = found[k]
         for number, digest in enumerate(digests):
             right = model.render(each, number)
-            if not fuzz.is_models(right, digest):
+            if not guest_frames.is_models(right, digest):
                 alone = replace(each, frames=1, instances=[replace(each.instances[number], first_frame=0)])
                 raise UserError(f"{called(case, settings[number])} is not the model's; expected / found: "
-                                f"{compare(right, fuzz.frame_of(alone, 'addx', machine))}")
-        if not fuzz.is_models(np.full_like(right, BACKGROUND), empty):
+                                f"{compare(right, guest_frames.frame_of(alone, 'addx', machine))}")
+        if not guest_frames.is_models(np.full_like(right, BACKGROUND), empty):
             raise UserError("a frame without meshes is not empty")
         ticks = digests["ticks"].astype(int) - int(empty["ticks"])
         spent += (ticks * CYCLES_PER_TICK).tolist()
@@ -147,7 +146,7 @@ def cycles(drawings: list[Drawing], machine: str) -> list[int]:
 
 def judge(case: MeshCase, settings: list[Settings]) -> list[Verdict]:
     """Each way to draw a case held to its exact faces."""
-    made = scene(case, settings, noise(256, 256))
+    made = scene(case, settings, random_maps.of_size(256, 256))
     faces = ideal_faces.exact_faces(made, made.instances[0], camera(case))
     found = [ideal_faces.judge(made, k, instance, faces) for k, instance in enumerate(made.instances)]
     for k, verdict in enumerate(found):

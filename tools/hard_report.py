@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from . import (bounds, fuzz, hard_case_meshes, hard_cases, hard_mesh_report, ideal,
+from . import (bounds, guest_frames, hard_case_meshes, hard_cases, hard_mesh_report, ideal,
                ideal_perspective, model)
 from .diff import MARK
 from .emulator import CYCLES_PER_TICK
@@ -84,13 +84,13 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
         part = drawings[first:first + PART]
         scene = hard_cases.scene(part)
         scene.frames += 1
-        digests, = fuzz.draw([(scene, form)], machine)
+        digests, = guest_frames.draw([(scene, form)], machine)
         wrong = [number for number, digest in enumerate(digests[:-1])
-                 if not fuzz.is_models(model.render(scene, number), digest)]
+                 if not guest_frames.is_models(model.render(scene, number), digest)]
         if wrong:
             alone = hard_cases.scene([part[wrong[0]]])
             raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
-                alone, 0, fuzz.frame_of(alone, form, machine), called(*part[wrong[0]]),
+                alone, 0, guest_frames.frame_of(alone, form, machine), called(*part[wrong[0]]),
                 f"scripts/tmap accuracy --set hard --machine {machine}"))
         empty = int(digests[-1]["ticks"])
         spent += [(int(digest["ticks"]) - empty) * CYCLES_PER_TICK for digest in digests[:-1]]

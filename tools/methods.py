@@ -16,11 +16,12 @@ import matplotlib
 import numpy as np
 from PIL import Image
 
-from . import model
+from . import markdown, model
 from .accuracy import Errors
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
+from .outputs import save_animation
 from .paths import SCENES
 from .run import render
 from .scene import compile_scene
@@ -83,7 +84,8 @@ def measure(machine: str, on_step=None) -> list[Method]:
         scene = scene_of(settings)
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
-        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent, errors_of(scene, settings)))
+        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
+                           errors_of(scene, settings)))
         if on_step:
             on_step()
     return made
@@ -91,12 +93,13 @@ def measure(machine: str, on_step=None) -> list[Method]:
 
 def table(methods: list[Method], machine: str) -> str:
     """The figures in Markdown."""
-    lines = [f"| method, {machine} | cycles a frame | largest error, texels | rms | wrong texels |",
-             "|---|--:|--:|--:|--:|"]
+    rows = []
     for m in methods:
         wrong = 100 * m.errors.wrong / max(m.errors.pixels, 1)
-        lines.append(f"| {m.name} | {m.cycles:,.0f} | {m.errors.worst:.3f} | {m.rms:.4f} | {wrong:.2f} % |")
-    return "\n".join(lines)
+        rows.append([m.name, f"{m.cycles:,.0f}", f"{m.errors.worst:.3f}", f"{m.rms:.4f}",
+                     f"{wrong:.2f} %"])
+    return markdown.table([f"method, {machine}", "cycles a frame", "largest error, texels", "rms",
+                           "wrong texels"], rows)
 
 
 def described(methods: list[Method]) -> dict[str, dict]:
@@ -127,7 +130,7 @@ def write_animation(methods: list[Method], path: Path) -> None:
     strips = np.concatenate([m.frames for m in three], axis=2)
     pictures = [Image.fromarray(np.kron(strip, np.ones((2, 2, 1), np.uint8)))
                 for strip in [*strips, *strips[-2:0:-1]]]
-    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=80, loop=0)
+    save_animation(path, pictures, 80)
 
 
 def write(folder: Path, machine: str, on_step=None) -> str:

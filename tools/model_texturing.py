@@ -3,9 +3,8 @@ c/polygon/texturing.c and ramps.c."""
 
 from dataclasses import dataclass
 
-from .fixed import M32, ceil16, cut_quotient, mul, mul_div, quotient, signed, step, wide_mul
+from .fixed import M32, ONE, ceil16, cut_quotient, mul, mul_div, quotient, signed, step, wide_mul
 from .model_edges import Edge
-
 
 #: Mappers whose u and v share an addx chain.
 CHAINED = ("affine", "lit")
@@ -103,7 +102,7 @@ def saturated_step(part: int, whole: int) -> int:
     """part / whole in 16.16, at most the largest number."""
     if abs(part) >> 15 >= abs(whole):
         return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
-    return mul_div(-part, 65536, -whole) if whole < 0 else mul_div(part, 65536, whole)
+    return mul_div(-part, ONE, -whole) if whole < 0 else mul_div(part, ONE, whole)
 
 
 def longest(vertices, corners, box, settings: Settings) -> Texturing:
@@ -130,7 +129,7 @@ def along(edge: Edge) -> list[tuple[int, int, int]]:
     y = (edge.top << 16) - edge.upper[1]
     several = edge.end - edge.top > 1
     first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
-    steps = [mul_div(whole[k], 65536, whole[1]) if several else 0 for k in (2, 3)]
+    steps = [mul_div(whole[k], ONE, whole[1]) if several else 0 for k in (2, 3)]
     return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
             for n, line in enumerate(range(edge.top, edge.end))]
 
@@ -172,7 +171,7 @@ def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> Non
         moves = [(line.left - first) * s for s in steps]
     else:
         width, prestep = min(right[0] - left[0], 0x7FFFFFFF), (line.left << 16) - left[0]
-        if width >= 65536:
+        if width >= ONE:
             steps = [cut_quotient(r << 16, width) for r in rise]
             moves = [mul(s, prestep) for s in steps]
         else:

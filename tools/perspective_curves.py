@@ -4,8 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
+from .fixed import ONE
 from .ideal_perspective import Curve
-from .scene_file import ONE
 
 #: Pixels of a piece, from far off to near.
 PIECES = (32, 16, 8, 4)

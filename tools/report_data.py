@@ -7,6 +7,7 @@ from pathlib import Path
 
 from . import cache, provenance
 from .cache import Entry
+from .emulator import MEASURED
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
 
@@ -91,8 +92,8 @@ def of_accuracy(on_step: Part) -> Entry:
         from . import accuracy, polygon_sets
 
         names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], iter(range(1, 1000))
-        total = len(names) * len(accuracy.MACHINES)
-        accuracy.write_sets(folder, names, list(accuracy.MACHINES), False,
+        total = len(names) * len(MEASURED)
+        accuracy.write_sets(folder, names, list(MEASURED), False,
                             lambda: on_step(next(done), total))
         return json.loads((folder / "accuracy.json").read_text())
 

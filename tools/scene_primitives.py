@@ -6,9 +6,9 @@ import numpy as np
 
 from . import materials, scene_tx, scene_units
 from .fields import REQUIRED, fail, flag, integer, number, rows
+from .fixed import ONE
 from .scene_tx import colour_and_alpha
 
-ONE = 65536  # 1.0 in 16.16
 TEXEL = 32  # parts of a texel where a rectangle begins, s10.5
 STEP = 1024  # of its steps, s5.10
 STEP_MAX = 32  # texels

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..fixed import ONE
 from ..ideal import corners
 from ..ideal_perspective import Curve
 from .combiner import ALPHA, ALPHA_NAMES, RGB, RGB_NAMES, names
@@ -18,7 +19,6 @@ from .polygon import Vertex
 from .state import TWO_CYCLES, YUV, Axis, State
 from .texels import fetch
 
-UNIT = 65536
 FILTERS = ("point", "three-point", "bilinear")
 
 
@@ -40,15 +40,15 @@ class Surface:
     def __init__(self, vertices: list[Vertex], perspective: bool):
         three = [vertices[k] for k in corners(vertices)]
         points = [v[:2] for v in three]
-        depths = [v.w if perspective else UNIT for v in three]
+        depths = [v.w if perspective else ONE for v in three]
         self.curves = [Curve(points, [v[k] for v in three], depths) for k in (2, 3)]
 
     def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
         """s and t in texels at pixels [n], exact."""
         found = []
         for curve in self.curves:
-            over, inverse = curve.terms(*(np.asarray(c).astype(object) * UNIT for c in (x, y)))
-            below = np.broadcast_to(inverse * UNIT, over.shape)
+            over, inverse = curve.terms(*(np.asarray(c).astype(object) * ONE for c in (x, y)))
+            below = np.broadcast_to(inverse * ONE, over.shape)
             if (below <= 0).any():
                 raise UserError("ideal: a pixel lies behind the viewer")
             index = over // below
