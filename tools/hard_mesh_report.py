@@ -9,7 +9,7 @@ from . import guest_frames, ideal_faces, mesh_build, model, random_maps, space
 from .diff import compare
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
-from .hard_case import HEIGHT, WIDTH
+from .hard_case import HEIGHT, WIDTH, called
 from .hard_case_meshes import MeshCase
 from .ideal_faces import Camera, Verdict
 from .mesh_file import Shape
@@ -85,11 +85,6 @@ def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
     for case, settings in drawings:
         found.setdefault(case, []).append(settings)
     return found
-
-
-def called(case: MeshCase, settings: Settings) -> str:
-    """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def joined(scenes: list[Scene]) -> Scene:

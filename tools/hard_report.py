@@ -21,6 +21,7 @@ from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .fixed import ceil16
 from .fuzz_polygons import has_ideal
+from .hard_case import called
 from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
 from .polygon_report import explain
@@ -69,11 +70,6 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
             row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
             row.worst_ratio = verdict.texel_ratio
     return row
-
-
-def called(case: Case, settings: Settings) -> str:
-    """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
