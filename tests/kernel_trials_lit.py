@@ -103,7 +103,8 @@ def gouraud_trials(rng) -> list[Trial]:
 
 
 def shade_trial(rng, most: int, inside: bool) -> Trial:
-    """A table with lines of up to ``most`` pixels, shades near their range and far from it."""
+    """A table with lines of up to ``most`` pixels, shades near their range and far from it;
+    ``inside``: the caller says that none leaves it, and nothing is held."""
     counts = [int(rng.integers(-3, most + 1)) for _ in range(int(rng.integers(1, 30)))]
     lefts = [BIAS + int(rng.integers(0, 1024)) for _ in counts]
     low = int(rng.integers(0, LEVELS)) << 16

@@ -102,8 +102,9 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel. ``light_at``: in the far arena; ``shades``: one
-    a line. ``placed``: ``drawn`` is told the first pixel's x and the line's number too."""
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel.
+    ``light_at``: in the far arena; ``shades``: one a line. ``placed``: ``drawn`` is told the
+    first pixel's x and the line's number too."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
     table = np.zeros(len(starts), shape.dtype)
@@ -196,7 +197,8 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         kernel, form_of(kernel), starts, pitch, rng, upwards,
         (ground.memory, ground.frame_at, ground.map_at), drawn,
         ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
-        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx, colour=colour)
+        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx,
+        colour=colour)
 
 
 ALONE_MOST = 64000  # texels that u or v alone may travel in a line

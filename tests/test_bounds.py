@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from tools import bounds, fuzz_polygons, model_edges, model_texturing, polygon_sets
+from tools import bounds, fuzz_polygons, model, model_edges, model_texturing, polygon_sets
 from tools.fixed import ceil16
 from tools.model import Settings
 
@@ -90,7 +90,6 @@ def test_coverage_is_judged_on_the_edge_alone() -> None:
     good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
     assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
     moved = [(x + 0x1000, *rest) for x, *rest in vertices]
-    from tools import model
     polygon = model.set_up([v[:4] for v in moved], 16, 16, False, Settings("exact", mapper="flat"))
     errors, complaint = bounds.judge_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
                                               16, 16)

@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges, paths, scene_file
+from tools import (emulator, fuzz, fuzz_polygons, fuzz_shrink, hard_cases, layout, model_edges, paths,
+                   run, scene_file)
 from tools.__main__ import main
 from tools.errors import UserError
 
@@ -27,14 +28,15 @@ def test_a_fixed_slice_holds() -> None:
     assert set(found.worst) == set(scene_file.MAPPERS[1])
 
 
-def test_digests_are_those_of_the_dumps() -> None:
-    """The guest's digest is that of the frame it would dump; it tells frames apart by a bit and by
-    its place."""
-    polygons = [fuzz_polygons.polygon(SEED, k) for k in range(5)]
-    digests, = fuzz.draw([(fuzz_polygons.scene(SEED, 0, polygons), "addx")], fuzz.MACHINE)
-    for each, digest in zip(polygons[:2], digests):
-        frame = fuzz.frame_of(fuzz_polygons.scene(SEED, 0, [each]), "addx", fuzz.MACHINE)
-        assert fuzz.is_models(frame, digest) and digest["ticks"] > 0
+def test_digests_are_those_of_the_dumps(tmp_path) -> None:
+    """The guest's digest is that of the frame that it dumps when it is asked for no digest."""
+    scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
+    commands = ["render it.scene", "render it.scene DIGEST it.digest"]
+    done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
+    volume = done[0].directory
+    digests = np.fromfile(volume / "it.digest", layout.load().struct("frame_digest").dtype)
+    for number, (frame, digest) in enumerate(zip(run.load_dumps(volume, scene), digests, strict=True)):
+        assert fuzz.is_models(frame, digest) and digest["ticks"] > 0, f"seed {SEED}, polygon {number}"
 
 
 def test_digests_tell_frames_apart() -> None:
@@ -83,7 +85,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     assert bits[0] < bits[1]
 
 
-def test_faults_of_each_kind_are_told_apart(monkeypatch) -> None:
+def test_faults_of_each_kind_are_told_apart() -> None:
     """Pixels, results and bounds."""
     each = fuzz_polygons.polygon(SEED, 3)
     checked = fuzz.check(each, SEED, 0)

@@ -5,6 +5,7 @@ import json
 
 import numpy as np
 import pytest
+from engine_scenes import explain
 from PIL import Image
 
 from tools import model
@@ -73,9 +74,10 @@ def test_every_mapper_is_the_models(tmp_path, pixels):
     wrong = []
     for number, obj in enumerate(made.objects):
         found = np.fromfile(out / f"frame_{number:03}.chunky", made.pixel.dtype.newbyteorder(">"))
-        differing = np.count_nonzero(found != model.render(made, number).reshape(-1))
-        if differing:
-            wrong.append(f"frame {number}: {differing} pixels, {made.materials[obj.material]}")
+        expected, found = model.render(made, number), found.reshape(made.height, made.width)
+        if (found != expected).any():
+            wrong.append(explain(f"frame {number}, {made.materials[obj.material]}", expected, found,
+                                 f".deps/venv/bin/python -m pytest tests/test_mappers.py -k {pixels}"))
     assert not wrong, "\n".join(wrong)
     about = json.loads((out / "run.json").read_text())
     assert about["format"] == pixels

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import knot, model_mesh, scene_file, scene_space, space
+from tools import model_mesh, scene_file, scene_space, space
 from tools.errors import UserError
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -217,8 +217,7 @@ def test_double_sided_faces_are_seen_from_behind(folder):
     assert len(model_mesh.polygons_at(both, 0)) == 2
 
 
-def test_committed_knot_is_what_the_tool_makes():
-    assert (SCENES / "knot.obj").read_text() == knot.text()
+def test_twisted_quadrilaterals_of_a_mesh_are_cut_in_two():
     made = compile_scene(SCENES / "environment.toml", 1)
     assert made.meshes[0].points == 384 and made.meshes[0].faces == 768
 

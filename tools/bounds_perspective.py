@@ -193,8 +193,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
-        taken = polygon.taken(line, y)
-        more = polygon.by.bound(taken) * UNIT if taken else 0
+        record = polygon.record(line, y)
+        more = polygon.tables.bound(record) * UNIT if record else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -205,7 +205,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
                 b = bound.line(made, y, inside)
-                allowed = more + (b + FLOAT if taken and polygon.setting not in PIECES
+                allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
                                   else line_bound(b, polygon.setting))
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS

@@ -22,6 +22,17 @@ def signed(value: int, bits: int = 32) -> int:
     return value - (value >> (bits - 1) << bits)
 
 
+def swap(x: int) -> int:
+    """The words of a long exchanged: 16.16 as fraction:integer and back."""
+    return (x >> 16 | x << 16) & M32
+
+
+def step_swapped(x: int, step: int) -> int:
+    """x + step, both fraction:integer, modulo 2^32: add.l, whose carry addx.w adds."""
+    total = x + step
+    return total & 0xFFFF0000 | (total & 0xFFFF) + (total >> 32) & 0xFFFF
+
+
 def ceil16(x: int) -> int:
     """The smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16

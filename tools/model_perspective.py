@@ -82,6 +82,19 @@ class Perspective:
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 bits of integer
 
+    @property
+    def farthest(self) -> int:
+        """How far u or v may be from its base."""
+        return max(*self.high, *(-c for c in self.low))
+
+    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
+        """q at a pixel, at least ``least``, and u and v by it, within their ranges."""
+        at = x - self.i, y - self.j
+        q = max(self.q.value(*at) >> 32, self.least)
+        return q, [base + min(max(cut_quotient(plane.value(*at), q), low), high)
+                   for base, plane, low, high in zip(self.base, (self.s, self.t), self.low,
+                                                     self.high)]
+
 
 @dataclass
 class Ends:
@@ -176,8 +189,7 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
         return False
     if not part:
         return not high
-    farthest = max(*p.high, *(-c for c in p.low))
-    off = (((farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    off = (((p.farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
     return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
 
 
@@ -192,11 +204,10 @@ def level_step(gradient: int, q: int) -> int:
 
 def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
     """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
-    at, k = (left - p.i, y - p.j), np.arange(right - left, dtype=np.int64)
-    q = max(p.q.value(*at) >> 32, p.least)
-    return tuple(b + min(max(cut_quotient(plane.value(*at), q), low), high)
-                 + k * level_step(signed(plane.dx, 64), q) & M32
-                 for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))
+    q, starts = p.divided(left, y)
+    k = np.arange(right - left, dtype=np.int64)
+    return tuple(start + k * level_step(signed(plane.dx, 64), q) & M32
+                 for start, plane in zip(starts, (p.s, p.t)))
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
@@ -207,13 +218,7 @@ def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
 
 def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
     """The line's ends; right is excluded."""
-    pixels = []
-    for column in (left, right - 1):
-        at = column - p.i, y - p.j
-        q = max(p.q.value(*at) >> 32, p.least)
-        pixels.append((q, *(signed(b + min(max(cut_quotient(plane.value(*at), q), low), high))
-                            for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))))
-    (q0, u, v), (q1, u1, v1) = pixels
+    (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
     line = Ends(left, right - 1 - left, u & M32, v & M32)
     if line.n:
         line.du, line.dv = signed(u1 - u), signed(v1 - v)

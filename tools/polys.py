@@ -16,7 +16,9 @@ from .errors import UserError
 from .outputs import check_directory
 from .paths import POLYS_BASELINE
 from .run import CLOCK_HZ
-from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+from .scene_file import IDENTITY, Object, Scene, write
+from .scene_materials import Material
+from .scene_textures import MAPPER_LAYOUT, Texture
 
 #: So many that their mean area, 4,889 pixels by expectation, has a deviation of 2 %.
 TRIANGLES = 2000

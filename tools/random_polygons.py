@@ -11,7 +11,9 @@ import numpy as np
 from . import model
 from .fixed import ONE, fix
 from .pixel_formats import FORMATS
-from .scene_file import IDENTITY, Material, Object, Scene, Texture
+from .scene_file import IDENTITY, Object, Scene
+from .scene_materials import Material
+from .scene_textures import Texture
 
 
 def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:

@@ -14,7 +14,8 @@ from .errors import UserError
 from .fixed import ONE
 from .outputs import bars, check_directory, replaced, save_animation
 from .scene import compile_scene, parse
-from .scene_file import SETTINGS, Scene, write
+from .scene_file import Scene, write
+from .scene_materials import SETTINGS
 
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "

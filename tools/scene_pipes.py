@@ -1,4 +1,5 @@
-"""Glide's texture units in scene files: their registers and memory, and what they draw.
+"""Glide's texture units in scene files: their registers and memory, and what the Amiga would
+refuse.
 
 Formats stand in c/scene/scene_file.h.
 """
@@ -59,23 +60,6 @@ def units_of(scene, pipe: int) -> list[Unit]:
 def has_own(scene, material) -> bool:
     """Whether the second half of an object's vertices is what its second unit goes by."""
     return material.mapper == "glide" and bool(scene.pipes[material.unit][2])
-
-
-def draw(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of the scene's."""
-    from . import model  # which draws with this
-    from .tmu import polygon
-
-    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
-    owns = [None] * len(vertices)
-    if has_own(scene, material):
-        half = len(vertices) // 2
-        owns = [(s, t, w) for _, _, s, t, _, w in vertices[half:]]
-        vertices = vertices[:half]
-    corners = [polygon.Vertex(x, y, s, t, w, own)
-               for (x, y, s, t, _, w), own in zip(vertices, owns)]
-    polygon.draw(units_of(scene, material.unit), frame, corners, settings,
-                 bool(scene.pipes[material.unit][4]))
 
 
 def check_own(corners: np.ndarray, name: str, where: str) -> None:

@@ -21,7 +21,8 @@ from .parts import Program
 from .paths import BUILD, PROGRAMS, ROOT
 from .run import SCENE_NAME, parse_output
 from .scene import compile_scene
-from .scene_file import Scene, ordered, write
+from .scene_file import Scene, write
+from .scene_textures import ordered
 
 #: What calls the first calls the second: short memory ends the program with a line.
 ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
@@ -66,9 +67,9 @@ def load_sections(scene: Scene) -> list[objects.Section]:
 
 def renderer_places(sections: list[objects.Section]) -> dict[objects.Section, int]:
     """Addresses of sections in the full renderer."""
-    places = {(str(ROOT / file), name): int(address, 16)
+    places = {(str(ROOT / file), name): at
               for name, address, file in LINKED.findall(RENDER_LINK.read_text())
-              if int(address, 16)}  # 0: the linker dropped it
+              if (at := int(address, 16))}  # 0: the linker dropped it
     return {s: places[s.file, s.name] for s in sections if (s.file, s.name) in places}
 
 
@@ -113,8 +114,8 @@ def run_program(name: str, arguments: str, files: dict, machine: str, folder: Pa
 def compare(full: Run, own: Run, name: str) -> None:
     """Refuses a program that does not draw as the full renderer does."""
     if sorted(full.dumps) != sorted(own.dumps) or len(full.ticks) != len(own.ticks):
-        raise UserError(f"{name}: {len(own.dumps)} frames where the full renderer draws "
-                        f"{len(full.dumps)}")
+        raise UserError(f"{name}: {len(own.dumps)} frames drawn and {len(own.ticks)} timed where "
+                        f"the full renderer has {len(full.dumps)} and {len(full.ticks)}")
     for dump in sorted(full.dumps):
         if full.dumps[dump] != own.dumps[dump]:
             raise UserError(f"{name}: {dump} is not what the full renderer draws")
@@ -126,8 +127,8 @@ def is_as_fast(own: int, full: int) -> bool:
 
 
 def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout]:
-    """The program by what lies as in the full renderer: nothing, what repeats, all; each in some
-    orders, the smallest first."""
+    """The program by what lies as in the full renderer: nothing, what is timed again and again, all
+    that is timed (Part.timed); each in some orders, the smallest first."""
     made = []
     for least in (3, 2, 1):
         fixed = {p.section: places[p.section] for p in program.parts.values()
@@ -150,7 +151,7 @@ def fit(program: Program, places: dict[objects.Section, int], full: Run, name: s
     return layout, own
 
 
-def sizes(layout: Layout, program: bytes, scene: Scene) -> dict[str, int]:
+def sizes(program: bytes, scene: Scene) -> dict[str, int]:
     """Bytes of the file: what is code and its tables, the scene without maps, the maps."""
     maps = sum(len(data) + -len(data) % 4 for data in map(ordered, scene.textures))
     inside = len(write(scene, with_palette=False))
@@ -203,7 +204,7 @@ def command(path: Path, out: Path, machine: str) -> int:
         layout, own = fit(program, renderer_places(sections), full, name, machine, folder)
         made = {file: (folder / "made" / file).read_bytes() for file in (name, f"{name}.map")}
     full_bytes = (PROGRAMS / "render").stat().st_size
-    inside = sizes(layout, made[name], scene)
+    inside = sizes(made[name], scene)
     about = {"scene": name, "machine": machine, **provenance.record(), "bytes": inside,
              "full_bytes": {"file": full_bytes + len(scene_file), "code": full_bytes,
                             "scene": len(scene_file) - inside["maps"], "maps": inside["maps"],

@@ -16,7 +16,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import model_mesh, space
-from .fields import REQUIRED, fail, integer, number, rows, table
+from .fields import REQUIRED, fail, table
 from .fixed import ONE, fix, fix_all
 from .map_range import extent_of
 from .scene_glide import LEAST_W, REACH, has_own
@@ -32,13 +32,7 @@ CONE = 4000  # of s and t, beyond which a face is cut if one of its corners is b
 
 def schema(limits: dict[str, int]):
     """The check of a projector: a camera's fields but the near plane."""
-    place = rows(number(-1e5, 1e5), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    return table({"eye": (place, REQUIRED), "target": (place, REQUIRED),
-                  "up": (place, [0.0, 1.0, 0.0]),
-                  "fov": (number(1, 170), 60.0),  # degrees, across the picture's width
-                  "keys": (rows(key, 1, 1000), None)})
+    return table(space.camera_fields(limits, REQUIRED))
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:

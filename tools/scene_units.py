@@ -1,4 +1,4 @@
-"""Texture engines in scene files: their display lists and DRAM, and what they draw.
+"""Texture engines in scene files: their display lists and DRAM, and what the Amiga would refuse.
 
 Formats stand in c/scene/scene_file.h.
 """
@@ -6,9 +6,9 @@ Formats stand in c/scene/scene_file.h.
 import numpy as np
 
 from .errors import UserError
-from .fixed import M32, ONE
+from .fixed import ONE
 from .tx.commands import replay
-from .tx.state import COPY, State
+from .tx.state import State
 
 REACH = 1024 << 16
 #: What the objects of an engine's material are: enum unit_primitive.
@@ -64,38 +64,6 @@ def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
     ways = (height, width) if flip else (width + 3 >> 2 if copies else width, height)
     ends = [start * 2048 + step * 64 * way for start, step, way in zip(starts, steps, ways)]
     return [(*box[:2], *(start * 2048 for start in starts)), (*box[2:], *ends)]
-
-
-def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip: bool) -> None:
-    """Draws a rectangle of two vertices as a scene has them."""
-    from .tx import polygon
-
-    (left, top, s, t, *_), (right, bottom, dsdx, dtdy, *_) = vertices
-    box = left >> 16, top >> 16, right >> 16, bottom >> 16
-    if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side < FAR for side in box)):
-        return
-    check_range(rectangle_ends(box, (s, t), (dsdx, dtdy), state.modes.cycle == COPY, flip),
-                "rectangle")
-    polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
-
-
-def draw(scene, state: State, frame: np.ndarray, material, vertices: list[tuple]) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by an engine of the scene's."""
-    from . import model  # which draws with this
-    from .tx import polygon
-
-    if material.primitive in RECTANGLES:
-        draw_rectangle(state, frame, vertices, material.primitive == "flipped")
-        return
-    check_range(vertices, "polygon")
-    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
-    if material.primitive == "coloured":
-        corners = [polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
-                   for x, y, s, t, shade, w in vertices]
-    else:
-        corners = [polygon.Vertex(x, y, s, t, w, shade=shade)
-                   for x, y, s, t, shade, w in vertices]
-    polygon.draw(state, frame, corners, settings)
 
 
 def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: str) -> None:

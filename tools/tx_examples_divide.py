@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 
-from .tx_example import Example, longs, pairs, signed, walked
+from .pass_example import BENCH, Example, longs, pairs, signed, walked
 
 
 def reciprocal(w: int) -> tuple[int, int]:
@@ -38,6 +38,7 @@ def divided(s: int, w: int) -> tuple[int, bool]:
 
 
 def in_range(value: int) -> int:
+    """A quotient as s10.5, cut to what 16 bits hold."""
     return min(max(value, -32768), 32767)
 
 
@@ -52,18 +53,23 @@ def any_iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
     return start, step
 
 
+def usual_iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Start and step of S, T, W of what the bench measures: w stays above a quarter."""
+    ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
+    return ends[0], (ends[1] - ends[0]) // count
+
+
 def divide(rng, count: int) -> Example:
     start, step = any_iterators(rng, count)
-    if count == 256:
-        ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
-        start, step = ends[0], (ends[1] - ends[0]) // count
+    if count == BENCH:
+        start, step = usual_iterators(rng, count)
     st = [[in_range(divided(int(c), int(w))[0]) for c in (s, t)]
           for s, t, w in walked(start, step, count) >> 16]
     return Example("tx_divide", longs(start), pairs(np.array(st)), count, "tx_division",
                    dict(zip("stw", step)), {"reciprocals": reciprocals()})
 
 
-def reciprocal_table(rng, count: int) -> Example:
+def reciprocal_table(_, count: int) -> Example:
     return Example("tx_reciprocals", bytes(4), reciprocals(), count)
 
 
@@ -136,9 +142,8 @@ def lod(rng, count: int, apart: int = 0) -> Example:
     x, y = rng.integers(-spread, spread, (2, 3))
     if rng.random() < 0.5:
         x = step = step & ~31
-    if count == 256:
-        ends = rng.integers([-1 << 28, -1 << 28, 1 << 29], [1 << 28, 1 << 28, 1 << 31], (2, 3))
-        start, step = ends[0], (ends[1] - ends[0]) // count
+    if count == BENCH:
+        start, step = usual_iterators(rng, count)
         x, y = step, step[[1, 0, 2]]
         step = step & ~31 | apart
     mode, st, blendings = any_level(rng), [], []

@@ -1,8 +1,8 @@
 """Polygons as texture units draw them, bit for bit.
 
-What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
-W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
-share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
+What is iterated are planes over the screen (tools.unit_planes): S = 4 s is 14.18 where w does not
+count, W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the
+others share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
 subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
 
@@ -11,10 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import model
 from ..errors import UserError
 from ..fixed import ONE, signed
-from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..model_polygon import Polygon
+from ..model_texturing import Settings
+from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
 from .coordinates import to_32
 from .dithered import lines
@@ -58,7 +59,7 @@ def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
 
 
 def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
-           frame: np.ndarray, settings: model.Settings) -> tuple[Spans, Point] | None:
+           frame: np.ndarray, settings: Settings) -> tuple[Spans, Point] | None:
     """A polygon's pixels and what is iterated for them; None where there are none.
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
@@ -83,7 +84,8 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
 
 
 def widened(pixels: np.ndarray) -> np.ndarray:
-    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without alpha."""
+    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without
+    alpha."""
     value = pixels.astype(np.int64)
     if pixels.dtype != np.uint16:
         return np.stack([value >> shift & 255 for shift in (24, 16, 8, 0)], -1)
@@ -95,7 +97,7 @@ def blended(pixels: np.ndarray, colours: np.ndarray, adds: bool) -> np.ndarray:
     return stored(pixels, np.minimum(widened(pixels) + colours, 255) if adds else colours)
 
 
-def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) -> int:
+def draw_lines(frame: np.ndarray, polygon: Polygon | None, colours: list) -> int:
     """Draws the colours of a polygon's lines; gives the number of pixels."""
     if polygon is None:
         return 0
@@ -106,7 +108,7 @@ def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) 
 
 
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
-         settings: model.Settings, adds: bool = False) -> int:
+         settings: Settings, adds: bool = False) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
     [height, width], by one or two units, the first nearest the frame; gives the number of its
     pixels. The second unit goes by its own corners where the vertices have them. ``adds``: to what
