@@ -10,6 +10,7 @@ from . import bench, bench_scenes, run
 from .bench_modes import ROW
 from .errors import UserError
 from .markdown import table
+from .methods import is_of_the_note
 from .paths import SCENES
 
 
@@ -76,7 +77,7 @@ def a1200_note(pixels: dict) -> list[tuple[str, str]]:
         for what, name in (("step of one number", "step_{}_1"), ("textured pixel", "pixel_{}_2"))]
     return found + [(f"method {name}: thousand cycles a frame; texels off (rms)",
                      f"{each['cycles'] / 1000:,.0f}; {each['rms']:.2f}")
-                    for name, each in sorted(methods.items()) if name[0].isdigit()]
+                    for name, each in sorted(methods.items()) if is_of_the_note(name)]
 
 
 #: Of the texture units: table, then questions and the modes that answer them.

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..fixed import signed
 from .misuse import Misuse
 from .state import TWO_CYCLES, Combine, Inputs, State
 
@@ -79,14 +80,9 @@ def check(combine: Combine) -> None:
 
 
 def extended(value: np.ndarray) -> np.ndarray:
-    """9 bits as A, B and D read them: negative only from 384 on."""
+    """9 bits as A, B and D read them: negative only from 384 on; C's are signed."""
     value = value & 511
     return np.where(value >= 384, value - 512, value)
-
-
-def plain(value: np.ndarray) -> np.ndarray:
-    """9 bits as C reads them: signed."""
-    return (value + 256 & 511) - 256
 
 
 def clamp(value: np.ndarray) -> np.ndarray:
@@ -125,7 +121,7 @@ def cycle_of(state: State, sources: Sources, combined: np.ndarray, cycle: int,
                                     (state.combine.alpha[cycle], ALPHA_NAMES, ALPHA)):
         a, b, c, d = (value_of(name, channels, state, sources, combined, second)
                       for name in names(inputs, table))
-        sums = (extended(a) - extended(b)) * plain(c) + (extended(d) << 8) + 128
+        sums = (extended(a) - extended(b)) * signed(c, 9) + (extended(d) << 8) + 128
         shape = (*sources.fraction.shape, channels.stop - channels.start)
         results.append(np.broadcast_to(sums >> 8 & 511, shape))
     return np.concatenate(results, -1)
