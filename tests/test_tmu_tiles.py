@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from tmu_tiles_random import FRAMES, HEIGHT, KINDS, WIDTH, scene
 
-from tools import fuzz, model, run
+from tools import guest_frames, model, run
 from tools.pixel_formats import FORMATS
 
 MACHINE = "a1200-fast"
@@ -45,12 +45,12 @@ def test_frames_are_the_models(pixels: str) -> None:
     """Cases of their own for each number of tiles."""
     made = [(scene(SEED, numbers(k * COUNT), pixels, room(pixels, tiles)), tiles)
             for k, tiles in enumerate(TILES)]
-    drawn = fuzz.draw([(each, "addx") for each, _ in made], MACHINE)
+    drawn = guest_frames.draw([(each, "addx") for each, _ in made], MACHINE)
     wrong = []
     for k, ((each, tiles), digests) in enumerate(zip(made, drawn)):
         some = numbers(k * COUNT)
         wrong += [(some[frame // FRAMES], frame, tiles) for frame in range(each.frames)
-                  if not fuzz.is_models(model.render(each, frame), digests[frame])]
+                  if not guest_frames.is_models(model.render(each, frame), digests[frame])]
     assert not wrong, (f"{len(wrong)} frames are wrong; the first: "
                        f"{about(*wrong[0][:2], pixels, wrong[0][2])}{again(wrong[0][0], pixels)}")
 
@@ -85,7 +85,7 @@ def test_tiles_pay() -> None:
     """With the rule and without it: the same frames; and each texture that is drawn from tiles, once
     they are made, for less."""
     made = scene(SEED, numbers(), "rgb565", room("rgb565", 8))
-    on, off = fuzz.draw([(made, "addx"), (made, "addx OFF tmu_tiles")], MACHINE)
+    on, off = guest_frames.draw([(made, "addx"), (made, "addx OFF tmu_tiles")], MACHINE)
     done = run.render(made, MACHINE, "addx")
     assert (on["sum"] == off["sum"]).all() and (on["hash"] == off["hash"]).all()
     paid = 0

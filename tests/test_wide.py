@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from test_still_steps import FLOORS, folder, turned  # noqa: F401
-from tools import fuzz, fuzz_polygons, model, run
+from tools import fuzz_polygons, guest_frames, model, run
 from tools.__main__ import main
 from tools.paths import SCENES
 from tools.pixel_formats import FORMATS
@@ -73,9 +73,9 @@ def test_spans_by_the_rules(folder, pixels):  # noqa: F811
     _, others, general = drawn(folder, pixels, every, "--off", "all", "--machine", "a1200")
     assert others == frames and {k for f in general for k in f["spans"]} == {f"{kind}_wrap"}
     forms = "swap", "c"
-    for form, digests in zip(forms, fuzz.draw([(scene, form) for form in forms], "a1200-fast")):
+    for form, digests in zip(forms, guest_frames.draw([(scene, form) for form in forms], "a1200-fast")):
         for number, (frame, digest) in enumerate(zip(right, digests, strict=True)):
-            assert fuzz.is_models(frame, digest), f"form {form}, frame {number}"
+            assert guest_frames.is_models(frame, digest), f"form {form}, frame {number}"
 
 
 def widened(scene: Scene, pixels: str) -> Scene:
@@ -96,7 +96,7 @@ def fuzzed(pixels: str) -> list[tuple[Scene, list[tuple[int, int]]]]:
         some = [fuzz_polygons.polygon(SEED, block * fuzz_polygons.BLOCK + k)
                 for k in range(FUZZED)]
         scene = widened(fuzz_polygons.scene(SEED, block, some), pixels)
-        scenes.append((scene, [fuzz.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
+        scenes.append((scene, [guest_frames.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
     return scenes
 
 
@@ -104,7 +104,7 @@ def fuzzed(pixels: str) -> list[tuple[Scene, list[tuple[int, int]]]]:
 def test_fuzzed_polygons(pixels: str, forms: list[str]) -> None:
     """The fuzzer's polygons with their settings: the model's frames, refused where they must be."""
     made = [(form, block, *each) for form in forms for block, each in enumerate(fuzzed(pixels))]
-    drawn = fuzz.draw([(scene, form) for form, _, scene, _ in made], "a1200-fast")
+    drawn = guest_frames.draw([(scene, form) for form, _, scene, _ in made], "a1200-fast")
     for (form, block, scene, right), digests in zip(made, drawn, strict=True):
         wrong = [number for number, (wanted, digest) in enumerate(zip(right, digests, strict=True))
                  if (digest["sum"], digest["hash"]) != wanted]

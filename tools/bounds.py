@@ -59,11 +59,13 @@ from dataclasses import dataclass
 from . import bounds_perspective, ideal, model, model_tolerance
 from .fixed import ceil16, signed
 from .ideal import UNIT
+from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
 from .model_dithered import moves
 from .model_edges import Edge
 from .model_spans import CUT
 from .model_texturing import Line, Settings
+from .random_polygons import is_convex
 
 LARGEST = 32768.0  # texels: all is modulo twice that
 #: Double precision's own share when a bound is evaluated and compared.
@@ -91,6 +93,22 @@ class Verdict:
             self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
         self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
         self.complaint = self.complaint or other.complaint
+
+
+def has_ideal(vertices, settings: Settings = Settings()) -> bool:
+    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
+    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
+    (more than three may not be, by their rounding)."""
+    points = [tuple(v[:2]) for v in vertices]
+    inside = all(-model.FAR <= c < model.FAR for v in vertices for c in v[:4])
+    convex = len(points) == 3 or is_convex(points) and winds_once(points)
+    return inside and convex and (settings.perspective == "none" or in_front(vertices))
+
+
+def winds_once(points) -> bool:
+    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
+    signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
+    return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
 
 
 def edge_bound(edge: Edge, line: int) -> float:

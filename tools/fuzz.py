@@ -18,12 +18,10 @@ import numpy as np
 
 from . import bounds, layout, model
 from .errors import UserError
-from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, has_ideal, polygon, scene, textures
+from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, polygon, scene, textures
 from .fuzz_shrink import shrink
-from .guest_frames import digest_of, draw, frame_of, is_models
+from .guest_frames import draw, frame_of, is_models
 from .polygon_report import explain
-
-__all__ = ["digest_of", "draw", "frame_of", "is_models"]  # tests call them by this name too
 
 MACHINE = "a1200-fast"
 #: Blocks of one boot.
@@ -55,7 +53,7 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if made:
         model.draw(frame, made, texels, 200, settings.mapper, textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
-    judged = has_ideal(adapted, settings)
+    judged = bounds.has_ideal(adapted, settings)
     verdict = bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)

@@ -12,11 +12,10 @@ import numpy as np
 
 from . import fuzz_depths
 from .fixed import ONE, ceil16, fix
-from .ideal_perspective import in_front
 from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
-from .random_polygons import convex_polygon, is_convex
+from .random_polygons import convex_polygon
 from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material, Object,
                          Scene, Texture)
 
@@ -37,22 +36,6 @@ class Fuzzed:
     vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
     settings: Settings
     texture: int  # index in its block's textures; -1: none
-
-
-def has_ideal(vertices, settings: Settings = Settings()) -> bool:
-    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
-    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
-    (more than three may not be, by their rounding)."""
-    points = [tuple(v[:2]) for v in vertices]
-    inside = all(-FAR <= c < FAR for v in vertices for c in v[:4])
-    convex = len(points) == 3 or is_convex(points) and winds_once(points)
-    return inside and convex and (settings.perspective == "none" or in_front(vertices))
-
-
-def winds_once(points) -> bool:
-    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
-    signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
-    return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
 
 
 @cache
