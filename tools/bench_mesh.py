@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import layout, model_mesh
-from .kernels import M32, Arena, Case, Result
+from .fixed import M32
+from .kernels import Arena, Case, Result
 from .scene_file import records
 
 COUNT = 64
