@@ -12,7 +12,7 @@ import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
@@ -26,9 +26,6 @@ from .paths import SCENES
 from .run import render
 from .scene import compile_scene
 from .scene_file import Scene
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 #: What is shown, in the note's words and ours.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),

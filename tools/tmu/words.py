@@ -6,6 +6,8 @@ program. Where a map lies follows from the same arguments.
 
 from fractions import Fraction
 
+from .state import SIDE, UNIT_MEMORY
+
 MODE, LOD, DETAIL, BASE = range(4)
 
 #: Field to (register, lowest bit, bits).
@@ -72,7 +74,7 @@ def level_size(aspect: str, level: int) -> tuple[int, int]:
     """(columns, rows)."""
     columns, rows = (int(side) for side in aspect.split("x"))
     longest = max(columns, rows)
-    return (max(columns * (256 >> level) // longest, 1), max(rows * (256 >> level) // longest, 1))
+    return tuple(max(side * (SIDE >> level) // longest, 1) for side in (columns, rows))
 
 
 def texel_bytes(form: str) -> int:
@@ -111,7 +113,7 @@ def memory_required(levels: str, largest: int, smallest: int, aspect: str, form:
 class Words:
     """The registers of a unit; as new: texels as they are, points, one level, 256 texels wide."""
 
-    def __init__(self, memory_bytes: int = 1 << 18) -> None:
+    def __init__(self, memory_bytes: int = UNIT_MEMORY) -> None:
         self.memory_bytes = memory_bytes
         self.fields = dict.fromkeys(FIELDS, 0) | {"s_wider": 1}
         self.largest = self.smallest = 0

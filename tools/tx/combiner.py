@@ -6,6 +6,7 @@ import numpy as np
 
 from ..fixed import signed
 from .misuse import Misuse
+from .opcodes import bits
 from .state import TWO_CYCLES, Combine, Inputs, State
 
 RGB, ALPHA = slice(0, 3), slice(3, 4)
@@ -38,6 +39,15 @@ class Sources:
     texel1: np.ndarray
     shade: np.ndarray | None
     fraction: np.ndarray
+
+
+def inputs_of(hi: int, lo: int) -> dict[str, tuple[Inputs, Inputs]]:
+    """The codes in a set combine word, of cycle 0 and 1: the fields of Combine."""
+    return {
+        "rgb": (Inputs(bits(hi, 23, 20), bits(lo, 31, 28), bits(hi, 19, 15), bits(lo, 17, 15)),
+                Inputs(bits(hi, 8, 5), bits(lo, 27, 24), bits(hi, 4, 0), bits(lo, 8, 6))),
+        "alpha": (Inputs(bits(hi, 14, 12), bits(lo, 14, 12), bits(hi, 11, 9), bits(lo, 11, 9)),
+                  Inputs(bits(lo, 23, 21), bits(lo, 5, 3), bits(lo, 20, 18), bits(lo, 2, 0)))}
 
 
 def names(inputs: Inputs, table) -> list[str | None]:
