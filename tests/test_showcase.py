@@ -5,7 +5,6 @@ import pytest
 from PIL import Image
 
 from tools import bounds, guest_frames, model, showcase
-from tools.bounds import has_ideal
 from tools.model_mesh import polygons_at
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -57,7 +56,7 @@ def test_errors_are_within_derived_bounds(name: str) -> None:
                                   material.perspective, material.mapper)
         size = scene.textures[material.texture].texels.shape[::-1] if material.texture >= 0 else (256, 256)
         adapted = model.adapt(vertices, settings, max(size))
-        if has_ideal(adapted, settings):
+        if bounds.has_ideal(adapted, settings):
             polygon = model.prepare_polygon(scene, which, vertices)
             total.merge(bounds.judge_set_up(adapted, polygon, settings, scene.width, scene.height, size))
     assert not total.complaint and total.texel_ratio > 0.1

@@ -84,15 +84,23 @@ class Verdict:
     unsure: int = 0  # polygons drawn affine though w differs
     complaint: str = ""  # the first excess found, in words
 
+    def complain(self, text: str) -> None:
+        """Notes an excess, if it is the first."""
+        self.complaint = self.complaint or text
+
+    def note(self, error: float, bound: float) -> None:
+        """Notes a pixel's error, if it is the largest."""
+        if error > self.texel_error or not self.texel_bound:
+            self.texel_error, self.texel_bound = float(error), float(bound)
+
     def merge(self, other: "Verdict") -> None:
         """Takes the worse of both."""
         self.pixels += other.pixels
         self.coverage_errors += other.coverage_errors
         self.unsure += other.unsure
-        if other.texel_error > self.texel_error:
-            self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
+        self.note(other.texel_error, other.texel_bound)
         self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.complaint = self.complaint or other.complaint
+        self.complain(other.complaint)
 
 
 def has_ideal(vertices, settings: Settings = Settings()) -> bool:
@@ -141,33 +149,39 @@ def edges_by_line(edges: list[Edge]) -> dict[int, Edge]:
     return {line: edge for edge in edges for line in range(edge.top, edge.end)}
 
 
+def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int, int, int]]]:
+    """Of each line of a frame that an exact polygon meets: left and right x, numerator and denominator,
+    and the first pixel from there on, inside the frame."""
+    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
+    return {y: [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
+            for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height))}
+
+
 def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
                    height: int) -> tuple[int, str]:
     """Wrong pixels of a convex polygon, and the first that lies too far from its edge."""
-    exact = {}
-    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
-    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height)):
-        exact[y] = [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
+    exact = exact_extents(vertices, width, height)
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
+    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] if polygon else []
     wrong, complaint = 0, ""
     clipped = 2 * UNIT if settings.clip == "vertices" and settings.edges != "exact" else 0.0
-    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] \
-        if polygon else [{}, {}]
     for y in exact.keys() | lines.keys():
         found = [lines[y].left, lines[y].right] if y in lines else [0, 0]
         ends = [end for _, _, end in exact[y]] if y in exact else [0, 0]
         found, ends = ([a, max(a, b)] for a, b in (found, ends))
         pixels = set(range(*found)) ^ set(range(*ends))
         wrong += len(pixels)
+        allowed = 0.0 if settings.edges == "exact" else max(
+            (edge_bound(side[y], y) for side in sides if y in side), default=0.0)
         for i in sorted(pixels):
-            rounded = settings.edges != "exact"
-            allowed = max((edge_bound(s[y], y) for s in sides if y in s), default=0.0) * rounded
             off = min((abs(i - n / d * UNIT) for n, d, _ in exact.get(y, ())), default=LARGEST)
-            if (off > allowed * FLOAT or not allowed) and not (clipped and across(vertices, i, y)
-                                              <= (allowed + clipped) * FLOAT):
-                complaint = complaint or (
-                    f"pixel ({i}, {y}) is {'lit' if i in range(*found) else 'left out'}: its centre is "
-                    f"{off:.9f} pixels from the exact edge, {allowed + clipped:.9f} are allowed")
+            if allowed and off <= allowed * FLOAT:
+                continue
+            if clipped and across(vertices, i, y) <= (allowed + clipped) * FLOAT:
+                continue
+            complaint = complaint or (
+                f"pixel ({i}, {y}) is {'lit' if i in range(*found) else 'left out'}: its centre is "
+                f"{off:.9f} pixels from the exact edge, {allowed + clipped:.9f} are allowed")
     return wrong, complaint
 
 
@@ -269,13 +283,19 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
 
 def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) -> None:
     """Adds one pixel's error to a verdict."""
-    if error > out.texel_error or not out.texel_bound:
-        out.texel_error, out.texel_bound = error, bound
+    out.note(error, bound)
     if bound < LARGEST and error / bound > out.texel_ratio:
         out.texel_ratio = error / bound
-        if error > bound * FLOAT and not out.complaint:
-            out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
-                             f"{bound:.9f} are allowed")
+        if error > bound * FLOAT:
+            out.complain(f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
+                         f"{bound:.9f} are allowed")
+
+
+def mapper_bound(mapper: str, key: str, away: int) -> float:
+    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first."""
+    cut = CUT.get(mapper, (0, 0))["uv".index(key)]
+    return ((away + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
+            + DITHERED * (mapper == "dithered"))
 
 
 def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
@@ -299,9 +319,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
                 else:
                     error = abs(c.plane.error(value, i, y))
                     bound = plane_bound(c, t, sides[0][y], i, y, settings)
-                cut = CUT.get(mapper, (0, 0))["uv".index(key)]
-                bound += (i - line.left + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
-                bound += DITHERED * (mapper == "dithered")
+                bound += mapper_bound(mapper, key, i - line.left)
                 found.append((error, bound, key, (i, y)))
     if beyond is not None:
         most = max((bound for _, bound, *_ in found), default=0.0) + beyond

@@ -18,7 +18,7 @@ import numpy as np
 
 from . import bounds, layout, model
 from .errors import UserError
-from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, polygon, scene, textures
+from .fuzz_polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from .fuzz_shrink import shrink
 from .guest_frames import draw, frame_of, is_models
 from .polygon_report import explain
@@ -42,7 +42,7 @@ class Checked:
 
 def check(each: Fuzzed, seed: int, block: int) -> Checked:
     """The model's frame, and its distance from the ideal where there is one."""
-    width, height = FRAMES[block % len(FRAMES)]
+    width, height = frame_size(block)
     settings, texels, size = each.settings, None, (256, 256)
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels

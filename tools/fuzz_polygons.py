@@ -20,7 +20,7 @@ from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material, 
                          Scene, Texture)
 
 BLOCK = 1000
-#: Width and height of a block's frame: small ones are quick, long ones show drift.
+#: Width and height of blocks' frames, by turns: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
 #: Of materials with a perspective, 1/65536 texel.
@@ -36,6 +36,11 @@ class Fuzzed:
     vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
     settings: Settings
     texture: int  # index in its block's textures; -1: none
+
+
+def frame_size(block: int) -> tuple[int, int]:
+    """Width and height of a block's frame."""
+    return FRAMES[block % len(FRAMES)]
 
 
 @cache
@@ -147,7 +152,7 @@ def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
-    width, height = FRAMES[block % len(FRAMES)]
+    width, height = frame_size(block)
     points = visible_corners(rng, width, height)
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
                          "lit_gouraud", "dithered") + 4 * ("affine",))
@@ -189,5 +194,5 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
                               len(each.vertices), 0, 1, number))
         vertices += each.vertices
     palette = np.zeros((256, 3), np.uint8)
-    return Scene(*FRAMES[block % len(FRAMES)], len(polygons), 7, palette, maps,
+    return Scene(*frame_size(block), len(polygons), 7, palette, maps,
                  list(materials), objects, np.array(vertices), np.array([IDENTITY]))

@@ -108,7 +108,7 @@ def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> li
             row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
                       complaint=found.complaint)
             if settings.clip == "scissor":
-                row.coverage_errors = found.wrong_pixels
+                row.coverage_errors = found.coverage_errors
             if found.texel_bound:
                 row.texel_error, row.texel_bound = found.texel_error, found.texel_bound
                 row.worst_ratio = found.texel_ratio

@@ -1,9 +1,9 @@
 """Turns a linked ELF program into an AmigaDOS hunk executable.
 
-The linker keeps its relocations (``ld -q``) and lays ``.text``, ``.data`` and
-``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
-HUNK_RELOC32. ``python -m tools.hunk PROGRAM.elf OUT``; beside the program a ``.map`` file lists ``offset name`` for each
-symbol of the code, which is how a crash report finds the routine's name.
+``python -m tools.hunk PROGRAM.elf OUT``. The linker keeps its relocations (``ld -q``) and lays
+``.text``, ``.data`` and ``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
+HUNK_RELOC32. Beside the program OUT.map lists ``offset name`` for each symbol of the code, which is
+how a crash report finds the routine's name.
 
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
