@@ -65,9 +65,11 @@ def wrong_ceil(edge, line: int) -> int:
 
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
     """Here the model is the one that is wrong: the first difference is made small, printed with
-    all that is needed, and kept."""
+    all that is needed, and kept. A round of that takes a boot, as the polygons themselves do."""
+    boots, draw = [], fuzz.draw
+    monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
     monkeypatch.setattr(model_edges.Edge, "column", wrong_ceil)
-    monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)  # each takes a boot
+    monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
     monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
         seed, range(first, first + count), machine))
@@ -77,6 +79,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
                  "expected / found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
                  "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
         assert part in text, f"{part!r} is missing in\n{text}"
+    assert len(boots) == 1 + fuzz_shrink.ROUNDS
     kept, = json.loads((tmp_path / "found.json").read_text())
     number = int(kept["sentence"].split("polygon ")[1].split(":")[0])
     assert kept["name"] == "wrong_ceil" and "seed 1" in kept["sentence"]

@@ -158,7 +158,7 @@ def reach(piece: int, width: int) -> float:
             0, width - 1, (0, 0), 0, 0, c, first, model_reciprocal.TABLE[-1], 0, piece))
 
     least = model_reciprocal.LEAST >> 16
-    firsts = model_reciprocal.TABLE[least - model_reciprocal.LOWEST:]
+    firsts = set(model_reciprocal.TABLE[least - model_reciprocal.LOWEST:])
     return min((RECIPROCALS / UNIT - bound(r, 0)) / (bound(r, 1) - bound(r, 0)) for r in firsts)
 
 

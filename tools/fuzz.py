@@ -22,6 +22,7 @@ from .fuzz_polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from .fuzz_shrink import shrink
 from .guest_frames import draw, frame_of, is_models
 from .polygon_report import explain
+from .scene_file import write
 
 MACHINE = "a1200-fast"
 #: Blocks of one boot.
@@ -207,13 +208,25 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
     return total
 
 
+def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
+    """Whether a scene file takes a polygon."""
+    try:
+        write(scene(seed, block, [each]))
+    except UserError:
+        return False
+    return True
+
+
 def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed, Fault]:
     """The failing polygon made as simple as it can be and still fail in the same way."""
     block = number // BLOCK
 
     def failing(candidates: list[Fuzzed]) -> dict[int, Fault]:
-        found = faults(candidates, seed, block, form_of(block), machine)
-        return {k: each for k, each in found.items() if each.kind == fault.kind}
+        # What no file holds would look like a crash, and be sought by halves, boot by boot.
+        kept = [k for k, each in enumerate(candidates) if can_be_held(each, seed, block)]
+        some = [candidates[k] for k in kept]
+        found = faults(some, seed, block, form_of(block), machine) if some else {}
+        return {kept[k]: each for k, each in found.items() if each.kind == fault.kind}
 
     return shrink(polygon(seed, number), fault, failing)
 

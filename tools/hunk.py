@@ -3,7 +3,7 @@
 ``python -m tools.hunk PROGRAM.elf OUT``. The linker keeps its relocations (``ld -q``) and lays
 ``.text``, ``.data`` and ``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
 HUNK_RELOC32. Beside the program OUT.map lists ``offset name`` for each symbol of the code, which is
-how a crash report finds the routine's name.
+how a crash report finds the routine's name. This file stands alone: the SDK has it as elf2hunk.py.
 
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
@@ -13,9 +13,8 @@ import struct
 import sys
 from pathlib import Path
 
+from elftools.common.exceptions import ELFError
 from elftools.elf.elffile import ELFFile
-
-from .errors import UserError
 
 HUNK_CODE, HUNK_DATA, HUNK_BSS = 0x3E9, 0x3EA, 0x3EB
 HUNK_RELOC32, HUNK_END, HUNK_HEADER = 0x3EC, 0x3F2, 0x3F3
@@ -46,7 +45,7 @@ def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, lis
         elif kind in PC_RELATIVE and target == elf.get_section_index(section.name):
             continue
         elif kind and target != "SHN_ABS":
-            raise UserError(f"relocation type {kind} to {symbol.name!r} cannot be expressed in a hunk file")
+            raise ValueError(f"relocation type {kind} to {symbol.name!r} cannot be in a hunk file")
     return found
 
 
@@ -88,18 +87,15 @@ def convert(elf_path: Path, out_path: Path) -> None:
     """Writes ``out_path`` (the executable) and ``out_path``.map."""
     with elf_path.open("rb") as stream:
         elf = ELFFile(stream)
-        try:
-            program, symbols = executable(elf), symbol_map(elf)
-        except UserError as error:
-            raise UserError(f"{elf_path}: {error}") from None
+        program, symbols = executable(elf), symbol_map(elf)
     out_path.write_bytes(program)
     out_path.with_name(out_path.name + ".map").write_text(symbols)
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
-        sys.exit("usage: python -m tools.hunk PROGRAM.elf OUT")
+        sys.exit(f"usage: python {sys.argv[0]} PROGRAM.elf OUT")
     try:
         convert(Path(sys.argv[1]), Path(sys.argv[2]))
-    except UserError as error:
-        sys.exit(f"hunk: {error}")
+    except (OSError, ELFError, ValueError) as error:
+        sys.exit(f"hunk: {sys.argv[1]}: {error}")

@@ -16,9 +16,9 @@ import tarfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import contracts, hunk_object, objects, sdk_include
+from . import contracts, elf_object, hunk_object, sdk_include
+from .elf_object import Section
 from .errors import UserError
-from .objects import Section
 from .paths import BUILD, ROOT
 
 #: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
@@ -119,7 +119,7 @@ def built() -> Tree:
     wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in offered(".c")] \
         + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
            and is_assembly(ROOT / name)]
-    tree = Tree({path: objects.load(path) for path in wanted}, {})
+    tree = Tree({path: elf_object.load(path) for path in wanted}, {})
     for path, sections in tree.sections.items():
         tree.home |= {name: path for section in sections for name in section.symbols}
     return tree
@@ -140,7 +140,7 @@ def run_tool(*words: str | Path) -> None:
 
 def hunk_units(path: Path) -> dict[str, bytes]:
     """An ELF object as hunk objects, by linker."""
-    sections = objects.load(path)
+    sections = elf_object.load(path)
     return {kind: hunk_object.unit(path.name, sections, names)
             for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
 

@@ -11,10 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
+from .elf_object import Section
 from .errors import UserError
 from .hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
-from .objects import Section
-from .parts import Part, Program
+from .program_parts import Part, Program
 
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
 CACHE = 256  # bytes
