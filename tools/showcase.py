@@ -12,8 +12,8 @@ import numpy as np
 
 from . import ideal, markdown, model, run
 from .accuracy import Errors
+from .bounds import has_ideal
 from .errors import UserError
-from .fuzz_polygons import has_ideal
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
