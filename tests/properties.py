@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tools import ideal, meshes, model, random_polygons
+from tools import ideal, model, random_meshes, random_polygons
 from tools.ideal import UNIT
 from tools.scene_file import ONE
 
@@ -127,8 +127,8 @@ def covers_once(case: Case, pieces) -> list[str]:
         pieces = [[tuple(c & ~0xFFFF for c in p[:2]) for p in piece] for piece in pieces]
         case = replace(case, vertices=tuple(tuple(c & ~0xFFFF for c in p[:2])
                                             for p in case.vertices))
-        areas = [abs(meshes.twice_area(p)) for p in pieces]
-        if not all(areas) or sum(areas) != abs(meshes.twice_area(case.vertices)):
+        areas = [abs(random_meshes.twice_area(p)) for p in pieces]
+        if not all(areas) or sum(areas) != abs(random_meshes.twice_area(case.vertices)):
             return []
     wanted = ideal.coverage(case.vertices, case.width, case.height)
     counts = counted(case, pieces)

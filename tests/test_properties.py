@@ -8,7 +8,7 @@ import property_cases
 import pytest
 from property_cases import HEIGHT, WIDTH
 
-from tools import emulator, ideal, meshes, model, scene_file
+from tools import emulator, ideal, model, random_meshes, scene_file
 from tools.scene_file import ONE
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
@@ -33,19 +33,19 @@ def test_property(monkeypatch, name: str) -> None:
     assert np.count_nonzero(pixels) > len(pixels) / 3
 
 
-def random_meshes(seed: str, count: int) -> list[meshes.Mesh]:
+def some_meshes(seed: str, count: int) -> list[random_meshes.Mesh]:
     """So many of each kind."""
-    return [meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
-            for kind in meshes.KINDS for k in range(count)]
+    return [random_meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
+            for kind in random_meshes.KINDS for k in range(count)]
 
 
 def test_meshes_hold_what_they_promise() -> None:
     """The triangles tile their outlines, in either winding; no kind is always alike."""
     windings = set()
-    for mesh in random_meshes("tiles", 100):
-        areas = [meshes.twice_area(t) for t in mesh.triangles]
+    for mesh in some_meshes("tiles", 100):
+        areas = [random_meshes.twice_area(t) for t in mesh.triangles]
         windings |= {area > 0 for area in areas}
-        assert sum(map(abs, areas)) == meshes.twice_area(mesh.outline)
+        assert sum(map(abs, areas)) == random_meshes.twice_area(mesh.outline)
         shared = {frozenset(pair) for t in mesh.triangles for pair in zip(t, t[1:] + t[:1])}
         border = set(map(frozenset, zip(mesh.outline, mesh.outline[1:] + mesh.outline[:1])))
         assert border <= shared and 2 * len(shared) - len(border) == 3 * len(mesh.triangles)
@@ -57,7 +57,7 @@ def test_how_watertight_meshes_are() -> None:
     wrong = {}
     for edges in EDGES:
         counts = dict.fromkeys(("pixels", "left out", "beside", "more than once"), 0)
-        for mesh in random_meshes("figures", 250):
+        for mesh in some_meshes("figures", 250):
             case = properties.Case("", tuple((*p, 0, 0, 0, ONE) for p in mesh.outline), WIDTH, HEIGHT,
                                    model.Settings(edges, mapper="flat"))
             wanted = ideal.coverage(mesh.outline, WIDTH, HEIGHT)
@@ -103,7 +103,7 @@ def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
 def test_meshes_are_the_models() -> None:
     """A mesh a frame, each triangle in its own colour, under every setting of edges."""
     scene, about = empty_scene(), []
-    for k, mesh in enumerate(random_meshes("guest", 3)):
+    for k, mesh in enumerate(some_meshes("guest", 3)):
         clip = scene_file.SETTINGS["clip"][k % 2]
         for edges in EDGES:
             scene.frames += 1

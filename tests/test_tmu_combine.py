@@ -34,9 +34,9 @@ MEANT = {
     "scale_other_add_local_alpha": lambda f, o, c, a: f(o) + a,
     "scale_other_minus_local": lambda f, o, c, a: f(o - c),
     "blend": lambda f, o, c, a: f(o - c) + c,
-    "scale_other_minus_local_add_local_alpha": lambda f, o, c, a: f(o - c) + a,
+    "blend_add_local_alpha": lambda f, o, c, a: f(o - c) + a,
     "blend_local": lambda f, o, c, a: f(-c) + c,
-    "scale_minus_local_add_local_alpha": lambda f, o, c, a: f(-c) + a,
+    "blend_local_add_local_alpha": lambda f, o, c, a: f(-c) + a,
 }
 
 
@@ -51,7 +51,7 @@ def test_combine_functions(function, factor):
     modes = Modes(detail_bias=5, detail_scale=3, detail_max=190)
     own = {"local": local, "other_alpha": other[:, 3:], "local_alpha": local[:, 3:],
            "lod_fraction": lod[:, None] % 256, "zero": 0,
-           "detail_factor": np.clip((1280 - lod) * 8 // 256, 0, 190)[:, None]}
+           "detail": np.clip((1280 - lod) * 8 // 256, 0, 190)[:, None]}
     m = own[factor.removeprefix("one_minus_")] if factor != "one" else 255
     if factor.startswith("one_minus_"):
         m = 255 - m

@@ -8,6 +8,7 @@ import pytest
 from arrays import check_equal, check_within
 
 from tools.errors import UserError
+from tools.ideal_texels import Coordinate
 from tools.tmu import combine, ideal
 from tools.tmu.chain import Point, chain_pixel
 from tools.tmu.coordinates import TOO_LARGE, coordinates
@@ -17,7 +18,6 @@ from tools.tmu.functions import combine as combine_by
 from tools.tmu.ideal import Corner, Surface
 from tools.tmu.lod import base, level_of_detail
 from tools.tmu.state import ARGB4444, ONE_W, UNIT_MEMORY, Modes, Unit
-from tools.tx.ideal import Coordinate
 
 ONE = 1 << 18  # of 14.18
 N = 65536  # of 16.16

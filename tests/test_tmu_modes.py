@@ -9,6 +9,7 @@ import pytest
 from arrays import check_equal
 
 from tools import bench, bench_modes, engines, modes, readme_modes, tmu_errors
+from tools.ideal_texels import error
 from tools.model import Settings, render
 from tools.modes import KINDS
 from tools.paths import BASELINE
@@ -17,7 +18,6 @@ from tools.tmu.polygon import points
 from tools.tmu.state import FORMATS as ALL_FORMATS
 from tools.tmu.words import FORMATS as NAMES
 from tools.tmu_modes import EVERY, FORMATS, MODES, SMALL
-from tools.tx.ideal import error
 
 MACHINES = tuple(bench.CONDITIONS)
 

@@ -6,6 +6,7 @@ from tx_scene import (COMBINED, N, TEXEL0, TEXEL0_SHADE, TRILINEAR, floor, memor
                       square, unit)
 
 from tools.errors import UserError
+from tools.ideal_texels import Coordinate, error
 from tools.tx import commands, ideal, images
 from tools.tx.filters import sample
 from tools.tx.mipmap import load_chain
@@ -223,7 +224,7 @@ def test_three_point_filter_is_as_near_as_coordinates_are(perspective):
     corners = floor(WIDTH, HEIGHT, 2, 6, 60) if perspective else square(0, 0, 64, 30, 30)
     x, y, colours = drawn(state, corners)
     s, t = ideal.Surface(corners, bool(perspective)).at(x, y)
-    error = ideal.error(colours, ideal.sample(state, 0, s, t, "three-point"))
+    error = error(colours, ideal.sample(state, 0, s, t, "three-point"))
     bound = 2 * units(corners, bool(perspective)) / 32 * steepest(state) + 0.5
     assert 0 < error.rms <= error.most <= bound, f"at most {bound} expected, {error} found"
 
@@ -253,7 +254,7 @@ def test_levels_of_detail_are_near_the_ideal():
     wanted = ideal.levels(state, surface, x, y, "three-point")
     assert np.unique(np.floor(np.log2(surface.distance(x, y)))).size >= 3
     finest = ideal.sample(state, 0, *surface.at(x, y), "point")
-    assert ideal.error(colours, wanted).rms < ideal.error(finest, wanted).rms / 4
+    assert error(colours, wanted).rms < error(finest, wanted).rms / 4
 
 
 def test_ideal_coordinates():
@@ -274,13 +275,13 @@ def test_ideal_samples_are_the_hardwares_at_whole_coordinates(how, wrap):
     state = unit(texture(3), "point" if how == "point" else "bilerp", s=wrap, t=wrap)
     s, t = np.mgrid[-40:41, -40:41].reshape(2, -1)
     found = sample(state, 0, s * 128, t * 128)
-    at = [ideal.Coordinate(c * 4, np.zeros(c.size)) for c in (s, t)]
+    at = [Coordinate(c * 4, np.zeros(c.size)) for c in (s, t)]
     assert (ideal.sample(state, 0, *at, how) == found).all()
 
 
 def test_ideal_refuses():
     with pytest.raises(UserError, match="filter 'cubic'"):
-        ideal.sample(unit(texture()), 0, *[ideal.Coordinate(np.zeros(1, int), np.zeros(1))] * 2,
+        ideal.sample(unit(texture()), 0, *[Coordinate(np.zeros(1, int), np.zeros(1))] * 2,
                      "cubic")
     corners = [Vertex(0, 0, 0, 0, N), Vertex(64 * N, 0, N, 0, 9 * N), Vertex(0, 64 * N, 0, N, N)]
     with pytest.raises(UserError, match="behind the viewer"):

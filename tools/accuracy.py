@@ -124,12 +124,17 @@ class Errors:
         self.squares += float((worst * worst).sum())
         self.wrong += int(wrong.sum())
 
+    @property
+    def rms(self) -> float:
+        """Root of the mean square over all pixels, of the larger of u's and v's errors, texels."""
+        return (self.squares / max(self.pixels, 1)) ** 0.5
+
     def figures(self) -> dict:
         """The error columns of a row."""
         pixels = max(self.pixels, 1)
         return {"coverage_errors_per_million": round(1e6 * self.coverage / self.ideal_pixels, 2),
                 "texel_error_max": round(self.worst, 6),
-                "texel_error_rms": round((self.squares / pixels) ** 0.5, 6),
+                "texel_error_rms": round(self.rms, 6),
                 "wrong_texels_percent": round(100 * self.wrong / pixels, 4)}
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import bench_modes, markdown, provenance, tmu_errors, tmu_modes, tx_errors, tx_modes
+from .ideal_texels import Error
 from .modes import KINDS, Mode
-from .tx.ideal import Error
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,10 @@
-"""Fixed-point arithmetic as src68k does it, in Python integers."""
+"""Fixed-point arithmetic as src68k does it, in integers."""
+
+from typing import TypeVar
 
 import numpy as np
+
+Number = TypeVar("Number", int, np.ndarray)
 
 M32 = (1 << 32) - 1
 ONE = 65536  # 1.0 in 16.16
@@ -16,10 +20,10 @@ def fix_all(values) -> np.ndarray:
     return np.rint(np.asarray(values) * ONE).astype(np.int64)
 
 
-def signed(value: int, bits: int = 32) -> int:
-    """The low ``bits`` of a value as a two's complement number."""
-    value &= (1 << bits) - 1
-    return value - (value >> (bits - 1) << bits)
+def signed(value: Number, bits: int = 32) -> Number:
+    """The low ``bits`` of an integer, or of each of an int64 array, as a two's complement number."""
+    value = value & (1 << bits) - 1
+    return value - (value >> bits - 1 << bits)
 
 
 def swap(x: int) -> int:

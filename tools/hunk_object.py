@@ -12,9 +12,9 @@ Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 
 from dataclasses import dataclass
 
+from .elf_object import Relocation, Section
 from .errors import UserError
 from .hunk import HUNK_BSS, HUNK_CODE, HUNK_DATA, HUNK_END, HUNK_RELOC32, longs
-from .objects import Relocation, Section
 
 HUNK_UNIT, HUNK_NAME, HUNK_EXT = 0x3E7, 0x3E8, 0x3EF
 EXT_DEF, EXT_REF32 = 1, 129

@@ -4,8 +4,8 @@ import re
 import subprocess
 from dataclasses import dataclass
 
+from .elf_object import Section
 from .errors import UserError
-from .objects import Section
 
 OBJDUMP = "m68k-linux-gnu-objdump"
 LINE = re.compile(r"\s*([0-9a-f]+):\t((?:[0-9a-f]{4} )+)\s*\t(\S+)\s*(.*)")

@@ -7,7 +7,7 @@ import numpy as np
 from . import layout, materials, scene_glide, scene_glide_build, scene_tx_build
 from .fields import fail
 from .fixed import ONE
-from .scene_tx import REACH
+from .tx.state import REACH
 
 MAP_CENTRE = 128.0  # of s along the longer side
 MOST = REACH - 1 / 32  # texels: the last s or t of an engine, s10.5

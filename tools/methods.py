@@ -12,7 +12,7 @@ import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
@@ -27,9 +27,6 @@ from .run import render
 from .scene import compile_scene
 from .scene_file import Scene
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
 #: What is shown, in the note's words and ours.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
            "2: two divides a scanline": Settings("exact", "scanline"),
@@ -41,6 +38,11 @@ METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
 SHOWN = 4  # the frame of the picture
 
 
+def is_of_the_note(name: str) -> bool:
+    """Whether a method is one of the note's, which have numbers."""
+    return name[0].isdigit()
+
+
 @dataclass
 class Method:
     """What one method draws, and what it costs."""
@@ -49,11 +51,6 @@ class Method:
     frames: np.ndarray  # uint8 (frames, height, width, 3)
     cycles: float  # a frame
     errors: Errors
-
-    @property
-    def rms(self) -> float:
-        """Over all pixels, the larger of u's and v's, in texels."""
-        return (self.errors.squares / max(self.errors.pixels, 1)) ** 0.5
 
 
 def scene_of(settings: Settings) -> Scene:
@@ -96,7 +93,7 @@ def table(methods: list[Method], machine: str) -> str:
     rows = []
     for m in methods:
         wrong = 100 * m.errors.wrong / max(m.errors.pixels, 1)
-        rows.append([m.name, f"{m.cycles:,.0f}", f"{m.errors.worst:.3f}", f"{m.rms:.4f}",
+        rows.append([m.name, f"{m.cycles:,.0f}", f"{m.errors.worst:.3f}", f"{m.errors.rms:.4f}",
                      f"{wrong:.2f} %"])
     return markdown.table([f"method, {machine}", "cycles a frame", "largest error, texels", "rms",
                            "wrong texels"], rows)
@@ -104,7 +101,8 @@ def table(methods: list[Method], machine: str) -> str:
 
 def described(methods: list[Method]) -> dict[str, dict]:
     """What the picture says of each method, and the CRC of the frame that it shows."""
-    return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6), "rms": round(m.rms, 6),
+    return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6),
+                     "rms": round(m.errors.rms, 6),
                      "frame": zlib.crc32(m.frames[SHOWN].tobytes())} for m in methods}
 
 
@@ -118,7 +116,7 @@ def write_picture(methods: list[Method], path: Path) -> None:
     for axes, m in zip(panels.flat, methods):
         axes.imshow(m.frames[SHOWN], interpolation="nearest")
         axes.set_title(f"{m.name}\n{m.cycles / 1000:,.0f} thousand cycles\n"
-                       f"error {m.errors.worst:.3g} texels, rms {m.rms:.2g}", fontsize=10, y=-0.24)
+                       f"error {m.errors.worst:.3g} texels, rms {m.errors.rms:.2g}", fontsize=10, y=-0.24)
     figure.savefig(path, dpi=100, bbox_inches="tight", pad_inches=0.05,
                    metadata={"Description": json.dumps(described(methods))})
     plt.close(figure)
@@ -126,7 +124,7 @@ def write_picture(methods: list[Method], path: Path) -> None:
 
 def write_animation(methods: list[Method], path: Path) -> None:
     """The note's three methods side by side, there and back."""
-    three = sorted((m for m in methods if m.name[0].isdigit()), key=lambda m: m.name)
+    three = sorted((m for m in methods if is_of_the_note(m.name)), key=lambda m: m.name)
     strips = np.concatenate([m.frames for m in three], axis=2)
     pictures = [Image.fromarray(np.kron(strip, np.ones((2, 2, 1), np.uint8)))
                 for strip in [*strips, *strips[-2:0:-1]]]

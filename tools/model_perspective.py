@@ -14,7 +14,8 @@ from math import ceil, floor, log2
 import numpy as np
 
 from . import layout
-from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
+from .fixed import M32, cut_quotient, mul_div, signed, wide_mul
+from .model_texturing import gradients
 
 Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 4  # q is at least so many times its error
@@ -60,6 +61,10 @@ class Plane:
     at: int
     dx: int
     dy: int
+
+    def scaled(self, bits: int) -> "Plane":
+        """The plane times 2^bits."""
+        return Plane(*(signed(n << bits, 64) for n in (self.at, self.dx, self.dy)))
 
     def value(self, x: int, y: int) -> int:
         """x pixels right of (i, j), y lines below."""
@@ -149,31 +154,27 @@ def perspective(vertices, corners, box) -> Perspective | None:
     high = tuple(max(span) - b for span, b in zip(spans, base))
     farthest = max(*high, *(-c for c in low))
     shift = max(farthest.bit_length(), 16)
-    first, bottom, apex = (vertices[k] for k in corners)
-    triple = []
-    for x, y, u, v, w in (first, bottom, apex):
+    three = []
+    for x, y, u, v, w in (vertices[k] for k in corners):
         q = mul_div(min(ws), Q_ONE, w)
-        triple.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
-    a, b = ([p - o for p, o in zip(corner, triple[0])] for corner in triple[1:])
-    d = a[0] * b[1] - b[0] * a[1]
-    left, top, right, bottom_line = box
-    x, y = signed((left << 16) - first[0]), signed((top << 16) - first[1])
-    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom_line - top + 1
-    planes, errors, lowest, gentle = [], [], None, True
-    for key, scale in ((2, 32), (3, shift), (4, shift)):
-        gx = quotient(a[key] * b[1] - b[key] * a[1], d)
-        gy = quotient(a[0] * b[key] - b[0] * a[key], d)
-        at = (triple[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16)
-        if key == 2:
-            lowest = min(signed((at >> 16) + wide_mul(gx, signed(v[0] - (left << 16)))
-                                + wide_mul(gy, signed(v[1] - (top << 16)))) for v in vertices)
-        gentle &= all(abs(signed(g, 64)) >> 32 < STEEP for g in ([gx, gy] if key == 2 else [gx]))
-        errors.append(2 + error_part(gx, ways[0]) + error_part(gy, ways[1]))
-        planes.append(Plane(signed(at << scale - 16, 64), signed(gx << scale - 16, 64),
-                            signed(gy << scale - 16, 64)))
-    if max(errors) >= TOO_STEEP or lowest < Q_SURE * max(errors):
+        three.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
+    left, top, right, bottom = box
+    x, y = signed((left << 16) - three[0][0]), signed((top << 16) - three[0][1])
+    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom - top + 1
+    planes = []
+    for key in (2, 3, 4):
+        gx, gy = gradients(three, key)
+        planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
+    q, *st = planes
+    least = min(signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
+                       + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices)
+    error = max(2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1])
+                for plane in planes)
+    if error >= TOO_STEEP or least < Q_SURE * error:
         return None
-    return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
+    gentle = all(abs(signed(g, 64)) >> 32 < STEEP for g in (q.dx, q.dy, *(p.dx for p in st)))
+    return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
+                       shift, least, low, high, gentle)
 
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:

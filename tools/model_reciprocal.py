@@ -133,7 +133,7 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
         if c != signed(c) or c + 0x8000 != signed(c + 0x8000):
             return None
         near = c + 0x8000 >> 16
-        lost = (c & 0xFFFF ^ 0x8000) - 0x8000
+        lost = signed(c, 16)
         start = (signed(base) << 8) + (near * r0 + (lost * (r0 + r1 >> 2) >> 15) << k.piece)
         cs.append(near)
         starts.append(start)
@@ -183,10 +183,10 @@ def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
         if rest >= m:
             q = step_swapped(q, each.dq)
             r = TABLE[signed(q << 16) // 65536 + ORIGIN - LOWEST]
-            du, dv = (c * ((r - old + 32768 & 0xFFFF) - 32768) for c in each.c)
+            du, dv = (c * signed(r - old, 16) for c in each.c)
             old, rest = r, m - 1
         else:
-            r = (each.last - old + 32768 & 0xFFFF) - 32768
+            r = signed(each.last - old, 16)
             part = 0x7FFFFFFF // rest if rest else 0
             du, dv = ((c * r * part >> 32) << each.piece + 1 for c in each.c)
         db, da = steps(du, dv, each.carry)

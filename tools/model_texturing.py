@@ -72,24 +72,30 @@ def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
     return spare, spare & (speed < 0), wraps and not once
 
 
-def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
-    """The texture plane through three corners (indices), seen from the box's middle."""
-    a, b, c = (vertices[k] for k in corners)
-    e1, e2 = ([p - q for p, q in zip(v, a)] for v in (b, c))
-
-    def cross(p, q):
-        return e1[p] * e2[q] - e2[p] * e1[q]
-
-    d = cross(0, 1)
+def gradients(corners, key: int) -> tuple[int, int] | None:
+    """What one number of three corners (x, y, ...) grows a pixel and a line on its plane, 32.32;
+    None where the corners have no area."""
+    a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
+    d = a[0] * b[1] - b[0] * a[1]
     if d == 0:
         return None
-    dsdx, dsdy = quotient(cross(2, 1), d), quotient(cross(0, 2), d)
-    dtdx, dtdy = quotient(cross(3, 1), d), quotient(cross(0, 3), d)
+    return (quotient(a[key] * b[1] - b[key] * a[1], d),
+            quotient(a[0] * b[key] - b[0] * a[key], d))
+
+
+def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
+    """The texture plane through three corners (indices), seen from the box's middle."""
+    three = [vertices[k] for k in corners]
+    found = [gradients(three, key) for key in (2, 3)]
+    if None in found:
+        return None
+    (dsdx, dsdy), (dtdx, dtdy) = found
     left, top, right, bottom = box
     i, j = (left + right) >> 1, (top + bottom) >> 1
-    x, y = signed((i << 16) - a[0]), signed((j << 16) - a[1])
-    u = a[2] + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
-    v = a[3] + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
+    x0, y0, u0, v0 = three[0][:4]
+    x, y = signed((i << 16) - x0), signed((j << 16) - y0)
+    u = u0 + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
+    v = v0 + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
     dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
     chained = settings.mapper in CHAINED  # only their u and v share a chain
     inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)

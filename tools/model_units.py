@@ -3,9 +3,10 @@
 import numpy as np
 
 from .fixed import M32
+from .model_polygon import FAR
 from .model_texturing import Settings
 from .scene_pipes import has_own, units_of
-from .scene_units import FAR, RECTANGLES, check_range, rectangle_ends
+from .scene_units import RECTANGLES, check_range, rectangle_ends
 from .tmu import polygon as tmu_polygon
 from .tx import polygon as tx_polygon
 from .tx.state import COPY, State
@@ -20,7 +21,7 @@ def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip:
     """Draws a rectangle of two vertices as a scene has them."""
     (left, top, s, t, *_), (right, bottom, dsdx, dtdy, *_) = vertices
     box = left >> 16, top >> 16, right >> 16, bottom >> 16
-    if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side < FAR for side in box)):
+    if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side << 16 < FAR for side in box)):
         return
     check_range(rectangle_ends(box, (s, t), (dsdx, dtdy), state.modes.cycle == COPY, flip),
                 "rectangle")

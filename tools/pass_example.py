@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .fixed import signed
+
 BENCH = 256  # pixels of what is measured
 
 
@@ -58,12 +60,6 @@ def words(values) -> bytes:
     return (np.asarray(values).astype(np.int64) & 0xFFFF).astype(">u2").tobytes()
 
 
-def signed(values, bits: int) -> np.ndarray:
-    """The low bits as a signed number."""
-    values = np.asarray(values, np.int64) & (1 << bits) - 1
-    return values - (values >> bits - 1 << bits)
-
-
 def pixels(channels: np.ndarray) -> bytes:
     """Channels [n][4] as R G B A bytes."""
     return channels.astype(np.uint8).tobytes()
@@ -98,7 +94,7 @@ def numbered(start, step, count: int) -> np.ndarray:
 
 def walked(start, step, count: int) -> np.ndarray:
     """The same modulo 2^32 as signed numbers."""
-    return signed(numbered(start, step, count), 32)
+    return signed(numbered(start, step, count))
 
 
 def any_texels(rng, count: int) -> np.ndarray:

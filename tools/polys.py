@@ -11,11 +11,10 @@ import numpy as np
 
 from . import emulator, markdown, model, polygon_sets, provenance, random_maps
 from .accuracy_rows import as_json
-from .emulator import CYCLES_PER_TICK, MEASURED
+from .emulator import CLOCK_HZ, CYCLES_PER_TICK, MEASURED
 from .errors import UserError
 from .outputs import check_directory
 from .paths import POLYS_BASELINE
-from .run import CLOCK_HZ
 from .scene_file import IDENTITY, Object, Scene, write
 from .scene_materials import Material
 from .scene_textures import MAPPER_LAYOUT, Texture

@@ -1,6 +1,7 @@
 """The pages' tables of loops, polygons, meshes and rules: their cycles out of the baselines."""
 
-from . import bench, bench_effects, bench_rules, dither_errors, run
+from . import bench, bench_effects, bench_rules, dither_errors
+from .emulator import CLOCK_HZ
 from .markdown import MACHINES, table
 
 #: What is compared: title, name with {} for the form, length.
@@ -94,7 +95,7 @@ def effects_table(baseline: dict) -> str:
         found = [figures[name, machine, length] for machine in MACHINES]
         kernel, _, steps = bench_effects.ROTATORS.get(name, ("exact", "", bench_effects.TURNED))
         wrong = 100 * bench_effects.wrong_texels(kernel, steps)
-        rows.append([title, *(f"{n:.1f}" for n in found), f"{run.CLOCK_HZ / found[0]:,.0f}",
+        rows.append([title, *(f"{n:.1f}" for n in found), f"{CLOCK_HZ / found[0]:,.0f}",
                      f"{wrong:.0f} %"])
     return table(["cycles a pixel", *MACHINES.values(), "pixels a second, fast RAM",
                   "wrong texels"], rows)

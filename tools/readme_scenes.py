@@ -6,10 +6,12 @@ import re
 
 from PIL import Image
 
-from . import bench, bench_scenes, run
+from . import bench, bench_scenes
 from .bench_modes import ROW
+from .emulator import CLOCK_HZ
 from .errors import UserError
 from .markdown import table
+from .methods import is_of_the_note
 from .paths import SCENES
 
 
@@ -34,7 +36,7 @@ def scenes_table(baseline: dict) -> str:
         cells = []
         for machine in ("a1200-fast", "a1200"):
             spent = figures.get((f"scene_{name}", machine, bench_scenes.FRAMES))
-            cells += [f"{spent / 1000:,.0f}", f"{run.CLOCK_HZ / spent:.1f}"] if spent else ["", ""]
+            cells += [f"{spent / 1000:,.0f}", f"{CLOCK_HZ / spent:.1f}"] if spent else ["", ""]
         rows.append([name, shows(name), *cells])
     return table(["scene", "shows", "fast RAM, kcycles a frame", "frames a second",
                   "chip RAM only", "frames a second"], rows, "llr")
@@ -76,7 +78,7 @@ def a1200_note(pixels: dict) -> list[tuple[str, str]]:
         for what, name in (("step of one number", "step_{}_1"), ("textured pixel", "pixel_{}_2"))]
     return found + [(f"method {name}: thousand cycles a frame; texels off (rms)",
                      f"{each['cycles'] / 1000:,.0f}; {each['rms']:.2f}")
-                    for name, each in sorted(methods.items()) if name[0].isdigit()]
+                    for name, each in sorted(methods.items()) if is_of_the_note(name)]
 
 
 #: Of the texture units: table, then questions and the modes that answer them.

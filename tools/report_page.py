@@ -9,8 +9,9 @@ from markdown_it import MarkdownIt
 from markupsafe import Markup
 
 from . import (accuracy, bench, engines, markdown, peers, polys, provenance, readme_cycles,
-               readme_modes, readme_scenes, report_pictures, run, showcase)
+               readme_modes, readme_scenes, report_pictures, showcase)
 from .cache import Entry
+from .emulator import CLOCK_HZ
 from .emulator import MACHINES as EMULATED
 from .hard_report import every_case
 from .report_data import MACHINE, Found
@@ -63,18 +64,13 @@ class Source:
         return Markup('<p class="source">{}.</p>').format("; ".join(word for word in words if word))
 
 
-def lowering(about: dict) -> list[dict]:
-    """What each material of a run asked for and what was executed for it."""
-    return [{"name": name, **each} for name, each in about["lowering"].items()]
-
-
 def scene(about: dict, pictures: Path) -> dict:
     """A scene's run as the template takes it."""
     count, cycles = len(about["frames"]), [frame["cycles"] for frame in about["frames"]]
     mean = sum(cycles) / count
-    materials = lowering(about)
+    materials = [{"name": name, **each} for name, each in about["lowering"].items()]
     moving = f"{about['scene']}_animation.gif"
-    return about | {"count": count, "mean": mean, "worst": max(cycles), "rate": run.CLOCK_HZ / mean,
+    return about | {"count": count, "mean": mean, "worst": max(cycles), "rate": CLOCK_HZ / mean,
                     "still": f"{pictures.name}/{about['scene']}_frame_000.png",
                     "moving": f"{pictures.name}/{moving}" if (pictures / moving).exists() else None,
                     "materials": materials, "settings": list(materials[0]["asked"]),
@@ -135,7 +131,7 @@ def page(found: Found, pictures: Path) -> str:
     names = {machine: words for machine, words in MACHINES.items()
              if machine in bench.CONDITIONS or machine in EMULATED}
     return environment.get_template(TEMPLATE).render(
-        found=found, scenes=scenes, made=provenance.record(), clock=run.CLOCK_HZ / 1e6,
+        found=found, scenes=scenes, made=provenance.record(), clock=CLOCK_HZ / 1e6,
         machines=names, machine=MACHINE, pictures=pictures.name, columns=markdown.MACHINES,
         versus=readme_cycles.versus_table(measured),
         effects=readme_cycles.effects_table(measured),

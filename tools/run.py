@@ -9,7 +9,7 @@ import numpy as np
 from PIL import Image
 
 from . import emulator, layout, model, provenance
-from .emulator import CYCLES_PER_TICK
+from .emulator import CLOCK_HZ, CYCLES_PER_TICK
 from .errors import UserError
 from .fixed import ONE
 from .outputs import bars, check_directory, replaced, save_animation
@@ -17,7 +17,6 @@ from .scene import compile_scene, parse
 from .scene_file import Scene, write
 from .scene_materials import SETTINGS
 
-CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40

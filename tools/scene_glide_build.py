@@ -9,11 +9,12 @@ from . import images
 from .byte_pool import BytePool
 from .errors import UserError
 from .fields import fail, join
-from .scene_glide import BLENDS, NARROWEST, NO_MIPMAP, SIDE, has_own
+from .scene_glide import BLENDS, NO_MIPMAP, has_own
 from .scene_pipes import COLUMNS, NO_TABLE
 from .tmu.images import Map, encode
 from .tmu.mipmap import levels, shape_of
 from .tmu.registers import words_of_ncc
+from .tmu.state import LAST_ASPECT, SIDE
 from .tmu.words import ALIGN, FORMATS, LEVELS, Words, memory_required, place, texel_bytes
 
 
@@ -28,7 +29,7 @@ def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
         shape_of(width, height)
     except UserError:
         fail(at, f"{unit['image']}: {width}x{height} pixels; a map's sides are powers of two up to "
-                 f"{SIDE}, one at most {NARROWEST} times the other")
+                 f"{SIDE}, one at most {1 << LAST_ASPECT} times the other")
     unit["width"], unit["height"] = width, height
     return images.load(unit["image"], folder, at, width, height, "RGBA")
 

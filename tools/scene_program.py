@@ -12,13 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, objects, provenance
+from . import elf_object, emulator, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .outputs import check_directory
-from .pack import Layout
-from .parts import Program
 from .paths import BUILD, PROGRAMS, ROOT
+from .program_layout import Layout
+from .program_parts import Program
 from .run import SCENE_NAME, parse_output
 from .scene import compile_scene
 from .scene_file import Scene, write
@@ -50,22 +50,22 @@ class Run:
     ticks: list[int]
 
 
-def scene_section(scene: Scene) -> objects.Section:
+def scene_section(scene: Scene) -> elf_object.Section:
     """The scene as the program holds it."""
     data = write(scene, with_palette=False)
-    return objects.Section("", ".rodata.scene_data", data, len(data), 4,
+    return elf_object.Section("", ".rodata.scene_data", data, len(data), 4,
                            symbols={"_scene_data": 0})
 
 
-def load_sections(scene: Scene) -> list[objects.Section]:
+def load_sections(scene: Scene) -> list[elf_object.Section]:
     """All sections a program could hold."""
     compiler, *files = (BUILD / "obj" / "objects").read_text().split()
     files.append(f"build/obj/{compiler}/programs/scene.o")
-    return [section for name in files for section in objects.load(ROOT / name)] + [
+    return [section for name in files for section in elf_object.load(ROOT / name)] + [
         scene_section(scene)]
 
 
-def renderer_places(sections: list[objects.Section]) -> dict[objects.Section, int]:
+def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Section, int]:
     """Addresses of sections in the full renderer."""
     places = {(str(ROOT / file), name): at
               for name, address, file in LINKED.findall(RENDER_LINK.read_text())
@@ -73,7 +73,7 @@ def renderer_places(sections: list[objects.Section]) -> dict[objects.Section, in
     return {s: places[s.file, s.name] for s in sections if (s.file, s.name) in places}
 
 
-def measure(sections: list[objects.Section], folder: Path) -> dict:
+def measure(sections: list[elf_object.Section], folder: Path) -> dict:
     """Executed offsets of each section, and whether timed: drawn once on the emulator."""
     program = Program(sections, ALIASES | TRACER, None)
     layout = Layout(program, {})
@@ -126,7 +126,7 @@ def is_as_fast(own: int, full: int) -> bool:
     return own <= full + LONGER
 
 
-def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout]:
+def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
     """The program by what lies as in the full renderer: nothing, what is timed again and again, all
     that is timed (Part.timed); each in some orders, the smallest first."""
     made = []
@@ -137,7 +137,7 @@ def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout
     return sorted(made, key=lambda layout: layout.size)
 
 
-def fit(program: Program, places: dict[objects.Section, int], full: Run, name: str,
+def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,
         machine: str, folder: Path) -> tuple[Layout, Run]:
     """The smallest layout whose frames are all as fast as the full renderer's, or the last."""
     (folder / "made").mkdir()

@@ -19,13 +19,13 @@ from . import model_mesh, space
 from .fields import REQUIRED, fail, table
 from .fixed import ONE, fix, fix_all
 from .map_range import extent_of
-from .scene_glide import LEAST_W, REACH, has_own
+from .scene_glide import LEAST_W, has_own
+from .tmu.state import REACH, W_MAX
 
 #: What a corner has on its way to the screen: x, y, s, t, shade and w as tools.model_mesh has them,
 #: 16.16, then S Q, T Q and Q of the second unit, of FINE fraction bits.
 X, Y, S, W, SQ, TQ, Q = 0, 1, 2, 5, 6, 7, 8
 FINE = 24
-W_MAX = 16384
 ROUNDED = 1 / 256  # more than rounding adds to s and t
 CONE = 4000  # of s and t, beyond which a face is cut if one of its corners is beyond REACH
 

@@ -8,9 +8,9 @@ import numpy as np
 from . import images
 from .byte_pool import BytePool
 from .fields import fail
-from .scene_tx import REACH, TEXELS, WRAPS, numbers
+from .scene_tx import TEXELS, WRAPS, numbers
 from .tx import images as texels
-from .tx.state import CI, RGBA, TMEM_WORDS, YUV
+from .tx.state import CI, REACH, RGBA, TMEM_WORDS, YUV
 from .tx.words import Wrap, line_of
 
 HALF = TMEM_WORDS // 2

@@ -8,13 +8,11 @@ import numpy as np
 from .errors import UserError
 from .fixed import ONE
 from .tx.commands import replay
-from .tx.state import State
+from .tx.state import REACH, State
 
-REACH = 1024 << 16
 #: What the objects of an engine's material are: enum unit_primitive.
 PRIMITIVES = ("polygons", "coloured", "rectangles", "flipped")
 RECTANGLES = PRIMITIVES[2:]
-FAR = 16384  # pixels: nothing is drawn that reaches it
 
 #: The tables, with their columns: an engine's first list and how many; a list's first word and
 #: how many; a word's halves.
@@ -50,10 +48,10 @@ def check_range(vertices: list[tuple], where: str) -> None:
     """Refuses vertices whose s and t an engine does not draw."""
     for noun, column in (("s", 2), ("t", 3)):
         values = [vertex[column] for vertex in vertices]
-        if not -REACH <= min(values) <= max(values) < REACH:
-            raise UserError(f"{where}: {noun} is not from -1,024 to 1,023.97 texels")
-        if max(values) - min(values) >= REACH:
-            raise UserError(f"{where}: {noun} of two vertices are 1,024 texels or more apart")
+        if not -REACH << 16 <= min(values) <= max(values) < REACH << 16:
+            raise UserError(f"{where}: {noun} is not from -{REACH:,} to {REACH - 1 / 32:,.2f} texels")
+        if max(values) - min(values) >= REACH << 16:
+            raise UserError(f"{where}: {noun} of two vertices are {REACH:,} texels or more apart")
 
 
 def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],

@@ -74,7 +74,7 @@ def table(shown: list[Shown], machine: str) -> str:
     rows = []
     for each in shown:
         t, e = each.totals, each.errors
-        errors = [f"{e.worst:.4f}", f"{(e.squares / e.pixels) ** 0.5:.4f}"] if e.pixels else ["", ""]
+        errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
         rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
                      f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}", *errors,
                      ", ".join(t["spans"])])

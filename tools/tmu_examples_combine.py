@@ -5,10 +5,10 @@ from dataclasses import astuple, fields, replace
 import numpy as np
 
 from . import layout
+from .pass_example import BENCH, Example, any_texels, pixels, some_step
 from .tmu.combine import combined, detail_factor
 from .tmu.functions import FACTORS, FUNCTIONS, combination
 from .tmu.state import Combination, Modes
-from .pass_example import BENCH, Example, any_texels, pixels, some_step
 
 
 class Mix:

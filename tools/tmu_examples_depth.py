@@ -5,7 +5,8 @@ from math import isqrt
 
 import numpy as np
 
-from .pass_example import BENCH, Example, longs, pairs, signed, walked, words
+from .fixed import signed
+from .pass_example import BENCH, Example, longs, pairs, walked, words
 from .tmu_examples_sample import WRAPPED, Axes, axes
 
 ONE = 1 << 30  # of w
@@ -42,7 +43,7 @@ def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
     start, step = between(*ends, count)
     if rng.random() < 0.1:
         step[:2] = step[:2] * rng.choice((-1, 1 << 6))
-    return signed(start, 32), signed(step, 32)
+    return signed(start), signed(step)
 
 
 def found(start, step, count: int, ground: Axes) -> Example:
@@ -86,10 +87,10 @@ def line_of_pieces(start, step, ground: Axes) -> np.ndarray:
     for n in range(ground.left):
         first = n >> ground.bits << ground.bits
         last = min(first + (1 << ground.bits), ground.left - 1)
-        steps = [int(signed(b - a, 32)) // max(last - first, 1)
+        steps = [signed(b - a) // max(last - first, 1)
                  for a, b in zip(divided[first], divided[last])]
         values.append([a + (n - first) * way for a, way in zip(divided[first], steps)])
-    return signed(values, 32)
+    return signed(np.array(values))
 
 
 def some_pieces(start, step, count: int, ground: Axes) -> Example:

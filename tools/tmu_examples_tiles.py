@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .pass_example import BENCH, Example, any_texels, longs, pixels, signed, walked, words
+from .fixed import signed
+from .pass_example import BENCH, Example, any_texels, longs, pixels, walked, words
 from .tmu_examples_sample import Level, filtered, packed
 
 SIDE, ROWS = 256, 16  # of a page; rows of it that there are
@@ -21,7 +22,7 @@ def line(rng, count: int, shift: int, first: int) -> tuple[np.ndarray, np.ndarra
     if count == BENCH:
         ds = one // 3
     start = [int(rng.integers(-1 << 31, 1 << 31)), int(t[0]) + tile]
-    return signed(start, 32), np.array([ds, int(t[1] - t[0]) // count])
+    return signed(np.array(start)), np.array([ds, int(t[1] - t[0]) // count])
 
 
 def example(start, step, count: int, shift: int, first: int, page: bytes,

@@ -12,7 +12,8 @@ import numpy as np
 from . import tx_examples_divide as depth
 from . import tx_examples_sample as sample
 from . import tx_examples_yuv as yuv
-from .pass_example import (BENCH, Example, any_texels, longs, pixels, signed, some_step, walked,
+from .fixed import signed
+from .pass_example import (BENCH, Example, any_texels, longs, pixels, some_step, walked,
                            words)
 
 

@@ -5,7 +5,8 @@ from functools import cache
 
 import numpy as np
 
-from .pass_example import BENCH, Example, longs, pairs, signed, walked
+from .fixed import signed
+from .pass_example import BENCH, Example, longs, pairs, walked
 
 
 def reciprocal(w: int) -> tuple[int, int]:
@@ -33,7 +34,7 @@ def divided(s: int, w: int) -> tuple[int, bool]:
         return 65535, True
     r, shifts = reciprocal(w)
     value = s * r * 2 if shifts == 14 else s * r >> 13 - shifts
-    return (int(signed(value, 17)), False) if -65536 <= value < 65536 else \
+    return (signed(value, 17), False) if -65536 <= value < 65536 else \
         ((65535, -65536)[s < 0], True)
 
 
@@ -150,7 +151,7 @@ def lod(rng, count: int, apart: int = 0) -> Example:
     for point in walked(start, step, count):
         gradients = x & ~31, y & ~0x7FFF
         around = [[divided(int(c), int(q[2])) for c in q[:2]] for q in (
-            signed(point + g, 32) >> 16 for g in (np.zeros(3, np.int64), *gradients))]
+            signed(point + g) >> 16 for g in (np.zeros(3, np.int64), *gradients))]
         st.append([in_range(value) for value, _ in around[0]])
         changes = [q[k][0] - around[0][k][0] for q in around[1:] for k in (0, 1)]
         is_far = any(overflows for q in around for _, overflows in q)

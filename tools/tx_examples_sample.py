@@ -5,7 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import layout
-from .pass_example import (BENCH, Example, any_texels, longs, packed, pair, pairs, pixels, signed,
+from .fixed import signed
+from .pass_example import (BENCH, Example, any_texels, longs, packed, pair, pairs, pixels,
                            some_coordinates, walked)
 
 EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
@@ -143,7 +144,7 @@ def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
 
 def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
     """The coordinate c (16 bits signed) relative to the tile, modulo 2^16."""
-    c = c >> shift if shift <= 10 else int(signed(c << 16 - shift, 16))
+    c = c >> shift if shift <= 10 else signed(c << 16 - shift, 16)
     is_over = c >> 3 >= high
     c -= 8 * low
     if clamp and is_over:

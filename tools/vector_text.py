@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from .errors import UserError
+from .fixed import M32
 
 DECIMAL, HEX = 10, 16
 
@@ -119,9 +120,9 @@ def check_longs(values: Iterable[int], place: str) -> None:
 
 def xorshift_step(x: int) -> int:
     """The next number of xorshift32."""
-    x ^= x << 13 & 0xFFFFFFFF
+    x ^= x << 13 & M32
     x ^= x >> 17
-    return x ^ x << 5 & 0xFFFFFFFF
+    return x ^ x << 5 & M32
 
 
 def after(basis: list[int], x: int) -> int:

@@ -16,7 +16,7 @@ import numpy as np
 from ..errors import UserError
 from ..fixed import ONE
 from ..ideal import Plane, corners
-from ..tx.ideal import Coordinate, bilinear, scaled
+from ..ideal_texels import Coordinate, bilinear, scaled
 from .combine import ALPHA
 from .coordinates import sides, within
 from .state import (DETAIL, LAST_LEVEL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, ONE_W, OTHER_ALPHA,

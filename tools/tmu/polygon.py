@@ -17,15 +17,12 @@ from ..model_polygon import Polygon
 from ..model_texturing import Settings
 from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
-from .coordinates import to_32
 from .dithered import lines
 from .lod import base
-from .state import ONE_W, Unit
+from .state import ONE_W, REACH, W_MAX, Unit
 from .texels import five, six
 
-REACH = 8192 << 16  # of s and t
-W_MOST = 1 << 30
-SCALE = Scale(2, ONE_W, REACH)
+SCALE = Scale(2, ONE_W, REACH << 16)
 
 
 class Vertex(NamedTuple):
@@ -42,12 +39,12 @@ class Vertex(NamedTuple):
 
 def check(corners: list[tuple[int, int, int]], perspective: bool) -> None:
     """Refuses coordinates (s, t, w) that units do not draw."""
-    if not all(abs(c) < REACH for s, t, _ in corners for c in (s, t)):
-        raise UserError("polygon: s or t is 8,192 or more away from 0")
+    if not all(abs(c) < REACH << 16 for s, t, _ in corners for c in (s, t)):
+        raise UserError(f"polygon: s or t is {REACH:,} or more away from 0")
     if not is_narrow(corners, SCALE):
-        raise UserError("polygon: s or t of two vertices are 8,192 or more apart")
-    if perspective and not all(0 < abs(w) <= W_MOST for *_, w in corners):
-        raise UserError("polygon: a vertex's w is 0 or above 16,384")
+        raise UserError(f"polygon: s or t of two vertices are {REACH:,} or more apart")
+    if perspective and not all(0 < abs(w) <= W_MAX << 16 for *_, w in corners):
+        raise UserError(f"polygon: a vertex's w is 0 or above {W_MAX:,}")
 
 
 def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
@@ -71,7 +68,7 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     st = enlarged(st, bits)
     steps = [signed(c) for c in (*st.ddx, *st.ddy)]
     is_one = not w.ddx[0] and not w.ddy[0] and bool((w.values[0] == ONE_W).all())
-    return at, Point(*(to_32(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
+    return at, Point(*(signed(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
                      *((0, 0) if is_one else sides(at)))  # w of 1.0 divides nothing
 
 

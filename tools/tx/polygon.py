@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
-from ..fixed import M32, ONE
+from ..fixed import M32, ONE, signed
 from ..model_texturing import Settings
 from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
@@ -24,10 +24,10 @@ from .copy import copy
 from .lod import Gradients
 from .misuse import Misuse
 from .pixels import pixels, store
-from .state import COPY, State
+from .state import COPY, REACH, State
 
 SETTINGS = Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
-SCALE = Scale(5, 0x7FFF0000, 1024 << 16)
+SCALE = Scale(5, 0x7FFF0000, REACH << 16)
 
 
 class Vertex(NamedTuple):
@@ -52,7 +52,7 @@ class Vertex(NamedTuple):
 
 def whole(iterator: np.ndarray) -> np.ndarray:
     """A colour's iterator as 0..255."""
-    return np.clip((iterator + (1 << 31) & M32) - (1 << 31) >> 16, 0, 255)
+    return np.clip(signed(iterator) >> 16, 0, 255)
 
 
 class Prepared(NamedTuple):
