@@ -28,9 +28,11 @@ INTERRUPTS = 0.02
 DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / (312 * 227)
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
 KEPT = RACE, EDGES, POSTER, MIRROR  # parts whose frames come 25 times a second once they have settled
+AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, space, escape,
+KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
 PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+)")
+FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) aside (\d+)")
 
 
 class Played:
@@ -38,7 +40,7 @@ class Played:
 
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
-        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work
+        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work, aside
 
 
 def read(output: str) -> dict[int, Played]:
@@ -98,9 +100,9 @@ def test_governor_is_the_models(played):
     for number in (EDGES, POSTER, MIRROR):
         script = demo.data()[demo.SCRIPT].decode().split("\npart ")[number]
         model = Governor(script.count("\nstep "), budget)
-        for frame, (step, _, work) in enumerate(parts[number].each):
+        for frame, (step, _, work, aside) in enumerate(parts[number].each):
             assert step == model.step + 1, f"{machine}, part {number}, frame {frame}"
-            model.next(work)
+            model.next(work - aside)
 
 
 def test_fast_ram_reaches_better_steps(played):
@@ -176,15 +178,17 @@ def test_governor_goes_up_where_there_is_room():
 def ended(data, tmp_path_factory) -> list[tuple]:
     """Command lines, return codes, what was said and the machine's state before and after."""
     folder = tmp_path_factory.mktemp("ended")
-    broken = data[demo.SCRIPT].replace(b"scene edges.scene", b"scene nothing.scene")
+    parts = data[demo.SCRIPT]
+    broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene mirror.", b"scene nothing.")
     files = data | {"demo": PROGRAMS / "demo"}
     programs = folder / "programs"
     programs.mkdir()
     shutil.copy(guest_program.build(folder, Path(__file__).with_name("citizen.s")),
                 programs / "citizen")
     lines = [(0, "demo SYS: PART 6 FRAMES 2"), (0, "demo SYS: PART 7 FRAMES 2"),
-             (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 2"), (-1, "demo SYS: PART 1"),
-             (0, "demo SYS: PART 8"), (0, "demo none")]
+             (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 8"),
+             (AT_ONCE, "demo SYS: PART 1"), (0, "demo SYS: PART 9"), (0, "demo none"),
+             (KEYS, "demo SYS:")]
     results = emulator.run_many(
         [f"citizen SYS:its.{n} {how} SYS: {line}" for n, (how, line) in enumerate(lines)],
         files | {"parts": broken}, "a1200-fast", folder / "run", programs=programs, apart=True,
@@ -198,12 +202,22 @@ def ended(data, tmp_path_factory) -> list[tuple]:
 
 
 def test_endings(ended):
-    """Return codes and last words; part 2 lacks its scene, which a line says."""
+    """Return codes and last words; part 8 lacks its scene, which a line says."""
     codes = [(code, said[-1] if said else "") for _, code, said, *_ in ended]
-    assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10]
+    assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10, 0]
     assert codes[3][1] == "SYS:nothing.scene: cannot be opened"
     assert "***Break" in ended[4][2]
     assert codes[5][1].startswith("demo: PART") and codes[6][1].startswith("none/parts: ")
+
+
+def test_keys(ended):
+    """Space ends a part, and the next one begins; escape leaves, when it is pressed; other keys do
+    nothing. Parts would take 8 and 10 seconds."""
+    *_, (_, _, said, *_) = ended
+    parts = read("\n".join(said))
+    assert list(parts) == [RACE, EDGES, PERSPECTIVE], said
+    for part in parts.values():
+        assert part.frames > 0 and part.fields <= 2 * KEY_FIELDS, said
 
 
 def test_all_is_given_back(ended):

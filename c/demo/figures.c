@@ -164,7 +164,5 @@ void figures_make(struct player *player)
 {
     const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
 
-    clock_start(CLOCK_LIMIT);
     make(player, player->frames % every);
-    player->aside = clock_stop();
 }

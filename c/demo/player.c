@@ -9,6 +9,16 @@
 #define GROUND 0x000000         /* colours of the picture and of figures */
 #define INK 0xffffff
 
+uint32 player_lap(struct player *player)
+{
+    const uint32 ticks = clock_stop();
+
+    clock_start(CLOCK_LIMIT);
+    player->work += ticks;
+    player->since += ticks;
+    return ticks;
+}
+
 static void make_lanes(struct player *player)
 {
     const struct scene_header *header = player->scene->header;
@@ -40,7 +50,7 @@ static void begin(struct player *player)
     player->set = -1;
     player->frames = player->late = player->figured_frames = 0;
     player->whole = 0;
-    player->aside = 0;
+    clock_start(CLOCK_LIMIT);
     player->began = screen_fields(player->screen);
     palette = (const uint8 *)header + header->palette_at;
     player->ground = picture_pixel(header->format, palette, GROUND);
@@ -48,10 +58,8 @@ static void begin(struct player *player)
     picture_fill(&player->frame, 0, 0, player->frame.width, player->frame.height,
                  player->ground);
     figures_first(player);
-    for (int32 i = 0; i < player->part->panes; i++) {
-        lane_draw(player, i);
-        lane_draw(player, i);           /* the first one makes and counts */
-    }
+    for (int32 i = 0; i < player->part->panes; i++)
+        lane_draw(player, i);           /* makes what is needed */
     lanes_probe(player);
     for (int32 i = 0; i < player->part->panes; i++)
         lane_draw(player, i);
@@ -63,7 +71,9 @@ static void begin(struct player *player)
         lanes_convert(player);          /* times it */
     }
     screen_swap(player->screen);        /* from a field's begin on */
-    player->began = player->shown = player->figured = screen_fields(player->screen);
+    clock_start(CLOCK_LIMIT);
+    player->since = player->work = player->aside = 0;
+    player->began = player->shown = player->figured = screen_wait(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
 
@@ -87,20 +97,31 @@ static enum player_end asked(void)
     return PLAYED;
 }
 
-/* Frames are shown in the second field after the one before, or as soon as they can be. Returns how
-   many fields later that is. */
-static uint32 show(struct player *player)
+/* Waits until the frame before is shown. */
+static void wait_shown(struct player *player)
 {
-    uint32 fields;
+    const int32 is_early = screen_waits(player->screen);
+    uint32 fields, work;
 
-    if (player->part->kind != PART_FREE)
-        while (screen_fields(player->screen) - player->shown < FRAME_FIELDS - 1)
-            ;
-    screen_swap(player->screen);
-    fields = screen_fields(player->screen) - player->shown;
+    player_lap(player);
+    work = player->work;
+    fields = screen_wait(player->screen) - player->shown;
+    player_lap(player);
+    player->work = work;
+    player->since = is_early ? 0 : player->since - fields * (FRAME_TICKS / FRAME_FIELDS);
+    if (player->frames && player->worked)
+        player->worked[player->frames - 1].fields = fields;
     player->late += fields > FRAME_FIELDS;
     player->shown += fields;
-    return fields;
+}
+
+/* Frames are shown in the second field after the one before, or as soon as they can be. */
+static void post(struct player *player)
+{
+    screen_post(player->screen,
+                player->part->kind == PART_FREE ? 0 : player->shown + FRAME_FIELDS);
+    player->work = player->aside = 0;
+    player->frames++;
 }
 
 /* What a step leaves out of the picture stays as the step before left it: all is shown anew. */
@@ -108,16 +129,20 @@ static void govern(struct player *player)
 {
     const int32 before = player->governor.step;
 
-    if (governor_next(&player->governor, player->work) != before)
+    if (governor_next(&player->governor, player->work - player->aside) != before)
         player->whole = 2;
 }
 
-static void note(struct player *player, int32 step, uint32 fields)
+/* What is known of a frame before it is shown. */
+static void note(struct player *player)
 {
-    uint32 *to = player->works + player->frames;
+    struct worked *to = player->worked + player->frames;
 
-    if (player->works)
-        *to = (uint32)step << WORK_STEP | (fields < 15 ? fields : 15) << WORK_FIELDS | player->work;
+    if (!player->worked)
+        return;
+    to->step = (uint32)player->governor.step;
+    to->work = player->work;
+    to->aside = player->aside;
 }
 
 /* Frames of PART_FREE count as long as they should take. */
@@ -137,16 +162,16 @@ enum player_end player_play(struct player *player, uint32 frames)
 
     begin(player);
     while (end == PLAYED && !is_over(player, frames)) {
-        const int32 step = player->governor.step;
-
-        player->work = 0;
         lanes_draw(player);
+        wait_shown(player);
         lanes_convert(player);
+        player_lap(player);
+        note(player);
         govern(player);
-        note(player, step, show(player));
-        player->frames++;
+        post(player);
         figures_make(player);
         end = asked();
     }
+    wait_shown(player);
     return end;
 }

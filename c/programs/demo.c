@@ -84,7 +84,8 @@ static int32 is_usable(const struct part *part, int32 number)
     int32 wrong = 0;
 
     for (int32 i = 0; i < part->panes; i++)
-        wrong |= part->pane[i].x + header->width > player.frame.width
+        wrong |= part->pane[i].dearest >= header->frames
+            || part->pane[i].x + header->width > player.frame.width
             || part->pane[i].y + header->height
                + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)
                > player.frame.height;
@@ -114,7 +115,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
                       MEMORY_ANY)
-        || (frames && !mem_alloc(&player.works, (int32)(frames * sizeof *player.works),
+        || (frames && !mem_alloc(&player.worked, (int32)(frames * sizeof *player.worked),
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
     scene_reserve(&scene);
@@ -132,7 +133,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     player.screen = &screen;
     player.scene = &scene;
     player.part = &script.part[number];
-    player.works = 0;
+    player.worked = 0;
     screen_text(&screen, 0, player.part->title);
     screen_text(&screen, 1, "");
     if (load(player.part, number, directory, log ? frames : 0)) {

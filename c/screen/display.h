@@ -14,8 +14,10 @@ enum font_constants {
 int32 display_has_aga(void);
 int32 display_open(const uint16 *list);
 void display_show(const uint16 *list);
+void display_post(const uint16 *list, uint32 field);
 void display_wait(void);
 uint32 display_shown(void);
+uint32 display_since(void);
 uint32 display_fields(void);
 void display_close(void);
 int32 font_read(uint8 *letters);
