@@ -32,7 +32,7 @@ AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, 
 KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
 PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) aside (\d+)")
+FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) aside (\d+) lines (\d+)")
 
 
 class Played:
@@ -40,7 +40,7 @@ class Played:
 
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
-        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work, aside
+        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work, aside, lines
 
 
 def read(output: str) -> dict[int, Played]:
@@ -100,7 +100,7 @@ def test_governor_is_the_models(played):
     for number in (EDGES, POSTER, MIRROR):
         script = demo.data()[demo.SCRIPT].decode().split("\npart ")[number]
         model = Governor(script.count("\nstep "), budget)
-        for frame, (step, _, work, aside) in enumerate(parts[number].each):
+        for frame, (step, _, work, aside, _) in enumerate(parts[number].each):
             assert step == model.step + 1, f"{machine}, part {number}, frame {frame}"
             model.next(work - aside)
 

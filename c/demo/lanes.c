@@ -108,7 +108,8 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns; but one at least where nothing waits. */
+/* As many pictures as there is time for, by turns: until the frame before is shown, and none that
+   might make this one late; but one at least where there is nothing to convert. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
@@ -127,10 +128,11 @@ static void draw_fairly(struct player *player)
         const int32 next = poorest(player);
         const struct lane *lane = &player->lane[next];
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
+        const uint32 age = display_age() * LINE_TICKS;  /* read while the frame before waits */
 
         if ((drawn || converting)
             && (!screen_waits(player->screen)
-                || player->since + lane->dearest + converting + more > TURNS_BUDGET))
+                || age + lane->dearest + converting + more > TURNS_BUDGET))
             break;
         converting += more;
         lane_draw(player, next);

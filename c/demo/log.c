@@ -37,6 +37,7 @@ void log_part(const struct player *player, int32 number, int32 full)
         field(" fields ", worked->fields);
         field(" work ", worked->work);
         field(" aside ", worked->aside);
+        field(" lines ", worked->lines);
         text_print();
     }
 }

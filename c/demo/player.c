@@ -15,7 +15,6 @@ uint32 player_lap(struct player *player)
 
     clock_start(CLOCK_LIMIT);
     player->work += ticks;
-    player->since += ticks;
     return ticks;
 }
 
@@ -72,7 +71,7 @@ static void begin(struct player *player)
     }
     screen_swap(player->screen);        /* from a field's begin on */
     clock_start(CLOCK_LIMIT);
-    player->since = player->work = player->aside = 0;
+    player->work = player->aside = 0;
     player->began = player->shown = player->figured = screen_wait(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
@@ -100,15 +99,11 @@ static enum player_end asked(void)
 /* Waits until the frame before is shown. */
 static void wait_shown(struct player *player)
 {
-    const int32 is_early = screen_waits(player->screen);
-    uint32 fields, work;
+    uint32 fields;
 
     player_lap(player);
-    work = player->work;
     fields = screen_wait(player->screen) - player->shown;
-    player_lap(player);
-    player->work = work;
-    player->since = is_early ? 0 : player->since - fields * (FRAME_TICKS / FRAME_FIELDS);
+    clock_start(CLOCK_LIMIT);
     if (player->frames && player->worked)
         player->worked[player->frames - 1].fields = fields;
     player->late += fields > FRAME_FIELDS;
@@ -143,6 +138,7 @@ static void note(struct player *player)
     to->step = (uint32)player->governor.step;
     to->work = player->work;
     to->aside = player->aside;
+    to->lines = display_age();
 }
 
 /* Frames of PART_FREE count as long as they should take. */

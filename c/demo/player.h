@@ -55,6 +55,7 @@ struct lane {
 /* A frame, as LOG tells it. */
 struct worked {
     uint32 work, aside;         /* as the player's */
+    uint32 lines;               /* after the one before was shown it was ready */
     uint32 step, fields;        /* that it was shown later than the one before */
 };
 
@@ -71,8 +72,7 @@ struct player {
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
     uint32 figured, figured_frames;     /* field and frames of the last status line */
     int32 whole;                /* frames for which panes are shown whole: the step is another */
-    uint32 since;               /* colour clocks since a frame was shown, */
-    uint32 work;                /* of the next one, all but waits, */
+    uint32 work;                /* colour clocks of the next frame, all but waits, */
     uint32 aside;               /* and those of it that the governor is not to count */
     struct worked *worked;      /* of each frame, or 0 */
     uint32 ink, ground;         /* pixels */

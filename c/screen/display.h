@@ -18,6 +18,7 @@ void display_post(const uint16 *list, uint32 field);
 void display_wait(void);
 uint32 display_shown(void);
 uint32 display_since(void);
+uint32 display_age(void);
 uint32 display_fields(void);
 void display_close(void);
 int32 font_read(uint8 *letters);

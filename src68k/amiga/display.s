@@ -160,6 +160,40 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         rts
 
 ;==============================================================================
+; display_age - how long the copper has been at its list
+;
+; in:      -
+; out:     d0  uint32  raster lines since its first field began, of fields of 312
+; trashes: d0-d1/a0-a1
+; reads:   the beam's position
+; writes:  -
+; formats: -
+; error:   a line each field where they have 313
+; cost:    -
+;==============================================================================
+        routine display_age
+        lea     state,a0
+        lea     custom,a1
+.again  move.l  FIELDS(a0),d0
+        move.l  vposr(a1),d1
+        cmp.l   FIELDS(a0),d0
+        bne.s   .again
+        lsr.l   #8,d1
+        and.l   #$1ff,d1
+        cmp.w   #FIELD_LINES/2,d1
+        bhi.s   .counted
+        btst    #INTB_VERTB,intreqr+1(a1)
+        beq.s   .counted
+        addq.l  #1,d0                   ; a field that has begun just now
+.counted
+        sub.l   SINCE(a0),d0
+        mulu.w  #FIELD_LINES,d0
+        add.l   d1,d0
+        rts
+
+FIELD_LINES             equ     312
+
+;==============================================================================
 ; display_wait - waits for the next field, and leaves the processor to other tasks until then
 ;
 ; in:      -
