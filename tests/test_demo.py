@@ -19,15 +19,18 @@ FRAMES = 40
 WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
 FIELDS = 2  # of a frame, for 25 a second
 FORMS = ("addx", "swap")  # the race's
-#: Share of a picture's time that interrupts may have: 5,675 cycles of a field's 283,750, less than half
-#: of what FRAME_BUDGET leaves.
-INTERRUPTS = 0.02
-#: The same for the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227
+#: Share of time that interrupts may have: a requirement, of twice what was measured. A loop that
+#: takes 240,025 colour clocks with interrupts off took 243,146 to 254,582 with them on, 248,600 in
+#: the mean (3.5 %): some 900 each field, 10,000 more each tenth of a second.
+INTERRUPTS = 0.07
+#: By how much the ratio of both forms' times may be off: interrupts hit both.
+RATIO = 0.02
+#: The share of the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227
 #: colour clocks, 200 with 40 fetches (8 planes, 64 pixels each), 20 with 10 of the status lines, and
 #: the copper's 2 x 530 words. The CPU has every other colour clock, so each takes it two at most.
 DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / (312 * 227)
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
-KEPT = RACE, EDGES, POSTER, MIRROR  # parts whose frames come 25 times a second once they have settled
+KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR  # parts whose frames come 25 times a second once they have settled
 AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, space, escape,
 KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
@@ -93,12 +96,12 @@ def test_frames_come_in_time(played):
         assert set(fields) == {FIELDS}, f"{machine}, part {number}, from {settled} on: fields {fields}"
 
 
-def test_governor_is_the_models(played):
+def test_governor_is_the_models(played, data):
     """Bit for bit, from the times in the log."""
     machine, parts, _ = played
     budget = layout.load().constants["FRAME_BUDGET"]
     for number in (EDGES, POSTER, MIRROR):
-        script = demo.data()[demo.SCRIPT].decode().split("\npart ")[number]
+        script = data[demo.SCRIPT].decode().split("\npart ")[number]
         model = Governor(script.count("\nstep "), budget)
         for frame, (step, _, work, aside, _) in enumerate(parts[number].each):
             assert step == model.step + 1, f"{machine}, part {number}, frame {frame}"
@@ -114,11 +117,11 @@ def test_fast_ram_reaches_better_steps(played):
 
 def test_race_is_the_renderers(played):
     """Each form's pictures take what render measures for the same frames with the system off, plus
-    what interrupts and, with chip RAM alone, the display take of the time. So their ratio is off by
-    no more. Pictures whose pixels are counted, one of COUNT_EVERY, are left out."""
+    what interrupts and, with chip RAM alone, the display take of the time. Pictures whose pixels are counted, one of COUNT_EVERY, are left out."""
     machine, parts, quiet = played
     every = layout.load().constants["COUNT_EVERY"]
-    share = 1 / (1 - INTERRUPTS - (DISPLAY if machine == "a1200" else 0)) - 1
+    display = DISPLAY if machine == "a1200" else 0
+    share = 1 / (1 - INTERRUPTS - display) - 1
     times = []
     for form, ticks, (pictures, summed, _) in zip(FORMS, quiet, parts[RACE].panes):
         timed = [number for number in range(pictures) if number % every]
@@ -129,7 +132,7 @@ def test_race_is_the_renderers(played):
         times.append((here, there))
     (addx, quiet_addx), (swap, quiet_swap) = times
     ratio, exact = swap / addx, quiet_swap / quiet_addx
-    assert abs(ratio / exact - 1) <= share, f"swap / addx: {ratio:.4f}, render {exact:.4f}"
+    assert abs(ratio / exact - 1) <= 1 / (1 - RATIO - display) - 1, f"swap / addx: {ratio:.4f}, render {exact:.4f}"
 
 
 def test_lanes_have_equal_time(played):

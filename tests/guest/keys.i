@@ -12,7 +12,7 @@ keys_set:
         moveq   #KEY_FIELDS,d0
         move.l  d0,fields
         clr.w   key+ie_Qualifier
-        bra.s   open_input
+        bra     open_input
 
 ; Nobody waits for these requests: they have no port to return to, and are done long before the next.
 key_field:
@@ -24,6 +24,7 @@ key_field:
         beq.s   .not_yet
         addq.l  #1,next_key
         move.w  d0,key+ie_Code
+        move.b  #IECLASS_RAWKEY,key+ie_Class    ; who takes an event changes it
         moveq   #KEY_FIELDS,d0
         move.l  d0,fields
         move.l  a6,-(sp)
