@@ -19,10 +19,10 @@ FRAMES = 40
 WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
 FIELDS = 2  # of a frame, for 25 a second
 FORMS = ("addx", "swap")  # the race's
-#: Share of time that interrupts may have: a requirement, of twice what was measured. A loop that
+#: Share of time that interrupts may have: a requirement, half as much again as was measured. A loop that
 #: takes 240,025 colour clocks with interrupts off took 243,146 to 254,582 with them on, 248,600 in
 #: the mean (3.5 %): some 900 each field, 10,000 more each tenth of a second.
-INTERRUPTS = 0.07
+INTERRUPTS = 0.05
 #: By how much the ratio of both forms' times may be off: interrupts hit both.
 RATIO = 0.02
 #: The share of the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227

@@ -94,6 +94,7 @@ void lanes_probe(struct player *player)
 
         draw(player, i, player->part->pane[i].dearest);
         lane->dearest = lane->last + lane->last / 16;
+        lane_draw(player, i);
     }
 }
 

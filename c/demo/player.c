@@ -60,8 +60,6 @@ static void begin(struct player *player)
     for (int32 i = 0; i < player->part->panes; i++)
         lane_draw(player, i);           /* makes what is needed */
     lanes_probe(player);
-    for (int32 i = 0; i < player->part->panes; i++)
-        lane_draw(player, i);
     for (int32 set = 0; set < 2; set++) {
         screen_convert(player->screen, &player->frame);
         if (!set)
@@ -113,18 +111,33 @@ static void wait_shown(struct player *player)
 /* Frames are shown in the second field after the one before, or as soon as they can be. */
 static void post(struct player *player)
 {
-    screen_post(player->screen,
-                player->part->kind == PART_FREE ? 0 : player->shown + FRAME_FIELDS);
+    player->due = player->part->kind == PART_FREE ? screen_fields(player->screen) + 1
+                : player->shown + FRAME_FIELDS;
+    screen_post(player->screen, player->due);
     player->work = player->aside = 0;
     player->frames++;
 }
 
-/* What a step leaves out of the picture stays as the step before left it: all is shown anew. */
-static void govern(struct player *player)
+/* Fields a part takes; frames of PART_FREE count as long as they should take. */
+static uint32 fields_of(const struct player *player, uint32 frames)
 {
-    const int32 before = player->governor.step;
+    return frames ? frames * FRAME_FIELDS : (uint32)player->part->seconds * FIELDS_SECOND;
+}
 
-    if (governor_next(&player->governor, player->work - player->aside) != before)
+/* Steps of PART_FREE have equal shares of its time. What a step leaves out of the picture stays as
+   the step before left it: all is shown anew. */
+static void govern(struct player *player, uint32 frames)
+{
+    const int32 before = player->governor.step, steps = player->part->steps;
+    const uint32 share = (player->shown - player->began) * (uint32)steps / fields_of(player, frames);
+
+    if (player->part->kind != PART_FREE)
+        governor_next(&player->governor, player->work - player->aside);
+    else if (before < (int32)share && before < steps - 1) {
+        player->governor.step++;
+        figures_again(player);
+    }
+    if (player->governor.step != before)
         player->whole = 2;
 }
 
@@ -141,15 +154,11 @@ static void note(struct player *player)
     to->lines = display_age();
 }
 
-/* Frames of PART_FREE count as long as they should take. */
 static int32 is_over(const struct player *player, uint32 frames)
 {
-    const uint32 fields = player->shown - player->began;
-
-    if (!frames)
-        return fields >= (uint32)player->part->seconds * FIELDS_SECOND;
-    return player->frames >= frames
-        || (player->part->kind == PART_FREE && fields >= frames * FRAME_FIELDS);
+    if (frames && player->part->kind != PART_FREE)
+        return player->frames >= frames;
+    return player->shown - player->began >= fields_of(player, frames);
 }
 
 enum player_end player_play(struct player *player, uint32 frames)
@@ -163,7 +172,7 @@ enum player_end player_play(struct player *player, uint32 frames)
         lanes_convert(player);
         player_lap(player);
         note(player);
-        govern(player);
+        govern(player, frames);
         post(player);
         figures_make(player);
         end = asked();

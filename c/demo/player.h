@@ -14,8 +14,8 @@ enum player_constants {
     FRAME_FIELDS = 2,           /* 25 frames a second */
     LINE_TICKS = 227,           /* colour clocks */
     FRAME_TICKS = FRAME_FIELDS * 312 * LINE_TICKS,
-    /* A tenth is for what one frame takes more than the next. */
-    FRAME_BUDGET = FRAME_TICKS * 90 / 100,
+    /* All work is timed; a twentieth is to catch up what some frames take longer. */
+    FRAME_BUDGET = FRAME_TICKS * 95 / 100,
     /* From one frame on the screen to the end of the next one's conversion, where panes take turns,
        less what the system may do meanwhile: up to 46 lines each tenth of a second. */
     TURNS_BUDGET = 2 * FRAME_TICKS - 2 * 46 * LINE_TICKS,
@@ -68,7 +68,8 @@ struct player {
     struct governor governor;
     struct lane lane[PANES_MAX];
     int32 set;                  /* pane and step of the settings that are set, or -1 */
-    uint32 began, shown;        /* fields: the part, the last frame on the screen */
+    uint32 began, shown;        /* fields: the part, the last frame on the screen, */
+    uint32 due;                 /* and the one behind it, which waits for it */
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
     uint32 figured, figured_frames;     /* field and frames of the last status line */
     int32 whole;                /* frames for which panes are shown whole: the step is another */
@@ -87,6 +88,9 @@ uint32 player_lap(struct player *player);
 /* figures.c: what a part is, on the screen; and, after each frame, what is measured. */
 void figures_first(struct player *player);
 void figures_make(struct player *player);
+
+/* From now on they are another step's. */
+void figures_again(struct player *player);
 
 /* lanes.c: draws a pane's next picture. */
 void lane_draw(struct player *player, int32 number);

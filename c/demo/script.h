@@ -32,7 +32,7 @@ enum part_kind {
     PART_TOGETHER,              /* all panes in each frame; the governor keeps 25 a second */
     PART_RACE,                  /* each pane has the same time, and as many pictures as it can */
     PART_FAIR,                  /* the same, but all move by the clock */
-    PART_FREE,                  /* as many frames a second as there are */
+    PART_FREE,                  /* as many frames a second as there are; steps have equal times */
     PART_KINDS
 };
 
