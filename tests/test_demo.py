@@ -16,12 +16,13 @@ from tools.governor import Governor
 from tools.paths import PROGRAMS
 
 FRAMES = 40
+MOST = 50  # pictures of a form in the race's frames
 WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
 FIELDS = 2  # of a frame, for 25 a second
 FORMS = ("addx", "swap")  # the race's
-#: Share of time that interrupts may have: a requirement, half as much again as was measured. A loop that
-#: takes 240,025 colour clocks with interrupts off took 243,146 to 254,582 with them on, 248,600 in
-#: the mean (3.5 %): some 900 each field, 10,000 more each tenth of a second.
+#: Share of time that interrupts may have: a requirement, half as much again as was measured. A
+#: loop that takes 240,025 colour clocks with interrupts off took 243,146 to 254,582 with them on,
+#: 248,600 in the mean (3.5 %): some 900 each field, 10,000 more each tenth of a second.
 INTERRUPTS = 0.05
 #: By how much the ratio of both forms' times may be off: interrupts hit both.
 RATIO = 0.02
@@ -30,7 +31,8 @@ RATIO = 0.02
 #: the copper's 2 x 530 words. The CPU has every other colour clock, so each takes it two at most.
 DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / (312 * 227)
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
-KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR  # parts whose frames come 25 times a second once they have settled
+#: Parts whose frames come 25 times a second once they have settled.
+KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR
 AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, space, escape,
 KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
@@ -43,7 +45,8 @@ class Played:
 
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
-        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work, aside, lines
+        self.panes = []  # pictures, ticks, used
+        self.each = []  # step from 1, fields, work, aside, lines
 
 
 def read(output: str) -> dict[int, Played]:
@@ -70,7 +73,7 @@ def data() -> dict[str, bytes]:
 def played(request, data, tmp_path_factory):
     """The machine, its parts, and the ticks of the race's frames by render, a row a form."""
     done = emulator.run_many(
-        [f'demo "" FRAMES {FRAMES} LOG'] + [f"render race.scene FORM {form} FRAMES {FRAMES}"
+        [f'demo "" FRAMES {FRAMES} LOG'] + [f"render race.scene FORM {form} FRAMES {MOST}"
                                             for form in FORMS],
         data, request.param, tmp_path_factory.mktemp("played"), patience=60)
     assert [each.code for each in done] == [0] * len(done), done[0].output[-300:]
@@ -93,7 +96,8 @@ def test_frames_come_in_time(played):
         settled = steps.index(steps[-1]) + (WHOLE if steps[-1] != steps[0] else 0)
         fields = [each[1] for each in parts[number].each[settled:]]
         assert len(fields) > FRAMES // 4, f"{machine}, part {number}: steps {steps}"
-        assert set(fields) == {FIELDS}, f"{machine}, part {number}, from {settled} on: fields {fields}"
+        assert set(fields) == {FIELDS}, (
+            f"{machine}, part {number}, from {settled} on: fields {fields}")
 
 
 def test_governor_is_the_models(played, data):
@@ -117,7 +121,8 @@ def test_fast_ram_reaches_better_steps(played):
 
 def test_race_is_the_renderers(played):
     """Each form's pictures take what render measures for the same frames with the system off, plus
-    what interrupts and, with chip RAM alone, the display take of the time. Pictures whose pixels are counted, one of COUNT_EVERY, are left out."""
+    what interrupts and, with chip RAM alone, the display take of the time. Pictures whose pixels
+    are counted, one of COUNT_EVERY, are left out."""
     machine, parts, quiet = played
     every = layout.load().constants["COUNT_EVERY"]
     display = DISPLAY if machine == "a1200" else 0
@@ -132,7 +137,8 @@ def test_race_is_the_renderers(played):
         times.append((here, there))
     (addx, quiet_addx), (swap, quiet_swap) = times
     ratio, exact = swap / addx, quiet_swap / quiet_addx
-    assert abs(ratio / exact - 1) <= 1 / (1 - RATIO - display) - 1, f"swap / addx: {ratio:.4f}, render {exact:.4f}"
+    assert abs(ratio / exact - 1) <= 1 / (1 - RATIO - display) - 1, (
+        f"swap / addx: {ratio:.4f}, render {exact:.4f}")
 
 
 def test_lanes_have_equal_time(played):

@@ -129,7 +129,8 @@ static uint32 fields_of(const struct player *player, uint32 frames)
 static void govern(struct player *player, uint32 frames)
 {
     const int32 before = player->governor.step, steps = player->part->steps;
-    const uint32 share = (player->shown - player->began) * (uint32)steps / fields_of(player, frames);
+    const uint32 fields = player->shown - player->began;
+    const uint32 share = fields * (uint32)steps / fields_of(player, frames);
 
     if (player->part->kind != PART_FREE)
         governor_next(&player->governor, player->work - player->aside);

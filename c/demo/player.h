@@ -1,8 +1,8 @@
 /* One part of the demo while it is played.
 
-   A frame is drawn while the one before it waits to be shown, and becomes planes as soon as that is
-   shown; the display then takes it at its field by itself. So what one frame takes longer, up to the
-   time that is left when it has become planes, the next one can take less. */
+   A frame is drawn while the one before it waits to be shown, and becomes planes as soon as that
+   is; the display then takes it at its field by itself. So a picture may end in the time of the next
+   frame, and what one frame takes longer the next ones can take less. */
 #ifndef PLAYER_H
 #define PLAYER_H
 

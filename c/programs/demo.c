@@ -102,6 +102,13 @@ static int32 is_usable(const struct part *part, int32 number)
     return text_refuse("", "something lies outside its scene or screen");
 }
 
+/* While a part is made ready, up to three seconds: tables of perspective take the most. */
+static void announce(const struct part *part)
+{
+    screen_text(&screen, 0, part->title);
+    screen_text(&screen, 1, "A moment: its pictures and tables are made.");
+}
+
 /* Loads what a part needs; 0: a line was printed. */
 static int32 load(const struct part *part, int32 number, const char *directory, uint32 frames)
 {
@@ -111,6 +118,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
         return text_refuse("DIR", "too long");
     if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
         return 0;
+    announce(part);                     /* another screen has forgotten it */
     if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height + READ_BEYOND,
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
@@ -134,8 +142,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     player.scene = &scene;
     player.part = &script.part[number];
     player.worked = 0;
-    screen_text(&screen, 0, player.part->title);
-    screen_text(&screen, 1, "");
+    announce(player.part);
     if (load(player.part, number, directory, log ? frames : 0)) {
         end = player_play(&player, frames);
         log_part(&player, number, log);
