@@ -3,6 +3,13 @@
 import numpy as np
 
 
+def first_wrong(expected: np.ndarray, found: np.ndarray) -> str:
+    """The first pixel of two frames that differ."""
+    y, x = np.argwhere(found != expected)[0]
+    digits = 2 + 2 * expected.itemsize
+    return f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}"
+
+
 def check_equal(found, expected, what: str = "") -> None:
     """Fails where arrays, one of which may be spread over the other, differ or are empty: how many
     numbers, where the first one is, expected and found."""

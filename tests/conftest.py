@@ -14,7 +14,7 @@ LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_poly
            "scene_program", "accuracy", "mappers", "disk", "demo", "showcase", "tx_modes", "bounds",
            "pages", "readme",
            "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
-           "still_steps", "citizen")
+           "ntsc", "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

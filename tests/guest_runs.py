@@ -4,7 +4,7 @@ was counted while they were drawn once more."""
 from dataclasses import dataclass
 
 import numpy as np
-from engine_polygons import first_wrong
+from arrays import first_wrong
 
 from tools import emulator, guest_frames, layout, model, run
 from tools.errors import UserError
@@ -13,11 +13,13 @@ from tools.scene_file import Scene, write
 
 @dataclass(frozen=True)
 class Asked:
-    """A scene and how it is to be drawn; ``off``: the rules that are not followed."""
+    """A scene and how it is to be drawn; ``off``: the rules that are not followed; ``counted``:
+    whether it is drawn twice more, for figures."""
 
     scene: Scene
     off: str | None = None
     form: str = "addx"
+    counted: bool = True
 
     @property
     def way(self) -> str:
@@ -49,18 +51,23 @@ def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
     """All of them in one boot."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each.scene) for k, each in enumerate(asked)}
-    commands = [f"render {k}.scene {each.way} {more}" for k, each in enumerate(asked)
-                for more in (f"DIGEST {k}.digest", "COUNT")]
+    commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" for k, each in enumerate(asked)]
+    commands += [f"render {k}.scene {each.way} COUNT" for k, each in enumerate(asked)
+                 if each.counted]
     with emulator.workspace() as folder:
         done = emulator.run_many(commands, files, machine, folder, patience=emulator.PATIENT_SECONDS)
         for command, result in zip(commands, done):
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:
                 raise UserError(f"{command}: {fault or emulator.last_words(result.output)}")
-        counted = [run.parse_output(result.output, each.scene.frames, len(each.scene.materials))
-                   for each, result in zip(asked, done[1::2], strict=True)]
-        return [Drawn(np.fromfile(done[0].directory / f"{k}.digest", shape), *found)
-                for k, found in enumerate(counted)]
+        outputs = (result.output for result in done[len(asked):])
+        figures = [run.parse_output(next(outputs), each.scene.frames, len(each.scene.materials))
+                   if each.counted else ([], []) for each in asked]
+        drawn = [Drawn(np.fromfile(done[0].directory / f"{k}.digest", shape), *found)
+                 for k, found in enumerate(figures)]
+    for each, found in zip(asked, drawn):
+        assert len(found.digests) == each.scene.frames, (len(found.digests), each.scene.frames)
+    return drawn
 
 
 def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],

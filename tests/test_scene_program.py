@@ -163,7 +163,8 @@ def test_wrong_frame_is_refused():
     scene_program.compare(full, full, "toy")
     with pytest.raises(UserError, match="toy: frame_000.chunky is not what the full renderer"):
         scene_program.compare(full, scene_program.Run({"frame_000.chunky": b"ax"}, [10]), "toy")
-    with pytest.raises(UserError, match="toy: 0 frames where the full renderer draws 1"):
+    with pytest.raises(UserError, match="toy: 0 frames drawn and 0 timed where the full renderer "
+                       "has 1 and 1"):
         scene_program.compare(full, scene_program.Run({}, []), "toy")
 
 

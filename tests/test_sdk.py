@@ -15,7 +15,7 @@ import pytest
 from amitools.binfmt.hunk import Hunk
 from amitools.binfmt.hunk.HunkReader import HunkReader
 
-from engine_polygons import first_wrong
+from arrays import first_wrong
 from tools import contracts, elf_object, emulator, hunk_object, model, planar, sdk
 from tools.elf_object import Relocation, Section
 from tools.errors import UserError

@@ -6,11 +6,13 @@ from math import floor
 
 import numpy as np
 import pytest
+import tmu_reference
 from arrays import check_equal
 from tmu_reference import FOLDER, only, questions
 
 from tools.errors import UserError
-from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, table_quotient, taps
+from tools.tmu.coordinates import (TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient,
+                                   table_quotient, taps)
 from tools.tmu.filters import filters_linearly, sample
 from tools.tmu.lod import LEAST, base, chosen, level_of_detail
 from tools.tmu.logarithm import log2
@@ -246,7 +248,7 @@ def test_bilinear_weights(bits):
 
 
 def test_quotients():
-    """The exact one; that of the table within its bounds, and exact for powers of two."""
+    """The exact one; that of the table by its rules, within its bounds, and exact for powers of two."""
     random = np.random.default_rng(1)
     c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
@@ -260,6 +262,7 @@ def test_quotients():
         low, high = (max(least, min(floor(end), most)) for end in sorted(ends))
         assert found == want, f"{a} / {b}"
         assert low <= by_table <= high, f"{a} / {b} by the table"
+        assert by_table == tmu_reference.table_quotient(a, b), f"{a} / {b} by the table"
         if b and abs(b) & abs(b) - 1 == 0:
             assert by_table == want, f"{a} / {b} by the table: a power of two"
 

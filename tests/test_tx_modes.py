@@ -19,7 +19,7 @@ from tools.tx_modes import EVERY, FORMATS, MODES
 
 N = 65536
 #: How far a coordinate is off at most, in texels: one that is cut to 1/32, and with perspective
-#: S and W cut to 16 bits and the reciprocal's error (tests/test_tx_polygon.py: units).
+#: S and W cut to 16 bits and the reciprocal's error (tests/test_tx_model_polygons.py: units).
 CUT, STEEPEST = 1 / 32, 100 * 2 * np.pi / 32  # of the smooth picture, a texel
 
 

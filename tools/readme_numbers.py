@@ -74,7 +74,7 @@ FORMATS = (
            "tests/test_tx_vectors.py"),
     Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/tx/tx.h", "tests/test_tx_words.py"),
     Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/tx/planes.h",
-           "tests/test_tx_polygon.py"),
+           "tests/test_tx_model_polygons.py"),
     Format("14.18", "s and t of Glide's unit, 0 to 256 along the longer side", 32, 18, True,
            "as the hardware", "c/tmu/tmu.h", "tests/test_tmu_vectors.py"),
     Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/tmu/tmu.h",

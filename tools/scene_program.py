@@ -197,6 +197,8 @@ def command(path: Path, out: Path, machine: str) -> int:
                         "as the program's shall be")
     sections = load_sections(scene)
     scene_file = write(scene)
+    print(f"{name}: {scene.frames} frames, traced, then drawn by each arrangement that is tried",
+          flush=True)
     with emulator.workspace() as folder:
         full = run_program("render", SCENE_NAME, {SCENE_NAME: scene_file}, machine,
                            folder / "full", PROGRAMS, scene.frames)

@@ -16,7 +16,7 @@ uint32 break_signal(void);
 void illegal(void);
 
 enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED };
-enum event { RAW_KEY = 1, RAW_MOUSE = 2, KEY_UP = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
+enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define STATES 7
 #define DUMPED 7
@@ -90,7 +90,7 @@ static int32 keys(void)
     send_event(RAW_KEY, 0x45, 0);
     send_event(RAW_KEY, 0x45, REPEAT);
     send_event(RAW_MOUSE, 0x68, 0);
-    send_event(RAW_KEY, 0x45 | KEY_UP, 0);
+    send_event(RAW_KEY, 0x45 | RELEASED, 0);
     send_event(RAW_KEY, C_KEY, 0);
     text_number((int32)break_signal());
     send_event(RAW_KEY, C_KEY, CONTROL);

@@ -31,8 +31,9 @@ def checker() -> np.ndarray:
         for x in range(y % 2, 8, 2):
             picture[32 * y:32 * y + 32, 32 * x:32 * x + 32] = quarters[y // 4 * 2 + x // 4]
     picture[:3] = picture[-3:] = picture[:, :3] = picture[:, -3:] = dark
+    strokes = (48, 208, 80, 104), (48, 72, 80, 184), (112, 136, 80, 160)
     for around, colour in ((4, cream), (0, dark)):
-        for top, bottom, left, right in ((48, 208, 80, 104), (48, 72, 80, 184), (112, 136, 80, 160)):
+        for top, bottom, left, right in strokes:
             picture[top - around:bottom + around, left - around:right + around] = colour
     return picture
 
