@@ -41,10 +41,13 @@ def test_every_setting_keeps_its_bound(settings: Settings) -> None:
 
 @pytest.mark.parametrize("mapper", ["gouraud", "tiled", "columns", "generated"])
 def test_every_mapper_keeps_its_bound(mapper: str) -> None:
-    """What it cuts off is in its bound."""
+    """What it cuts off is in its bound, and no more: under some setting it is nearly reached."""
+    ratios = []
     for settings in ALL:
         found = worst(replace(settings, mapper=mapper), triangles(8))
         assert not found.complaint, (settings, found.complaint)
+        ratios.append(found.texel_ratio)
+    assert 0.9 < max(ratios) <= bounds.FLOAT, ratios
 
 
 def cut(bits: int):

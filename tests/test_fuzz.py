@@ -66,7 +66,7 @@ def wrong_ceil(edge, line: int) -> int:
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
     """Here the model is the one that is wrong: the first difference is made small, printed with
     all that is needed, and kept. A round of that takes a boot, as the polygons themselves do."""
-    boots, draw = [], fuzz.draw
+    boots, draw = [], guest_frames.draw
     monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
     monkeypatch.setattr(model_edges.Edge, "column", wrong_ceil)
     monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)
