@@ -5,7 +5,8 @@
 ;
 ; What the program says goes to LOG. HOW is 0, or after how many fields a Ctrl-C comes, -1 at once;
 ; -2 is a double click on what lies in DRAWER, after which Ctrl-\ is pressed in the window titled
-; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos.
+; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos;
+; with -5 the keys of key_table are pressed, one each KEY_FIELDS.
 
         include "amiga.i"
         include "routine.i"
@@ -38,6 +39,7 @@ AT_ONCE                 equ     -1      ; HOW
 DOUBLE_CLICK            equ     -2
 IN_DRAWER               equ     -3
 OLD_KICKSTART           equ     -4
+KEYS                    equ     -5
 
         routine main
         movem.l d2-d7/a2-a6,-(sp)
@@ -123,10 +125,15 @@ alarm_set:
         move.l  a4,task
         move.l  d5,fields
         cmpi.l  #AT_ONCE,d5
-        beq.s   ring
+        beq     ring
+        cmpi.l  #KEYS,d5
+        bne.s   .no_keys
+        bsr     keys_set
+        bra.s   .add
+.no_keys
         tst.l   d5
         ble.s   no_alarm
-        lea     server,a1
+.add    lea     server,a1
         moveq   #INTB_VERTB,d0
         lvo     AddIntServer
 no_alarm
@@ -134,11 +141,24 @@ no_alarm
 
 alarm_clear:
         movea.l sys_base,a6
+        cmpi.l  #KEYS,d5
+        bne.s   .no_keys
+        lea     request,a1
+        lvo     CloseDevice
+        bra.s   .remove
+.no_keys
         tst.l   d5
         ble.s   no_alarm
-        lea     server,a1
+.remove lea     server,a1
         moveq   #INTB_VERTB,d0
         jmp     _LVORemIntServer(a6)
+
+open_input:
+        lea     input_name,a0
+        moveq   #0,d0
+        lea     request,a1
+        moveq   #0,d1
+        jmp     _LVOOpenDevice(a6)
 
 field:  subq.l  #1,fields
         bne.s   .not_yet
@@ -244,11 +264,7 @@ double_click:
         movea.l d0,a3
         move.l  d0,startup+14
         move.l  d0,request+14
-        lea     input_name,a0
-        moveq   #0,d0
-        lea     request,a1
-        moveq   #0,d1
-        lvo     OpenDevice
+        bsr     open_input
         lsr.l   #2,d7
         move.l  d7,seglist
         move.l  #tags,d1
@@ -315,11 +331,15 @@ find_window:
 .none   moveq   #0,d0
 .found  rts
 
+        include "tests/guest/keys.i"
+
         section .data.citizen,data
         cnop    0,4
 server  dc.l    0,0
         dc.b    2,0
-        dc.l    blank,0,field
+        dc.l    blank,0
+server_code
+        dc.l    field
         cnop    0,4
 tags    dc.l    NP_Seglist
 seglist dc.l    0,NP_FreeSeglist,0,0

@@ -11,7 +11,7 @@ import numpy as np
 from arrays import first_wrong
 from guest_runs import Asked, Drawn
 
-from tools import fuzz, model, run
+from tools import guest_frames, model, run
 from tools.scene_file import ONE, Scene
 
 MOST = 100  # polygons of a scene: what engines keep decoded fills memory
@@ -103,7 +103,7 @@ class Polygons:
         wrong, count = [], sum(len(part.numbers) for part in parts)
         for part in parts:
             for frame, digest in enumerate(part.drawn.digests):
-                if not fuzz.is_models(model.render(part.asked.scene, frame), digest):
+                if not guest_frames.is_models(model.render(part.asked.scene, frame), digest):
                     wrong.append((part, frame))
         if wrong:
             part, frame = wrong[0]

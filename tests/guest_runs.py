@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from arrays import first_wrong
 
-from tools import emulator, fuzz, layout, model, run
+from tools import emulator, guest_frames, layout, model, run
 from tools.errors import UserError
 from tools.scene_file import Scene, write
 
@@ -75,7 +75,7 @@ def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
     """Which frame is the first that is not the model's, and how it differs: it is drawn once more
     for that. "": none."""
     for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
-        if not fuzz.is_models(right, digest):
+        if not guest_frames.is_models(right, digest):
             found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
             count = int((found != right).sum())
             return f"frame {number}: " + (

@@ -83,6 +83,40 @@ def test_output_names_choice_price_and_source(tmap) -> None:
         assert words in said, words
 
 
+#: Of made-up rows: cycles a pixel, largest and rms error, wrong pixels in a million.
+MADE_UP = (10, 9, 2, 5), (12.5, 2, 0.5, 5), (20, 1, 0.25, 0), (30, 0.125, 0.0625, 1)
+WORDS = {
+    ("--error", 2): (
+        "The cheapest with a largest error of at most 2 texels, on a1200:",
+        "The next cheaper one saves 2.50 cycles a pixel (20.0 %); its largest error is 9.",
+        "The next more exact one costs 7.50 cycles a pixel (60.0 %); its largest error is 1, its wrong "
+        "pixels are 0 in a million."),
+    ("--error", 0.5, "--rms"): (
+        "The cheapest with an rms error of at most 0.5 texels, on a1200:",
+        "The next cheaper one saves 2.50 cycles a pixel (20.0 %); its rms error is 2."),
+    ("--error", 2, "--wrong", 0): (
+        "The cheapest with a largest error of at most 2 texels and 0 wrong pixels in a million, on a1200:",
+        "No setting is more exact."),
+    ("--error", 9): ("No setting is cheaper.",),
+    ("--error", 0.1): (
+        "tmap: choose: no setting has a largest error of at most 0.1 texels on a1200; the most exact has "
+        "1 (affine, exact, plane, subtexel, none), 0 wrong pixels in a million, at 20.00 cycles "
+        "a pixel",)}
+
+
+@pytest.mark.parametrize("arguments", WORDS)
+def test_prices_in_words(tmap, tmp_path, arguments) -> None:
+    """Each difference with its sign, its part and what else changes."""
+    affine = {"name": "medium", "machine": "a1200", "mapper": "affine", "edges": "exact",
+              "gradients": "plane", "start": "subtexel", "perspective": "none",
+              "wrong_texels_percent": 0}
+    rows = [affine | dict(zip((COST, LARGEST, RMS, WRONG), row)) for row in MADE_UP]
+    (tmp_path / "made_up.json").write_text(json.dumps({"rows": rows}))
+    _, said, complaint = tmap("--machine", "a1200", "--data", tmp_path / "made_up.json", *arguments)
+    for line in WORDS[arguments]:
+        assert line in (said + complaint).splitlines(), said + complaint
+
+
 def test_nothing_is_good_enough(tmap) -> None:
     """Status 1 and one line that says how near it gets."""
     status, said, complaint = tmap("--error", 0, "--machine", "a1200", "--depth")

@@ -73,4 +73,17 @@ def test_bad_input_is_one_line(tmp_path, capsys) -> None:
     assert main(["map", str(tmp_path / "in.png"), "-o", out]) == 0
     (tmp_path / "a.map.json").write_text(json.dumps({"width": 3}))
     assert main(["picture", out, "-o", str(tmp_path / "b.png")]) == 2
+    for about in ({"palette": [[300, 0, 0]]}, {"width": float("inf")}, {"palette": [[0, 0, 0]] * 257},
+                  {"layout": "tiled"}):
+        (tmp_path / "a.map.json").write_text(json.dumps({
+            "width": 100, "height": 37, "layout": "linear", "format": "chunky", "palette": None} | about))
+        assert main(["picture", out, "-o", str(tmp_path / "b.png")]) == 2
+        assert "a.map.json: " in capsys.readouterr().err
     assert not (tmp_path / "b.png").exists()
+
+
+def test_other_kinds_of_pictures_are_refused(tmp_path, capsys) -> None:
+    """A GIF has a palette as well, but is neither PNG nor JPEG, whatever it is called."""
+    Image.new("P", (8, 8)).save(tmp_path / "a.png", "GIF")
+    assert main(["map", str(tmp_path / "a.png"), "-o", str(tmp_path / "a.map")]) == 2
+    assert "not a usable PNG or JPEG" in capsys.readouterr().err

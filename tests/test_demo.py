@@ -16,21 +16,28 @@ from tools.governor import Governor
 from tools.paths import PROGRAMS
 
 FRAMES = 40
+MOST = 50  # pictures of a form in the race's frames
 WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
 FIELDS = 2  # of a frame, for 25 a second
 FORMS = ("addx", "swap")  # the race's
-#: Share of a picture's time that interrupts may have: 5,675 cycles of a field's 283,750, less than half
-#: of what FRAME_BUDGET leaves.
-INTERRUPTS = 0.02
-#: The same for the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227
+#: Share of time that interrupts may have: a requirement, half as much again as was measured. A
+#: loop that takes 240,025 colour clocks with interrupts off took 243,146 to 254,582 with them on,
+#: 248,600 in the mean (3.5 %): some 900 each field, 10,000 more each tenth of a second.
+INTERRUPTS = 0.05
+#: By how much the ratio of both forms' times may be off: interrupts hit both.
+RATIO = 0.02
+#: The share of the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227
 #: colour clocks, 200 with 40 fetches (8 planes, 64 pixels each), 20 with 10 of the status lines, and
 #: the copper's 2 x 530 words. The CPU has every other colour clock, so each takes it two at most.
 DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / (312 * 227)
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
-KEPT = RACE, EDGES, POSTER, MIRROR  # parts whose frames come 25 times a second once they have settled
+#: Parts whose frames come 25 times a second once they have settled.
+KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR
+AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, space, escape,
+KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
 PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+)")
+FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) aside (\d+) lines (\d+)")
 
 
 class Played:
@@ -38,7 +45,8 @@ class Played:
 
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
-        self.panes, self.each = [], []  # pictures, ticks, used; step from 1, fields, work
+        self.panes = []  # pictures, ticks, used
+        self.each = []  # step from 1, fields, work, aside, lines
 
 
 def read(output: str) -> dict[int, Played]:
@@ -65,7 +73,7 @@ def data() -> dict[str, bytes]:
 def played(request, data, tmp_path_factory):
     """The machine, its parts, and the ticks of the race's frames by render, a row a form."""
     done = emulator.run_many(
-        [f'demo "" FRAMES {FRAMES} LOG'] + [f"render race.scene FORM {form} FRAMES {FRAMES}"
+        [f'demo "" FRAMES {FRAMES} LOG'] + [f"render race.scene FORM {form} FRAMES {MOST}"
                                             for form in FORMS],
         data, request.param, tmp_path_factory.mktemp("played"), patience=60)
     assert [each.code for each in done] == [0] * len(done), done[0].output[-300:]
@@ -88,19 +96,20 @@ def test_frames_come_in_time(played):
         settled = steps.index(steps[-1]) + (WHOLE if steps[-1] != steps[0] else 0)
         fields = [each[1] for each in parts[number].each[settled:]]
         assert len(fields) > FRAMES // 4, f"{machine}, part {number}: steps {steps}"
-        assert set(fields) == {FIELDS}, f"{machine}, part {number}, from {settled} on: fields {fields}"
+        assert set(fields) == {FIELDS}, (
+            f"{machine}, part {number}, from {settled} on: fields {fields}")
 
 
-def test_governor_is_the_models(played):
+def test_governor_is_the_models(played, data):
     """Bit for bit, from the times in the log."""
     machine, parts, _ = played
     budget = layout.load().constants["FRAME_BUDGET"]
     for number in (EDGES, POSTER, MIRROR):
-        script = demo.data()[demo.SCRIPT].decode().split("\npart ")[number]
+        script = data[demo.SCRIPT].decode().split("\npart ")[number]
         model = Governor(script.count("\nstep "), budget)
-        for frame, (step, _, work) in enumerate(parts[number].each):
+        for frame, (step, _, work, aside, _) in enumerate(parts[number].each):
             assert step == model.step + 1, f"{machine}, part {number}, frame {frame}"
-            model.next(work)
+            model.next(work - aside)
 
 
 def test_fast_ram_reaches_better_steps(played):
@@ -112,11 +121,12 @@ def test_fast_ram_reaches_better_steps(played):
 
 def test_race_is_the_renderers(played):
     """Each form's pictures take what render measures for the same frames with the system off, plus
-    what interrupts and, with chip RAM alone, the display take of the time. So their ratio is off by
-    no more. Pictures whose pixels are counted, one of COUNT_EVERY, are left out."""
+    what interrupts and, with chip RAM alone, the display take of the time. Pictures whose pixels
+    are counted, one of COUNT_EVERY, are left out."""
     machine, parts, quiet = played
     every = layout.load().constants["COUNT_EVERY"]
-    share = 1 / (1 - INTERRUPTS - (DISPLAY if machine == "a1200" else 0)) - 1
+    display = DISPLAY if machine == "a1200" else 0
+    share = 1 / (1 - INTERRUPTS - display) - 1
     times = []
     for form, ticks, (pictures, summed, _) in zip(FORMS, quiet, parts[RACE].panes):
         timed = [number for number in range(pictures) if number % every]
@@ -127,7 +137,8 @@ def test_race_is_the_renderers(played):
         times.append((here, there))
     (addx, quiet_addx), (swap, quiet_swap) = times
     ratio, exact = swap / addx, quiet_swap / quiet_addx
-    assert abs(ratio / exact - 1) <= share, f"swap / addx: {ratio:.4f}, render {exact:.4f}"
+    assert abs(ratio / exact - 1) <= 1 / (1 - RATIO - display) - 1, (
+        f"swap / addx: {ratio:.4f}, render {exact:.4f}")
 
 
 def test_lanes_have_equal_time(played):
@@ -176,15 +187,17 @@ def test_governor_goes_up_where_there_is_room():
 def ended(data, tmp_path_factory) -> list[tuple]:
     """Command lines, return codes, what was said and the machine's state before and after."""
     folder = tmp_path_factory.mktemp("ended")
-    broken = data[demo.SCRIPT].replace(b"scene edges.scene", b"scene nothing.scene")
+    parts = data[demo.SCRIPT]
+    broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene mirror.", b"scene nothing.")
     files = data | {"demo": PROGRAMS / "demo"}
     programs = folder / "programs"
     programs.mkdir()
     shutil.copy(guest_program.build(folder, Path(__file__).with_name("citizen.s")),
                 programs / "citizen")
     lines = [(0, "demo SYS: PART 6 FRAMES 2"), (0, "demo SYS: PART 7 FRAMES 2"),
-             (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 2"), (-1, "demo SYS: PART 1"),
-             (0, "demo SYS: PART 8"), (0, "demo none")]
+             (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 8"),
+             (AT_ONCE, "demo SYS: PART 1"), (0, "demo SYS: PART 9"), (0, "demo none"),
+             (KEYS, "demo SYS:")]
     results = emulator.run_many(
         [f"citizen SYS:its.{n} {how} SYS: {line}" for n, (how, line) in enumerate(lines)],
         files | {"parts": broken}, "a1200-fast", folder / "run", programs=programs, apart=True,
@@ -198,12 +211,22 @@ def ended(data, tmp_path_factory) -> list[tuple]:
 
 
 def test_endings(ended):
-    """Return codes and last words; part 2 lacks its scene, which a line says."""
+    """Return codes and last words; part 8 lacks its scene, which a line says."""
     codes = [(code, said[-1] if said else "") for _, code, said, *_ in ended]
-    assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10]
+    assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10, 0]
     assert codes[3][1] == "SYS:nothing.scene: cannot be opened"
     assert "***Break" in ended[4][2]
     assert codes[5][1].startswith("demo: PART") and codes[6][1].startswith("none/parts: ")
+
+
+def test_keys(ended):
+    """Space ends a part, and the next one begins; escape leaves, when it is pressed; other keys do
+    nothing. Parts would take 8 and 10 seconds."""
+    *_, (_, _, said, *_) = ended
+    parts = read("\n".join(said))
+    assert list(parts) == [RACE, EDGES, PERSPECTIVE], said
+    for part in parts.values():
+        assert part.frames > 0 and part.fields <= 2 * KEY_FIELDS, said
 
 
 def test_all_is_given_back(ended):

@@ -71,6 +71,7 @@ def test_different(two, tmp_path, capsys):
     third = panels[:, 2 * (WIDTH + GAP):]
     marked = (third == MARK).all(axis=2)
     assert np.argwhere(marked).tolist() == [[1, 5], [3, 9]]
+    assert np.array_equal(third[~marked], panels[:, :WIDTH][~marked] // 3)
     assert panels[1, 5].tolist() == [was] * 3 and panels[1, 5 + WIDTH + GAP].tolist() == [0] * 3
 
 

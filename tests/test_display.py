@@ -13,7 +13,7 @@ from tools import emulator, layout, maps, planar
 from tools.paths import ROOT
 
 GUEST = ROOT / "tests" / "guest"
-MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED")
+MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and places of the beam: where pictures may be
@@ -57,7 +57,7 @@ def command(mode: str, rest: str = "0 320 256") -> str:
 
 #: How programs end, and what they return.
 ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64"): 0,
-           command("KEYS", "0 32 32"): 0, command("SHORT"): 20, command("REFUSED", "0 324 256"): 10,
+           command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20, command("REFUSED", "0 324 256"): 10,
            command("REFUSED", "0 320 257"): 10}
 
 
@@ -250,6 +250,11 @@ def test_keys(ended):
     """Pressed ones alone, in their order, 15 at most; the mouse is none. Ctrl-C is a signal."""
     words = ended[command("KEYS", "0 32 32")][0].output.split()
     assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
+
+
+def test_lists_are_shown_in_their_fields(ended):
+    """A list that was posted waits for its field; one whose field is over is shown in the next."""
+    assert ended[command("POST", "0 32 32")][0].output == "1 0 1 11\n"
 
 
 def test_screens_one_after_the_other(ended):

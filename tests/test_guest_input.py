@@ -8,7 +8,7 @@ import numpy as np
 from plan_bad_files import bad_plans, good_plan
 from scene_bad_files import bad_scenes, example, large_with
 
-from tools import emulator, fuzz, kernels, model, scene_file
+from tools import emulator, guest_frames, kernels, model, scene_file
 from tools.scene_file import Material, Object, Scene
 
 
@@ -109,8 +109,8 @@ def test_dented_polygons_are_cut_inside_their_arrays():
     scene.objects = [Object(0, 0, 64, 0, 1, 0), Object(1, 64, 3, 0, 3, 0), Object(0, 0, 40, 0, 1, 1),
                      Object(0, 5, 46, 0, 1, 2)]
     scene.poses = np.array([scene_file.IDENTITY] * 3)
-    digests, = fuzz.draw([(scene, "addx")], "a1200-fast")
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
     for number, digest in enumerate(digests):
         drawn = model.render(scene, number)
-        assert fuzz.is_models(drawn, digest), number
+        assert guest_frames.is_models(drawn, digest), number
         assert (drawn == 99).any()

@@ -10,7 +10,7 @@ import mesh_cases
 import numpy as np
 import pytest
 
-from tools import fuzz, ideal_faces, model, model_mesh, scene_space
+from tools import guest_frames, ideal_faces, model, model_mesh, scene_space
 from tools.ideal_faces import Camera
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -29,11 +29,11 @@ def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
     drawings = [*((name, "addx") for name in scenes), *more]
-    drawn = fuzz.draw([(scenes[name], form) for name, form in drawings], MACHINE)
+    drawn = guest_frames.draw([(scenes[name], form) for name, form in drawings], MACHINE)
     for (name, form), digests in zip(drawings, drawn, strict=True):
         for number, (frame, digest) in enumerate(zip(right[name], digests, strict=True)):
             which = f"{name}, frame {number}, form {form}"
-            assert fuzz.is_models(frame, digest), (
+            assert guest_frames.is_models(frame, digest), (
                 f"{which} is not the model's; again: .deps/venv/bin/python -m pytest "
                 "tests/test_meshes.py")
             assert int(digest["result"]) in results, f"{which}: result {digest['result']}"

@@ -10,7 +10,7 @@ import guest_program
 import numpy as np
 import pytest
 
-from tools import bench, bench_scenes, demo, emulator, fuzz, kernels, layout, owner_bench
+from tools import bench, bench_scenes, demo, emulator, guest_frames, kernels, layout, owner_bench
 from tools.emulator import CYCLES_PER_TICK
 from tools.kernels import Case, Shown
 from tools.paths import BASELINE, PROGRAMS, ROOT
@@ -113,7 +113,7 @@ def test_frames_take_what_is_committed(booted, committed):
     """The bench's own tolerance, as refresh does not come at the same places; and ROUGH."""
     digests = np.fromfile(booted[0].directory / "digests", layout.load().struct("frame_digest").dtype)
     frames = bench_scenes.shown(SCENE)[1]
-    assert all(map(fuzz.is_models, frames, digests)) and len(frames) == len(digests)
+    assert all(map(guest_frames.is_models, frames, digests)) and len(frames) == len(digests)
     cycles = digests["ticks"].astype(int).mean() * CYCLES_PER_TICK
     expected = committed[f"scene_{SCENE}", "a1200", bench_scenes.FRAMES]["cycles_per_frame"]
     doubt = bench.TOLERANCE * expected + ROUGH * CYCLES_PER_TICK

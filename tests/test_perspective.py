@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from engine_scenes import check_refused, compiled, save_noise
 
-from tools import bounds, fuzz, ideal_perspective, model, random_polygons
+from tools import bounds, guest_frames, ideal_perspective, model, random_polygons
 from tools.emulator import CYCLES_PER_TICK
 from tools.scene_file import IDENTITY, ONE, SETTINGS, Material, Object, Scene, Texture
 
@@ -52,12 +52,12 @@ def test_constant_depth_is_affine() -> None:
         polygons += [[(*v[:5], depth) for v in surface(rng, 1)] for _ in range(6)]
     kinds = [Material("affine", "exact", perspective=p, texture=0) for p in ("none", *WAYS)]
     this = scene(polygons, kinds)
-    digests, = fuzz.draw([(this, "addx")], MACHINE)
+    digests, = guest_frames.draw([(this, "addx")], MACHINE)
     rows = digests.reshape(len(polygons), len(kinds))
     seen = 0
     for k, row in enumerate(rows):
         affine = model.render(this, k * len(kinds))
-        wrong = [kind.perspective for kind, digest in zip(kinds, row) if not fuzz.is_models(affine, digest)]
+        wrong = [kind.perspective for kind, digest in zip(kinds, row) if not guest_frames.is_models(affine, digest)]
         assert not wrong, f"polygon {k} is not the affine one by {wrong}: {polygons[k]}"
         seen += len(np.unique(affine)) > 4
     assert seen > len(polygons) / 2  # some lie beside the frame
@@ -89,10 +89,10 @@ def test_drawn_as_the_model_and_within_bounds(way: str) -> None:
     rng = random.Random(way)
     polygons = [surface(rng, rng.choice((1.01, 1.5, 4, 30, 100, 1000, 10000))) for _ in range(60)]
     this = scene(polygons, [Material("affine", "exact", perspective=way, texture=0)])
-    digests, = fuzz.draw([(this, "addx")], MACHINE)
+    digests, = guest_frames.draw([(this, "addx")], MACHINE)
     settings, worst = model.Settings("exact", perspective=way), 0.0
     for number, (corners, digest) in enumerate(zip(polygons, digests)):
-        assert fuzz.is_models(model.render(this, number), digest), (
+        assert guest_frames.is_models(model.render(this, number), digest), (
             f"{way}, polygon {number} is not the model's: {corners}; again: "
             f".deps/venv/bin/python -m pytest tests/test_perspective.py -k {way}")
         adapted = model.adapt(corners, settings, 256)

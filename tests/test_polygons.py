@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from tools import bench_scenes, fuzz, ideal, model, random_polygons, scene_file
+from tools import bench_scenes, guest_frames, ideal, model, random_polygons, scene_file
 from tools.polygon_report import explain
 
 #: seed: (polygons, width, height)
@@ -47,7 +47,7 @@ def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
 def expected(seed: int, settings: model.Settings) -> list[tuple[int, int]]:
     """The digests of the model's frames of a seed."""
     this = scene(seed, settings)
-    return [fuzz.digest_of(model.render(this, k)) for k in range(this.frames)]
+    return [guest_frames.digest_of(model.render(this, k)) for k in range(this.frames)]
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def drawn(request) -> dict[str, np.ndarray]:
     found = {}
     for machine in dict.fromkeys(run[1] for run in asked):
         runs = [run for run in asked if run[1] == machine]
-        digests = fuzz.draw([(scene(seed, settings), form) for form, _, seed, settings in runs],
+        digests = guest_frames.draw([(scene(seed, settings), form) for form, _, seed, settings in runs],
                             machine)
         found |= dict(zip(map(called, runs), digests, strict=True))
     return found
@@ -75,7 +75,7 @@ def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
     if wrong:
         again = (".deps/venv/bin/python -m pytest -q 'tests/test_polygons.py::"
                  f"test_every_polygon_is_the_models[{called(run)}]'")
-        frame = fuzz.frame_of(bench_scenes.some_frames(this, wrong[:1]), form, machine)
+        frame = guest_frames.frame_of(bench_scenes.some_frames(this, wrong[:1]), form, machine)
         pytest.fail(f"{len(wrong)} polygons are wrong; the first one's result is "
                     f"{found[wrong[0]][0]}, which must be 0\n"
                     + explain(this, wrong[0], frame, f"seed {seed}, polygon {wrong[0]}", again))
@@ -133,11 +133,11 @@ def test_edges_from_far_above() -> None:
         assert found.edge_ratio <= 1, f"polygon {number}: {found}"
         assert all(edge.column(y) <= 320 for edge in polygon.right_edges
                    for y in range(edge.top, edge.end)), f"polygon {number}"
-    digests, = fuzz.draw([(this, "addx")], "a1200-fast")
+    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
     for number, digest in enumerate(digests):
-        if not fuzz.is_models(model.render(this, number), digest):
+        if not guest_frames.is_models(model.render(this, number), digest):
             one = bench_scenes.some_frames(this, [number])
-            pytest.fail(explain(this, number, fuzz.frame_of(one, "addx", "a1200-fast"),
+            pytest.fail(explain(this, number, guest_frames.frame_of(one, "addx", "a1200-fast"),
                                 f"far above, polygon {number}",
                                 ".deps/venv/bin/python -m pytest -q tests/test_polygons.py -k far"))
     assert digests["result"].tolist() == [0, 0]

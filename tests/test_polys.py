@@ -25,16 +25,17 @@ def test_every_filler_is_counted(rows) -> None:
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
     """One pixel is enough."""
-    right = polys.expected
+    right = polys.frames
 
-    def wrong(row: str, count: int) -> np.ndarray:
-        frame = right(row, count).copy()
-        frame[-1, -1] ^= 1
-        return frame
+    def wrong(row: str, count: int) -> list[np.ndarray]:
+        empty, full = right(row, count)
+        full = full.copy()
+        full[-1, -1] ^= 1
+        return [empty, full]
 
-    monkeypatch.setattr(polys, "expected", wrong)
-    with pytest.raises(UserError, match="polys: flat on a1200-fast: the frame is not the model's"):
-        polys.measure_row("flat", "a1200-fast", False, 2)
+    monkeypatch.setattr(polys, "frames", wrong)
+    with pytest.raises(UserError, match="polys: flat on a1200-fast: frame 1 is not the model.s"):
+        polys.measure("a1200-fast", count=2)
 
 
 @pytest.mark.parametrize("name", ["flat", "gouraud"])

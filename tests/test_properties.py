@@ -9,7 +9,7 @@ import pytest
 from arrays import first_wrong
 from property_cases import HEIGHT, WIDTH
 
-from tools import fuzz, ideal, model, random_meshes, run, scene_file
+from tools import guest_frames, ideal, model, random_meshes, run, scene_file
 from tools.scene_file import ONE
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
@@ -94,11 +94,11 @@ def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
     """The 68020 draws every frame as the model does, byte for byte."""
     __tracebackhide__ = True
     assert len(about) == scene.frames
-    digests, = fuzz.draw([(scene, "addx")], "a1200-fast")
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
     for number, (what, digest) in enumerate(zip(about, digests, strict=True)):
         right = model.render(scene, number)
         assert not digest["result"], f"{what}: it is refused, by result {digest['result']}"
-        if not fuzz.is_models(right, digest):
+        if not guest_frames.is_models(right, digest):
             found = run.render(scene, "a1200-fast", "addx").frames[number]
             raise AssertionError(f"{what}: {(found != right).sum()} pixels are not the model's; "
                                  + first_wrong(right, found))

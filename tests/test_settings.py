@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from steps_scene import steps_scene
 
-from tools import demo, emulator, fuzz, layout, model, settings
+from tools import demo, emulator, guest_frames, layout, model, settings
 from tools.paths import SCENES
 from tools.scene import compile_scene
 from tools.scene_file import write
@@ -57,13 +57,13 @@ def test_names_are_the_headers() -> None:
 def test_steps_are_the_models(scenes) -> None:
     wanted = {("steps", step): scenes["steps"] for step in STEPS}
     wanted |= {("wall", step): scenes["wall"] for step in ((0, 0), (None, 2))}
-    digests = fuzz.draw([(scene, "addx" + arguments(*step))
+    digests = guest_frames.draw([(scene, "addx" + arguments(*step))
                          for (_, step), scene in wanted.items()], "a1200-fast",
                         patience=emulator.PATIENT_SECONDS)
     drawn = {}
     for ((name, step), scene), (digest,) in zip(wanted.items(), digests):
         expected = drawn[name, step] = model.render(settings.with_settings(scene, *step), 0)
-        assert fuzz.is_models(expected, digest), (
+        assert guest_frames.is_models(expected, digest), (
             f"{name}: render input.scene{arguments(*step)} does not draw the model's frame, which "
             f"has {np.unique(expected).size} colours; again: pytest tests/test_settings.py")
     for steps in ([(step, None) for step in range(5)], [(None, step) for step in range(5)]):

@@ -8,7 +8,7 @@ from engine_scenes import compiled, save_noise
 from floors import FLOORS, turned
 from guest_runs import Asked
 
-from tools import bench, fuzz, model
+from tools import bench, guest_frames, model
 from tools.paths import BASELINE
 
 HEAD = """\
@@ -66,8 +66,8 @@ def test_same_picture_by_the_cheap_span_alone(drawn, kind, material):
     for name in FLOORS:
         key = kind, material, name
         expected, digest, figures, other = drawn[key]
-        assert fuzz.is_models(expected, digest), f"{key}: not the model's"
-        assert fuzz.is_models(expected, other), f"{key}, form swap: not the model's"
+        assert guest_frames.is_models(expected, digest), f"{key}: not the model's"
+        assert guest_frames.is_models(expected, other), f"{key}, form swap: not the model's"
         used = "affine_row" if name == "one texel" else kind
         assert set(figures["spans"]) == {used}, (key, figures["spans"])
 
@@ -89,5 +89,5 @@ def test_too_fast_for_it(drawn):
     """The general spans, the same picture."""
     for change in CHANGES:
         expected, digest, figures, _ = drawn[change, "plain", "fast"]
-        assert fuzz.is_models(expected, digest), f"{change}: not the model's"
+        assert guest_frames.is_models(expected, digest), f"{change}: not the model's"
         assert set(figures["spans"]) <= {"affine_addx", "affine_addx_wrap"}, (change, figures)

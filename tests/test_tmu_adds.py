@@ -9,7 +9,7 @@ import pytest
 from engine_scenes import compiled, save_noise, scene_text
 from guest_runs import Asked
 
-from tools import fuzz, model
+from tools import guest_frames, model
 from tools.scene_file import Scene
 from tools.tmu.words import FIELDS, LEVELS
 
@@ -95,9 +95,9 @@ def test_frames_are_the_models(folder):
     """Both frames' formats, split and whole maps, by passes and pixel by pixel, in one boot."""
     scenes = {(pixels, whole, off): trilinear(folder, whole, 2, pixels)
               for pixels in PIXELS for whole in (False, True) for off in ("", " OFF all")}
-    found = fuzz.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
+    found = guest_frames.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
     for (key, scene), digests in zip(scenes.items(), found):
-        assert fuzz.is_models(model.render(scene, 0), digests[0]), (
+        assert guest_frames.is_models(model.render(scene, 0), digests[0]), (
             f"pixels, whole maps, rules: {key}: the frame is not the model's")
 
 

@@ -8,7 +8,7 @@ import pytest
 from engine_scenes import check_refused, compiled, explain, run_command, save_noise, scene_text
 from guest_runs import Asked
 
-from tools import emulator, fuzz, model, run, scene_file, scene_pipes
+from tools import emulator, guest_frames, model, run, scene_file, scene_pipes
 from tools.paths import SCENES
 from tools.scene import compile_scene
 from tools.scene_file import Scene
@@ -70,7 +70,7 @@ def shown(name: str, off: str | None) -> Scene:
 def drawn() -> dict[tuple, tuple]:
     """The scenes by name and the rules that are off, and the guest's digests, all of one boot."""
     scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
-    found = fuzz.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
+    found = guest_frames.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
                       patience=emulator.PATIENT_SECONDS)
     return {key: (scene, digest) for (key, scene), digest in zip(scenes.items(), found)}
 
@@ -81,7 +81,7 @@ def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
     """The first frame of each scene, with all rules of lowering and without."""
     scene, digests = drawn[name, off]
     expected = model.render(scene, 0)
-    assert fuzz.is_models(expected, digests[0]), explain(
+    assert guest_frames.is_models(expected, digests[0]), explain(
         name, expected, run.render(scene, "a1200-fast", "addx", off).frames[0],  # drawn once more
         run_command(name, 1, off))
     assert len(np.unique(expected)) > 30, f"{name}: hardly any colours"

@@ -12,7 +12,7 @@ import pytest
 from guest_runs import Asked, Drawn
 from tmu_tiles_random import FRAMES, HEIGHT, KINDS, WIDTH, scene
 
-from tools import fuzz, model, run
+from tools import guest_frames, model, run
 from tools.pixel_formats import FORMATS
 
 MACHINE = "a1200-fast"
@@ -64,7 +64,7 @@ def test_frames_are_the_models(pixels: str, drawn) -> None:
     for k, tiles in enumerate(TILES):
         (each, found), some = drawn[pixels, tiles], numbers(k * COUNT)
         wrong += [(some[frame // FRAMES], frame, tiles) for frame in range(each.scene.frames)
-                  if not fuzz.is_models(model.render(each.scene, frame), found.digests[frame])]
+                  if not guest_frames.is_models(model.render(each.scene, frame), found.digests[frame])]
     assert not wrong, (f"{len(wrong)} frames are wrong; the first: "
                        f"{about(*wrong[0][:2], pixels, wrong[0][2])}{again(wrong[0][0], pixels)}")
 

@@ -5,7 +5,7 @@ import pytest
 from engine_scenes import HEAD, check_refused, explain, run_command, save_noise
 from tx_texts import ONE, SQUARE, TILE, make, scene_of
 
-from tools import emulator, fuzz, model, run, scene_file, scene_units
+from tools import emulator, guest_frames, model, run, scene_file, scene_units
 from tools.errors import UserError
 from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
@@ -34,7 +34,7 @@ def drawn() -> dict[str | None, dict[str, tuple]]:
     scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
-    found = iter(fuzz.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
+    found = iter(guest_frames.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
                            "a1200-fast", patience=emulator.PATIENT_SECONDS))
     return {off: {name: (scene, right[name], next(found)) for name, scene in scenes.items()}
             for off in WAYS}
@@ -44,7 +44,7 @@ def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
     """Compares the guest's first frames with the model's."""
     scene, right, digests = found
     for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
-        assert fuzz.is_models(expected, digest), explain(
+        assert guest_frames.is_models(expected, digest), explain(
             f"{name}, frame {number}", expected,
             run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
             run_command(name, scene.frames, off))

@@ -9,7 +9,7 @@ from engine_scenes import compiled, save_noise
 from floors import FLOORS, turned
 from guest_runs import Asked, Drawn
 
-from tools import fuzz, fuzz_polygons, model
+from tools import fuzz_polygons, guest_frames, model
 from tools.paths import SCENES
 from tools.pixel_formats import FORMATS
 from tools.scene import compile_scene
@@ -116,7 +116,7 @@ def fuzzed() -> dict[str, list[tuple[Scene, list[tuple[int, int]]]]]:
                 for k in range(FUZZED)]
         for pixels, scenes in found.items():
             scene = widened(fuzz_polygons.scene(SEED, block, some), pixels)
-            scenes.append((scene, [fuzz.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
+            scenes.append((scene, [guest_frames.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
     return found
 
 
@@ -125,7 +125,7 @@ def fuzzed_digests(fuzzed) -> dict[tuple[str, str, int], np.ndarray]:
     """By format, form and block: the guest's, of one boot."""
     asked = {(pixels, form, block): (scene, form) for pixels, form in FUZZED_FORMS
              for block, (scene, _) in enumerate(fuzzed[pixels])}
-    return dict(zip(asked, fuzz.draw([*asked.values()], "a1200-fast"), strict=True))
+    return dict(zip(asked, guest_frames.draw([*asked.values()], "a1200-fast"), strict=True))
 
 
 @pytest.mark.parametrize("pixels, form", FUZZED_FORMS)

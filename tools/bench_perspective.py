@@ -125,7 +125,7 @@ def scanlines(arena, lines) -> int:
         for left, right, _ in lines))
 
 
-def add_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
     """Adds a perspective_plan and its scanline table."""
     return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
 
@@ -158,7 +158,7 @@ def lines_case(setting: str):
     deep, lines = polygon_lines()
     expected = [ends(deep, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_plan(arena, deep, lines, to_at, setting)
+    plan_at = add_perspective_plan(arena, deep, lines, to_at, setting)
 
     def check(result: Result) -> str | None:
         return first_wrong_line(shape, result.memory[to_at:], [entry(each, setting) for each in expected],

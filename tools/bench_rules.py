@@ -58,6 +58,11 @@ class Case:
         return self.rule if bits == 8 else f"{self.rule}_{bits}"
 
     @property
+    def group(self) -> tuple[str, str]:
+        """What cases of one scene share."""
+        return self.pixels, self.material.perspective
+
+    @property
     def vertices(self) -> list[tuple[int, ...]]:
         """x, y, s, t, shade, w; 16.16."""
         rows = zip(self.points, *self.texels, self.shades, self.depths)
@@ -105,8 +110,8 @@ CASES = (
 )
 #: Cases that share a scene: of one format, and those with perspective apart, as the tables that it
 #: needs would be made for all the others too.
-GROUPS = [[case for case in CASES if kind == (case.pixels, case.material.perspective)]
-          for kind in dict.fromkeys((case.pixels, case.material.perspective) for case in CASES)]
+GROUPS = [[case for case in CASES if case.group == group]
+          for group in dict.fromkeys(case.group for case in CASES)]
 
 
 @cache

@@ -217,21 +217,19 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
     material's setting, ``tolerance`` its texels."""
     for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
-        if polygon.setting != asked and bent > tolerance + FLOAT and not out.complaint:
-            out.complaint = (f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
-                             f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
+        if polygon.setting != asked and bent > tolerance + FLOAT:
+            out.complain(f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
+                         f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
         k = int(abs(error).argmax())
-        if abs(error[k]) > out.texel_error or not out.texel_bound:
-            out.texel_error = float(abs(error[k]))
-            out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
+        out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
         if allowed >= BOUNDLESS:
             continue
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
-        if off[k] > allowed and not out.complaint:
-            out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
-                             f"setting intends, {allowed:.9f} are allowed")
+        if off[k] > allowed:
+            out.complain(f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+                         f"setting intends, {allowed:.9f} are allowed")
 
 
 def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
@@ -250,9 +248,8 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = abs(curve.errors(found[seen], columns, y))
             k = int(error.argmax())
-            if error[k] > out.texel_error or not out.texel_bound:
-                out.texel_error, out.texel_bound = float(error[k]), bound
+            out.note(error[k], bound)
             out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)
-            if error[k] > bound and not out.complaint:
-                out.complaint = (f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
-                                 f"{error[k]:.9f} off, {bound:.9f} are allowed")
+            if error[k] > bound:
+                out.complain(f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
+                             f"{error[k]:.9f} off, {bound:.9f} are allowed")

@@ -1,4 +1,4 @@
-"""The one exception that reaches the user as a line instead of a traceback, and what raises it most."""
+"""The one exception that reaches the user as a line instead of a traceback."""
 
 
 class UserError(Exception):

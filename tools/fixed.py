@@ -21,7 +21,8 @@ def fix_all(values) -> np.ndarray:
 
 
 def signed(value: Number, bits: int = 32) -> Number:
-    """The low ``bits`` of an integer, or of each of an int64 array, as a two's complement number."""
+    """The low ``bits`` of an integer, or of each of an int64 array, as a two's complement
+    number."""
     value = value & (1 << bits) - 1
     return value - (value >> bits - 1 << bits)
 

@@ -18,13 +18,11 @@ import numpy as np
 
 from . import bounds, layout, model
 from .errors import UserError
-from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, has_ideal, polygon, scene, textures
+from .fuzz_polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from .fuzz_shrink import shrink
-from .guest_frames import digest_of, draw, frame_of, is_models
+from .guest_frames import draw, frame_of, is_models
 from .polygon_report import explain
 from .scene_file import write
-
-__all__ = ["digest_of", "draw", "frame_of", "is_models"]  # tests call them by this name too
 
 MACHINE = "a1200-fast"
 #: Blocks of one boot.
@@ -45,7 +43,7 @@ class Checked:
 
 def check(each: Fuzzed, seed: int, block: int) -> Checked:
     """The model's frame, and its distance from the ideal where there is one."""
-    width, height = FRAMES[block % len(FRAMES)]
+    width, height = frame_size(block)
     settings, texels, size = each.settings, None, (256, 256)
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels
@@ -56,7 +54,7 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if made:
         model.draw(frame, made, texels, 200, settings.mapper, textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
-    judged = has_ideal(adapted, settings)
+    judged = bounds.has_ideal(adapted, settings)
     verdict = bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)

@@ -12,6 +12,7 @@ from fractions import Fraction
 
 from . import scene_textures
 from .fixed import ONE, fix
+from .model_texturing import Settings
 
 WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
@@ -86,3 +87,9 @@ def label(value) -> str:
     count = abs(value) if whole else abs(value) / UNIT
     return ("minus_" if value < 0 else "") + str(count) + (
         "" if whole else "_unit" if count == 1 else "_units")
+
+
+def called(case, settings: Settings) -> str:
+    """A drawing's name in messages: of a Case or a MeshCase."""
+    ways = ", ".join(str(value) for value in vars(settings).values() if value)
+    return f"{case.name}: {case.sentence} {ways}"

@@ -148,7 +148,7 @@ def long_spans() -> Iterator[Case]:
         case = make(f"long_edge_beside_the_{where}_texel", "A left side from the first line of "
                     "all, beside the end of map and palette: were it to drift, a pixel too far left "
                     "would be beyond it.",
-                    [(left - leaning(Fraction(69, 20), FAR + HEIGHT), -FAR), (left, HEIGHT),
+                    [(left - leaning(Fraction(69, 20)), -FAR), (left, HEIGHT),
                      (60, HEIGHT)], shades=[start, start, start + away])
         yield replace(case, vertices=tuple(
             (x, y, fix(s), fix(t), *rest) for (x, y, _, _, *rest), s, t

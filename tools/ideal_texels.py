@@ -18,7 +18,8 @@ class Coordinate(NamedTuple):
 
 
 def scaled(c: Coordinate, shift: int) -> Coordinate:
-    """A coordinate after the shift of a tile of the N64's: right by 0..10, left by 16 less 11..15."""
+    """A coordinate after the shift of a tile of the N64's: right by 0..10, left by 16 less
+    11..15."""
     if shift <= 10:
         whole = c.index >> shift
         rest = (c.index - (whole << shift) + c.fraction) / (1 << shift)

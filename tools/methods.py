@@ -116,7 +116,8 @@ def write_picture(methods: list[Method], path: Path) -> None:
     for axes, m in zip(panels.flat, methods):
         axes.imshow(m.frames[SHOWN], interpolation="nearest")
         axes.set_title(f"{m.name}\n{m.cycles / 1000:,.0f} thousand cycles\n"
-                       f"error {m.errors.worst:.3g} texels, rms {m.errors.rms:.2g}", fontsize=10, y=-0.24)
+                       f"error {m.errors.worst:.3g} texels, rms {m.errors.rms:.2g}",
+                       fontsize=10, y=-0.24)
     figure.savefig(path, dpi=100, bbox_inches="tight", pad_inches=0.05,
                    metadata={"Description": json.dumps(described(methods))})
     plt.close(figure)

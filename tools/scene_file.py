@@ -15,8 +15,8 @@ from .scene_meshes import Instance, Mesh
 from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNITS, Texture,
                              check_on_map, check_texture, linear, ordered, size_fault)
 
-__all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE", "SETTINGS", "UNITS",
-           "Material", "Object", "Scene", "Texture", "read", "records", "vertices_at", "write"]
+__all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE", "SETTINGS",
+           "UNITS", "Material", "Object", "Scene", "Texture", "read", "records", "vertices_at", "write"]
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.

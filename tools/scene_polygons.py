@@ -185,8 +185,8 @@ def in_file(corners: list[list[float]], material: dict, texture: dict | None,
             ramp: tuple[int, int] | None, colours: list[tuple] | None) -> np.ndarray:
     """Corners as the file has them, 16.16: shades are pixels, or colours; rounding does not leave
     a map that is not repeated."""
-    made = fix_all([[*corner[:4], materials.shade_pixel(corner[4], ramp) if ramp else 0.0, corner[5]]
-                  for corner in corners])
+    made = fix_all([[x, y, s, t, materials.shade_pixel(shade, ramp) if ramp else 0.0, w]
+                    for x, y, s, t, shade, w in corners])
     if materials.mapper_of(material) == "arbitrary":
         made[:, 2:4] = inside_map(made[:, 2:4], texture)
     if colours:

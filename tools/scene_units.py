@@ -49,7 +49,8 @@ def check_range(vertices: list[tuple], where: str) -> None:
     for noun, column in (("s", 2), ("t", 3)):
         values = [vertex[column] for vertex in vertices]
         if not -REACH << 16 <= min(values) <= max(values) < REACH << 16:
-            raise UserError(f"{where}: {noun} is not from -{REACH:,} to {REACH - 1 / 32:,.2f} texels")
+            raise UserError(f"{where}: {noun} is not from -{REACH:,} to {REACH - 1 / 32:,.2f} "
+                            "texels")
         if max(values) - min(values) >= REACH << 16:
             raise UserError(f"{where}: {noun} of two vertices are {REACH:,} texels or more apart")
 

@@ -12,8 +12,8 @@ import numpy as np
 
 from . import ideal, markdown, model, run
 from .accuracy import Errors
+from .bounds import has_ideal
 from .errors import UserError
-from .fuzz_polygons import has_ideal
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
@@ -76,8 +76,8 @@ def table(shown: list[Shown], machine: str) -> str:
         t, e = each.totals, each.errors
         errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
         rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
-                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}", *errors,
-                     ", ".join(t["spans"])])
+                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}",
+                     *errors, ", ".join(t["spans"])])
     return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
                            "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
                           "lrrrrrrl")

@@ -66,12 +66,12 @@ static void put_rate(struct player *player, int32 number)
     static char text[TEXT];
     struct lane *lane = &player->lane[number];
 
-    text_tenths(rate(lane->pictures - lane->seen, player->shown - lane->figured));
+    text_tenths(rate(lane->pictures - lane->seen, player->due - lane->figured));
     text_add("/s");
     text_take(text);
     put(player, number, 2, text);
     lane->seen = lane->pictures;
-    lane->figured = player->shown;
+    lane->figured = player->due;
 }
 
 /* Line 1 or 2 of a pane's figures. */
@@ -96,7 +96,7 @@ static void make_status(const struct player *player, uint32 frames, uint32 field
         text_tenths(rate(frames, fields));
         text_add(" frames/s");
     }
-    if (frames && part->panes == 1) {
+    if (frames && part->panes == 1 && player->lane[0].cost) {
         text_add(", ");
         text_number((int32)player->lane[0].cost);
         text_add(" cycles/pixel");
@@ -153,10 +153,21 @@ static void make(struct player *player, uint32 phase)
         return;
     if (player->part->panes == 1)
         find_cost(&player->lane[0]);
-    make_status(player, player->frames - player->figured_frames,
-                player->shown - player->figured);
+    make_status(player, player->frames - player->figured_frames, player->due - player->figured);
+    player->figured_frames = player->frames;
+    player->figured = player->due;
+}
+
+/* A step's first picture, which makes what it needs, is not counted. */
+void figures_again(struct player *player)
+{
+    struct lane *lane = &player->lane[0];
+
+    lane->pictures = 1;
+    lane->counted = lane->pixels = lane->cost = 0;
     player->figured_frames = player->frames;
     player->figured = player->shown;
+    make_status(player, 0, 0);
 }
 
 /* Not all of it after one frame, which would be late. */
@@ -164,7 +175,5 @@ void figures_make(struct player *player)
 {
     const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;
 
-    clock_start(CLOCK_LIMIT);
     make(player, player->frames % every);
-    player->aside = clock_stop();
 }

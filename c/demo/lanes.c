@@ -64,9 +64,9 @@ static void draw(struct player *player, int32 number, int32 frame)
     set_settings(player, number);
     if (counted)
         clear_counts(player->counts, materials);
-    clock_start(CLOCK_LIMIT);
+    player_lap(player);
     scene_draw(player->scene, &lane->frame, frame, &drawing);
-    lane->last = clock_stop();
+    lane->last = player_lap(player);
     if (counted) {
         lane->pixels += sum_pixels(player->counts, materials);
         lane->counted += lane->last;
@@ -75,7 +75,6 @@ static void draw(struct player *player, int32 number, int32 frame)
     lane->used += lane->last;
     lane->pictures++;
     lane->stale = BOTH;
-    player->work += lane->last;
 }
 
 void lane_draw(struct player *player, int32 number)
@@ -90,27 +89,13 @@ static int32 takes_turns(const struct player *player)
 
 void lanes_probe(struct player *player)
 {
-    const struct step *step = &player->part->step[player->governor.step];
+    for (int32 i = 0; takes_turns(player) && i < player->part->panes; i++) {
+        struct lane *lane = &player->lane[i];
 
-    if (!takes_turns(player))
-        return;
-    for (int32 probe = 0; probe < PROBES; probe++)
-        for (int32 i = 0; i < player->part->panes; i++) {
-            draw(player, i, step->first + step->frames * probe / PROBES);
-            player->lane[i].probe[probe] = player->lane[i].last;
-        }
-}
-
-/* What a pane's next picture may take: the dearer one of the probes around it, and a sixteenth for
-   what lies between them. */
-static uint32 expected(const struct player *player, const struct lane *lane)
-{
-    const struct step *step = &player->part->step[player->governor.step];
-    const int32 frame = scene_frame(player, lane) - step->first;
-    const int32 before = frame * PROBES / step->frames, after = (before + 1) % PROBES;
-    const uint32 a = lane->probe[before], b = lane->probe[after], most = a > b ? a : b;
-
-    return most + most / 16;
+        draw(player, i, player->part->pane[i].dearest);
+        lane->dearest = lane->last + lane->last / 16;
+        lane_draw(player, i);
+    }
 }
 
 /* The pane that has had the least time. */
@@ -124,11 +109,12 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns; but one at least where nothing waits. */
+/* As many pictures as there is time for, by turns: until the frame before is shown, and none that
+   might make this one late; but one at least where there is nothing to convert. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
-    uint32 converting = 0;
+    uint32 converting = 0, drawn = 0;
 
     for (int32 i = 0; i < player->part->panes; i++) {
         const struct lane *lane = &player->lane[i];
@@ -138,14 +124,16 @@ static void draw_fairly(struct player *player)
         if (lane->unlabelled & hidden)
             converting += lane->converting * LETTER / (uint32)lane->frame.height;
     }
-    for (;;) {
+    player_lap(player);
+    for (;; drawn++) {
         const int32 next = poorest(player);
         const struct lane *lane = &player->lane[next];
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
+        const uint32 age = display_age() * LINE_TICKS;  /* read while the frame before waits */
 
-        if (converting + player->work
-            && player->aside + converting + player->work + more + expected(player, lane)
-               > FRAME_BUDGET)
+        if ((drawn || converting)
+            && (!screen_waits(player->screen)
+                || age + lane->dearest + converting + more > TURNS_BUDGET))
             break;
         converting += more;
         lane_draw(player, next);
@@ -180,13 +168,14 @@ void lanes_convert(struct player *player)
         struct lane *lane = &player->lane[i];
 
         if (lane->stale & hidden) {
-            clock_start(CLOCK_LIMIT);
+            player_lap(player);
             convert_rows(player, i, step->top, step->rows);
-            lane->converting = clock_stop();
+            lane->converting = player_lap(player);
             lane->stale &= ~hidden;
-            player->work += lane->converting;
-            if (player->whole)
+            if (player->whole) {
                 convert_rows(player, i, 0, lane->frame.height);
+                player->aside += player_lap(player);
+            }
         }
         if (lane->unlabelled & hidden) {
             convert_rows(player, i, lane->frame.height + CAPTION_GAP + lane->line * LETTER, LETTER);

@@ -29,11 +29,15 @@ void log_part(const struct player *player, int32 number, int32 full)
         field(" used ", lane->used);
         text_print();
     }
-    for (uint32 i = 0; player->works && i < player->frames; i++) {
+    for (uint32 i = 0; player->worked && i < player->frames; i++) {
+        const struct worked *worked = &player->worked[i];
+
         field("frame ", i);
-        field(" step ", (player->works[i] >> WORK_STEP) + 1);
-        field(" fields ", player->works[i] >> WORK_FIELDS & 15);
-        field(" work ", player->works[i] & ((1u << WORK_FIELDS) - 1));
+        field(" step ", worked->step + 1);
+        field(" fields ", worked->fields);
+        field(" work ", worked->work);
+        field(" aside ", worked->aside);
+        field(" lines ", worked->lines);
         text_print();
     }
 }

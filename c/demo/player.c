@@ -7,6 +7,15 @@
 #define GROUND 0x000000         /* colours of the picture and of figures */
 #define INK 0xffffff
 
+uint32 player_lap(struct player *player)
+{
+    const uint32 ticks = clock_stop();
+
+    clock_start(CLOCK_LIMIT);
+    player->work += ticks;
+    return ticks;
+}
+
 static void make_lanes(struct player *player)
 {
     const struct scene_header *header = player->scene->header;
@@ -38,7 +47,7 @@ static void begin(struct player *player)
     player->set = -1;
     player->frames = player->late = player->figured_frames = 0;
     player->whole = 0;
-    player->aside = 0;
+    clock_start(CLOCK_LIMIT);
     player->began = screen_fields(player->screen);
     palette = (const uint8 *)header + header->palette_at;
     player->ground = picture_pixel(header->format, palette, GROUND);
@@ -46,13 +55,9 @@ static void begin(struct player *player)
     picture_fill(&player->frame, 0, 0, player->frame.width, player->frame.height,
                  player->ground);
     figures_first(player);
-    for (int32 i = 0; i < player->part->panes; i++) {
-        lane_draw(player, i);
-        lane_draw(player, i);           /* the first one makes and counts */
-    }
-    lanes_probe(player);
     for (int32 i = 0; i < player->part->panes; i++)
-        lane_draw(player, i);
+        lane_draw(player, i);           /* makes what is needed */
+    lanes_probe(player);
     for (int32 set = 0; set < 2; set++) {
         screen_convert(player->screen, &player->frame);
         if (!set)
@@ -61,7 +66,9 @@ static void begin(struct player *player)
         lanes_convert(player);          /* times it */
     }
     screen_swap(player->screen);        /* from a field's begin on */
-    player->began = player->shown = player->figured = screen_fields(player->screen);
+    clock_start(CLOCK_LIMIT);
+    player->work = player->aside = 0;
+    player->began = player->shown = player->figured = screen_wait(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
 
@@ -85,48 +92,72 @@ static enum player_end asked(void)
     return PLAYED;
 }
 
-/* Frames are shown in the second field after the one before, or as soon as they can be. Returns how
-   many fields later that is. */
-static uint32 show(struct player *player)
+/* Waits until the frame before is shown. */
+static void wait_shown(struct player *player)
 {
     uint32 fields;
 
-    if (player->part->kind != PART_FREE)
-        while (screen_fields(player->screen) - player->shown < FRAME_FIELDS - 1)
-            ;
-    screen_swap(player->screen);
-    fields = screen_fields(player->screen) - player->shown;
+    player_lap(player);
+    fields = screen_wait(player->screen) - player->shown;
+    clock_start(CLOCK_LIMIT);
+    if (player->frames && player->worked)
+        player->worked[player->frames - 1].fields = fields;
     player->late += fields > FRAME_FIELDS;
     player->shown += fields;
-    return fields;
 }
 
-/* What a step leaves out of the picture stays as the step before left it: all is shown anew. */
-static void govern(struct player *player)
+/* Frames are shown in the second field after the one before, or as soon as they can be. */
+static void post(struct player *player)
 {
-    const int32 before = player->governor.step;
+    player->due = player->part->kind == PART_FREE ? screen_fields(player->screen) + 1
+                : player->shown + FRAME_FIELDS;
+    screen_post(player->screen, player->due);
+    player->work = player->aside = 0;
+    player->frames++;
+}
 
-    if (governor_next(&player->governor, player->work) != before)
+/* Fields a part takes; frames of PART_FREE count as long as they should take. */
+static uint32 fields_of(const struct player *player, uint32 frames)
+{
+    return frames ? frames * FRAME_FIELDS : (uint32)player->part->seconds * FIELDS_SECOND;
+}
+
+/* Steps of PART_FREE have equal shares of its time. What a step leaves out of the picture stays as
+   the step before left it: all is shown anew. */
+static void govern(struct player *player, uint32 frames)
+{
+    const int32 before = player->governor.step, steps = player->part->steps;
+    const uint32 fields = player->shown - player->began;
+    const uint32 share = fields * (uint32)steps / fields_of(player, frames);
+
+    if (player->part->kind != PART_FREE)
+        governor_next(&player->governor, player->work - player->aside);
+    else if (before < (int32)share && before < steps - 1) {
+        player->governor.step++;
+        figures_again(player);
+    }
+    if (player->governor.step != before)
         player->whole = 2;
 }
 
-static void note(struct player *player, int32 step, uint32 fields)
+/* What is known of a frame before it is shown. */
+static void note(struct player *player)
 {
-    uint32 *to = player->works + player->frames;
+    struct worked *to = player->worked + player->frames;
 
-    if (player->works)
-        *to = (uint32)step << WORK_STEP | (fields < 15 ? fields : 15) << WORK_FIELDS | player->work;
+    if (!player->worked)
+        return;
+    to->step = (uint32)player->governor.step;
+    to->work = player->work;
+    to->aside = player->aside;
+    to->lines = display_age();
 }
 
-/* Frames of PART_FREE count as long as they should take. */
 static int32 is_over(const struct player *player, uint32 frames)
 {
-    const uint32 fields = player->shown - player->began;
-
-    if (!frames)
-        return fields >= (uint32)player->part->seconds * FIELDS_SECOND;
-    return player->frames >= frames
-        || (player->part->kind == PART_FREE && fields >= frames * FRAME_FIELDS);
+    if (frames && player->part->kind != PART_FREE)
+        return player->frames >= frames;
+    return player->shown - player->began >= fields_of(player, frames);
 }
 
 enum player_end player_play(struct player *player, uint32 frames)
@@ -135,16 +166,16 @@ enum player_end player_play(struct player *player, uint32 frames)
 
     begin(player);
     while (end == PLAYED && !is_over(player, frames)) {
-        const int32 step = player->governor.step;
-
-        player->work = 0;
         lanes_draw(player);
+        wait_shown(player);
         lanes_convert(player);
-        govern(player);
-        note(player, step, show(player));
-        player->frames++;
+        player_lap(player);
+        note(player);
+        govern(player, frames);
+        post(player);
         figures_make(player);
         end = asked();
     }
+    wait_shown(player);
     return end;
 }

@@ -1,4 +1,8 @@
-/* One part of the demo while it is played. */
+/* One part of the demo while it is played.
+
+   A frame is drawn while the one before it waits to be shown, and becomes planes as soon as that
+   is; the display then takes it at its field by itself. So a picture may end in the time of the next
+   frame, and what one frame takes longer the next ones can take less. */
 #ifndef PLAYER_H
 #define PLAYER_H
 
@@ -8,21 +12,21 @@
 
 enum player_constants {
     FRAME_FIELDS = 2,           /* 25 frames a second */
-    /* Colour clocks: two fields of 312 lines of 227, less a tenth, 62 lines, for what is not timed:
-       keys, waits, and what the system does each tenth of a second, up to 46 lines. */
-    FRAME_BUDGET = 2 * 312 * 227 * 90 / 100,
+    LINE_TICKS = 227,           /* colour clocks */
+    FRAME_TICKS = FRAME_FIELDS * 312 * LINE_TICKS,
+    /* All work is timed; a twentieth is to catch up what some frames take longer. */
+    FRAME_BUDGET = FRAME_TICKS * 95 / 100,
+    /* From one frame on the screen to the end of the next one's conversion, where panes take turns,
+       less what the system may do meanwhile: up to 46 lines each tenth of a second. */
+    TURNS_BUDGET = 2 * FRAME_TICKS - 2 * 46 * LINE_TICKS,
     FIGURES_EVERY = 25,         /* frames between two looks at the figures, */
     FIGURES_APART = 2,          /* from one line to the next: each takes time, */
     COUNT_EVERY = 4,            /* pictures between two whose pixels are counted: that too */
-    PROBES = 15,                /* pictures that are timed before a part whose panes take turns */
     CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
 };
 
 /* For ever: the watchdog does not bite outside quiet mode. */
 #define CLOCK_LIMIT 65535
-
-/* In works: the lower bits are colour clocks. */
-enum work_bits { WORK_FIELDS = 24, WORK_STEP = 28 };
 
 enum player_end {
     PLAYED,
@@ -43,9 +47,16 @@ struct lane {
     uint32 stale;               /* bit n: set n of planes does not have the picture; */
     uint32 unlabelled;          /* nor the line of figures */
     int32 line;                 /* that was written last */
-    uint32 probe[PROBES];       /* colour clocks of pictures, evenly over a step's frames */
+    uint32 dearest;             /* colour clocks: no picture takes longer */
     uint32 cost;                /* cycles a pixel, lately */
     uint32 sum;                 /* colour clocks of all that were not, modulo 2^32 */
+};
+
+/* A frame, as LOG tells it. */
+struct worked {
+    uint32 work, aside;         /* as the player's */
+    uint32 lines;               /* after the one before was shown it was ready */
+    uint32 step, fields;        /* that it was shown later than the one before */
 };
 
 struct player {
@@ -57,27 +68,34 @@ struct player {
     struct governor governor;
     struct lane lane[PANES_MAX];
     int32 set;                  /* pane and step of the settings that are set, or -1 */
-    uint32 began, shown;        /* fields: the part, the last swap */
+    uint32 began, shown;        /* fields: the part, the last frame on the screen, */
+    uint32 due;                 /* and the one behind it, which waits for it */
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
     uint32 figured, figured_frames;     /* field and frames of the last status line */
     int32 whole;                /* frames for which panes are shown whole: the step is another */
-    uint32 work;                /* colour clocks of this frame, */
-    uint32 aside;               /* and of figures before it */
-    uint32 *works;              /* of each frame, with its fields, up to 15, and step; or 0 */
+    uint32 work;                /* colour clocks of the next frame, all but waits, */
+    uint32 aside;               /* and those of it that the governor is not to count */
+    struct worked *worked;      /* of each frame, or 0 */
     uint32 ink, ground;         /* pixels */
 };
 
 /* Plays a part until its time or, where not 0, so many frames are over; the screen is open. */
 enum player_end player_play(struct player *player, uint32 frames);
 
+/* Colour clocks since the last call; they are the frame's work. */
+uint32 player_lap(struct player *player);
+
 /* figures.c: what a part is, on the screen; and, after each frame, what is measured. */
 void figures_first(struct player *player);
 void figures_make(struct player *player);
 
+/* From now on they are another step's. */
+void figures_again(struct player *player);
+
 /* lanes.c: draws a pane's next picture. */
 void lane_draw(struct player *player, int32 number);
 
-/* Times PROBES pictures of each pane where panes take turns. */
+/* Times the dearest picture of each pane where panes take turns. */
 void lanes_probe(struct player *player);
 
 /* Draws what there is time for. */

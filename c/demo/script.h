@@ -9,8 +9,9 @@
      scene FILE                    beside the script
      text X Y SCALE COLOUR TEXT    on the picture, X from its left, or `middle`; COLOUR as ff8000
      fill X Y WIDTH HEIGHT COLOUR  a rectangle; later statements lie on top, and panes on all
-     pane X Y FORM ACCURACY PERSPECTIVE TEXT       where the scene's frame is drawn, and how: addx or
-                                   swap, steps of settings.h, `own`; a caption
+     pane X Y FORM ACCURACY PERSPECTIVE DEAREST TEXT       where the scene's frame is drawn, and
+                                   how: addx or swap, steps of settings.h, `own`; the frame of the
+                                   scene that takes longest, where panes take turns; a caption
      step FIRST FRAMES TOP ROWS PERSPECTIVE TEXT   what the governor chooses from, the best first:
                                    frames of the scene, rows of a pane that change, a name */
 #ifndef SCRIPT_H
@@ -31,7 +32,7 @@ enum part_kind {
     PART_TOGETHER,              /* all panes in each frame; the governor keeps 25 a second */
     PART_RACE,                  /* each pane has the same time, and as many pictures as it can */
     PART_FAIR,                  /* the same, but all move by the clock */
-    PART_FREE,                  /* as many frames a second as there are */
+    PART_FREE,                  /* as many frames as there can be; steps have equal times */
     PART_KINDS
 };
 
@@ -39,6 +40,7 @@ struct pane {
     int32 x, y;                 /* of the frame's corner, pixels; x a multiple of 32 */
     uint32 form;                /* enum form */
     struct settings settings;
+    int32 dearest;              /* the scene's frame that takes longest */
     const char *caption;
 };
 

@@ -84,7 +84,8 @@ static int32 is_usable(const struct part *part, int32 number)
     int32 wrong = 0;
 
     for (int32 i = 0; i < part->panes; i++)
-        wrong |= part->pane[i].x + header->width > player.frame.width
+        wrong |= part->pane[i].dearest >= header->frames
+            || part->pane[i].x + header->width > player.frame.width
             || part->pane[i].y + header->height
                + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)
                > player.frame.height;
@@ -101,6 +102,13 @@ static int32 is_usable(const struct part *part, int32 number)
     return text_refuse("", "something lies outside its scene or screen");
 }
 
+/* While a part is made ready, up to three seconds: tables of perspective take the most. */
+static void announce(const struct part *part)
+{
+    screen_text(&screen, 0, part->title);
+    screen_text(&screen, 1, "A moment: its pictures and tables are made.");
+}
+
 /* Loads what a part needs; 0: a line was printed. */
 static int32 load(const struct part *part, int32 number, const char *directory, uint32 frames)
 {
@@ -110,11 +118,12 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
         return text_refuse("DIR", "too long");
     if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
         return 0;
+    announce(part);                     /* another screen has forgotten it */
     if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height + READ_BEYOND,
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
                       MEMORY_ANY)
-        || (frames && !mem_alloc(&player.works, (int32)(frames * sizeof *player.works),
+        || (frames && !mem_alloc(&player.worked, (int32)(frames * sizeof *player.worked),
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
     scene_reserve(&scene);
@@ -133,9 +142,8 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     player.screen = &screen;
     player.scene = &scene;
     player.part = &script.part[number];
-    player.works = 0;
-    screen_text(&screen, 0, player.part->title);
-    screen_text(&screen, 1, "");
+    player.worked = 0;
+    announce(player.part);
     if (load(player.part, number, directory, log ? frames : 0)) {
         end = player_play(&player, frames);
         log_part(&player, number, log);

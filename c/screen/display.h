@@ -18,8 +18,11 @@ enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY
 int32 display_has_aga(void);
 int32 display_open(const uint16 *list);
 void display_show(const uint16 *list);
+void display_post(const uint16 *list, uint32 field);
 void display_wait(void);
 uint32 display_shown(void);
+uint32 display_since(void);
+uint32 display_age(void);
 uint32 display_fields(void);
 void display_close(void);
 int32 font_read(uint8 *letters);

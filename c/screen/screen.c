@@ -185,6 +185,24 @@ void screen_swap(struct screen *screen)
     screen->hidden ^= 1;
 }
 
+void screen_post(struct screen *screen, uint32 field)
+{
+    display_post(screen->list[screen->hidden], field + screen->since);
+    screen->hidden ^= 1;
+}
+
+int32 screen_waits(const struct screen *screen)
+{
+    return display_shown() != (uint32)screen->list[screen->hidden ^ 1];
+}
+
+uint32 screen_wait(const struct screen *screen)
+{
+    while (screen_waits(screen))
+        display_wait();
+    return display_since() - screen->since;
+}
+
 void screen_text(struct screen *screen, int32 line, const char *text)
 {
     uint8 *at = screen->status + line * STATUS_LINE * STATUS_PITCH, *there = screen->text[line];

@@ -49,6 +49,13 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
    hidden then. */
 void screen_swap(struct screen *screen);
 
+/* Shows the hidden planes from a field on, of screen_fields, or from the next one where it is over,
+   and returns at once. The others are hidden then, but shown until screen_wait returns: when what
+   was posted is shown, with the field since when it is. screen_waits: whether it would wait. */
+void screen_post(struct screen *screen, uint32 field);
+int32 screen_waits(const struct screen *screen);
+uint32 screen_wait(const struct screen *screen);
+
 /* Writes status line 0 or 1: 80 characters, what is behind the text's end is cleared. */
 void screen_text(struct screen *screen, int32 line, const char *text);
 

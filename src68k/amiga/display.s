@@ -13,8 +13,10 @@ PRIORITY                equ     5       ; behind the system's own servers
 ; What the server works with.
 FIELDS                  equ     0
 NEXT                    equ     4       ; the list that shall be shown,
-SET                     equ     8       ; the one the copper takes at the next field,
-SHOWN                   equ     12      ; and the one it is at
+DUE                     equ     8       ; from which field on,
+SET                     equ     12      ; the one the copper takes at the next field,
+SHOWN                   equ     16      ; the one it is at,
+SINCE                   equ     20      ; and from which field on
 
 ;==============================================================================
 ; display_has_aga - whether the machine has AGA
@@ -77,6 +79,7 @@ SHOWN                   equ     12      ; and the one it is at
         move.w  #BEAMCON_PAL,custom+beamcon0
 .pal    lea     state,a0
         move.l  d2,NEXT(a0)
+        move.l  FIELDS(a0),DUE(a0)
         clr.l   SET(a0)
         clr.l   SHOWN(a0)
         movea.l sys_base,a6
@@ -116,10 +119,79 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ;==============================================================================
         routine display_show,d0
         move.l  a6,-(sp)
+        move.l  state+FIELDS,state+DUE
         move.l  d0,state+NEXT
         bsr.s   wait_shown
         movea.l (sp)+,a6
         rts
+
+;==============================================================================
+; display_post - shows another list from a field on; returns at once
+;
+; in:      d0  uint16*  copper list in chip RAM
+;          d1  uint32   field, as display_fields counts; one that is over: the next one
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the copper's first list, when it is time
+; formats: -
+; error:   the display must be ours, and what was posted before be shown
+; cost:    -
+;==============================================================================
+        routine display_post,d0,d1
+        move.l  d1,state+DUE            ; first: until then the old list is the next one
+        move.l  d0,state+NEXT
+        rts
+
+;==============================================================================
+; display_since - since when the copper is at its list
+;
+; in:      -
+; out:     d0  uint32  the first field of it, as display_fields counts
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine display_since
+        move.l  state+SINCE,d0
+        rts
+
+;==============================================================================
+; display_age - how long the copper has been at its list
+;
+; in:      -
+; out:     d0  uint32  raster lines since its first field began, of fields of 312
+; trashes: d0-d1/a0-a1
+; reads:   the beam's position
+; writes:  -
+; formats: -
+; error:   a line each field where they have 313
+; cost:    -
+;==============================================================================
+        routine display_age
+        lea     state,a0
+        lea     custom,a1
+.again  move.l  FIELDS(a0),d0
+        move.l  vposr(a1),d1
+        cmp.l   FIELDS(a0),d0
+        bne.s   .again
+        lsr.l   #8,d1
+        and.l   #$1ff,d1
+        cmp.w   #FIELD_LINES/2,d1
+        bhi.s   .counted
+        btst    #INTB_VERTB,intreqr+1(a1)
+        beq.s   .counted
+        addq.l  #1,d0                   ; a field that has begun just now
+.counted
+        sub.l   SINCE(a0),d0
+        mulu.w  #FIELD_LINES,d0
+        add.l   d1,d0
+        rts
+
+FIELD_LINES             equ     312
 
 ;==============================================================================
 ; display_wait - waits for the next field, and leaves the processor to other tasks until then
@@ -231,9 +303,16 @@ DMA_DISPLAY             equ     $01a0   ; bitplanes, copper, sprites
         cnop    0,4
 serve:  lea     custom,a0               ; where exec wants it left
         addq.l  #1,FIELDS(a1)
+        move.l  SET(a1),d0
+        cmp.l   SHOWN(a1),d0
+        beq.s   .shown
+        bsr.s   .show                   ; it was too late a field ago
+.shown  move.l  FIELDS(a1),d1
+        sub.l   DUE(a1),d1
+        bmi.s   .not_due
         move.l  NEXT(a1),d0
+.not_due
         move.l  d0,cop1lc(a0)
-        move.l  SET(a1),SHOWN(a1)
         cmp.l   SET(a1),d0
         beq.s   .done
         move.l  d0,SET(a1)
@@ -243,8 +322,11 @@ serve:  lea     custom,a0               ; where exec wants it left
         cmp.w   #LAST_LINE,d1
         bhi.s   .done
         move.w  d0,copjmp1(a0)
-        move.l  d0,SHOWN(a1)
+        bsr.s   .show
 .done   moveq   #0,d0
+        rts
+.show   move.l  d0,SHOWN(a1)
+        move.l  FIELDS(a1),SINCE(a1)
         rts
 
         section .data.display,data
@@ -259,5 +341,5 @@ server_name
         section .bss.display,bss
 gfx_base        ds.l    1
 old_view        ds.l    1
-state           ds.l    4
+state           ds.l    6
 old_dmacon      ds.w    1

@@ -136,6 +136,7 @@ dmaconr                 equ     $002
 vposr                   equ     $004
 vhposr                  equ     $006
 intenar                 equ     $01c
+intreqr                 equ     $01e
 denise_id               equ     $07c
 cop1lc                  equ     $080
 copjmp1                 equ     $088

@@ -15,7 +15,7 @@ void send_event(uint32 class, uint32 code, uint32 qualifier);
 uint32 break_signal(void);
 void illegal(void);
 
-enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED };
+enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define STATES 7
@@ -26,6 +26,7 @@ enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 
 #define BOX_Y 3
 #define BOX_WIDTH 64
 #define BOX_HEIGHT 5
+#define LINES 312               /* of a field */
 #define LEFT_OVER 100000        /* bytes of chip RAM that SHORT leaves, at most */
 
 static struct screen screen;
@@ -123,6 +124,29 @@ static int32 again(void)
     return RETURN_OK;
 }
 
+/* By how many fields a list is shown later than asked; then one for a field that is over, after it
+   was posted, and whether lines are counted from its first one on. */
+static int32 post(void)
+{
+    const uint32 due = screen_fields(&screen) + 5;
+    uint32 posted;
+
+    screen_post(&screen, due);
+    text_number(screen_waits(&screen));
+    text_add(" ");
+    text_number((int32)(screen_wait(&screen) - due));
+    text_add(" ");
+    posted = screen_fields(&screen);
+    screen_post(&screen, 0);
+    text_number((int32)(screen_wait(&screen) - posted));
+    text_add(" ");
+    text_number(display_age() < LINES);
+    display_wait();
+    text_number(display_age() >= LINES);
+    text_print();
+    return screen_waits(&screen) ? RETURN_FAIL : RETURN_OK;
+}
+
 /* Takes chip RAM until there is less than LEFT_OVER. */
 static void take_chip(void)
 {
@@ -138,6 +162,7 @@ static int32 opened(enum mode mode, struct frame *frame, const char *name)
     case SHOW: return show(frame, name);
     case KEYS: return keys();
     case AGAIN: return again();
+    case POST: return post();
     case QUIET_CRASH:
         clock_open();
         quiet_enter();
