@@ -9,7 +9,7 @@ CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
 ifeq ($(filter gcc vbcc,$(CC68K)),)
 $(error CC68K is gcc or vbcc, not "$(CC68K)")
 endif
-SCENE ?= tests/scenes/default.toml
+override SCENE := $(or $(SCENE),tests/scenes/default.toml)
 export SCENE MACHINE FRAMES SEED COUNT A B
 
 PYTHON := .deps/venv/bin/python

@@ -1,4 +1,9 @@
-"""Which tests come first: ``make test`` gives whole files to two processes in this order."""
+"""Which tests come first: ``make test`` gives whole files to two processes in this order. And what
+each failure says at last: how to see it again."""
+
+import shlex
+
+import pytest
 
 import tools  # noqa: F401  before NumPy, whose threads it limits
 
@@ -9,10 +14,21 @@ LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_poly
            "scene_program", "accuracy", "mappers", "disk", "demo", "showcase", "tx_modes", "bounds",
            "pages", "readme",
            "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
-           "still_steps", "citizen")
+           "ntsc", "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 
 def pytest_collection_modifyitems(items: list) -> None:
     """Sorts the tests by their files' ranks; all others stay as they are, behind them."""
     items.sort(key=lambda item: RANKS.get(item.path.stem, len(RANKS)))
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item):
+    """Adds the command that runs a failed test again."""
+    report = yield
+    if report.failed:
+        test = f"tests/{item.path.name}::{item.nodeid.partition('::')[2]}"
+        report.sections.append(
+            ("again", f".deps/venv/bin/python -m pytest -q {shlex.quote(test)}"))
+    return report

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from engine_polygons import first_wrong
+from arrays import first_wrong
 from PIL import Image
 
 from tools.errors import UserError

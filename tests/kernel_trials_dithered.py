@@ -4,7 +4,8 @@ import numpy as np
 
 from kernel_checker import Trial
 from kernel_trials_span import (
-    LONG_WIDE, SHORT, TURN, Ground, picture_memory, steps_of, steps_text, table_trial, texels)
+    LONG_WIDE, SHORT, TURN, Ground, picture_memory, random_starts, steps_of, steps_text, table_trial,
+    texels)
 from kernel_trials_wide import ground as wide_ground
 from tools.kernels import M32
 from tools.model_dithered import EIGHTH, MOVES
@@ -27,17 +28,18 @@ def trial(kernel: str, dudx: int, dvdx: int, size, rng, upwards: bool, on: Groun
     """One table: every count at all four alignments, on either parity of the first line."""
     counts, pitch = size
     odd, starts = int(rng.integers(2)), []
-    for count in (count for count in counts for _ in range(4)):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+    for count, u, v in random_starts(counts, rng):
         if not kernel.endswith("_wrap"):
             v, count = within(v, count, dvdx, rng)
         starts.append((count, u, v - MOST & M32 if kernel.endswith("_wrap") else v - MOST))
 
+    longest = max(count for count, *_ in starts)
+    steps = np.array([[dudx], [dvdx]]) * np.arange(longest)
+    moves = np.tile(MOVES.transpose(0, 2, 1) * EIGHTH + MOST, longest // 2 + 2)  # [line][u or v][x]
+
     def drawn(count: int, u: int, v: int, x: int, line: int) -> bytes:
-        columns = x + np.arange(count)
-        moves = MOVES[line + odd & 1, columns & 1].T * EIGHTH
-        places = [start + MOST + np.arange(count) * step + move & M32
-                  for start, step, move in zip((u, v), (dudx, dvdx), moves)]
+        moved = moves[line + odd & 1, :, x & 1:(x & 1) + count]
+        places = np.array([[u], [v]]) + steps[:, :count] + moved & M32
         return on.texels(*places, 0, 0, count).tobytes()
 
     return table_trial(

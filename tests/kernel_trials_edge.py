@@ -139,9 +139,9 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     """One call of a scissor routine on a table with lines on all sides of the borders."""
     form = kernel.split("_")[1]
     near = [0, 1, 2, 100, BIAS - 1]
-    lefts = {BIAS - k for k in near if k < BIAS} | {BIAS + k for k in near} \
+    ends = {BIAS - k for k in near} | {BIAS + k for k in near} \
         | {BIAS + width + k for k in (-1, 0, 1)} | {0, 1, 2 * BIAS, 2 * BIAS + 1}
-    pairs = [(a, b) for a in lefts for b in lefts if a <= 2 * BIAS + 1 and b <= 2 * BIAS + 1]
+    pairs = [(left, right) for left in ends for right in ends]
     pairs += [tuple(int(x) for x in rng.integers(1, 2 * BIAS, 2)) for _ in range(20)]
     pairs = sorted(pairs)
     memory = Memory(int(rng.integers(1 << 30)))

@@ -7,8 +7,9 @@ import numpy as np
 from kernel_checker import Memory, Trial, values
 from kernel_trials_edge import BIAS, ONE
 from kernel_trials_scanline import held, table_of, table_write
-from kernel_trials_span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
-                                sizes, steps_text, table_trial, texels, texture)
+from kernel_trials_span import (
+    FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping, random_starts, sizes, steps_text,
+    table_trial, texels, texture)
 from tools import layout
 from tools.fixed import signed
 from tools.kernels import M32, Case
@@ -33,12 +34,10 @@ def lit_memory() -> tuple[Memory, int, int, int, np.ndarray]:
 def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:
     """One table at one level."""
     *far, light_at, table = lit_memory()
-    (counts, pitch), level, starts = size, int(rng.integers(LEVELS)), []
-    for count in (count for count in counts for _ in range(4)):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel in ("span_lit", "span_lit_short"):
-            u, v, count = once_wrapping(u, v, count, *steps, rng)
-        starts.append((count, u, v))
+    (counts, pitch), level = size, int(rng.integers(LEVELS))
+    starts = random_starts(counts, rng)
+    if kernel in ("span_lit", "span_lit_short"):
+        starts = [once_wrapping(*start, *steps, rng) for start in starts]
 
     def drawn(count: int, u: int, v: int) -> bytes:
         return table[level, texels(u, v, *steps, count)].tobytes()
@@ -52,13 +51,13 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
     """One table, each pixel at its level."""
     *far, light_at, table = lit_memory()
     (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
-    for count in (count for count in counts for _ in range(4)):
+    for count, u, v in random_starts(counts, rng):
         if step:
             count = min(count, ((LEVELS << 16) - 4) // abs(step) + 1)
         travel = step * max(count - 1, 0)
         low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
         shades.append((low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))])
-        starts.append((count, *(int(n) for n in rng.integers(0, 1 << 32, 2))))
+        starts.append((count, u, v))
     level = {start: shade for start, shade in zip(starts, shades)}
 
     def drawn(count: int, u: int, v: int) -> bytes:
@@ -103,7 +102,8 @@ def gouraud_trials(rng) -> list[Trial]:
 
 
 def shade_trial(rng, most: int, inside: bool) -> Trial:
-    """A table with lines of up to ``most`` pixels, shades near their range and far from it."""
+    """A table with lines of up to ``most`` pixels, shades near their range and far from it;
+    ``inside``: the caller says that none leaves it, and nothing is held."""
     counts = [int(rng.integers(-3, most + 1)) for _ in range(int(rng.integers(1, 30)))]
     lefts = [BIAS + int(rng.integers(0, 1024)) for _ in counts]
     low = int(rng.integers(0, LEVELS)) << 16

@@ -36,8 +36,8 @@ def lines_trial(deep, width: int, lines) -> Trial | None:
         return None
     memory, shape = Memory(), layout.load().struct("logarithm_line")
     out = memory.room("logarithm_line", len(lines))
-    planes = bench_perspective.add_plan(memory, deep, lines, out)
-    plan, tables = bench_logarithm.add_plan(memory, planes, constants)
+    planes = bench_perspective.add_perspective_plan(memory, deep, lines, out)
+    plan, tables = bench_logarithm.add_logarithm_plan(memory, planes, constants)
     made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
     parts, others, worst = [], 0, None
     for k, (each, line) in enumerate(zip(lines, made)):

@@ -7,7 +7,8 @@ import numpy as np
 from kernel_checker import Memory, Trial
 from kernel_trials_edge import ONE
 from kernel_trials_span import (
-    FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory, sizes, steps_text, table_trial, texture)
+    FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory, random_starts, sizes, steps_text, table_trial,
+    texture)
 from tools import model_spans
 
 #: Maps of any size: columns, rows.
@@ -90,8 +91,7 @@ def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
     counts, pitch = size
     reduced = abs((step + (128 << 16)) % (256 << 16) - (128 << 16)) / ONE
     longest = int(64000 / reduced) if reduced else 64000
-    starts = [(min(count, longest), int(rng.integers(1 << 32)), int(rng.integers(1 << 32)))
-              for count in counts for _ in range(4)]
+    starts = [(min(count, longest), u, v) for count, u, v in random_starts(counts, rng)]
 
     def drawn(count: int, u: int, v: int) -> bytes:
         return ((u + np.arange(count, dtype=np.int64) * step) >> 16 & 255).astype(np.uint8).tobytes()
@@ -113,8 +113,7 @@ def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
     counts, pitch = size
     far = margins_memory()
     lying = np.frombuffer(bytes(far[0].data), np.uint8)
-    starts = [(count, *(int(n) for n in rng.integers(0, 1 << 32, 2)))
-              for count in counts for _ in range(4)]
+    starts = random_starts(counts, rng)
 
     def drawn(count: int, u: int, v: int) -> bytes:
         return lying[far[2] + model_spans.texel_generated(u, v, dudx, dvdx, count)].tobytes()

@@ -170,7 +170,9 @@ def mesh_faces_trials(rng) -> list[Trial]:
             found = np.frombuffer(result.memory, ">u4", 3 * len(seen), to).reshape(-1, 3).tolist()
             wanted = [[order, at + result.address & M32, placed + result.address & M32]
                       for order, at, placed in seen]
-            return None if found == wanted else f"faces: expected {wanted}, found {found}"
+            wrong = [k for k, (a, b) in enumerate(zip(found, wanted)) if a != b]
+            return f"face {wrong[0]} of {len(seen)} seen: expected order, face and placed " \
+                   f"{wanted[wrong[0]]}, found {found[wrong[0]]}" if wrong else None
 
         size = len(seen) * shapes["mesh_face"].size
         writes = [Write(to, bytes(size), bytes(size))] if size else []

@@ -189,5 +189,6 @@ def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng) for _ in range(120)),
-            *(level_trial(rng) for _ in range(60)), *(lines_trial(setting, rng) for setting in every for _ in range(40)),
+            *(level_trial(rng) for _ in range(60)),
+            *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *span_trials(every[:2], rng), *span_trials(every[2:], rng)]

@@ -57,7 +57,7 @@ def find_trial(deep, width: int, lines) -> Trial:
     """reciprocal_find on a polygon's planes."""
     memory = Memory()
     found, x, y = constants_of(deep, 4, width, lines)
-    planes = bench_perspective.add_plan(memory, deep, lines, memory.room("perspective_line"))
+    planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
     at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
                        limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
     fields = layout.load().struct("reciprocal_plan").fields
@@ -104,7 +104,7 @@ def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
         return None
     memory, shape = Memory(), layout.load().struct("reciprocal_line")
     out = memory.room("reciprocal_line", len(lines))
-    planes = bench_perspective.add_plan(memory, deep, lines, out)
+    planes = bench_perspective.add_perspective_plan(memory, deep, lines, out)
     at = bench_reciprocal.add_reciprocal_plan(memory, planes, constants,
                                               bench_reciprocal.table(memory), out)
     blank = bytes(shape.size)

@@ -78,8 +78,15 @@ def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
     return texture()[(v + n * dvdx) >> 16 & 255, (u + n * dudx) >> 16 & 255]
 
 
-def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tuple[int, int, int]:
-    """u, v and count changed to what the addx chain can draw: v wraps at most once in
+def random_starts(counts, rng) -> list[tuple[int, int, int]]:
+    """Lines (count, u, v), each count at all four alignments of the pixels, with any u and v."""
+    counts = [count for count in counts for _ in range(4)]
+    return [(count, *start) for count, start in zip(
+        counts, rng.integers(0, 1 << 32, (len(counts), 2)).tolist())]
+
+
+def once_wrapping(count: int, u: int, v: int, dudx: int, dvdx: int, rng) -> tuple[int, int, int]:
+    """count, u and v changed to what the addx chain can draw: v wraps at most once in
     the line, and where it does, the lowest bit of u is free for it."""
     speed = (dvdx + TURN // 2) % TURN - TURN // 2
     if speed:
@@ -91,7 +98,7 @@ def once_wrapping(u: int, v: int, count: int, dudx: int, dvdx: int, rng) -> tupl
         start = TURN - 1 - start
     if wraps:
         u = u & ~1 | (speed < 0)
-    return u, v // TURN * TURN + start, count
+    return count, u, v // TURN * TURN + start
 
 
 def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
@@ -102,23 +109,26 @@ def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitc
     """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
     the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
     the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel. ``light_at``: in the far arena; ``shades``: one
-    a line. ``placed``: ``drawn`` is told the first pixel's x and the line's number too."""
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel.
+    ``light_at``: in the far arena; ``shades``: one a line. ``placed``: ``drawn`` is told the
+    first pixel's x and the line's number too."""
     far, frame_at, map_at = where_far
     shape = layout.load().struct("scanline")
-    table = np.zeros(len(starts), shape.dtype)
+    entries = []
     lines = []      # count, u, v and where the first pixel is
     places = []     # x of that pixel and the line's number
+    used, right = (rng.integers(0, most, len(starts)).tolist() for most in (0x8000, 4))
     for index, (count, u, v) in enumerate(starts):
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by the edges' additions
-            packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        left = BIAS + index % 4 + 4 * int(rng.integers(4))
-        for field, value in (packed | dict(left=left, last=left + count - 1)).items():
-            table[index][field] = value
+            packed["start2"] |= used[index] << 8
+        left = BIAS + index % 4 + 4 * right[index]
+        packed |= {"left": left, "last": left + count - 1}
+        entries.append(tuple(packed[field] for field in shape.dtype.names))
         places.append((left - BIAS, index) if placed else ())
         row = len(starts) - 1 - index if upwards else index
         lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))
+    table = np.array(entries, shape.dtype)
     memory = Memory(int(rng.integers(1 << 30)))
     first_row = lines[0][3] - int(table["left"][0]) * wide
     pitch *= wide
@@ -176,12 +186,9 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     ground = ground or Ground(*picture_memory(), texels)
     is_fill = kernel.startswith("span_fill")
     counts, pitch = size
-    starts = []
-    for count in (count for count in counts for _ in range(4)):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
-        if kernel in ONCE_WRAPPING:
-            u, v, count = once_wrapping(u, v, count, dudx, dvdx, rng)
-        starts.append((count, u, v))
+    starts = random_starts(counts, rng)
+    if kernel in ONCE_WRAPPING:
+        starts = [once_wrapping(*start, dudx, dvdx, rng) for start in starts]
 
     def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
         wide = ground.pixel_bytes
@@ -196,7 +203,8 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
         kernel, form_of(kernel), starts, pitch, rng, upwards,
         (ground.memory, ground.frame_at, ground.map_at), drawn,
         ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
-        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx, colour=colour)
+        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx,
+        colour=colour)
 
 
 ALONE_MOST = 64000  # texels that u or v alone may travel in a line
@@ -226,8 +234,7 @@ def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwa
     texels at ``source`` modulo 4. ``near``: some of each line lies behind its row's end."""
     steps = ONE + TURN * int(rng.integers(-3, 4)), TURN * int(rng.integers(-3, 4))
     starts = []
-    for count in (count for count in counts for _ in range(4)):
-        u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
+    for count, u, v in random_starts(counts, rng):
         first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
         starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
 

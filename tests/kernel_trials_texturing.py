@@ -4,11 +4,11 @@ against exact fractions and the model."""
 from fractions import Fraction
 
 import numpy as np
+
 from kernel_checker import Memory, Trial, fields_check, first_of, values
 from kernel_trials_math import any_size
 from kernel_trials_polygon import (BIAS, HEIGHT, ONE, WIDTH, described, seen_polygons, sides_block,
                                    vertex_block, wanted_sides)
-
 from tools import layout, model, model_edges, model_texturing
 from tools.kernels import M32, Case, Result
 

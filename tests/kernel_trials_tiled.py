@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from kernel_checker import Memory, Trial, Write
-from kernel_trials_span import FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground, span_trial, \
-    steps_of, texels, texture
+from kernel_trials_span import (
+    FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground, span_trial, steps_of, texels, texture)
 from tools import layout, maps
 from tools.kernels import Case
 from tools.scanline import add_span_plan

@@ -5,7 +5,7 @@ from tools import accuracy
 
 def check(folder, capsys, engine: str, modes: list) -> None:
     """A line each in ENGINE.md, drawn by the machine, with errors."""
-    assert accuracy.command(str(folder), [engine], "a1200-fast", False) == 0
+    assert accuracy.command(folder, [engine], "a1200-fast", False) == 0
     text = (folder / f"{engine}.md").read_text()
     lines = [line for line in text.splitlines() if line.startswith("| ")]
     assert len(lines) == 1 + len(modes) and lines[1] in capsys.readouterr().out

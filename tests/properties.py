@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tools import ideal, meshes, model, random_polygons
+from tools import ideal, model, random_meshes, random_polygons
 from tools.ideal import UNIT
 from tools.scene_file import ONE
 
@@ -87,7 +87,7 @@ def same(case: Case, what: str, wanted: dict[int, model.Line],
     return []
 
 
-# 1. Watertight
+# Watertight
 
 def counted(case: Case, pieces) -> np.ndarray:
     """How many of some polygons (x, y, ...) cover each pixel of a case's frame, drawn with its
@@ -127,8 +127,8 @@ def covers_once(case: Case, pieces) -> list[str]:
         pieces = [[tuple(c & ~0xFFFF for c in p[:2]) for p in piece] for piece in pieces]
         case = replace(case, vertices=tuple(tuple(c & ~0xFFFF for c in p[:2])
                                             for p in case.vertices))
-        areas = [abs(meshes.twice_area(p)) for p in pieces]
-        if not all(areas) or sum(areas) != abs(meshes.twice_area(case.vertices)):
+        areas = [abs(random_meshes.twice_area(p)) for p in pieces]
+        if not all(areas) or sum(areas) != abs(random_meshes.twice_area(case.vertices)):
             return []
     wanted = ideal.coverage(case.vertices, case.width, case.height)
     counts = counted(case, pieces)
@@ -141,7 +141,7 @@ def covers_once(case: Case, pieces) -> list[str]:
     return []
 
 
-# 2. Exact coverage
+# Exact coverage
 
 def coverage(case: Case) -> list[str]:
     """The ideal's pixels; where edges are rounded or cut, others only as near to an edge as
@@ -158,7 +158,7 @@ def coverage(case: Case) -> list[str]:
     return []
 
 
-# 3. No drift
+# No drift
 
 def drift(case: Case) -> list[str]:
     """Edges, and u and v on the texture plane, are within their bounds everywhere."""
@@ -173,7 +173,7 @@ def drift(case: Case) -> list[str]:
             for what, i, y, error, bound in found if error > bound][:1]
 
 
-# 4. Inside
+# Inside
 
 def within(case: Case) -> list[str]:
     """u and v of every pixel are in the range that their plane has on the polygon.
@@ -220,7 +220,7 @@ def held(case: Case) -> list[str]:
     return []
 
 
-# 5. Invariance
+# Invariance
 
 def rotation(case: Case) -> list[str]:
     """Whichever vertex comes first: the same lines, u, v and steps in every setting."""
@@ -293,7 +293,7 @@ def splitting(case: Case, parts) -> list[str]:
     return complaints
 
 
-# 6. Monotone
+# Monotone
 
 def monotone(case: Case, part) -> list[str]:
     """A polygon of some of a convex one's vertices lights none but its pixels.
@@ -317,7 +317,7 @@ def monotone(case: Case, part) -> list[str]:
     return []
 
 
-# 8. Clipping
+# Clipping
 
 def clipping(case: Case) -> list[str]:
     """Cut vertices and cut lines light the same pixels, but where an edge is as near to

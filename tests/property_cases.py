@@ -10,7 +10,7 @@ from dataclasses import replace
 from properties import (Case, clipping, coverage, covers_once, drift, held, monotone, reversal,
                         rotation, splitting, translation, within, wrapping)
 
-from tools import meshes, model, random_polygons
+from tools import model, random_meshes, random_polygons
 from tools.scene_file import ONE
 
 WIDTH, HEIGHT = 96, 72
@@ -33,7 +33,7 @@ def convex(rng: random.Random, least: int = 3, unit: int = 1) -> list[tuple[int,
     while True:
         points = [(x // unit * unit, y // unit * unit)
                   for x, y in random_polygons.convex_polygon(rng, WIDTH, HEIGHT)]
-        if len(points) >= least and random_polygons.is_convex(points) and meshes.twice_area(points):
+        if len(points) >= least and random_polygons.is_convex(points) and random_meshes.twice_area(points):
             return points
 
 
@@ -71,7 +71,7 @@ def long_triangle(rng: random.Random, side: int) -> list[tuple[int, int]]:
             axis = rng.randrange(2)
             points[1] = tuple(c + rng.randint(-65536, 65536) if k == axis else points[2][k]
                               for k, c in enumerate(points[0]))
-        if meshes.twice_area(points):
+        if random_meshes.twice_area(points):
             return points
 
 
@@ -91,8 +91,8 @@ def held_case(rng: random.Random, origin: str) -> Case:
 
 
 def check_watertight(rng: random.Random, origin: str) -> list[str]:
-    kind = rng.choice(list(meshes.KINDS))
-    mesh = meshes.mesh(rng, WIDTH, HEIGHT, kind)
+    kind = rng.choice(list(random_meshes.KINDS))
+    mesh = random_meshes.mesh(rng, WIDTH, HEIGHT, kind)
     settings = model.Settings(rng.choice(("integer", "subpixel", "exact")),
                               clip=rng.choice(("scissor", "scissor", "vertices")), mapper="flat")
     return covers_once(Case(f"{origin} ({kind})", tuple(mesh.outline), WIDTH, HEIGHT, settings),
@@ -151,14 +151,14 @@ def check_splitting(rng: random.Random, origin: str) -> list[str]:
     settings = any_settings(rng, 4, gradients="plane", start="subtexel", mapper="affine",
                             edges=rng.choice(("subpixel", "exact")))
     return splitting(Case(origin, vertices, WIDTH, HEIGHT, settings),
-                     meshes.halves(rng, list(vertices)))
+                     random_meshes.halves(rng, list(vertices)))
 
 
 def check_monotone(rng: random.Random, origin: str) -> list[str]:
     vertices = textured(rng, convex(rng, 4))
     settings = any_settings(rng, 4, edges=rng.choice(("subpixel", "exact")), mapper="flat")
     return monotone(Case(origin, vertices, WIDTH, HEIGHT, settings),
-                    meshes.subset(rng, list(vertices)))
+                    random_meshes.subset(rng, list(vertices)))
 
 
 def check_clipping(rng: random.Random, origin: str) -> list[str]:

@@ -68,7 +68,7 @@ def test_every_combination_has_a_row(medium: list[dict]) -> None:
 
 def test_gouraud_keeps_the_range_of_its_vertices() -> None:
     """No pixel has a shade outside the vertices', in any set."""
-    settings = model.Settings("subpixel", "plane", "subtexel", mapper="gouraud")
+    settings, pixels = model.Settings("subpixel", "plane", "subtexel", mapper="gouraud"), 0
     for name in polygon_sets.SHAPES:
         for vertices in polygon_sets.polygons(name):
             polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
@@ -78,15 +78,18 @@ def test_gouraud_keeps_the_range_of_its_vertices() -> None:
                 if line.right > line.left:
                     found = model.coordinates(line)[0] >> 16
                     assert min(shades) <= found.min() and found.max() <= max(shades), name
+                    pixels += len(found)
+    assert pixels > 1000 * polygon_sets.COUNT
 
 
 def test_errors_are_the_exact_ones() -> None:
-    """Of a line whose error is known: half a texel in u, none in v."""
+    """Of lines whose errors are known: half a texel in u at each pixel; then three quarters, in which
+    no texel is wrong, and a quarter on the other side of a border, in which all are."""
     vertices = [(0, 0, 0, 0), (64 << 16, 0, 64 << 16, 0), (0, 64 << 16, 0, 64 << 16)]
     plane = ideal.Picture(vertices, 320, 256).planes[0]
     columns = np.arange(10, 20)
     found = (columns << 16) + 32768
-    assert np.allclose(plane.errors(found, columns, 5), 0.5)
+    assert plane.errors(found, columns, 5).tolist() == [0.5] * 10
     total = accuracy.Errors()
     line = model.Line(10, 20, (10 << 16) + 65536 * 3 // 4, 5 << 16, 65536, 0)
     total.texels(model.coordinates(line), 10, 5, ideal.Picture(vertices, 320, 256))
@@ -182,5 +185,5 @@ def test_every_mapper_is_shown() -> None:
 def test_unknown_set_is_refused(tmp_path) -> None:
     """One line that names the sets there are."""
     with pytest.raises(UserError, match="no set is called huge; there are small, medium"):
-        accuracy.command(str(tmp_path / "out"), ["huge"], None, False)
+        accuracy.command(tmp_path / "out", ["huge"], None, False)
     assert not (tmp_path / "out").exists()

@@ -6,8 +6,10 @@ import re
 import pytest
 
 from tools import bench, bench_modes, bench_rules, bench_scenes, contracts, readme_modes
-from tools.emulator import CYCLES_PER_TICK
+from tools.emulator import CYCLES_PER_TICK, MEASURED
+from tools.model_mesh import polygons_at
 from tools.paths import BASELINE, ROOT, SCENES
+from tools.scene import compile_scene
 
 UPDATE = ("if the change is meant: scripts/tmap bench -o build/bench --accept, and give the "
           "reason in the commit")
@@ -76,9 +78,20 @@ def test_every_scene_has_rows(found) -> None:
     names = {path.stem for path in SCENES.glob("*.toml")} - {"default", "mappers", "triangle"}
     figures = {(r["name"], r["machine"]): r["cycles_per_frame"] for r in found["frames"]}
     assert figures.keys() == {(f"scene_{name}", machine) for name in names
-                              for machine in bench_scenes.MACHINES}
+                              for machine in MEASURED}
     for name in names:
         assert 50_000 < figures[f"scene_{name}", "a1200-fast"] < figures[f"scene_{name}", "a1200"]
+
+
+@pytest.mark.parametrize("name", ["glide_wall", "environment", "corridor", "tx_rectangles"])
+def test_cut_scenes_have_their_frames(name: str) -> None:
+    """Frames of a scene, some of them twice, show the polygons that they show in the whole of it: all of
+    them, and no other frame's."""
+    whole = compile_scene(SCENES / f"{name}.toml")
+    numbers = [0, 3, 4, whole.frames - 1, 0, 3, 4, whole.frames - 1]
+    cut = bench_scenes.some_frames(whole, numbers)
+    for number, kept in enumerate(numbers):
+        assert list(polygons_at(cut, number)) == list(polygons_at(whole, kept)), (number, kept)
 
 
 def test_every_rule_of_lowering_saves_cycles(found) -> None:
@@ -126,8 +139,11 @@ def test_a_moved_figure_is_noticed(baseline) -> None:
 
 
 def test_rows_that_contract_blocks_name_exist(baseline) -> None:
-    """Where a block says "bench row X" for the cost, the baseline has that row."""
+    """Where a block says "bench row X" or "bench rows X, Y and Z" for the cost, the baseline has them."""
     names = {row["name"] for kind in bench.UNITS for row in baseline[kind]}
-    for contract in contracts.all_contracts(ROOT / "src68k"):
-        for name in re.findall(r"bench rows? (\w+)", contract.cost):
-            assert name in names, f"{contract.file}:{contract.line}: {contract.name}: {name}"
+    named = [(contract, name) for contract in contracts.all_contracts(ROOT / "src68k")
+             for list_ in re.findall(r"bench row (\w+)|bench rows ((?:\w+(?:, | and )?)+)", contract.cost)
+             for name in re.findall(r"\w+", "".join(list_)) if name != "and"]
+    assert len(named) > 100
+    for contract, name in named:
+        assert name in names, f"{contract.file}:{contract.line}: {contract.name}: no bench row {name}"

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from tools import bounds, fuzz_polygons, model_edges, model_texturing, polygon_sets
+from tools import bounds, fuzz_polygons, model, model_edges, model_texturing, polygon_sets
 from tools.fixed import ceil16
 from tools.model import Settings
 
@@ -41,10 +41,13 @@ def test_every_setting_keeps_its_bound(settings: Settings) -> None:
 
 @pytest.mark.parametrize("mapper", ["gouraud", "tiled", "columns", "generated"])
 def test_every_mapper_keeps_its_bound(mapper: str) -> None:
-    """What it cuts off is in its bound."""
+    """What it cuts off is in its bound, and no more: under some setting it is nearly reached."""
+    ratios = []
     for settings in ALL:
         found = worst(replace(settings, mapper=mapper), triangles(8))
         assert not found.complaint, (settings, found.complaint)
+        ratios.append(found.texel_ratio)
+    assert 0.9 < max(ratios) <= bounds.FLOAT, ratios
 
 
 def cut(bits: int):
@@ -90,7 +93,6 @@ def test_coverage_is_judged_on_the_edge_alone() -> None:
     good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
     assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
     moved = [(x + 0x1000, *rest) for x, *rest in vertices]
-    from tools import model
     polygon = model.set_up([v[:4] for v in moved], 16, 16, False, Settings("exact", mapper="flat"))
     errors, complaint = bounds.judge_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
                                               16, 16)
@@ -101,12 +103,12 @@ def test_ideal_is_defined_for_convex_polygons_only() -> None:
     """What integer edges dent, or what goes round twice, has none."""
     square = [(0, 0, 0, 0), (ceil16(9 << 16) << 16, 0, 0, 0), (9 << 16, 9 << 16, 0, 0), (0, 9 << 16, 0, 0)]
     star = [square[0], square[2], square[1], square[3]]
-    assert fuzz_polygons.has_ideal(square) and not fuzz_polygons.has_ideal(star)
+    assert bounds.has_ideal(square) and not bounds.has_ideal(star)
     twice = square * 2
-    assert not fuzz_polygons.has_ideal(twice)
+    assert not bounds.has_ideal(twice)
     dented = [square[0], square[0], square[1], square[1], (1, 1, 0, 0), square[3]]
-    assert not fuzz_polygons.has_ideal(dented)  # repeated vertices hide no corner
-    assert not fuzz_polygons.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
+    assert not bounds.has_ideal(dented)  # repeated vertices hide no corner
+    assert not bounds.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
 
 
 def test_random_polygons_have_all_that_is_promised() -> None:
@@ -118,7 +120,7 @@ def test_random_polygons_have_all_that_is_promised() -> None:
     far = sum(any(abs(c) >= 1 << 30 for v in p.vertices for c in v[:4]) for p in some)
     assert 20 < far < 300
     assert {len(p.vertices) for p in some} >= set(range(3, 10))
-    assert sum(not fuzz_polygons.has_ideal([v[:4] for v in p.vertices]) for p in some) > 100
+    assert sum(not bounds.has_ideal([v[:4] for v in p.vertices]) for p in some) > 100
     rng = random.Random(1)
     plane = fuzz_polygons.plane_of(rng, [(0, 0), (1 << 29, 0), (1 << 29, 1 << 29), (0, 1 << 29)], 1 << 30)
     assert all(abs(c) < 1 << 30 for pair in plane for c in pair)

@@ -82,11 +82,12 @@ def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
     """Program bytes, tool sources, scene files, words, the emulator's version: each changes it."""
     programs, tools = tmp_path / "programs", tmp_path / "tools"
     programs.mkdir()
-    tools.mkdir()
+    (tools / "tx").mkdir(parents=True)
     (programs / "render").write_bytes(b"68020")
-    (tools / "bench.py").write_text("from . import clock\n")
-    (tools / "clock.py").write_text("TICK = 20\n")
-    (tools / "other.py").write_text("\n")
+    for name, text in {"bench": "from . import clock\nfrom .tx import draw\n", "clock": "TICK = 20\n",
+                       "tx/draw": "from .state import A\nfrom ..fixed import ONE\n", "tx/state": "A = 1\n",
+                       "fixed": "ONE = 1\n", "state": "\n", "tx/fixed": "\n", "other": "\n"}.items():
+        (tools / f"{name}.py").write_text(text)
     scene = tmp_path / "scene.toml"
     scene.write_text("frames = 1\n")
     monkeypatch.setattr(cache, "PROGRAMS", programs)
@@ -99,12 +100,16 @@ def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
     keys = [now()]
     assert keys == [now()]
     (programs / "render.map").write_text("addresses")
-    (tools / "other.py").write_text("changed = 1\n")
+    for name in ("other", "state", "tx/fixed"):
+        (tools / f"{name}.py").write_text("changed = 1\n")
     assert keys == [now()], "what takes no part changed the key"
     for change in (lambda: (programs / "render").write_bytes(b"68021"),
                    lambda: (programs / "bench").write_bytes(b"68020"),
-                   lambda: (tools / "bench.py").write_text("from . import clock, run\n"),
+                   lambda: (tools / "bench.py").write_text(
+                       "from . import clock, run\nfrom .tx import draw\n"),
                    lambda: (tools / "clock.py").write_text("TICK = 10\n"),
+                   lambda: (tools / "tx" / "state.py").write_text("A = 2\n"),
+                   lambda: (tools / "fixed.py").write_text("ONE = 2\n"),
                    lambda: scene.write_text("frames = 2\n"),
                    lambda: monkeypatch.setattr(cache.emulator, "emulator_version", lambda: "2")):
         change()

@@ -2,23 +2,26 @@
 
 import itertools
 import json
-import subprocess
 import tomllib
 
 import pytest
 
 from tools import choose
+from tools.__main__ import main
 from tools.choose import COST, LARGEST, RMS, WRONG, Wish
 from tools.materials import material_schema
-from tools.paths import ACCURACY_BASELINE, ROOT
+from tools.paths import ACCURACY_BASELINE
 
 ROWS = json.loads(ACCURACY_BASELINE.read_text())["rows"]
-TMAP = ROOT / "scripts" / "tmap"
 
 
-def tmap(*arguments: str) -> subprocess.CompletedProcess:
-    """Runs the command."""
-    return subprocess.run([TMAP, "choose", *map(str, arguments)], capture_output=True, text=True)
+@pytest.fixture
+def tmap(capsys):
+    """Runs the command: its status, what it prints and what it complains of."""
+    def run(*arguments) -> tuple[int, str, str]:
+        status = main(["choose", *map(str, arguments)])
+        return status, *capsys.readouterr()
+    return run
 
 
 @pytest.mark.parametrize("machine, depth, measure, wrong", list(itertools.product(
@@ -71,20 +74,54 @@ def test_pasted_lines_are_a_material(mapper) -> None:
             assert material[name] == best[name]
 
 
-def test_output_names_choice_price_and_source() -> None:
+def test_output_names_choice_price_and_source(tmap) -> None:
     """A table, the prices of both steps, the lines to paste and where the figures are from."""
-    done = tmap("--error", 1, "--machine", "a1200-fast", "--depth")
-    assert done.returncode == 0, done.stderr
+    status, said, complaint = tmap("--error", 1, "--machine", "a1200-fast", "--depth")
+    assert (status, complaint) == (0, "")
     for words in ("choice", "cheaper", "more exact", "[materials]",
                   'perspective = "pixel"', "commit", "Set depth", "DMA"):
-        assert words in done.stdout, words
+        assert words in said, words
 
 
-def test_nothing_is_good_enough() -> None:
+#: Of made-up rows: cycles a pixel, largest and rms error, wrong pixels in a million.
+MADE_UP = (10, 9, 2, 5), (12.5, 2, 0.5, 5), (20, 1, 0.25, 0), (30, 0.125, 0.0625, 1)
+WORDS = {
+    ("--error", 2): (
+        "The cheapest with a largest error of at most 2 texels, on a1200:",
+        "The next cheaper one saves 2.50 cycles a pixel (20.0 %); its largest error is 9.",
+        "The next more exact one costs 7.50 cycles a pixel (60.0 %); its largest error is 1, its wrong "
+        "pixels are 0 in a million."),
+    ("--error", 0.5, "--rms"): (
+        "The cheapest with an rms error of at most 0.5 texels, on a1200:",
+        "The next cheaper one saves 2.50 cycles a pixel (20.0 %); its rms error is 2."),
+    ("--error", 2, "--wrong", 0): (
+        "The cheapest with a largest error of at most 2 texels and 0 wrong pixels in a million, on a1200:",
+        "No setting is more exact."),
+    ("--error", 9): ("No setting is cheaper.",),
+    ("--error", 0.1): (
+        "tmap: choose: no setting has a largest error of at most 0.1 texels on a1200; the most exact has "
+        "1 (affine, exact, plane, subtexel, none), 0 wrong pixels in a million, at 20.00 cycles "
+        "a pixel",)}
+
+
+@pytest.mark.parametrize("arguments", WORDS)
+def test_prices_in_words(tmap, tmp_path, arguments) -> None:
+    """Each difference with its sign, its part and what else changes."""
+    affine = {"name": "medium", "machine": "a1200", "mapper": "affine", "edges": "exact",
+              "gradients": "plane", "start": "subtexel", "perspective": "none",
+              "wrong_texels_percent": 0}
+    rows = [affine | dict(zip((COST, LARGEST, RMS, WRONG), row)) for row in MADE_UP]
+    (tmp_path / "made_up.json").write_text(json.dumps({"rows": rows}))
+    _, said, complaint = tmap("--machine", "a1200", "--data", tmp_path / "made_up.json", *arguments)
+    for line in WORDS[arguments]:
+        assert line in (said + complaint).splitlines(), said + complaint
+
+
+def test_nothing_is_good_enough(tmap) -> None:
     """Status 1 and one line that says how near it gets."""
-    done = tmap("--error", 0, "--machine", "a1200", "--depth")
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.count("\n") == 1 and "the most exact has 0.006" in done.stderr
+    status, said, complaint = tmap("--error", 0, "--machine", "a1200", "--depth")
+    assert (status, said) == (1, "")
+    assert complaint.count("\n") == 1 and "the most exact has 0.006" in complaint
 
 
 def without_field() -> str:
@@ -106,17 +143,17 @@ def without_field() -> str:
     (["--error", "1", "--machine", "a1200"], without_field(), "rows[1].cycles_per_pixel"),
     (["--error", "1", "--machine", "a1200"], '{"rows": []}', "no row of set medium"),
 ])
-def test_bad_arguments_are_one_line(arguments, content, words, tmp_path) -> None:
+def test_bad_arguments_are_one_line(tmap, arguments, content, words, tmp_path) -> None:
     """Status 2, and a line that names what is wrong."""
     if content is not None:
         (tmp_path / "data.json").write_text(content)
         arguments = [*arguments, "--data", tmp_path / "data.json"]
-    done = tmap(*arguments)
-    assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr.count("\n") == 1 and words in done.stderr, done.stderr
+    status, said, complaint = tmap(*arguments)
+    assert (status, said) == (2, "")
+    assert complaint.count("\n") == 1 and words in complaint, complaint
 
 
-def test_missing_data_is_named() -> None:
+def test_missing_data_is_named(tmap) -> None:
     """A file that is not there."""
-    done = tmap("--error", 1, "--machine", "a1200", "--data", "/nowhere/accuracy.json")
-    assert done.returncode == 2 and "/nowhere/accuracy.json: No such file" in done.stderr
+    status, _, complaint = tmap("--error", 1, "--machine", "a1200", "--data", "/nowhere/accuracy.json")
+    assert status == 2 and "/nowhere/accuracy.json: No such file" in complaint

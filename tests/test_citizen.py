@@ -11,7 +11,8 @@ import guest_program
 import numpy as np
 import pytest
 
-from tools import emulator, kernels, pack, parts, scene_file, scene_program, vector_file
+from tools import (emulator, kernels, program_layout, program_parts, scene_file, scene_program,
+                   vector_file)
 from tools.kernels import Case
 from tools.paths import PROGRAMS
 from tools.scene_file import Material, Object, Scene
@@ -48,9 +49,9 @@ def scenes_alone(folder: Path, **scenes: Scene) -> dict[str, Path]:
     """Whole programs of scenes, by their names."""
     *sections, _ = scene_program.load_sections(scene())
     for name, made in scenes.items():
-        program = parts.Program([*sections, scene_program.scene_section(made)],
+        program = program_parts.Program([*sections, scene_program.scene_section(made)],
                                 scene_program.ALIASES, None)
-        pack.Layout(program, {}).write(folder / name)
+        program_layout.Layout(program, {}).write(folder / name)
     return {name: folder / name for name in scenes}
 
 

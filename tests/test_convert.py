@@ -9,9 +9,6 @@ from PIL import Image
 from tools import maps
 from tools.__main__ import main
 
-RNG = np.random.default_rng(8)
-
-
 def there_and_back(tmp_path, image: Image.Image, *options: str) -> Image.Image:
     """What comes back of a picture."""
     image.save(tmp_path / "in.png")
@@ -25,9 +22,10 @@ def there_and_back(tmp_path, image: Image.Image, *options: str) -> Image.Image:
                                           ("columns", (16, 128))])
 def test_palette_pictures_come_back(tmp_path, layout: str, size: tuple[int, int]) -> None:
     """Indices and palette, exactly; the file is the layout's bytes."""
-    pixels = RNG.integers(0, 256, size[::-1], dtype=np.uint8)
+    rng = np.random.default_rng([8, *size])
+    pixels = rng.integers(0, 256, size[::-1], dtype=np.uint8)
     image = Image.fromarray(pixels, "P")
-    palette = RNG.integers(0, 256, (256, 3), dtype=np.uint8)
+    palette = rng.integers(0, 256, (256, 3), dtype=np.uint8)
     image.putpalette(palette.tobytes())
     back = there_and_back(tmp_path, image, "--layout", layout)
     assert back.mode == "P" and np.array_equal(np.array(back), pixels)
@@ -41,7 +39,8 @@ def test_palette_pictures_come_back(tmp_path, layout: str, size: tuple[int, int]
 
 def test_colours_come_back(tmp_path) -> None:
     """RGB pictures of 256 colours, and every colour of the other formats, alpha too."""
-    few = RNG.integers(0, 256, (200, 3), dtype=np.uint8)[RNG.integers(0, 200, (8, 24))]
+    rng = np.random.default_rng(8)
+    few = rng.integers(0, 256, (200, 3), dtype=np.uint8)[rng.integers(0, 200, (8, 24))]
     assert np.array_equal(np.array(there_and_back(tmp_path, Image.fromarray(few)).convert("RGB")), few)
     every = maps.from_rgb565(np.arange(65536).reshape(256, 256))
     back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgb565",
@@ -50,7 +49,7 @@ def test_colours_come_back(tmp_path) -> None:
     every = maps.from_rgba5551(np.arange(65536).reshape(256, 256))
     back = there_and_back(tmp_path, Image.fromarray(every), "--format", "rgba5551")
     assert np.array_equal(np.array(back), every)
-    some = RNG.integers(0, 256, (64, 32, 4), dtype=np.uint8)
+    some = rng.integers(0, 256, (64, 32, 4), dtype=np.uint8)
     back = there_and_back(tmp_path, Image.fromarray(some), "--format", "rgba8888",
                           "--layout", "columns")
     assert np.array_equal(np.array(back), some)
@@ -74,4 +73,17 @@ def test_bad_input_is_one_line(tmp_path, capsys) -> None:
     assert main(["map", str(tmp_path / "in.png"), "-o", out]) == 0
     (tmp_path / "a.map.json").write_text(json.dumps({"width": 3}))
     assert main(["picture", out, "-o", str(tmp_path / "b.png")]) == 2
+    for about in ({"palette": [[300, 0, 0]]}, {"width": float("inf")}, {"palette": [[0, 0, 0]] * 257},
+                  {"layout": "tiled"}):
+        (tmp_path / "a.map.json").write_text(json.dumps({
+            "width": 100, "height": 37, "layout": "linear", "format": "chunky", "palette": None} | about))
+        assert main(["picture", out, "-o", str(tmp_path / "b.png")]) == 2
+        assert "a.map.json: " in capsys.readouterr().err
     assert not (tmp_path / "b.png").exists()
+
+
+def test_other_kinds_of_pictures_are_refused(tmp_path, capsys) -> None:
+    """A GIF has a palette as well, but is neither PNG nor JPEG, whatever it is called."""
+    Image.new("P", (8, 8)).save(tmp_path / "a.png", "GIF")
+    assert main(["map", str(tmp_path / "a.png"), "-o", str(tmp_path / "a.map")]) == 2
+    assert "not a usable PNG or JPEG" in capsys.readouterr().err

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools.diff import GAP, MARK, compare, diff_command
+from tools import diff
+from tools.diff import GAP, MARK, compare
 
 HEIGHT, WIDTH = 6, 320
 
@@ -52,14 +53,14 @@ def test_compare_needs_one_shape():
 
 
 def test_equal(two, tmp_path, capsys):
-    assert diff_command(*two, tmp_path / "out") == 0
+    assert diff.command(*two, tmp_path / "out") == 0
     assert capsys.readouterr().out == "1 frame: 0 different\n"
     assert not (tmp_path / "out").exists()
 
 
 def test_different(two, tmp_path, capsys):
     dump(two[1], [(5, 1, 0), (9, 3, 255)])
-    assert diff_command(*two, tmp_path / "out") == 1
+    assert diff.command(*two, tmp_path / "out") == 1
     lines = capsys.readouterr().out.splitlines()
     was = (1 * WIDTH + 5) % 251
     assert lines == [
@@ -70,12 +71,13 @@ def test_different(two, tmp_path, capsys):
     third = panels[:, 2 * (WIDTH + GAP):]
     marked = (third == MARK).all(axis=2)
     assert np.argwhere(marked).tolist() == [[1, 5], [3, 9]]
+    assert np.array_equal(third[~marked], panels[:, :WIDTH][~marked] // 3)
     assert panels[1, 5].tolist() == [was] * 3 and panels[1, 5 + WIDTH + GAP].tolist() == [0] * 3
 
 
 def test_no_pictures_unless_asked(two, tmp_path):
     dump(two[1], [(0, 0, 9)])
-    assert diff_command(str(two[0]), str(two[1])) == 1
+    assert diff.command(*two) == 1
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a", "b"]
 
 
@@ -85,7 +87,7 @@ def test_run_json_gives_size_and_colours(tmp_path):
         dump(tmp_path / run / "frame_000.chunky", changes, size=(8, 16))
         (tmp_path / run / "run.json").write_text(
             json.dumps({"width": 16, "height": 8, "palette": colours}))
-    assert diff_command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
     panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
     assert panels.shape == (8, 3 * 16 + 2 * GAP, 3)
     assert panels[3, 16 + GAP + 2].tolist() == [200, 55, 7]
@@ -99,15 +101,15 @@ def test_16_bits_a_pixel(tmp_path, capsys):
         (tmp_path / run / "frame_000.chunky").write_bytes(frame.tobytes())
         (tmp_path / run / "run.json").write_text(json.dumps(
             {"width": 8, "height": 4, "format": "rgb565", "palette": None}))
-    assert diff_command(tmp_path / "a", tmp_path / "a") == 0
-    assert diff_command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
+    assert diff.command(tmp_path / "a", tmp_path / "a") == 0
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
     assert "first (5, 2): 2048 / 2016; largest difference 32" in capsys.readouterr().out
     panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
     assert panels[2, 5].tolist() == [8, 0, 0] and panels[2, 5 + 8 + GAP].tolist() == [0, 255, 0]
     half = tmp_path / "c" / "frame_000.chunky"
     dump(half, size=(4, 8))
     half.with_name("run.json").write_text('{"width": 8}')
-    assert diff_command(tmp_path / "a" / "frame_000.chunky", half) == 2
+    assert diff.command(tmp_path / "a" / "frame_000.chunky", half) == 2
     assert "rgb565 and chunky" in capsys.readouterr().err
 
 
@@ -116,8 +118,8 @@ def test_pngs(tmp_path, capsys):
     for name, value in (("a", 0), ("b", 0), ("c", 3)):
         pixels[4, 6, 1] = value
         Image.fromarray(pixels).save(tmp_path / f"{name}.png")
-    assert diff_command(tmp_path / "a.png", tmp_path / "b.png") == 0
-    assert diff_command(tmp_path / "a.png", tmp_path / "c.png", tmp_path / "out") == 1
+    assert diff.command(tmp_path / "a.png", tmp_path / "b.png") == 0
+    assert diff.command(tmp_path / "a.png", tmp_path / "c.png", tmp_path / "out") == 1
     assert "first (6, 4): [0, 0, 0] / [0, 3, 0]" in capsys.readouterr().out
     assert (tmp_path / "out" / "a_diff.png").exists()
 
@@ -127,12 +129,12 @@ def test_directories(tmp_path, capsys):
         for run in "ab":
             changes = [(i, i, 9)] if (run, i) == ("b", 2) else []
             dump(tmp_path / run / f"frame_{i:03}.chunky", changes)
-    assert diff_command(tmp_path / "a", tmp_path / "b", tmp_path / "out") == 1
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path / "out") == 1
     out = capsys.readouterr().out.splitlines()
     assert out[0].startswith("frame_002: 1 pixels") and out[1:] == ["4 frames: 1 different"]
     assert [p.name for p in (tmp_path / "out").iterdir()] == ["frame_002_diff.png"]
     (tmp_path / "b" / "frame_003.chunky").unlink()
-    assert diff_command(tmp_path / "a", tmp_path / "b") == 2
+    assert diff.command(tmp_path / "a", tmp_path / "b") == 2
     caught = capsys.readouterr()
     assert caught.out.splitlines()[1:] == ["4 frames: 1 different, 1 unusable"]
     assert caught.err == f"diff: {tmp_path / 'b' / 'frame_003.chunky'}: no such file\n"
@@ -167,7 +169,7 @@ def picture(path):
 ])
 def test_unusable(two, tmp_path, capsys, spoil, message):
     spoil(*two)
-    assert diff_command(*two, tmp_path / "out") == 2
+    assert diff.command(*two, tmp_path / "out") == 2
     error = capsys.readouterr().err
     assert message in error and error.count("\n") == 1
     assert not (tmp_path / "out").exists()
@@ -180,22 +182,22 @@ def test_unusable(two, tmp_path, capsys, spoil, message):
 ])
 def test_unusable_pictures(two, tmp_path, capsys, name, content, message):
     (tmp_path / name).write_bytes(content)
-    assert diff_command(two[0], tmp_path / name) == 2
+    assert diff.command(two[0], tmp_path / name) == 2
     assert message in capsys.readouterr().err
 
 
 def test_unlike_things(two, tmp_path, capsys):
-    assert diff_command(two[0], picture(tmp_path / "x.png")) == 2
+    assert diff.command(two[0], picture(tmp_path / "x.png")) == 2
     assert "one is a dump, the other a picture" in capsys.readouterr().err
-    assert diff_command(two[0], two[1].parent) == 2
+    assert diff.command(two[0], two[1].parent) == 2
     assert "one is a directory, the other is not" in capsys.readouterr().err
     (tmp_path / "empty").mkdir()
-    assert diff_command(tmp_path / "empty", tmp_path / "empty") == 2
+    assert diff.command(tmp_path / "empty", tmp_path / "empty") == 2
     assert "neither has a frame_*.chunky" in capsys.readouterr().err
 
 
 def test_output_that_cannot_be_written(two, tmp_path, capsys):
     dump(two[1], [(0, 0, 9)])
     (tmp_path / "out").write_text("in the way")
-    assert diff_command(*two, tmp_path / "out") == 2
+    assert diff.command(*two, tmp_path / "out") == 2
     assert capsys.readouterr().err.count("\n") == 1

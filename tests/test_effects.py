@@ -1,30 +1,29 @@
 """The rotator and the lit scene: as the model has them, and what they need of it."""
 
-import json
-
 import numpy as np
 import pytest
+from engine_scenes import explain, run_command
 
-from tools import bench_effects, model
-from tools.__main__ import main
+from tools import bench_effects, model, run
 from tools.paths import SCENES
 from tools.scene import compile_scene
+from tools.scene_file import Scene
 
 
-def run(name: str, frames: int, out):
-    """A scene of the tests, its first frames as the machine draws them, and their figures."""
-    assert main(["run", str(SCENES / f"{name}.toml"), "-o", str(out), "--frames", str(frames)]) == 0
+def drawn(name: str, frames: int) -> tuple[Scene, run.Rendered]:
+    """A scene of the tests and its first frames as the machine draws them, which are the model's."""
     scene = compile_scene(SCENES / f"{name}.toml", frames)
-    found = [np.fromfile(out / f"frame_{n:03}.chunky", np.uint8).reshape(256, 320)
-             for n in range(frames)]
-    for number, frame in enumerate(found):
-        assert (frame == model.render(scene, number)).all(), number
-    return scene, found, json.loads((out / "run.json").read_text())["frames"]
+    done = run.render(scene, "a1200-fast", "addx")
+    for number, found in enumerate(done.frames):
+        expected = model.render(scene, number)
+        assert np.array_equal(found, expected), explain(
+            f"{name}, frame {number}", expected, found, run_command(name, frames, None))
+    return scene, done
 
 
-def test_rotator(tmp_path):
+def test_rotator() -> None:
     """It covers the screen at every angle; the spans are chosen by the steps alone."""
-    scene, frames, figures = run("rotator", 24, tmp_path)
+    figures = drawn("rotator", 24)[1].figures
     kinds = [set(figure["spans"]) for figure in figures]
     assert kinds[0] == {"affine_row"} and kinds[16] == {"affine_column"}
     assert all(kind in ({"affine_addx"}, {"affine_addx_wrap"}) for n, kind in enumerate(kinds)
@@ -33,11 +32,12 @@ def test_rotator(tmp_path):
     assert all(figure["pixels"] == 320 * 256 for figure in figures)
 
 
-def test_lit_scene(tmp_path):
-    """A panel has one level; the disc is bright in its middle and darker around it."""
-    scene, frames, figures = run("lit", 2, tmp_path)
-    assert set(figures[0]["spans"]) == {"lit", "lit_gouraud"}
-    shown = scene.palette[frames[0]].astype(int).sum(axis=2)
+def test_lit_scene() -> None:
+    """Eight panels along the top, each of one level: ever brighter, then ever darker; and the disc's
+    levels change inside its spans."""
+    scene, done = drawn("lit", 1)
+    assert set(done.figures[0]["spans"]) == {"lit", "lit_gouraud"}
+    shown = scene.palette[done.frames[0]].astype(int).sum(axis=2)
     panels = [shown[:16, 40 * k:40 * k + 40].mean() for k in range(8)]
     assert panels[:4] == sorted(panels[:4]) and panels[4:] == sorted(panels[4:], reverse=True)
     light = scene.textures[scene.materials[0].light].texels
@@ -46,7 +46,7 @@ def test_lit_scene(tmp_path):
 
 @pytest.mark.parametrize("name, most", [("rotator", 0), ("rotator_wrap", 0), ("rotator_swap", 0),
                                         ("rotator_generated", 1)])
-def test_rotators_texels(name, most):
+def test_rotators_texels(name: str, most: int) -> None:
     """All are exact but generated code, that shows the texel beside in most pixels: by one in
     u and v, and a row further where u leaves the map."""
     kernel, _, steps = bench_effects.ROTATORS[name]

@@ -11,7 +11,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tools import fuzz, fuzz_polygons, fuzz_shrink, hard_cases, model_edges, paths, scene_file
+from tools import (emulator, fuzz, fuzz_polygons, fuzz_shrink, guest_frames, hard_cases, layout,
+                   model_edges, paths, run, scene_file)
 from tools.__main__ import main
 from tools.errors import UserError
 
@@ -27,14 +28,15 @@ def test_a_fixed_slice_holds() -> None:
     assert set(found.worst) == set(scene_file.MAPPERS[1])
 
 
-def test_digests_are_those_of_the_dumps() -> None:
-    """The guest's digest is that of the frame it would dump; it tells frames apart by a bit and by
-    its place."""
-    polygons = [fuzz_polygons.polygon(SEED, k) for k in range(5)]
-    digests, = fuzz.draw([(fuzz_polygons.scene(SEED, 0, polygons), "addx")], fuzz.MACHINE)
-    for each, digest in zip(polygons[:2], digests):
-        frame = fuzz.frame_of(fuzz_polygons.scene(SEED, 0, [each]), "addx", fuzz.MACHINE)
-        assert fuzz.is_models(frame, digest) and digest["ticks"] > 0
+def test_digests_are_those_of_the_dumps(tmp_path) -> None:
+    """The guest's digest is that of the frame that it dumps when it is asked for no digest."""
+    scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
+    commands = ["render it.scene", "render it.scene DIGEST it.digest"]
+    done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
+    volume = done[0].directory
+    digests = np.fromfile(volume / "it.digest", layout.load().struct("frame_digest").dtype)
+    for number, (frame, digest) in enumerate(zip(run.load_dumps(volume, scene), digests, strict=True)):
+        assert guest_frames.is_models(frame, digest) and digest["ticks"] > 0, f"seed {SEED}, polygon {number}"
 
 
 def test_digests_tell_frames_apart() -> None:
@@ -53,7 +55,7 @@ def test_digests_tell_frames_apart() -> None:
             moved[-1][0, 8:40] = moved[-1][line, 7:39] = 200
             moved.append(ground.copy())
             moved[-1][0, 7:39] = moved[-1][line, 8:40] = 200
-    assert len({fuzz.digest_of(frame) for frame in moved}) == len(moved)
+    assert len({guest_frames.digest_of(frame) for frame in moved}) == len(moved)
 
 
 def wrong_ceil(edge, line: int) -> int:
@@ -63,9 +65,11 @@ def wrong_ceil(edge, line: int) -> int:
 
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
     """Here the model is the one that is wrong: the first difference is made small, printed with
-    all that is needed, and kept."""
+    all that is needed, and kept. A round of that takes a boot, as the polygons themselves do."""
+    boots, draw = [], guest_frames.draw
+    monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
     monkeypatch.setattr(model_edges.Edge, "column", wrong_ceil)
-    monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)  # each takes a boot
+    monkeypatch.setattr(fuzz_shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
     monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
         seed, range(first, first + count), machine))
@@ -75,6 +79,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
                  "expected / found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
                  "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
         assert part in text, f"{part!r} is missing in\n{text}"
+    assert len(boots) == 1 + fuzz_shrink.ROUNDS
     kept, = json.loads((tmp_path / "found.json").read_text())
     number = int(kept["sentence"].split("polygon ")[1].split(":")[0])
     assert kept["name"] == "wrong_ceil" and "seed 1" in kept["sentence"]
@@ -83,11 +88,11 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     assert bits[0] < bits[1]
 
 
-def test_faults_of_each_kind_are_told_apart(monkeypatch) -> None:
+def test_faults_of_each_kind_are_told_apart() -> None:
     """Pixels, results and bounds."""
     each = fuzz_polygons.polygon(SEED, 3)
     checked = fuzz.check(each, SEED, 0)
-    good = {"result": checked.result, **dict(zip(("sum", "hash"), fuzz.digest_of(checked.frame)))}
+    good = {"result": checked.result, **dict(zip(("sum", "hash"), guest_frames.digest_of(checked.frame)))}
     assert fuzz.compare(checked, good) is None
     assert fuzz.compare(checked, good | {"result": 3}).kind == "refused"
     assert fuzz.compare(checked, good | {"hash": 1}).kind == "differs"
@@ -99,7 +104,7 @@ def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
     """The polygon that ends a boot is found; the others are still judged."""
     polygons = [fuzz_polygons.polygon(SEED, k) for k in range(9)]
     checks = {id(p): fuzz.check(p, SEED, 0) for p in polygons}
-    right = [(c.result, *fuzz.digest_of(c.frame)) for c in checks.values()]
+    right = [(c.result, *guest_frames.digest_of(c.frame)) for c in checks.values()]
 
     def draw(scenes, machine, on_output=None):
         (this, _), = scenes

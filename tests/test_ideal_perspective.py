@@ -146,12 +146,13 @@ def test_vanishing_value_is_the_limit() -> None:
 def test_depth_ratios() -> None:
     """Of a polygon by its vertices, of a line by its ends; slopes are those of the curve."""
     u = Curve([(0, 0), (256 << 16, 0), (0, 64 << 16)], [0, 256 << 16, 0], [ONE, 4 * ONE, ONE])
-    assert u.ratio(0, 256, 0) == 4 == u.ratio(0, 256, 50) * u.ratio(0, 256, 0) / u.ratio(0, 256, 50)
+    assert u.ratio(0, 256, 0) == 4 == u.ratio(0, 256, 50)  # w is the same all the way down
     assert u.ratio(0, 128, 0) == Fraction(8, 5) and u.vanishing() == -Fraction(256 << 16, 3)
     assert ideal_perspective.depth_ratio([(0, 0, 0, 0, w) for w in (W_MIN, ONE, W_MAX)]) == 1 << 22
-    for i in (0, 100, 255):
+    for i in (0, 100, 255):  # u = K + C / Q with Q = 1 - 3 x / 1024: the rise over a unit either way
+        q, away = 1 - Fraction(3 * i, 1024), Fraction(3, 1024 * ONE)
         rise = (u.at((i << 16) + 1, 0) - u.at((i << 16) - 1, 0)) / 2
-        assert abs(float(rise / u.slope(i, 0)) - 1) < 1e-6
+        assert rise / u.slope(i, 0) == 1 / (1 - (away / q) ** 2)
 
 
 def test_behind_the_viewer_nothing_is_defined() -> None:

@@ -124,12 +124,24 @@ def test_picture_in_a_package():
     assert loaded.shape == (256, 256, 3)
 
 
-def test_nearest_is_exact():
+@pytest.mark.parametrize("at_once", [77, palette.AT_ONCE])
+def test_nearest_is_exact(monkeypatch, at_once):
+    """The lowest of equals, however many colours are looked up together."""
+    monkeypatch.setattr(palette, "AT_ONCE", at_once)
     random = np.random.default_rng(3)
     pixels = random.integers(0, 256, (40, 50, 3)).astype(np.uint8)
     entries = random.integers(0, 256, (200, 3)).astype(np.uint8)
     distance = ((pixels[..., None, :].astype(int) - entries.astype(int)) ** 2).sum(axis=-1)
     assert np.array_equal(palette.nearest(pixels, entries), distance.argmin(axis=-1))
+
+
+@pytest.mark.parametrize("height, part", [(128, 1), (129, 4)])
+def test_of_large_pictures_a_quarter_counts(height, part):
+    """From every row and every column."""
+    rows, columns = np.indices((height, 128), np.uint8)
+    kept = palette.sample(np.stack([rows, columns, rows], axis=-1))
+    assert len(kept) == height * 128 // part
+    assert len(np.unique(kept[:, 0])) == height and len(np.unique(kept[:, 1])) == 128
 
 
 def test_palette_without_textures():

@@ -2,12 +2,11 @@
 
 import copy
 import re
-import subprocess
-import sys
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+import guest_program
 import kernel_checker
 import kernel_trials_span
 import numpy as np
@@ -40,22 +39,9 @@ COMPLAINTS = {
 
 def build(out: Path) -> None:
     """A program bench in ``out`` that knows the broken kernels and no others."""
-    def command(*words) -> None:
-        done = subprocess.run(list(map(str, words)), cwd=paths.ROOT, capture_output=True, text=True)
-        assert done.returncode == 0, f"{' '.join(map(str, words))}\n{done.stdout}{done.stderr}"
-
-    made = paths.BUILD / "obj"  # the flags and objects of make's own bench
-    lines = (made / "flags").read_text().splitlines()
-    assembler, linker = lines[0].split(), lines[-1].split()
-    compiler, *objects = (made / "objects").read_text().split()
     block = contract("span_affine_swap")
     (out / "table.s").write_text(contracts.kernel_table([replace(block, name=n) for n in COMPLAINTS]))
-    for source in (SOURCE, out / "table.s"):
-        command("scripts/vasm", *assembler, "-o", out / f"{source.stem}.o", source)
-    command("m68k-linux-gnu-ld", *linker, "-o", out / "bench.elf", made / compiler / "programs/bench.o",
-            *objects, out / "span.o", out / "table.o")
-    command("m68k-linux-gnu-objcopy", "--wildcard", "--strip-symbol=l[0-9]*", out / "bench.elf")
-    command(sys.executable, "-m", "tools.hunk", out / "bench.elf", out / "bench")
+    guest_program.build(out, SOURCE, out / "table.s", main="bench")
 
 
 def contract(name: str) -> contracts.Contract:

@@ -32,24 +32,20 @@ from tools import contracts, paths
 IN_C = contracts.Contract(
     "span_affine_c", "c/span/affine.c", 1, "span_affine_swap in C", (), (),
     contracts.expand("d0-d1/a0-a1"), *[""] * 5)
-COLUMNS_IN_C = replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
-                       summary="where a column map has its texels")
-LOGARITHMS_IN_C = replace(IN_C, name="logarithms_make", file="c/polygon/logarithms.c",
-                          summary="tables of logarithms and powers")
-CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), IN_C, COLUMNS_IN_C,
-                                 LOGARITHMS_IN_C,
-                                 *(replace(IN_C, name=name, file="c/tx", summary="a pass in C")
-                                   for name in kernel_trials_tx.IN_C),
-                                 *(replace(IN_C, name=name, file="c/tmu", summary="a pass in C")
-                                   for name in kernel_trials_tmu.IN_C),
-                                 *(replace(IN_C, name=name, file="c/screen", summary="in C")
-                                   for name in kernel_trials_screen.IN_C)]}
-
-
+ALL_IN_C = [IN_C,
+            replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
+                    summary="where a column map has its texels"),
+            replace(IN_C, name="logarithms_make", file="c/polygon/logarithms.c",
+                    summary="tables of logarithms and powers"),
+            *(replace(IN_C, name=name, file=file, summary=summary) for file, summary, names in (
+                ("c/tx", "a pass in C", kernel_trials_tx.IN_C),
+                ("c/tmu", "a pass in C", kernel_trials_tmu.IN_C),
+                ("c/screen", "in C", kernel_trials_screen.IN_C)) for name in names)]
+CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL_IN_C]}
 ROOMS = (kernel_trials_mappers, kernel_trials_reciprocal, kernel_trials_span, kernel_trials_tiled,
          kernel_trials_lit, kernel_trials_pixel, kernel_trials_polygon, kernel_trials_texturing,
-         kernel_trials_perspective, kernel_trials_edge, kernel_trials_math, kernel_trials_mesh, kernel_trials_scanline,
-         kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
+         kernel_trials_perspective, kernel_trials_edge, kernel_trials_math, kernel_trials_mesh,
+         kernel_trials_scanline, kernel_trials_logarithm, kernel_trials_wide, kernel_trials_tx,
          kernel_trials_tmu, kernel_trials_screen, kernel_trials_dithered)
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made

@@ -1,14 +1,13 @@
 """Every mapper with every setting, from a scene file to the frame: bit for bit the model."""
 
 import itertools
-import json
 
 import numpy as np
 import pytest
+from engine_scenes import explain
 from PIL import Image
 
-from tools import model
-from tools.__main__ import main
+from tools import model, run
 from tools.scene import compile_scene
 from tools.scene_file import ON_PLANE, SETTINGS
 
@@ -67,17 +66,15 @@ def test_every_mapper_is_the_models(tmp_path, pixels):
     noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
     Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
     (tmp_path / "all.toml").write_text(scene(pixels))
-    made, out = compile_scene(tmp_path / "all.toml"), tmp_path / "out"
-    assert main(["run", str(tmp_path / "all.toml"), "-o", str(out),
-                 "--machine", DRAWN[pixels][1]]) == 0
+    made = compile_scene(tmp_path / "all.toml")
+    done = run.render(made, DRAWN[pixels][1], "addx")
     wrong = []
-    for number, obj in enumerate(made.objects):
-        found = np.fromfile(out / f"frame_{number:03}.chunky", made.pixel.dtype.newbyteorder(">"))
-        differing = np.count_nonzero(found != model.render(made, number).reshape(-1))
-        if differing:
-            wrong.append(f"frame {number}: {differing} pixels, {made.materials[obj.material]}")
+    for number, (obj, found) in enumerate(zip(made.objects, done.frames, strict=True)):
+        expected = model.render(made, number)
+        if (found != expected).any():
+            wrong.append(explain(f"frame {number}, {made.materials[obj.material]}", expected, found,
+                                 f".deps/venv/bin/python -m pytest tests/test_mappers.py -k {pixels}"))
     assert not wrong, "\n".join(wrong)
-    about = json.loads((out / "run.json").read_text())
-    assert about["format"] == pixels
-    assert set(about["totals"]["spans"]) == SPANS[pixels]
-    assert all(frame["pixels"] > 100 for frame in about["frames"])
+    assert made.format == pixels
+    assert set(run.total(done.figures)["spans"]) == SPANS[pixels]
+    assert all(frame["pixels"] > 100 for frame in done.figures)

@@ -6,11 +6,11 @@
 import os
 from fractions import Fraction
 
+import mesh_cases
 import numpy as np
 import pytest
 
-import mesh_cases
-from tools import fuzz, ideal_faces, model, model_mesh, scene_space
+from tools import guest_frames, ideal_faces, model, model_mesh, scene_space
 from tools.ideal_faces import Camera
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -29,11 +29,14 @@ def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
     drawings = [*((name, "addx") for name in scenes), *more]
-    drawn = fuzz.draw([(scenes[name], form) for name, form in drawings], MACHINE)
+    drawn = guest_frames.draw([(scenes[name], form) for name, form in drawings], MACHINE)
     for (name, form), digests in zip(drawings, drawn, strict=True):
         for number, (frame, digest) in enumerate(zip(right[name], digests, strict=True)):
-            assert fuzz.is_models(frame, digest), f"{name}, frame {number}, form {form}"
-            assert int(digest["result"]) in results, f"{name}, frame {number}, form {form}"
+            which = f"{name}, frame {number}, form {form}"
+            assert guest_frames.is_models(frame, digest), (
+                f"{which} is not the model's; again: .deps/venv/bin/python -m pytest "
+                "tests/test_meshes.py")
+            assert int(digest["result"]) in results, f"{which}: result {digest['result']}"
     shown = [(frame != frame[0, 0]).any() for frames in right.values() for frame in frames]
     assert sum(shown) >= part * len(shown)
     return right
@@ -109,11 +112,10 @@ def test_many_faces_at_one_depth_keep_their_order():
     random = np.random.default_rng(5)
     scene = mesh_cases.base(random)
     scene.guard = 6  # 64 pixels for a unit at a depth of one: several are seen
-    one = 65536
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     depths = random.integers(2, 6, 40).tolist()
     centres = random.uniform(-1.5, 1.5, (40, 2)).tolist()
-    scene.points = np.array([[round((x + cx) * one), round((y + cy) * one), z * one]
+    scene.points = np.array([[round((x + cx) * ONE), round((y + cy) * ONE), z * ONE]
                              for z, (cx, cy) in zip(depths, centres) for x, y in corners])
     scene.normals = np.array([[0, 0, 16384, 0]])
     scene.corners = np.array([[k, 0, 0, 0] for k in range(160)])
@@ -123,7 +125,7 @@ def test_many_faces_at_one_depth_keep_their_order():
     row = [0] * 25
     row[0] = row[4] = row[8] = 1 << 30
     scene.views = np.array([row, row, row])
-    scene.views[:, 9] = [one, 0, -one]  # so that no one hides all others
+    scene.views[:, 9] = [ONE, 0, -ONE]  # so that no one hides all others
     scene.instances = [mesh_cases.Instance(0, k, 0, k, 1, 0) for k in range(3)]
     drawn = model_mesh.polygons_at(scene, 0)
     assert len(np.unique(model.render(scene, 0))) > 1
@@ -136,8 +138,9 @@ def test_many_faces_at_one_depth_keep_their_order():
 def test_meshes_and_polygons_take_turns():
     """Instances are drawn before the object they name, whatever their depth."""
     scene = mesh_cases.boxes(1)
-    shown = [material for material, _ in model_mesh.polygons_at(scene, 1)]
-    flat = [k for k, (material, vertices) in enumerate(model_mesh.polygons_at(scene, 1))
+    drawn = model_mesh.polygons_at(scene, 1)
+    shown = [material for material, _ in drawn]
+    flat = [k for k, (material, vertices) in enumerate(drawn)
             if vertices[0][:2] == (0, 0) and len(vertices) == 3 and material == 0]
     assert len(flat) == 2 and set(shown[:flat[0]]) <= {0, 1, 2}
     assert set(shown[flat[0] + 1:flat[1]]) <= {3, 4, 5} and set(shown[flat[1] + 1:]) <= {0, 1, 2}

@@ -4,11 +4,10 @@ import random
 
 import numpy as np
 import pytest
+from engine_scenes import check_refused, compiled, save_noise
 
-from tools import bounds, fuzz, ideal_perspective, model, random_polygons
+from tools import bounds, guest_frames, ideal_perspective, model, random_polygons
 from tools.emulator import CYCLES_PER_TICK
-from tools.errors import UserError
-from tools.scene import compile_scene
 from tools.scene_file import IDENTITY, ONE, SETTINGS, Material, Object, Scene, Texture
 
 WIDTH, HEIGHT = 160, 120
@@ -53,12 +52,13 @@ def test_constant_depth_is_affine() -> None:
         polygons += [[(*v[:5], depth) for v in surface(rng, 1)] for _ in range(6)]
     kinds = [Material("affine", "exact", perspective=p, texture=0) for p in ("none", *WAYS)]
     this = scene(polygons, kinds)
-    digests, = fuzz.draw([(this, "addx")], MACHINE)
+    digests, = guest_frames.draw([(this, "addx")], MACHINE)
     rows = digests.reshape(len(polygons), len(kinds))
     seen = 0
     for k, row in enumerate(rows):
         affine = model.render(this, k * len(kinds))
-        assert all(fuzz.is_models(affine, d) for d in row)
+        wrong = [kind.perspective for kind, digest in zip(kinds, row) if not guest_frames.is_models(affine, digest)]
+        assert not wrong, f"polygon {k} is not the affine one by {wrong}: {polygons[k]}"
         seen += len(np.unique(affine)) > 4
     assert seen > len(polygons) / 2  # some lie beside the frame
     spent = rows["ticks"].astype(int).sum(0) * CYCLES_PER_TICK / len(polygons)
@@ -89,10 +89,12 @@ def test_drawn_as_the_model_and_within_bounds(way: str) -> None:
     rng = random.Random(way)
     polygons = [surface(rng, rng.choice((1.01, 1.5, 4, 30, 100, 1000, 10000))) for _ in range(60)]
     this = scene(polygons, [Material("affine", "exact", perspective=way, texture=0)])
-    digests, = fuzz.draw([(this, "addx")], MACHINE)
+    digests, = guest_frames.draw([(this, "addx")], MACHINE)
     settings, worst = model.Settings("exact", perspective=way), 0.0
     for number, (corners, digest) in enumerate(zip(polygons, digests)):
-        assert fuzz.is_models(model.render(this, number), digest), number
+        assert guest_frames.is_models(model.render(this, number), digest), (
+            f"{way}, polygon {number} is not the model's: {corners}; again: "
+            f".deps/venv/bin/python -m pytest tests/test_perspective.py -k {way}")
         adapted = model.adapt(corners, settings, 256)
         if ideal_perspective.in_front(adapted):
             verdict = bounds.judge(corners, settings, WIDTH, HEIGHT)
@@ -107,7 +109,7 @@ height = 120
 frames = 1
 background = "#000000"
 textures.map.image = "map.png"
-materials.far = {MATERIAL}
+materials.far = MATERIAL
 [[objects]]
 material = "far"
 vertices = VERTICES
@@ -116,34 +118,33 @@ MATERIAL = '{texture = "map", perspective = "pixel"}'
 VERTICES = "[[10, 10, 0, 0, 1], [90, 10, 256, 0, 1], [60, 90, 128, 256, 4.5]]"
 
 
-def compiled(folder, material: str = MATERIAL, vertices: str = VERTICES) -> Scene:
-    """The scene with another material or other vertices."""
-    from PIL import Image
-
-    Image.fromarray(np.arange(64, dtype=np.uint8).reshape(8, 8)).save(folder / "map.png")
-    text = SCENE.replace("{MATERIAL}", material).replace("VERTICES", vertices)
-    (folder / "x.toml").write_text(text)
-    return compile_scene(folder / "x.toml")
+def text(folder, material: str = MATERIAL, vertices: str = VERTICES) -> str:
+    """The scene with another material or other vertices; its picture in the folder."""
+    save_noise(folder, 7, map=(8, 8))
+    return SCENE.replace("MATERIAL", material).replace("VERTICES", vertices)
 
 
 def test_scenes_give_w_behind_s_and_t(tmp_path) -> None:
     """Each vertex has its w, the material its perspective."""
-    made = compiled(tmp_path)
+    made = compiled(tmp_path, text(tmp_path))
     assert made.vertices[:, 5].tolist() == [ONE, ONE, 9 * ONE // 2]
     assert made.materials[0].perspective == "pixel"
 
 
+PLACE = "objects[0].vertices"
+
+
 @pytest.mark.parametrize("material, vertices, message", [
-    (MATERIAL, VERTICES.replace(", 4.5]", "]"), r"vertices\[2\]: must be \[x, y, s, t, w\]"),
-    (MATERIAL, VERTICES.replace("4.5", "0.001"), r"vertices\[2\]\[4\]: must be from 0.0039"),
-    (MATERIAL, VERTICES.replace("4.5", "20000"), r"vertices\[2\]\[4\]: must be from"),
-    ('{texture = "map"}', VERTICES, r"vertices\[0\]: must be \[x, y, s, t\]"),
-    ('{texture = "map", perspective = "hyper"}', VERTICES, "perspective: .hyper. is not one of none"),
+    (MATERIAL, VERTICES.replace(", 4.5]", "]"), PLACE + "[2]: must be [x, y, s, t, w]"),
+    (MATERIAL, VERTICES.replace("4.5", "0.001"), PLACE + "[2][4]: must be from 0.0039"),
+    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from 0.0039"),
+    ('{texture = "map"}', VERTICES, PLACE + "[0]: must be [x, y, s, t]"),
+    ('{texture = "map", perspective = "hyper"}', VERTICES,
+     "materials.far.perspective: 'hyper' is not one of none"),
     ('{texture = "map", perspective = "fine", gradients = "scanline"}', VERTICES,
-     'perspective: "fine" needs the mapper "affine"'),
+     'materials.far.perspective: "fine" needs the mapper "affine"'),
     ('{texture = "map", perspective = "fine", start = "truncated"}', VERTICES,
-     'perspective: "fine" needs the mapper "affine"')])
+     'materials.far.perspective: "fine" needs the mapper "affine"')])
 def test_what_does_not_fit_is_refused(tmp_path, material: str, vertices: str, message: str) -> None:
     """One line that names the field."""
-    with pytest.raises(UserError, match=message):
-        compiled(tmp_path, material, vertices)
+    check_refused(tmp_path, text(tmp_path, material, vertices), message)

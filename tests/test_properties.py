@@ -6,9 +6,10 @@ import numpy as np
 import properties
 import property_cases
 import pytest
+from arrays import first_wrong
 from property_cases import HEIGHT, WIDTH
 
-from tools import emulator, ideal, meshes, model, scene_file
+from tools import guest_frames, ideal, model, random_meshes, run, scene_file
 from tools.scene_file import ONE
 
 #: Cases of each property; those that compare texels pixel by pixel take longer.
@@ -19,7 +20,7 @@ EDGES = scene_file.SETTINGS["edges"]
 
 @pytest.mark.parametrize("name", COUNTS)
 def test_property(monkeypatch, name: str) -> None:
-    """It holds in every case; in most of them something is drawn."""
+    """It holds in every case; of the polygons that are set up more than a third have pixels."""
     pixels, set_up = [], model.set_up
 
     def counting(*given):
@@ -30,34 +31,36 @@ def test_property(monkeypatch, name: str) -> None:
     monkeypatch.setattr(model, "set_up", counting)
     found = list(property_cases.complaints(name, 1, COUNTS[name]))
     assert not found, f"{len(found)} complaints, the first:\n{found[0]}"
-    assert np.count_nonzero(pixels) > len(pixels) / 3
+    assert np.count_nonzero(pixels) > len(pixels) / 3, f"{len(pixels)} polygons"
 
 
-def random_meshes(seed: str, count: int) -> list[meshes.Mesh]:
+def some_meshes(seed: str, count: int) -> list[random_meshes.Mesh]:
     """So many of each kind."""
-    return [meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
-            for kind in meshes.KINDS for k in range(count)]
+    return [random_meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
+            for kind in random_meshes.KINDS for k in range(count)]
 
 
 def test_meshes_hold_what_they_promise() -> None:
-    """The triangles tile their outlines, in either winding; no kind is always alike."""
+    """The triangles tile their outlines: areas add up, every side inside belongs to two of them; in
+    either winding."""
     windings = set()
-    for mesh in random_meshes("tiles", 100):
-        areas = [meshes.twice_area(t) for t in mesh.triangles]
+    for mesh in some_meshes("tiles", 100):
+        areas = [random_meshes.twice_area(t) for t in mesh.triangles]
         windings |= {area > 0 for area in areas}
-        assert sum(map(abs, areas)) == meshes.twice_area(mesh.outline)
+        assert sum(map(abs, areas)) == random_meshes.twice_area(mesh.outline), mesh
         shared = {frozenset(pair) for t in mesh.triangles for pair in zip(t, t[1:] + t[:1])}
         border = set(map(frozenset, zip(mesh.outline, mesh.outline[1:] + mesh.outline[:1])))
-        assert border <= shared and 2 * len(shared) - len(border) == 3 * len(mesh.triangles)
+        assert border <= shared, mesh
+        assert 2 * len(shared) - len(border) == 3 * len(mesh.triangles), mesh
     assert windings == {True, False}
 
 
 def test_how_watertight_meshes_are() -> None:
-    """Exact edges cover what they should, once; how far the others are off is printed."""
+    """Exact edges cover what they should, once; the others less and less."""
     wrong = {}
     for edges in EDGES:
         counts = dict.fromkeys(("pixels", "left out", "beside", "more than once"), 0)
-        for mesh in random_meshes("figures", 250):
+        for mesh in some_meshes("figures", 250):
             case = properties.Case("", tuple((*p, 0, 0, 0, ONE) for p in mesh.outline), WIDTH, HEIGHT,
                                    model.Settings(edges, mapper="flat"))
             wanted = ideal.coverage(mesh.outline, WIDTH, HEIGHT)
@@ -66,9 +69,9 @@ def test_how_watertight_meshes_are() -> None:
             counts["left out"] += int(((wanted == 1) & (found == 0)).sum())
             counts["beside"] += int(((wanted == 0) & (found > 0)).sum())
             counts["more than once"] += int((found > 1).sum())
-        print(edges, counts)
-        wrong[edges] = sum(counts.values()) - counts["pixels"]
-    assert wrong["exact"] == 0 < wrong["subpixel"] < wrong["integer"]
+        wrong[edges] = counts
+    sums = {edges: sum(counts.values()) - counts["pixels"] for edges, counts in wrong.items()}
+    assert sums["exact"] == 0 < sums["subpixel"] < sums["integer"], wrong
 
 
 def empty_scene() -> scene_file.Scene:
@@ -89,21 +92,22 @@ def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> Non
 
 def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
     """The 68020 draws every frame as the model does, byte for byte."""
-    with emulator.workspace() as directory:
-        done = emulator.run("render", "input.scene FORM addx",
-                            {"input.scene": scene_file.write(scene)}, "a1200-fast", directory)
-        assert done.code == 0, done.output.splitlines()[-1]
-        for number, what in enumerate(about):
-            right = model.render(scene, number)
-            found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
-            wrong = np.argwhere(found.reshape(right.shape) != right)
-            assert not len(wrong), f"{what}: (x, y) {wrong[0][::-1]} and {len(wrong) - 1} more"
+    __tracebackhide__ = True
+    assert len(about) == scene.frames
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
+    for number, (what, digest) in enumerate(zip(about, digests, strict=True)):
+        right = model.render(scene, number)
+        assert not digest["result"], f"{what}: it is refused, by result {digest['result']}"
+        if not guest_frames.is_models(right, digest):
+            found = run.render(scene, "a1200-fast", "addx").frames[number]
+            raise AssertionError(f"{what}: {(found != right).sum()} pixels are not the model's; "
+                                 + first_wrong(right, found))
 
 
 def test_meshes_are_the_models() -> None:
     """A mesh a frame, each triangle in its own colour, under every setting of edges."""
     scene, about = empty_scene(), []
-    for k, mesh in enumerate(random_meshes("guest", 3)):
+    for k, mesh in enumerate(some_meshes("guest", 3)):
         clip = scene_file.SETTINGS["clip"][k % 2]
         for edges in EDGES:
             scene.frames += 1
@@ -119,7 +123,7 @@ def test_held_lines_are_the_models() -> None:
     scene, about, maps = empty_scene(), [], {}
     for k in range(200):
         case = property_cases.held_case(random.Random(f"guest {k}"), f"number {k}")
-        if max(case.size) > 256:  # many of them would not fit
+        if max(case.size) > 256:  # many of them would not fit into memory
             continue
         if case.size not in maps:
             maps[case.size] = len(maps)
@@ -131,4 +135,5 @@ def test_held_lines_are_the_models() -> None:
         texture = maps[case.size] if s.mapper == "arbitrary" else -1
         add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective, texture),
             case.vertices)
+    assert scene.frames > 100
     check_on_the_guest(scene, about)

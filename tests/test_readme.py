@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import fuzz, methods, model, readme, scene
+from tools import guest_frames, methods, model, readme, scene
 from tools.emulator import CYCLES_PER_TICK
 from tools.paths import SCENES
 
@@ -35,7 +35,7 @@ def test_animation_is_the_knots() -> None:
 def test_methods_are_as_the_picture_shows_them() -> None:
     """Its frames, cycles and errors, which it has with it as text, are those of today."""
     scenes = {name: methods.scene_of(settings) for name, settings in methods.METHODS.items()}
-    drawn = fuzz.draw([(each, "addx") for each in scenes.values()], "a1200-fast")
+    drawn = guest_frames.draw([(each, "addx") for each in scenes.values()], "a1200-fast")
     made = []
     for (name, each), digests in zip(scenes.items(), drawn):
         frames = [each.palette[model.render(each, k)] for k in range(methods.SHOWN + 1)]

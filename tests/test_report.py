@@ -57,7 +57,9 @@ def test_page_needs_no_network_and_no_script(made) -> None:
     """All that it refers to is beside it."""
     text = (made[0] / report.PAGE).read_text()
     assert "<script" not in text and "http" not in text
-    for reference in re.findall(r'(?:src|srcset|href)="([^"#]+)', text):
+    references = re.findall(r'(?:src|srcset|href)="([^"#]+)', text)
+    assert len(references) > 4
+    for reference in references:
         assert (made[0] / reference).is_file(), reference
 
 
@@ -68,6 +70,7 @@ def test_figures_are_the_runs_and_the_baselines(made) -> None:
     found = json.loads(about.read_text())
     mean = found["totals"]["cycles"] / len(found["frames"])
     assert f"{mean:,.0f} cycles, about {run.CLOCK_HZ / mean:.1f} frames a second" in text
+    assert len(found["totals"]["spans"]) > 4
     for kind, pixels in found["totals"]["spans"].items():
         assert f"<code>{kind}</code> {pixels:,}" in text
     baseline = json.loads(BASELINE.read_text())
@@ -178,12 +181,14 @@ def test_frontier_is_what_nothing_beats() -> None:
     for machine in ("a1200", "a1200-fast"):
         for name, best in report_pictures.frontiers(rows, machine).items():
             chosen = [r for r in report_pictures.plotted(rows, machine) if r["name"] == name]
+            assert 1 < len(best) < len(chosen), (machine, name)
             for row in chosen:
                 beaten = any(o["cycles_per_pixel"] <= row["cycles_per_pixel"]
                              and o["texel_error_rms"] < row["texel_error_rms"] for o in chosen)
                 if row in best:
-                    assert not beaten
-                assert beaten or row["texel_error_rms"] in {r["texel_error_rms"] for r in best}
+                    assert not beaten, (machine, row)
+                assert beaten or row["texel_error_rms"] in {r["texel_error_rms"] for r in best}, (
+                    machine, row)
 
 
 @pytest.mark.parametrize("kind", peers.PUBLISHED)

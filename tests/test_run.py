@@ -4,8 +4,10 @@ import itertools
 import json
 import subprocess
 
+import guest_runs
 import numpy as np
 import pytest
+from guest_runs import Asked
 from PIL import Image
 
 from tools import emulator, model, run
@@ -14,7 +16,7 @@ from tools.emulator import CYCLES_PER_TICK
 from tools.errors import UserError
 from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
-from tools.scene_file import SETTINGS, vertices_at
+from tools.scene_file import SETTINGS
 
 SMALL = """\
 title = "A wall and a sign"
@@ -66,17 +68,28 @@ def dumps(directory) -> list[bytes]:
 
 @pytest.fixture(scope="module")
 def runs(folder):
-    """SMALL on both machines in every form: {(machine, form): directory}."""
+    """SMALL on each machine and in each form: {(machine, form): directory}."""
     made = {}
+    for machine, form in zip(emulator.MACHINES, FORMS, strict=True):
+        out = made[machine, form] = folder / "out" / f"{machine}-{form}"
+        assert main(["run", str(folder / "small.toml"), "-o", str(out), "--machine", machine,
+                     "--form", form]) == 0
+    return made
+
+
+@pytest.fixture(scope="module")
+def counted(folder):
+    """SMALL in all forms, one boot a machine: {(machine, form): (Asked, Drawn)}."""
+    scene, made = compile_scene(folder / "small.toml"), {}
     for machine in emulator.MACHINES:
-        for form in FORMS:
-            out = made[machine, form] = folder / "out" / f"{machine}-{form}"
-            assert main(["run", str(folder / "small.toml"), "-o", str(out), "--machine", machine,
-                         "--form", form]) == 0
+        asked = [Asked(scene, form=form) for form in FORMS]
+        for each, drawn in zip(asked, guest_runs.draw(asked, machine), strict=True):
+            made[machine, each.form] = each, drawn
     return made
 
 
 def test_dumps_are_the_models(folder, runs):
+    """Byte for byte; no two frames are the same."""
     scene = compile_scene(folder / "small.toml")
     expected = [model.render(scene, number).tobytes() for number in range(3)]
     assert len(set(expected)) == 3
@@ -84,10 +97,23 @@ def test_dumps_are_the_models(folder, runs):
         assert dumps(out) == expected, key
 
 
+def test_every_form_on_every_machine(counted):
+    """The model's frames of as many pixels; fast RAM is faster, addx than swap, that than C."""
+    cycles = {}
+    for (machine, form), (asked, drawn) in counted.items():
+        guest_runs.check("small", asked, drawn, machine)
+        cycles[machine, form] = run.total(drawn.figures)["cycles"]
+    assert len({run.total(drawn.figures)["pixels"] for _, drawn in counted.values()}) == 1
+    for form in FORMS:
+        assert cycles["a1200-fast", form] < cycles["a1200", form], cycles
+    for machine in emulator.MACHINES:
+        assert cycles[machine, "addx"] < cycles[machine, "swap"] < cycles[machine, "c"], cycles
+
+
 def test_run_json(folder, runs):
+    """What it says of the run, of each frame and of all together."""
     scene = compile_scene(folder / "small.toml")
     textured = {"addx": "affine_addx", "swap": "affine_swap", "c": "affine_c"}
-    pixels, cycles = set(), {}
     for (machine, form), out in runs.items():
         about = json.loads((out / "run.json").read_text())
         assert (about["scene"], about["title"]) == ("small", "A wall and a sign")
@@ -108,22 +134,14 @@ def test_run_json(folder, runs):
             assert totals[key] == sum(frame[key] for frame in frames)
         assert totals["cycles_per_pixel"] == round(totals["cycles"] / totals["pixels"], 3)
         assert sum(totals["spans"].values()) == totals["pixels"]
-        pixels.add(totals["pixels"])
-        cycles[machine, form] = totals["cycles"]
-    assert len(pixels) == 1
-    for form in FORMS:
-        assert cycles["a1200-fast", form] < cycles["a1200", form]
-    for machine in emulator.MACHINES:
-        assert cycles[machine, "addx"] < cycles[machine, "swap"] < cycles[machine, "c"]
 
 
-def test_pixel_counts_are_the_models(folder, runs):
-    scene = compile_scene(folder / "small.toml")
-    frames = json.loads((runs["a1200", "addx"] / "run.json").read_text())["frames"]
-    for frame in frames:
-        polygons = [model.set_up(vertices_at(scene, obj, frame["number"]), 64, 48,
-                                 scene.materials[obj.material].texture >= 0) for obj in scene.objects]
-        assert frame["pixels"] == sum(polygon.pixels for polygon in polygons)
+def test_pixel_counts_are_the_models(counted):
+    """Of the polygons, those that others hide too."""
+    asked, drawn = counted["a1200", "addx"]
+    for number, figures in enumerate(drawn.figures):
+        polygons = [model.prepare(asked.scene, obj, number) for obj in asked.scene.objects]
+        assert figures["pixels"] == sum(polygon.pixels for polygon in polygons), f"frame {number}"
 
 
 def test_how_long_animations_show_a_frame():
@@ -133,7 +151,8 @@ def test_how_long_animations_show_a_frame():
 
 
 def test_pictures_are_the_dumps(runs):
-    out = runs["a1200-fast", "addx"]
+    """Each frame as PNG, and all as an animation that is repeated for ever."""
+    out = next(iter(runs.values()))
     palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
     assert names(out) == ["animation.gif", *(f"frame_{n:03}.{end}" for n in range(3)
                                              for end in ("chunky", "png")), "run.json"]
@@ -254,6 +273,7 @@ def refused(arguments, capsys) -> str:
     (SMALL.replace('"wall.png"', '"small.toml"'), "small.toml: not a PNG or JPEG picture"),
 ])
 def test_bad_scenes_leave_nothing(folder, tmp_path, capsys, text, message):
+    """Status 2, one line, no directory."""
     bad = folder / "bad.toml"
     bad.unlink(missing_ok=True)
     if text is not None:
@@ -271,6 +291,7 @@ def test_bad_scenes_leave_nothing(folder, tmp_path, capsys, text, message):
     (["--speed"], "unrecognized arguments: --speed"),
 ])
 def test_bad_options_leave_nothing(folder, tmp_path, capsys, options, message):
+    """Status 2, one line, no directory."""
     command = ["run", folder / "small.toml", "-o", tmp_path / "out", *options]
     assert message in refused(command, capsys)
     assert names(tmp_path) == []
@@ -278,6 +299,7 @@ def test_bad_options_leave_nothing(folder, tmp_path, capsys, options, message):
 
 @pytest.mark.parametrize("inside", ["", "deeper/out"])
 def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
+    """It is named, and stays."""
     (tmp_path / "out").write_text("mine")
     out = tmp_path / "out" / inside
     assert f"{tmp_path}/out: is not a directory" in refused(
@@ -286,6 +308,7 @@ def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
 
 
 def test_bad_input_through_the_script(tmp_path):
+    """Status 2 and one line, without a word on standard output."""
     for arguments, message in ((["run", "no.toml"], "tmap: no.toml: No such file or directory\n"),
                                ([], "tmap: usage: the following arguments are required: COMMAND; "
                                     "see tmap --help\n"),
@@ -302,6 +325,7 @@ def test_bad_input_through_the_script(tmp_path):
     (OSError(28, "No space left on device", "x"), 2, "tmap: x: No space left on device\n")])
 def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, monkeypatch, thrown,
                                                     status, message):
+    """Interrupted, or by a full disk."""
     emulators = []
 
     def wait(process, volume, on_output, patience):
@@ -315,7 +339,8 @@ def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, mo
 
 
 def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
-    out = runs["a1200-fast", "c"]
+    """Its files stay as they are."""
+    out = next(iter(runs.values()))
     before = {path.name: path.read_bytes() for path in out.iterdir()}
     monkeypatch.setattr(run, "FRAME_LINE", run.re.compile("nothing matches"))
     assert "is not the line of frame 0" in refused(["run", folder / "small.toml", "-o", out], capsys)
@@ -329,11 +354,13 @@ def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
     ("frame 0 ticks 5 polygons 1\nframe 1 ticks 5 polygons 1 fill\n", "not the line of frame 1"),
 ])
 def test_output_that_does_not_match_the_plan(output, message):
+    """Too few lines, a frame left out, figures without numbers."""
     with pytest.raises(UserError, match=message):
         run.parse_output(output, 2, 0)
 
 
 def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
+    """Frames of one colour, cut off, missing, too many."""
     scene = compile_scene(folder / "small.toml")
     drawn = [model.render(scene, number) for number in range(3)]
     empty = np.full_like(drawn[0], scene.background)
@@ -351,6 +378,7 @@ def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
 
 
 def test_one_colour_where_nothing_is_to_be_seen(folder, tmp_path):
+    """It is taken."""
     (folder / "far.toml").write_text(SMALL.replace("centre = [", "centre = [500, 500]\nmove = ["))
     scene = compile_scene(folder / "far.toml", 1)
     (tmp_path / "frame_000.chunky").write_bytes(bytes([scene.background]) * 64 * 48)

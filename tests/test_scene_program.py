@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import objects, pack, parts, scene_program
+from tools import elf_object, program_layout, program_parts, scene_program
 from tools.__main__ import main
+from tools.elf_object import Relocation, Section
 from tools.errors import UserError
-from tools.objects import Relocation, Section
 from tools.paths import PROGRAMS, SCENES
 
 MESH = """\
@@ -163,7 +163,8 @@ def test_wrong_frame_is_refused():
     scene_program.compare(full, full, "toy")
     with pytest.raises(UserError, match="toy: frame_000.chunky is not what the full renderer"):
         scene_program.compare(full, scene_program.Run({"frame_000.chunky": b"ax"}, [10]), "toy")
-    with pytest.raises(UserError, match="toy: 0 frames where the full renderer draws 1"):
+    with pytest.raises(UserError, match="toy: 0 frames drawn and 0 timed where the full renderer "
+                       "has 1 and 1"):
         scene_program.compare(full, scene_program.Run({}, []), "toy")
 
 
@@ -202,13 +203,13 @@ def test_calls_of_what_never_ran_stop():
     entry = section("start", bytes(8), symbols={"start": 0},
                     relocations=[Relocation(2, 4, False, "other", 0)])
     other = section("other", bytes(64), "span", symbols={"other": 0})
-    program = parts.Program([entry, other], {}, {})
+    program = program_parts.Program([entry, other], {}, {})
     assert other not in program.parts
-    layout = pack.Layout(program, {})
+    layout = program_layout.Layout(program, {})
     image, code, bss = layout.link()
     assert code == [2] and bss == []
     stop = int.from_bytes(image[2:6], "big")
-    assert image[stop:stop + 2] == parts.ILLEGAL
+    assert image[stop:stop + 2] == program_parts.ILLEGAL
 
 
 def test_calls_need_no_relocation():
@@ -222,31 +223,31 @@ def test_calls_need_no_relocation():
         ((2, "other", 8), (8, "other", 10), (14, "x", 4), (20, "other", 0))])
     images = []
     for timed in range(3):
-        program = parts.Program([entry, other, cleared], {}, {entry: ([], timed)})
-        image, code, bss = pack.Layout(program, {}).link()
+        program = program_parts.Program([entry, other, cleared], {}, {entry: ([], timed)})
+        image, code, bss = program_layout.Layout(program, {}).link()
         assert (sorted(code), bss) == ([2, 8, 20] if timed == 2 else [20], [14])
         assert image[12:18].hex() == "4eb900000004"
         images.append(image[:12].hex())
     at = int.from_bytes(image[20:24], "big")
     assert images == [f"6100{at + 6:04x}4e716000{at + 2:04x}4e71", f"61ff{at + 6:08x}60ff{at + 2:08x}",
                       f"4eb9{at + 8:08x}4ef9{at + 10:08x}"]
-    assert pack.branch(bytes.fromhex("4eb9"), 1 << 15, 0) is None
+    assert program_layout.branch(bytes.fromhex("4eb9"), 1 << 15, 0) is None
 
 
 def test_strings_are_parts_of_their_own():
     """A program holds those of a section of strings that it refers to."""
     whole = Section("build/obj/gcc/system/x.o", ".rodata.x.str1.1", b"ab\0\0cde\0", 8, 4)
-    strings = objects.split_strings(whole)
+    strings = elf_object.split_strings(whole)
     assert {at: part.data for at, part in strings.items()} == {0: b"ab\0", 3: b"\0", 4: b"cde\0"}
-    assert objects.part_at(strings, 5) == (strings[4], 1)
-    assert objects.part_at(strings, 3) == (strings[3], 0)
+    assert elf_object.part_at(strings, 5) == (strings[4], 1)
+    assert elf_object.part_at(strings, 3) == (strings[3], 0)
 
 
 def test_what_nothing_defines_is_refused():
     entry = section("start", bytes(8), symbols={"start": 0},
                     relocations=[Relocation(2, 4, False, "gone", 0)])
     with pytest.raises(UserError, match="start.o: gone: nothing defines it"):
-        parts.Program([entry], {}, {})
+        program_parts.Program([entry], {}, {})
 
 
 def test_fixed_places_keep_their_cache_lines():
@@ -255,7 +256,7 @@ def test_fixed_places_keep_their_cache_lines():
         Relocation(0, 4, False, "a", 0), Relocation(4, 4, False, "b", 0)])
     a = section("a", bytes(40), symbols={"a": 0})
     b = section("b", bytes(40), symbols={"b": 0})
-    program = parts.Program([entry, a, b], {}, None)
-    layout = pack.Layout(program, {a: 0x1234, b: 0x5230})
-    assert layout.at[a] % pack.CACHE == 0x34 and layout.at[b] % pack.CACHE == 0x30
-    assert abs(layout.at[a] - layout.at[b]) >= 40 + pack.AHEAD
+    program = program_parts.Program([entry, a, b], {}, None)
+    layout = program_layout.Layout(program, {a: 0x1234, b: 0x5230})
+    assert layout.at[a] % program_layout.CACHE == 0x34 and layout.at[b] % program_layout.CACHE == 0x30
+    assert abs(layout.at[a] - layout.at[b]) >= 40 + program_layout.AHEAD

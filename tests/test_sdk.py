@@ -15,11 +15,11 @@ import pytest
 from amitools.binfmt.hunk import Hunk
 from amitools.binfmt.hunk.HunkReader import HunkReader
 
-from engine_polygons import first_wrong
-from tools import contracts, emulator, hunk_object, model, objects, planar, sdk
+from arrays import first_wrong
+from tools import contracts, elf_object, emulator, hunk_object, model, planar, sdk
+from tools.elf_object import Relocation, Section
 from tools.errors import UserError
 from tools.model_texturing import Settings
-from tools.objects import Relocation, Section
 from tools.paths import ROOT
 
 WIDTH, HEIGHT = 160, 128  # of the example's pictures
@@ -98,7 +98,7 @@ def libraries(kit):
 @pytest.fixture(scope="module")
 def elf(kit):
     """The sections of the ELF objects, by name."""
-    return {path.name: objects.load(path)
+    return {path.name: elf_object.load(path)
             for path in sorted((kit / "lib" / "elf" / "objects").iterdir())}
 
 

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tools import bounds, fuzz, model, showcase
-from tools.fuzz_polygons import has_ideal
+from tools import bounds, guest_frames, model, showcase
 from tools.model_mesh import polygons_at
 from tools.paths import SCENES
 from tools.scene import compile_scene
@@ -18,7 +17,7 @@ FRAMES = {"cube": 2, "floor": 2, "corridor": 2, "environment": 1, "rotator": 2, 
 def drawn() -> dict[str, tuple]:
     """By name: a scene's first frames and their digests, all of one boot."""
     scenes = {name: compile_scene(SCENES / f"{name}.toml", FRAMES[name]) for name in showcase.NAMES}
-    digests = fuzz.draw([(scene, "addx") for scene in scenes.values()], "a1200-fast")
+    digests = guest_frames.draw([(scene, "addx") for scene in scenes.values()], "a1200-fast")
     return dict(zip(scenes, zip(scenes.values(), digests, strict=True), strict=True))
 
 
@@ -29,7 +28,7 @@ def test_frames_are_the_models(name: str, drawn) -> None:
     assert len(digests) == FRAMES[name]
     for number, digest in enumerate(digests):
         expected = model.render(scene, number)
-        assert fuzz.is_models(expected, digest), (
+        assert guest_frames.is_models(expected, digest), (
             f"{name}, frame {number} is not the model's; again: scripts/tmap run "
             f"tests/scenes/{name}.toml --frames {FRAMES[name]}")
         assert len(np.unique(expected)) > 4
@@ -57,7 +56,7 @@ def test_errors_are_within_derived_bounds(name: str) -> None:
                                   material.perspective, material.mapper)
         size = scene.textures[material.texture].texels.shape[::-1] if material.texture >= 0 else (256, 256)
         adapted = model.adapt(vertices, settings, max(size))
-        if has_ideal(adapted, settings):
+        if bounds.has_ideal(adapted, settings):
             polygon = model.prepare_polygon(scene, which, vertices)
             total.merge(bounds.judge_set_up(adapted, polygon, settings, scene.width, scene.height, size))
     assert not total.complaint and total.texel_ratio > 0.1

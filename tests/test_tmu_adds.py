@@ -3,15 +3,16 @@ of one unit is that by one pass of two; they do not go where pixels are replaced
 
 from dataclasses import replace
 
+import guest_runs
 import numpy as np
 import pytest
-from engine_scenes import compiled, explain, save_noise, scene_text
+from engine_scenes import compiled, save_noise, scene_text
+from guest_runs import Asked
 
-from tools import fuzz, model, run
+from tools import guest_frames, model
 from tools.scene_file import Scene
 from tools.tmu.words import FIELDS, LEVELS
 
-AGAIN = ".deps/venv/bin/python -m pytest tests/test_tmu_adds.py"
 PIXELS = ("rgb565", "rgba8888")
 #: All levels of a map of 32x32 texels, the first one larger than pixels.
 FLOOR = ("vertices = [[0, 0, 0, 0, 1], [64, 0, 128, 0, 1], [64, 48, 900, 1800, 9], "
@@ -82,7 +83,7 @@ def test_two_passes_are_one(folder, whole):
     y, x, channel = np.unravel_index(np.argmax(np.abs(darker)), darker.shape)
     assert darker.min() >= 0 and darker.max() <= SUM, (
         f"pixel ({x}, {y}), channel {channel}: {colours[1][y, x, channel]} by two passes, "
-        f"{colours[0][y, x, channel]} by one; again: {AGAIN} -k two_passes")
+        f"{colours[0][y, x, channel]} by one")
     assert darker.max() == SUM and len(np.unique(colours[1].reshape(-1, 4), axis=0)) > 500
     for first in (0, 1):
         alone = replace(two, objects=two.objects[first:first + 1])
@@ -94,28 +95,26 @@ def test_frames_are_the_models(folder):
     """Both frames' formats, split and whole maps, by passes and pixel by pixel, in one boot."""
     scenes = {(pixels, whole, off): trilinear(folder, whole, 2, pixels)
               for pixels in PIXELS for whole in (False, True) for off in ("", " OFF all")}
-    found = fuzz.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
+    found = guest_frames.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
     for (key, scene), digests in zip(scenes.items(), found):
-        assert fuzz.is_models(model.render(scene, 0), digests[0]), (
-            f"pixels, whole maps, rules: {key}: the frame is not the model's; again: {AGAIN} -k "
-            "models")
+        assert guest_frames.is_models(model.render(scene, 0), digests[0]), (
+            f"pixels, whole maps, rules: {key}: the frame is not the model's")
 
 
-@pytest.mark.parametrize("pixels", PIXELS)
-def test_nothing_is_replaced(folder, pixels):
+def test_nothing_is_replaced(folder):
     """What pages, dithered points and tiles would draw, if it were not added, goes by passes; twice
-    over each other."""
+    over each other; in one boot."""
     square = "vertices = [[0, 0, 0, 0], [32, 0, 128, 0], [32, 32, 128, 128], [0, 32, 0, 128]]"
     plain = 'image = "noise.png", format = "rgb565", mipmap = "none"'
     filtered = plain + ', min = "bilinear", mag = "bilinear"'
-    for texels in (plain, filtered, filtered + ', bilinear = "dithered"'):
-        text = scene_text(f'glide = {{ blend = "add", units = [{{ {texels} }}] }}', square, pixels)
-        text += f'[[objects]]\nmaterial = "it"\n{square.replace("32", "47")}\n'
-        scene = compiled(folder, text)
-        done = run.render(scene, "a1200-fast", "addx")
-        expected = model.render(scene, 0)
-        assert np.array_equal(done.frames[0], expected), explain(
-            f"{texels}, {pixels}", expected, done.frames[0], f"{AGAIN} -k replaced")
-        rules = {rule for material in done.executed for rule in material["rules"]}
-        assert "tmu_passes" in rules and not rules & {"tmu_plain", "tmu_tiles"}, rules
-        assert set(run.total(done.figures)["spans"]) == {"tmu_passes"}, done.figures
+    asked = {}
+    for pixels in PIXELS:
+        for texels in (plain, filtered, filtered + ', bilinear = "dithered"'):
+            text = scene_text(f'glide = {{ blend = "add", units = [{{ {texels} }}] }}', square, pixels)
+            text += f'[[objects]]\nmaterial = "it"\n{square.replace("32", "47")}\n'
+            asked[f"{texels}, {pixels}"] = Asked(compiled(folder, text))
+    for (name, each), drawn in zip(asked.items(), guest_runs.draw([*asked.values()])):
+        guest_runs.check(name, each, drawn)
+        assert "tmu_passes" in drawn.rules, (name, drawn.rules)
+        assert not drawn.rules & {"tmu_plain", "tmu_tiles"}, (name, drawn.rules)
+        assert drawn.spans == {"tmu_passes"}, (name, drawn.figures)

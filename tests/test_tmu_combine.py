@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from arrays import check_equal, check_within
 from tmu_reference import only
 
 from tools.errors import UserError
@@ -14,12 +15,11 @@ from tools.tmu.functions import (FACTORS, FUNCTIONS, combination, combine, trili
                                  trilinear_passes)
 from tools.tmu.state import ONE_W, UNIT_MEMORY, Modes, Unit, packed, unpacked
 
-AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_combine.py"
-
 
 @pytest.mark.parametrize("bias, lod, want", [
     (4, 0x280, 48), (4, 0, 128), (4, 0x433, 0), (8, 0x100, 200), (-3, 0, 0)])
 def test_detail_factor(bias, lod, want):
+    """(bias - level) times 2^scale, from 0 to the most; both in steps of 1/256."""
     modes = Modes(detail_bias=bias, detail_scale=5, detail_max=200)
     assert detail_factor(modes, np.array(lod)) == want
 
@@ -34,9 +34,9 @@ MEANT = {
     "scale_other_add_local_alpha": lambda f, o, c, a: f(o) + a,
     "scale_other_minus_local": lambda f, o, c, a: f(o - c),
     "blend": lambda f, o, c, a: f(o - c) + c,
-    "scale_other_minus_local_add_local_alpha": lambda f, o, c, a: f(o - c) + a,
+    "blend_add_local_alpha": lambda f, o, c, a: f(o - c) + a,
     "blend_local": lambda f, o, c, a: f(-c) + c,
-    "scale_minus_local_add_local_alpha": lambda f, o, c, a: f(-c) + a,
+    "blend_local_add_local_alpha": lambda f, o, c, a: f(-c) + a,
 }
 
 
@@ -51,7 +51,7 @@ def test_combine_functions(function, factor):
     modes = Modes(detail_bias=5, detail_scale=3, detail_max=190)
     own = {"local": local, "other_alpha": other[:, 3:], "local_alpha": local[:, 3:],
            "lod_fraction": lod[:, None] % 256, "zero": 0,
-           "detail_factor": np.clip((1280 - lod) * 8 // 256, 0, 190)[:, None]}
+           "detail": np.clip((1280 - lod) * 8 // 256, 0, 190)[:, None]}
     m = own[factor.removeprefix("one_minus_")] if factor != "one" else 255
     if factor.startswith("one_minus_"):
         m = 255 - m
@@ -59,10 +59,11 @@ def test_combine_functions(function, factor):
     want = np.clip(meant, 0, 255)
     for invert in (0, 1):
         found = combined(combine(modes, function, factor, invert), lod, local, other)
-        assert (found == (255 - want if invert else want)).all(), AGAIN
+        check_equal(found, 255 - want if invert else want, f"inverted {invert}: case, channel")
 
 
-def test_halves_differ():
+def test_colour_and_alpha_are_combined_each_by_its_own():
+    """And names that are none are refused."""
     modes = Modes(rgb=combination("local"), alpha=combination("scale_other", "one"))
     colour = combined(modes, np.array(0), unpacked(0x11223344), unpacked(0xAABBCCDD))
     assert packed(colour) == 0xAA223344
@@ -80,11 +81,11 @@ def test_two_units():
     s, t = random.integers(-1 << 31, 1 << 31, (2, 300))
     points = [Point(s, t), Point(t, s)]
     near, far = (pixel(u, p, np.zeros(4, np.int64)) for u, p in zip(units, points))
-    assert (chain_pixel(units, points) == near).all()
+    check_equal(chain_pixel(units, points), near, "local: pixel, channel")
     units[0].modes = combine(units[0].modes, "scale_other", "local")
-    assert (chain_pixel(units, points) == far * (near + 1) // 256).all()
+    check_equal(chain_pixel(units, points), far * (near + 1) // 256, "product: pixel, channel")
     units[0].modes = combine(units[0].modes, "scale_other_add_local", "one")
-    assert (chain_pixel(units, points) == np.minimum(far + near, 255)).all()
+    check_equal(chain_pixel(units, points), np.minimum(far + near, 255), "sum: pixel, channel")
 
 
 def weight_odd(lod: np.ndarray) -> np.ndarray:
@@ -103,14 +104,15 @@ def test_trilinear_blends():
     for n in (0, 1):
         for fraction in range(256):
             lod = np.full(even.shape[:2], n << 8 | fraction)
+            what = f"level {n}, {fraction} / 256: 1/5 of odd, of even, channel"
             want = even + ((odd - even) * (weight_odd(lod) + 1) >> 8)
             first, _ = trilinear_pair(Modes())
-            assert (combined(first, lod, even, odd) == want).all(), AGAIN
+            check_equal(combined(first, lod, even, odd), want, what)
             first, _ = trilinear_pair(Modes(), 1)
-            assert (abs(combined(first, lod, odd, even) - want) <= 1).all(), AGAIN
+            check_within(combined(first, lod, odd, even), want, 1, f"odd first, {what}")
             passes = trilinear_passes(Modes())
             total = sum(combined(m, lod, c, dark) for m, c in zip(passes, (even, odd)))
-            assert ((want - 2 <= total) & (total <= want)).all(), AGAIN
+            check_within(total, want - 1, 1, f"two passes, {what}")
 
 
 @pytest.mark.parametrize("split", [0, 1])
@@ -129,6 +131,6 @@ def test_trilinear_pixels(split):
     dark = np.zeros(4, np.int64)
     if split:
         pair = [Unit(m, memory) for m in trilinear_pair(modes)]
-        assert (chain_pixel(pair, [point, point]) == want).all(), AGAIN
+        check_equal(chain_pixel(pair, [point, point]), want, "one pass: pixel, channel")
     total = sum(pixel(Unit(m, memory), point, dark) for m in trilinear_passes(modes))
-    assert ((want - 2 <= total) & (total <= want)).all(), AGAIN
+    check_within(total, want - 1, 1, "two passes, 0 to 2 less: pixel, channel")

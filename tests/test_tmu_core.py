@@ -7,11 +7,11 @@ from fractions import Fraction
 
 import pytest
 from tmu_guest import MASK, Guest
+from tmu_reference import table_quotient
 
 from tools.paths import ROOT
 from tools.vector_text import xorshift
 
-AGAIN = "again: .deps/venv/bin/python -m pytest tests/test_tmu_core.py"
 ONE = 1 << 18  # 1.0 of s and t
 W_ONE = 1 << 30
 LEAST, MOST = -1 << 31, (1 << 31) - 1
@@ -73,19 +73,6 @@ def nearest_logarithm(x: int) -> int:
     return power // 2
 
 
-def exact_quotient(s: int, w: int) -> int:
-    """s / w through the reciprocal of the rules, by fractions."""
-    if not w:
-        return 0
-    shift = 32 - abs(w).bit_length()
-    place = Fraction((abs(w) << shift) - (1 << 31), 1 << 22)  # 0 to 512, of entries
-    i, part = int(place), int(place % 1 * 256)
-    entries = [(1 << 31) // (512 + n) for n in (i, i + 1)]
-    inverse = (entries[0] * (256 - part) + entries[1] * part) // 256
-    value = s * inverse * Fraction(2) ** (shift - 23) * (1 if w > 0 else -1)
-    return max(LEAST, min(MOST, value.numerator // value.denominator))
-
-
 def numbers(q: Questions, choose: random.Random) -> None:
     """Logarithms, quotients, gradients."""
     for x in (1, 2, 3, MASK, 1 << 31, *(choose.getrandbits(choose.randint(1, 32)) | 1
@@ -102,11 +89,11 @@ def numbers(q: Questions, choose: random.Random) -> None:
     edges = (0, 1, -1, 2, 3, 255, W_ONE, W_ONE - 1, -W_ONE, MOST, LEAST, LEAST + 1)
     for s in edges:
         for w in edges:
-            q.one(exact_quotient(s, w), "QUOTIENT", s, w)
+            q.one(table_quotient(s, w), "QUOTIENT", s, w)
     for _ in range(150):
         s, w = (choose.randrange(-1 << bits, 1 << bits)
                 for bits in (choose.randint(1, 31), choose.randint(1, 31)))
-        q.one(exact_quotient(s, w), "QUOTIENT", s, w)
+        q.one(table_quotient(s, w), "QUOTIENT", s, w)
     q.one(-32768, "LOD", 0, 0, 0, 0)
     q.one(2 * LOD_ONE, "LOD", 4 * ONE, 0, 0, 0)
     q.one(-18 * LOD_ONE, "LOD", 0, 0, 0, -1)
@@ -229,7 +216,7 @@ class Chain:
         self.guest = guest
         self.trilinear: list[tuple[int, int, int, int, int]] = []  # LOD, even first, 3 answers
         self.passes: list[tuple[int, int, int, int, int]] = []  # LOD, 4 answers
-        self.hints: list[tuple[int, int]] = []
+        self.hints: list[tuple[int, int, int, int]] = []  # units, own, 2 answers
 
     def regs(self, unit: int, mode: int, rest: int) -> None:
         """Of one."""
@@ -276,10 +263,10 @@ class Chain:
         here, there = (3 * ONE, 5 * ONE), (90 * ONE, 71 * ONE)
         for own, point in ((0, here), (1, here), (2, there), (3, there)):
             alone = self.guest.one("PIXEL", *point, W_ONE, 0, 0, 0)
-            self.hints.append((alone, self.chain(2, own, here, there)))
+            self.hints.append((2, own, alone, self.chain(2, own, here, there)))
         self.regs(0, LOCAL, 0)
         alone = self.guest.one("PIXEL", *here, W_ONE, 0, 0, 0)
-        self.hints.append((alone, self.chain(1, 0, here, there)))
+        self.hints.append((1, 0, alone, self.chain(1, 0, here, there)))
 
 
 def gradients(lod: int) -> list[int]:
@@ -321,7 +308,7 @@ def test_numbers_and_rules(answers) -> None:
     wrong = [f"{what}: expected {expected & MASK:x}, found {answer:x}"
              for (what, expected), answer in zip(questions.expected, found)
              if answer != expected & MASK]
-    assert not wrong, "\n".join([f"{len(wrong)} are wrong", *wrong[:10], AGAIN])
+    assert not wrong, "\n".join([f"{len(wrong)} of {len(questions.expected)} are wrong", *wrong[:10]])
 
 
 def test_trilinear_filtering(answers) -> None:
@@ -333,7 +320,9 @@ def test_trilinear_filtering(answers) -> None:
         odd_weight = 255 - (lod & 255) if lod >> 8 & 1 else lod & 255
         m = odd_weight if even_first else 255 - odd_weight
         expected = [a + ((b - a) * (m + 1) >> 8) for a, b in zip(local, other)]
-        assert blended == expected, (lod, even_first, local, other, blended, expected, AGAIN)
+        assert local != other and blended == expected, (
+            f"LOD {lod}/256, even levels {'first' if even_first else 'second'}: {local} and {other} "
+            f"make {blended}, not {expected}")
 
 
 def test_trilinear_filtering_in_two_passes(answers) -> None:
@@ -344,17 +333,21 @@ def test_trilinear_filtering_in_two_passes(answers) -> None:
         near, far, first, second = (channels(found[place]) for place in places)
         part = lod & 255
         for a, b, got in zip(near, far, map(sum, zip(first, second))):
-            assert got == (a * (255 - part) >> 8) + (b * part >> 8), (lod, a, b, got, AGAIN)
+            expected = (a * (255 - part) >> 8) + (b * part >> 8)
             even, odd, weight = (b, a, 255 - part) if lod >> 8 & 1 else (a, b, part)
             blend = even + ((odd - even) * (weight + 1) >> 8)
-            assert 0 <= blend - got <= 2, (lod, a, b, got, AGAIN)
+            assert got == expected and 0 <= blend - got <= 2, (
+                f"LOD {lod}/256: {a} and {b} make {got} in two passes, not {expected}; {blend} in "
+                "one")
 
 
 def test_whose_points_count(answers) -> None:
-    """By the hints."""
+    """Where bit n is set unit n has a point of its own, otherwise it takes that of unit 0."""
     _, chain, found = answers
-    for alone, together in chain.hints:
-        assert found[alone] == found[together], AGAIN
+    for units, own, alone, together in chain.hints:
+        assert found[alone] == found[together], (
+            f"{units} units, own {own}: {found[together]:08x}, not {found[alone]:08x}")
+    assert len({found[alone] for _, _, alone, _ in chain.hints}) > 1, "both places look the same"
 
 
 def test_programs_carry_what_they_call() -> None:

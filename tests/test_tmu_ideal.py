@@ -5,8 +5,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from arrays import check_equal, check_within
 
 from tools.errors import UserError
+from tools.ideal_texels import Coordinate
 from tools.tmu import combine, ideal
 from tools.tmu.chain import Point, chain_pixel
 from tools.tmu.coordinates import TOO_LARGE, coordinates
@@ -16,9 +18,7 @@ from tools.tmu.functions import combine as combine_by
 from tools.tmu.ideal import Corner, Surface
 from tools.tmu.lod import base, level_of_detail
 from tools.tmu.state import ARGB4444, ONE_W, UNIT_MEMORY, Modes, Unit
-from tools.tx.ideal import Coordinate
 
-AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_ideal.py"
 ONE = 1 << 18  # of 14.18
 N = 65536  # of 16.16
 ROUNDING = 2.0**-36  # of the ideal itself
@@ -47,12 +47,13 @@ def share(polygon: list[Corner], x: int, y: int) -> list[Fraction]:
 @pytest.mark.parametrize("perspective", [True, False])
 @pytest.mark.parametrize("polygon", [FAR, FLAT, FAR[::-1]])
 def test_coordinates_are_exact(polygon, perspective):
+    """Whole texels and the nearest double to the fraction, by barycentric coordinates."""
     found = Surface(polygon, perspective).at(X, Y)
     for x, y, s_at, t_at in zip(X, Y, *(zip(*c) for c in found)):
         s, t, w = share(polygon, int(x) * N, int(y) * N)
-        for value, (index, fraction) in ((s, s_at), (t, t_at)):
+        for name, value, at in (("s", s, s_at), ("t", t, t_at)):
             exact = value / (w if perspective else ONE_W) * Fraction(ONE_W, ONE)
-            assert index == exact // 1 and fraction == float(exact % 1), AGAIN
+            assert tuple(at) == (exact // 1, float(exact % 1)), f"{name} at pixel ({x}, {y})"
 
 
 def test_levels_are_those_of_derivatives():
@@ -69,7 +70,7 @@ def test_levels_are_those_of_derivatives():
         for dx, dy in ((N, 0), (0, N)):
             there, divisor = at(x + dx, y + dy)
             most = max(most, sum(((b - a) * divisor / w) ** 2 for a, b in zip(here, there)))
-        assert abs(level - np.log2(float(most)) / 2) < ROUNDING, AGAIN
+        assert abs(level - np.log2(float(most)) / 2) < ROUNDING, f"at ({x / N:g}, {y / N:g})"
     still = [corner._replace(s=5, t=7) for corner in FLAT]
     assert (Surface(still, False).level(X, Y) == -np.inf).all()
 
@@ -86,10 +87,11 @@ def test_level_of_the_unit():
         true = Surface(corners, True).level(np.array([0]), np.array([0]))
         limits = Modes(perspective=1)
         found = level_of_detail(limits, base(*steps), np.array(w), np.array(0), np.array(0))
-        assert abs(found / 256 - ideal.limited(limits, true)) <= 1 / 256 + ROUNDING, AGAIN
+        check_within(found / 256, ideal.limited(limits, true), 1 / 256 + ROUNDING, f"w {w}")
 
 
-def test_limits():
+def test_levels_are_biased_and_limited():
+    """All three in quarters."""
     modes = Modes(lod_min=2, lod_max=20, lod_bias=-6)
     assert ideal.limited(modes, np.array([-np.inf, 1, 3, 9])).tolist() == [0.5, 0.5, 1.5, 5]
 
@@ -105,7 +107,8 @@ def test_texel_centres(level, clamp):
     drawn = sample(on, s, t, np.full(200, 256 * level))
     at = [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
     for linear in (False, True):
-        assert (ideal.sample_level(on, *at, level, linear) == drawn).all(), AGAIN
+        check_equal(drawn, ideal.sample_level(on, *at, level, linear),
+                    f"{('point', 'bilinear')[linear]}: place, channel")
 
 
 def placed(s: np.ndarray, t: np.ndarray) -> list[Coordinate]:
@@ -122,22 +125,24 @@ def weights_error(bits: int) -> float:
 
 @pytest.mark.parametrize("bits", [4, 8])
 @pytest.mark.parametrize("clamp", [0, 1])
-def test_bilinear_samples(bits, clamp):
+def test_bilinear_and_point_samples(bits, clamp):
+    """Bilinear ones within what weights are cut by; the others show the ideal's texel."""
     random = np.random.default_rng(6)
     on = unit(fraction_bits=bits, clamp_s=clamp, clamp_t=clamp, aspect=1)
     s, t = random.integers(-1 << 28, 1 << 28, (2, 2000))
     level = random.integers(0, 9, 2000)
     drawn = sample(on, s, t, level * 256)
     wanted = ideal.sample(on, *placed(s, t), level * 1.0, "bilinear")
-    assert abs(drawn - wanted).max() <= weights_error(bits), AGAIN
+    check_within(drawn, wanted, weights_error(bits), "bilinear: place, channel")
     on.modes = replace(on.modes, minify=0, magnify=0)
     wanted = ideal.sample(on, *placed(s, t), level * 1.0, "point")
-    assert (sample(on, s, t, level * 256) == wanted).all()
+    check_equal(sample(on, s, t, level * 256), wanted, "point: place, channel")
 
 
 def test_perspective():
     """Iterated numbers are rounded by half a unit each, so that s is off by half of one of s/w and
-    s times half of one of 1/w, over the rounded 1/w; the quotient is cut, and off by the reciprocal where it is by the table."""
+    s times half of one of 1/w, over the rounded 1/w; the quotient is cut, and off by the reciprocal
+    where it is by the table."""
     shares = [share(FAR, int(x) * N, int(y) * N) for x, y in zip(X, Y)]
     iterated = [np.array([round(three[k]) for three in shares]) for k in range(3)]
     exacts = Surface(FAR, True).at(X, Y)
@@ -146,7 +151,7 @@ def test_perspective():
     for found, exact, part in ((*two, part) for drawn, part in ways for two in zip(drawn, exacts)):
         most = (0.5 / ONE + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE
         most += (abs(exact.value) + most) * part
-        assert (abs(found / ONE - exact.value) <= most + ROUNDING).all(), AGAIN
+        check_within(found / ONE, exact.value, most + ROUNDING, f"table's part {part}: pixel")
 
 
 @pytest.mark.parametrize("size", [8, 16])
@@ -170,7 +175,9 @@ def test_perspective_in_pieces(size):
             r = np.sqrt(w[last] / w[first])
             most = float(abs(exact[last] - exact[first])) * abs(r - 1) / (r + 1) * (1 + ROUNDING)
             off = float(found[n] - exact[n])
-            assert -most - size <= off <= most + ROUNDING, (count, n, off, most, AGAIN)
+            assert -most - size <= off <= most + ROUNDING, (
+                f"{count} pixels, w {w[0]} to {w[-1]}, pixel {n}: off by {off} units of 1/2^18; "
+                f"from {-most - size} to {most} may be")
             bent = max(bent, abs(off) - size)
     assert bent > ONE / 64  # some lines do bend
 
@@ -188,7 +195,8 @@ def test_trilinear_samples():
         drawn = chain_pixel(units, [point, point])
         wanted = ideal.sample(units[0], *placed(s, t), lod / 256, "trilinear", units[1])
         inside = lod < 0x800  # level 8 has no next one: the unit of odd ones shows what it likes
-        assert abs(drawn - wanted)[inside].max() <= weights_error(bits) + 255 / 256 + 1, AGAIN
+        check_within(drawn[inside], wanted[inside], weights_error(bits) + 255 / 256 + 1,
+                     f"weights of {bits} bits: place, channel")
 
 
 def test_trilinear_is_continuous():
@@ -197,9 +205,9 @@ def test_trilinear_is_continuous():
     for level in range(1, 9):
         at = np.full(100, float(level))
         alone = ideal.sample(on, *placed(*near), at, "bilinear")
-        assert (ideal.sample(on, *placed(*near), at, "trilinear") == alone).all()
+        check_equal(ideal.sample(on, *placed(*near), at, "trilinear"), alone, f"level {level}")
         below = ideal.sample(on, *placed(*near), at - 2.0**-20, "trilinear")
-        assert abs(below - alone).max() <= 255 * 2.0**-20 + ROUNDING, AGAIN
+        check_within(below, alone, 255 * 2.0**-20 + ROUNDING, f"just below level {level}")
 
 
 @pytest.mark.parametrize("factor", FACTORS)
@@ -218,7 +226,8 @@ def test_combine_unit(function, factor):
                                      detail_max=170), function, factor, invert)
             drawn = combine.combined(modes, lod, local, other)
             wanted = ideal.combined(modes, lod / 256, local * 1.0, other * 1.0)
-            assert abs(drawn - wanted).max() <= steps * 255 / 256 + 1, AGAIN
+            check_within(drawn, wanted, steps * 255 / 256 + 1,
+                         f"trilinear {trilinear}, inverted {invert}: case, channel")
 
 
 def test_refusals():

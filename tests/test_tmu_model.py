@@ -6,19 +6,21 @@ from math import floor
 
 import numpy as np
 import pytest
+import tmu_reference
+from arrays import check_equal
 from tmu_reference import FOLDER, only, questions
 
 from tools.errors import UserError
-from tools.tmu.coordinates import TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient, table_quotient, taps
+from tools.tmu.coordinates import (TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient,
+                                   table_quotient, taps)
 from tools.tmu.filters import filters_linearly, sample
-from tools.tmu.lod import DITHER, LEAST, base, chosen, level_of_detail
+from tools.tmu.lod import LEAST, base, chosen, level_of_detail
 from tools.tmu.logarithm import log2
 from tools.tmu.registers import modes_of, ncc_of, words_of, words_of_ncc
 from tools.tmu.state import (AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination, Modes, Ncc, Unit)
 from tools.tmu.texels import decoded, level_bases, level_size
 from tools.tmu.vector_text import random_ncc, random_palette, read
 
-AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_model.py"
 #: File to bits of its filter's weights.
 FILES = {"tmu_combine": 4, "tmu_decal": 4, "tmu_fixedlod": 4, "tmu2_decal": 8}
 ONE = 1 << 18  # of 14.18
@@ -32,7 +34,7 @@ def test_agrees_with_reference_data(name):
     shown = "\n".join(f"{name}.txt.gz:{q.line.number}: {q.line.arguments}: expected "
                       f"{q.line.expected[0]:08x}, the model gives {q.answer:08x}"
                       for q in wrong[:3])
-    assert len(asked) == 1000 and not wrong, f"{len(wrong)} differ:\n{shown}\n{AGAIN}"
+    assert len(asked) == 1000 and not wrong, f"{len(wrong)} of {len(asked)} differ:\n{shown}"
 
 
 @pytest.mark.parametrize("text, message", [
@@ -66,6 +68,7 @@ def test_registers():
 
 
 def test_tables_of_ncc():
+    """Each field by itself, and there and back: of any tables."""
     words = np.arange(12, dtype=np.int64)
     words[0], words[4], words[11] = 0x44332211, 0x1FF << 18 | 0x100 << 9 | 0xFF, 5 << 18
     table = ncc_of(words)
@@ -73,9 +76,9 @@ def test_tables_of_ncc():
     assert list(table.i[0]) == [-1, -256, 255] and list(table.q[3]) == [5, 0, 0]
     for seed in range(1, 9):
         for made in random_ncc(seed):
-            assert (ncc_of(words_of_ncc(made)).i == made.i).all()
-            again = words_of_ncc(ncc_of(words_of_ncc(made)))
-            assert (again == words_of_ncc(made)).all()
+            again = ncc_of(words_of_ncc(made))
+            for name in ("y", "i", "q"):
+                check_equal(getattr(again, name), getattr(made, name), f"seed {seed}, {name}")
 
 
 def signed(value: int) -> int:
@@ -111,11 +114,11 @@ def test_pieces_of_lines():
             for found, ends in zip(coordinates(modes, s, t, w, *sides), exact):
                 lines = np.split(ends, np.cumsum(counts)[:-1])
                 wanted = [value for line in lines for value in pieces_of(line.tolist(), size)]
-                assert found.tolist() == wanted, AGAIN
+                check_equal(found, wanted, f"pieces of {size}, clamp_negative_w {behind}: pixel")
     for others in ({"table_quotients": 1}, {"perspective": 0}):
         modes = Modes(subdivision=8, **{"perspective": 1} | others)
-        assert (np.array(coordinates(modes, s, t, w, *sides))
-                == coordinates(replace(modes, subdivision=0), s, t, w)).all()
+        check_equal(coordinates(modes, s, t, w, *sides),
+                    coordinates(replace(modes, subdivision=0), s, t, w), f"{others}: axis, pixel")
 
 
 @pytest.mark.parametrize("form, value, want", [
@@ -128,6 +131,7 @@ def test_pieces_of_lines():
     (12, 0x4F0A, (255, 0, 170, 68)), (13, 0x1234, (0x34, 0x34, 0x34, 0x12)),
     (14, 0x2109, (10, 11, 12, 0x21))])
 def test_formats(form, value, want):
+    """A texel's bits to R G B A, through the palette and the NCC table where it is an index."""
     palette = np.arange(768).reshape(256, 3) % 256 - np.array([17, 17, 17])
     table = Ncc()
     table.y[0], table.y[1] = 7, 250
@@ -147,6 +151,8 @@ def test_places_of_levels(modes, want):
 
 
 def test_sizes_of_levels():
+    """The longer side has 256 >> level texels, the shorter as many less as the aspect says; none
+    less than 1."""
     for aspect in range(4):
         for wide in (0, 1):
             for level in range(9):
@@ -184,7 +190,8 @@ def test_glide_table_of_square_maps(side, texel, first, last, linear, bits):
     for centre, want in ((first, 0), (last, side * side - 1)):
         for moved in (-256, 0, 256):
             c = np.array(int((centre + moved) * ONE))
-            assert places(unit, c, c, np.array(256 * level)) == start + want & 0xFFFF, AGAIN
+            check_equal(places(unit, c, c, np.array(256 * level)), start + want & 0xFFFF,
+                        f"s = t = {centre + moved}")
 
 
 @pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
@@ -203,15 +210,16 @@ def test_all_texel_centres(aspect, wide, linear, bits):
         s, t = ((2 * c + 1) * (ONE << level) // 2 for c in (i, j))
         lod = np.full(i.shape, 256 * level)
         for moved in (0, 256 * ONE, -512 * ONE):
-            assert (places(unit, s + moved, t, lod) == want).all(), AGAIN
-            assert (places(unit, s, t + moved, lod) == want).all(), AGAIN
+            for name, at in (("s", (s + moved, t)), ("t", (s, t + moved))):
+                check_equal(places(unit, *at, lod), want,
+                            f"level {level}, {name} {moved // ONE} farther: row, column")
         longer, shorter = (s, t) if wide else (t, s)
         assert longer.max() + (ONE << level) // 2 == 256 * ONE
         if 256 >> aspect >= 1 << level:
             assert shorter.max() + (ONE << level) // 2 == (256 >> aspect) * ONE
         else:
             shorter[:] = (256 >> aspect) * ONE // 2
-            assert (places(unit, s, t, lod) == want).all(), AGAIN
+            check_equal(places(unit, s, t, lod), want, f"level {level}, one texel: row, column")
 
 
 def test_filter_positions():
@@ -234,13 +242,13 @@ def test_bilinear_weights(bits):
     fs, ft = np.meshgrid(np.arange(one), np.arange(one))
     s, t = (ONE // 2 + f * (ONE >> bits) for f in (fs, ft))
     found = sample(unit, s, t, np.zeros(fs.shape, np.int64))[..., 0]
-    assert (found == 255 * (fs * (one - ft) + (one - fs) * ft) // one**2).all()
+    check_equal(found, 255 * (fs * (one - ft) + (one - fs) * ft) // one**2, "fractions of t, s")
     unit.memory[:] = 255
-    assert (sample(unit, s, t, np.zeros(fs.shape, np.int64)) == 255).all()
+    check_equal(sample(unit, s, t, np.zeros(fs.shape, np.int64)), 255, "all white")
 
 
 def test_quotients():
-    """The exact one; that of the table within its bounds, and exact for powers of two."""
+    """The exact one; that of the table by its rules, within its bounds, and exact for powers of two."""
     random = np.random.default_rng(1)
     c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
@@ -252,12 +260,15 @@ def test_quotients():
         want = max(least, min(floor(exact), most))
         ends = [exact * (1 + part) for part in (Fraction(TOO_LARGE), -Fraction(TOO_SMALL))]
         low, high = (max(least, min(floor(end), most)) for end in sorted(ends))
-        assert found == want and low <= by_table <= high, (a, b)
+        assert found == want, f"{a} / {b}"
+        assert low <= by_table <= high, f"{a} / {b} by the table"
+        assert by_table == tmu_reference.table_quotient(a, b), f"{a} / {b} by the table"
         if b and abs(b) & abs(b) - 1 == 0:
-            assert by_table == want, (a, b)
+            assert by_table == want, f"{a} / {b} by the table: a power of two"
 
 
 def test_negative_w():
+    """Coordinates are what the division makes of it, or 0 where it is clamped."""
     point = (np.array([ONE]), np.array([2 * ONE]), np.array([-ONE_W]))
     for perspective, want in ((0, (1, 2)), (1, (-1, -2))):
         modes = Modes(perspective=perspective)
@@ -282,10 +293,14 @@ def test_logarithm():
             numbers |= {edge + d for d in range(-2, 3)}
     numbers = sorted(numbers)
     cut = [x >> (n := max(x.bit_length() - 32, 0)) << n for x in numbers]
-    assert log2(np.array(numbers, np.uint64)).tolist() == [exact_log2(x) for x in cut]
+    found = log2(np.array(numbers, np.uint64)).tolist()
+    wrong = [(x, logarithm, exact) for x, logarithm, exact in
+             zip(numbers, found, map(exact_log2, cut), strict=True) if logarithm != exact]
+    assert not wrong, f"{len(wrong)} are wrong; the first (x, found, expected): {wrong[0]}"
 
 
 def test_level_of_detail():
+    """Of gradients: log2 of the longer one in texels, 8.8; w, bias and limits."""
     start = base(4 * ONE, 0, 0, 0)
     assert start == 0x200
     x = y = np.array(0)
@@ -303,14 +318,16 @@ def test_level_of_detail():
 
 
 def test_dither_of_levels():
+    """Sixteenths of a level in the order of a square of 4x4 pixels, which is repeated."""
     y, x = np.mgrid[:8, :8]
     lod = level_of_detail(Modes(dither=1), np.array(0x100), np.array(ONE_W), x, y)
-    assert sorted(set((lod - 0x100).ravel())) == list(range(0, 256, 16))
-    assert (lod[:4, :4] == lod[4:, 4:]).all() and (lod[:4, :4] - 0x100 == 16 * DITHER).all()
-    assert abs(DITHER[::2].mean() - DITHER[1::2].mean()) <= 4
+    order = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]
+    check_equal(lod, 0x100 + 16 * np.tile(order, (2, 2)), "row, column")
 
 
 def test_levels_of_split_maps():
+    """A unit that has every other level shows the next smaller one where it lacks one; so does a
+    whole map whose other levels another unit blends in."""
     lod = np.arange(0, 0x801, 0x80)
     assert list(chosen(Modes(), lod)) == [n // 2 for n in range(17)]
     even, odd = (list(chosen(Modes(split=1, odd=k), lod)[::2]) for k in (0, 1))
@@ -320,6 +337,7 @@ def test_levels_of_split_maps():
 
 
 def test_which_filter():
+    """At the least level that is allowed the one for magnification, else that for minification."""
     modes = Modes(minify=1, lod_min=4)
     assert list(filters_linearly(modes, np.array([0x100, 0x101, 0x800]))) == [False, True, True]
     modes = Modes(magnify=1)
@@ -334,5 +352,6 @@ def test_memory_is_a_ring():
 
 
 def test_random_palette():
+    """Seeds of any size make one; its first entry is xorshift's first number, R G B."""
     assert random_palette(1549107668).shape == (256, 3)
     assert list(random_palette(1)[0]) == [(270369 >> k & 255) for k in (16, 8, 0)]

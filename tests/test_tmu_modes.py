@@ -6,8 +6,10 @@ from dataclasses import replace
 import mode_tables
 import numpy as np
 import pytest
+from arrays import check_equal
 
 from tools import bench, bench_modes, engines, modes, readme_modes, tmu_errors
+from tools.ideal_texels import error
 from tools.model import Settings, render
 from tools.modes import KINDS
 from tools.paths import BASELINE
@@ -16,9 +18,7 @@ from tools.tmu.polygon import points
 from tools.tmu.state import FORMATS as ALL_FORMATS
 from tools.tmu.words import FORMATS as NAMES
 from tools.tmu_modes import EVERY, FORMATS, MODES, SMALL
-from tools.tx.ideal import error
 
-AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/test_tmu_modes.py"
 MACHINES = tuple(bench.CONDITIONS)
 
 
@@ -44,7 +44,7 @@ def test_steps_are_of_modes() -> None:
         without, on = EVERY[step.without], EVERY[step.on]
         if without.polygon == on.polygon or on.polygon == "level":
             frames = [bench_modes.shown(mode)[0][bench_modes.FIRST] for mode in (without, on)]
-            assert np.array_equal(*frames), (step, AGAIN)
+            check_equal(*reversed(frames), f"{step}: row, column")
 
 
 def drawn_levels(name: str, number: int = 0) -> np.ndarray:
@@ -101,13 +101,13 @@ def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
     """On the smooth picture, whose steps are small, and on noise, whose steps are up to 255."""
     for kind, slope in zip(KINDS, (SLOPE, 255)):
         off = tmu_errors.error_of(EVERY[name], kind)
-        assert 0 < off.rms < off.most <= steps * slope + CUT, (kind, off, AGAIN)
+        assert 0 < off.rms < off.most <= steps * slope + CUT, (kind, off)
 
 
 @pytest.mark.parametrize("name", [names[1] for names in FORMATS.values()])
 def test_bilinear_errors_of_formats(name) -> None:
     """On noise: texels differ by up to 255 in any format."""
-    assert tmu_errors.error_of(EVERY[name], "noise").most <= STEP * 255 + CUT, AGAIN
+    assert 0 < tmu_errors.error_of(EVERY[name], "noise").most <= STEP * 255 + CUT
 
 
 @pytest.mark.parametrize("name, has_factor", [
@@ -119,14 +119,14 @@ def test_errors_of_two_units(name, has_factor) -> None:
     255 at most. A factor (m + 1) / 256 is off by 1/256 of 255; a combine unit cuts once more."""
     texels = 2 * (STEP * 255 + CUT)
     off = tmu_errors.error_of(EVERY[name], "noise")
-    assert 0 < off.most <= texels + has_factor * 255 / 256 + CUT, (off, AGAIN)
+    assert 0 < off.most <= texels + has_factor * 255 / 256 + CUT, off
 
 
 def test_trilinear_error_of_one_level() -> None:
     """Both levels' samples, mixed, so the larger of their errors; the level to 1/256, rounded by
     as much as the weight w + 1 for w; one cut (tests/test_tmu_ideal.py: test_trilinear_samples)."""
     off = tmu_errors.error_of(EVERY["tmu_trilinear_level"], "noise")
-    assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, (off, AGAIN)
+    assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, off
 
 
 @pytest.mark.parametrize("name", [
@@ -179,7 +179,8 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
         doubt = 2 * bench.DOUBT * bench.CYCLES_PER_TICK
         assert with_it - without <= small + doubt, (
             f"{step.title}, {machine}: {with_it - without:,.0f} cycles more a polygon of 2,003 "
-            f"pixels; setting one up takes {small:,.0f}; {AGAIN} after scripts/tmap bench --accept")
+            f"pixels; setting one up takes {small:,.0f}; if the code is other than when these were "
+            "measured: scripts/tmap bench -o build/bench --accept")
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:

@@ -12,14 +12,14 @@ from tmu_random import FAR, HEIGHT, WIDTH, Case, case, scene
 
 from tools import model, scene_pipes
 from tools.scene_file import read, write
-from tools.scene_pipes import COLUMNS
 from tools.tmu import polygon
 from tools.tmu.lod import chosen, level_of_detail
 from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
 BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
 PIXELS = tuple(BITS)
-BOOT = 15  # polygons: each one's levels, decoded for the passes, stay in memory
+WAYS = (None, "all")  # rules of lowering that are off
+MOST = 15  # polygons of a scene: each one's levels, decoded for the passes, stay in memory
 
 
 def lines(each: Case) -> list[str]:
@@ -29,7 +29,7 @@ def lines(each: Case) -> list[str]:
             *vertex_lines(each.vertices)]
 
 
-POLYGONS = Polygons("TMU", 60, lambda seed, number, _: case(seed, number), scene, lines, BOOT)
+POLYGONS = Polygons("TMU", 60, lambda seed, number, _: case(seed, number), scene, lines, MOST)
 SEED = POLYGONS.seed
 
 
@@ -55,7 +55,7 @@ def levels(each: Case) -> list[set[int]]:
 
 def test_polygons_with_many_levels() -> None:
     """The generator makes them in all ways in which levels are drawn."""
-    cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
+    cases = POLYGONS.first("rgb565")
     many = [(each, most) for each in cases
             if (most := max(map(len, levels(each)), default=0)) > 2]
     assert {each.kind for each, _ in many} >= FAR
@@ -66,7 +66,7 @@ def test_polygons_with_many_levels() -> None:
 
 def test_the_polygons_differ() -> None:
     """The generator reaches what it should, and a scene of them is read as it was written."""
-    cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
+    cases = POLYGONS.first("rgb565")
     units = [modes for each in cases for modes in each.modes]
     for key, names in (("format", FORMATS), ("aspect", ASPECTS), ("mode", MIPMAPS),
                        ("levels", ("even", "odd", "both")), ("bits", (4, 8)), ("blend", (0, 1)),
@@ -88,7 +88,7 @@ def test_the_polygons_differ() -> None:
 
 def test_the_polygons_that_are_added_differ() -> None:
     """Most change the frame, by sums of many colours, some of them cut; there are all kinds."""
-    cases = [case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))]
+    cases = POLYGONS.first("rgba8888")
     added = [each for each in cases if each.adds]
     assert {each.kind for each in added} == {each.kind for each in cases}
     made = scene(added, SEED, "rgba8888")
@@ -104,10 +104,10 @@ def test_pieces_are_seen() -> None:
     """Of 8 pixels and of 16, filtered, wrapped and clamped in all ways, with one unit and two: some
     polygons differ from those that are divided at each pixel; none does where a unit dithers."""
     seen, found = 0, {"pieces": set(), "filters": set(), "clamp": set(), "own": set()}
-    for each in (case(SEED, n) for n in range(max(len(POLYGONS.numbers(None)), 100))):
+    for each in POLYGONS.first("rgba8888"):
         made = scene([each], SEED, "rgba8888")
         tmus = made.tmus.copy()
-        tmus[:, COLUMNS["tmus"].index("subdivision")] = 0
+        tmus[:, scene_pipes.COLUMNS["tmus"].index("subdivision")] = 0
         exact = model.render(replace(made, tmus=tmus), 0)
         if np.array_equal(exact, model.render(made, 0)):
             continue
@@ -120,11 +120,17 @@ def test_pieces_are_seen() -> None:
     assert len(found["filters"]) > 2 and found["own"] == {False, True}, found
 
 
+@pytest.fixture(scope="module")
+def drawn() -> dict:
+    """By format of pixels and rules that are off: all polygons, of one boot."""
+    return POLYGONS.draw([(pixels, off) for off in WAYS for pixels in PIXELS])
+
+
 @pytest.mark.parametrize("pixels", PIXELS)
-@pytest.mark.parametrize("off", [None, "all"])
-def test_frames_are_the_models(pixels: str, off: str | None) -> None:
-    """Each polygon in a frame of its own, many in a boot: with the rules of lowering, without."""
-    rules, spans = POLYGONS.draw(pixels, off)
+@pytest.mark.parametrize("off", WAYS)
+def test_frames_are_the_models(pixels: str, off: str | None, drawn) -> None:
+    """Each polygon in a frame of its own: with the rules of lowering, without."""
+    rules, spans = POLYGONS.check(drawn[pixels, off], pixels)
     assert off or "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
     if off is None and not POLYGONS.asked("CASE"):
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules

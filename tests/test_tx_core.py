@@ -1,6 +1,7 @@
 """The texture engine in C: named errors, syncs, generations; asked on the emulated machine."""
 
 import pytest
+import vector_guest
 from tx_guest import (BITS_4, BITS_8, BITS_16, BITS_32, CI, FULL_SYNC, IA, LOAD_SYNC, PIPE_SYNC,
                       RESULTS, RGBA, TILE_SYNC, YUV, Guest, I, edges, image, modes, result,
                       result_name, size, texture, tile)
@@ -89,10 +90,9 @@ LOADS = [
 ALWAYS = {"IMAGE_4_BIT", "OUTSIDE_DRAM", "TLUT_ROWS", "TLUT_IMAGE"}
 
 
-@pytest.fixture(scope="module")
-def loads() -> list[tuple]:
-    """Of each of LOADS: checked result and command, hash before and after; the same
-    unchecked (result alone)."""
+def ask_loads() -> Guest:
+    """Of each of LOADS: hash before, checked result and command, hash after; unchecked result and
+    command."""
     guest = Guest()
     for _, words in LOADS:
         guest.do("RESET")
@@ -104,16 +104,15 @@ def loads() -> list[tuple]:
         guest.ask("HASH", numbers=1)
         guest.do("CHECKED", 0)
         guest.words(*words)
-    answers = guest.run()
-    return [tuple(answers[5 * n:5 * n + 5]) for n in range(len(LOADS))]
+    return guest
 
 
 @pytest.mark.parametrize("number", range(len(LOADS)),
                          ids=[f"{n}-{name or 'done'}" for n, (name, _) in enumerate(LOADS)])
-def test_commands_that_are_refused(number: int, loads) -> None:
+def test_commands_that_are_refused(number: int, answers) -> None:
     """By name, at their command, with nothing changed; what is just within limits is done."""
     name, words = LOADS[number]
-    _, before, (code, place), after, (unchecked, _) = loads[number]
+    _, before, (code, place), after, (unchecked, _) = answers["loads"][5 * number:5 * number + 5]
     assert result_name(code) == (name or "DONE")
     assert place == len(words) - 1
     assert name is None or before == after
@@ -149,8 +148,8 @@ DRAWN = [
 ]
 
 
-def test_tiles_that_cannot_be_drawn() -> None:
-    """Drawing's check names what is wrong with the tile it uses; unchecked nothing is."""
+def ask_drawing() -> Guest:
+    """Of each of DRAWN: result of its words, of the check of drawing, of the same unchecked."""
     guest = Guest()
     for _, fields, words in DRAWN:
         guest.do("RESET")
@@ -159,40 +158,58 @@ def test_tiles_that_cannot_be_drawn() -> None:
         guest.ask("CHECK_DRAWING", numbers=1)
         guest.do("CHECKED", 0)
         guest.ask("CHECK_DRAWING", numbers=1)
-    answers = guest.run()
+    return guest
+
+
+def test_tiles_that_cannot_be_drawn(answers) -> None:
+    """Drawing's check names what is wrong with the tile it uses; unchecked nothing is."""
     for n, (name, *case) in enumerate(DRAWN):
-        (code, _), (checked,), (unchecked,) = answers[3 * n:3 * n + 3]
+        (code, _), (checked,), (unchecked,) = answers["drawing"][3 * n:3 * n + 3]
         assert code == 0, (case, result_name(code))
         assert result_name(checked) == (name or "DONE"), case
         assert unchecked == 0, case
 
 
-def test_all_tiles_of_a_mipmap_are_looked_at() -> None:
-    """From the first to the last level, with detail one more; not the one behind."""
+def ask_mipmap() -> Guest:
+    """Without detail and with it, each of eight tiles bad by turns: result of the words, of the
+    check of drawing."""
     guest = Guest()
     for detail in (0, 1):
         for bad in range(8):
             guest.do("RESET")
             guest.do("CHECKED", 1)
             guest.words(modes(cycle=1, lod=1, detail=detail), texture(2, 6),
-                       *(tile(n, RGBA, BITS_8 if n == bad else BITS_16, 1) for n in range(8)))
+                        *(tile(n, RGBA, BITS_8 if n == bad else BITS_16, 1) for n in range(8)))
             guest.ask("CHECK_DRAWING", numbers=1)
-    answers = guest.run()
+    return guest
+
+
+def test_all_tiles_of_a_mipmap_are_looked_at(answers) -> None:
+    """From the first to the last level, with detail one more; not the one behind."""
     for detail in (0, 1):
-        wrong = [n for n in range(8) if answers[16 * detail + 2 * n + 1] != [0]]
-        assert wrong == sorted(n % 8 for n in range(6, 9 + detail))
+        wrong = [n for n in range(8) if answers["mipmap"][16 * detail + 2 * n + 1] != [0]]
+        assert wrong == sorted(n % 8 for n in range(6, 9 + detail)), f"detail {detail}"
 
 
-def test_coordinates_out_of_range() -> None:
-    """-1024.0 to 1023.97 texels are within; s and t alike."""
+#: Coordinates, 16.16, and whether they are out of range.
+OUTSIDE_RANGE = {-1024 << 16: 0, (-1024 << 16) - 1: 1, (1024 << 16) - 1: 0, 1024 << 16: 1}
+
+
+def ask_coordinates() -> Guest:
+    """Of each coordinate: the check's result where it is s, and where it is t."""
     guest = Guest()
-    values = {-1024 << 16: 0, (-1024 << 16) - 1: 1, (1024 << 16) - 1: 0, 1024 << 16: 1}
     guest.do("CHECKED", 1)
-    for value in values:
+    for value in OUTSIDE_RANGE:
         guest.ask("CHECK_COORDINATES", value, 0, numbers=1)
         guest.ask("CHECK_COORDINATES", 0, value, numbers=1)
+    return guest
+
+
+def test_coordinates_out_of_range(answers) -> None:
+    """-1024.0 to 1023.97 texels are within; s and t alike."""
     wrong = result("COORDINATE_RANGE")
-    assert guest.run() == [[wrong * outside] for outside in values.values() for _ in "st"]
+    assert answers["coordinates"] == [[wrong * outside] for outside in OUTSIDE_RANGE.values()
+                                      for _ in "st"]
 
 
 #: A load as the manual's call has it, with its syncs.
@@ -223,58 +240,86 @@ AFTER_DRAWING = [
 ]
 
 
-def test_missing_syncs() -> None:
-    """Strict: each is told at its command; not strict, and before any drawing, none is due."""
+def ask_syncs() -> Guest:
+    """Of each of AFTER_DRAWING: results and commands of the words before and of its own, strict
+    after drawing, not strict, strict before any drawing."""
     guest = Guest()
     for _, _, words in AFTER_DRAWING:
         for strict, drawn in ((1, 1), (0, 1), (1, 0)):
             guest.do("RESET")
             guest.do("STRICT", strict)
             guest.words(modes(cycle=1), combine((2, 1, 13, 1)), IMAGE, tile(7, RGBA, BITS_16))
-            guest.do("DRAWN") if drawn else None
+            if drawn:
+                guest.do("DRAWN")
             guest.words(*words)
-    answers = guest.run()
+    return guest
+
+
+def test_missing_syncs(answers) -> None:
+    """Strict: each is told at its command; not strict, and before any drawing, none is due."""
     for n, (name, place, words) in enumerate(AFTER_DRAWING):
-        _, told, _, loose, _, early = answers[6 * n:6 * n + 6]
+        _, told, _, loose, _, early = answers["syncs"][6 * n:6 * n + 6]
         assert (result_name(told[0]), told[1]) == (name, place), words
         assert (result_name(loose[0]), loose[1]) == ("DONE", len(words) - 1), words
         assert (result_name(early[0]), early[1]) == ("DONE", len(words) - 1), words
 
 
-def test_generations() -> None:
-    """They grow by each real change, and not by words that say what is so already."""
+#: Words one after the other, and what of TMEM, tile 0 and modes grows by each.
+GROWTH = [
+    (tile(0, RGBA, BITS_16, 8), (0, 1, 0)), (tile(0, RGBA, BITS_16, 8), (0, 0, 0)),
+    (size(0, 32, 32), (0, 1, 0)), (size(0, 32, 32), (0, 0, 0)),
+    (tile(1, I, BITS_8), (0, 0, 0)), (modes(quad=1), (0, 0, 1)),
+    (modes(quad=1), (0, 0, 0)), (texture(3, 1), (0, 0, 2)), (texture(3, 1), (0, 0, 0)),
+    (combine((1, 15, 4, 7)), (0, 0, 1)), (combine((1, 15, 4, 7)), (0, 0, 0)),
+    (IMAGE, (0, 0, 0)), (edges(0xF4, 0, 0, 0, 124, 124), (1, 0, 0)),
+    (edges(0xF4, 0, 0, 0, 60, 0), (1, 1, 0)), ((0xEC << 24 | 1, 0), (0, 0, 1)),
+    ((0xEC << 24 | 1, 0), (0, 0, 0)), (LOAD_SYNC, (0, 0, 0))]
+
+
+def ask_generations() -> Guest:
+    """Before the first of GROWTH and after each."""
     guest = Guest()
-    steps = [(tile(0, RGBA, BITS_16, 8), (0, 1, 0)), (tile(0, RGBA, BITS_16, 8), (0, 0, 0)),
-             (size(0, 32, 32), (0, 1, 0)), (size(0, 32, 32), (0, 0, 0)),
-             (tile(1, I, BITS_8), (0, 0, 0)), (modes(quad=1), (0, 0, 1)),
-             (modes(quad=1), (0, 0, 0)), (texture(3, 1), (0, 0, 2)), (texture(3, 1), (0, 0, 0)),
-             (combine((1, 15, 4, 7)), (0, 0, 1)), (combine((1, 15, 4, 7)), (0, 0, 0)),
-             (IMAGE, (0, 0, 0)), (edges(0xF4, 0, 0, 0, 124, 124), (1, 0, 0)),
-             (edges(0xF4, 0, 0, 0, 60, 0), (1, 1, 0)), ((0xEC << 24 | 1, 0), (0, 0, 1)),
-             ((0xEC << 24 | 1, 0), (0, 0, 0)), (LOAD_SYNC, (0, 0, 0))]
     guest.do("RESET")
     guest.ask("GENERATIONS", 0, numbers=3)
-    for words, _ in steps:
+    for words, _ in GROWTH:
         guest.do("WORDS", *words)
         guest.ask("GENERATIONS", 0, numbers=3)
-    answers = guest.run()
-    for n, (words, grown) in enumerate(steps):
-        found = tuple(b - a for a, b in zip(answers[n], answers[n + 1]))
+    return guest
+
+
+def test_generations(answers) -> None:
+    """They grow by each real change, and not by words that say what is so already."""
+    numbers = answers["generations"]
+    for n, (words, grown) in enumerate(GROWTH):
+        found = tuple(b - a for a, b in zip(numbers[n], numbers[n + 1]))
         assert found == grown, f"step {n}: {words[0]:08x} {words[1]:08x}"
 
 
-def test_every_result_has_its_text() -> None:
+def ask_texts() -> Guest:
+    """Of each result, and of the number behind the last."""
+    guest = Guest()
+    for name in (*RESULTS, "RESULTS"):
+        guest.ask("RESULT_TEXT", result(name), numbers=64)
+    return guest
+
+
+def test_every_result_has_its_text(answers) -> None:
     """Of which a few are known; none twice, none too long."""
     known = {"DONE": "done", "IMAGE_4_BIT": "4-bit image in a load",
              "TLUT_ROWS": "TLUT load over more than one row",
              "SPLIT_HIGH": "low part of RGBA 32 or YUV texels in the high half of TMEM",
              "NO_LOAD_SYNC": "no load sync", "NO_TILE_SYNC": "no tile sync",
              "NO_PIPE_SYNC": "no pipe sync"}
-    guest = Guest()
-    for name in RESULTS:
-        guest.ask("RESULT_TEXT", result(name), numbers=64)
-    guest.ask("RESULT_TEXT", result("RESULTS"), numbers=64)
-    *texts, beyond = [bytes(answer).rstrip(b"\0").decode() for answer in guest.run()]
+    *texts, beyond = [bytes(answer).rstrip(b"\0").decode() for answer in answers["texts"]]
     assert len(RESULTS) == result("RESULTS") == len(set(texts)) and beyond == "unknown result"
     assert all(0 < len(text) < 64 for text in texts)
     assert {name: texts[RESULTS.index(name)] for name in known} == known
+
+
+@pytest.fixture(scope="module")
+def answers() -> dict[str, list[list[int]]]:
+    """One boot for all tests."""
+    return vector_guest.run_all({
+        "loads": ask_loads(), "drawing": ask_drawing(), "mipmap": ask_mipmap(),
+        "coordinates": ask_coordinates(), "syncs": ask_syncs(), "generations": ask_generations(),
+        "texts": ask_texts()})

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from arrays import check_equal, check_within
 from PIL import Image
 from tx_scene import memory, noise, smooth, unit
 
@@ -27,7 +28,8 @@ def grown(picture: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("form, size", FORMATS)
 @pytest.mark.parametrize("width, height", [(16, 8), (13, 5), (1, 1)])
 def test_what_a_texture_shows_stays(form, size, width, height):
-    """A picture that a format can show is encoded without loss; others end up near it."""
+    """A picture that a format can show is encoded without loss. YUV, whose texels share chroma by
+    twos, only keeps its size: ``test_yuv_is_near`` has the rest."""
     picture = grown(noise(width, height))
     first = images.encode(picture, form, size)
     shown = images.decode(first)
@@ -36,39 +38,38 @@ def test_what_a_texture_shows_stays(form, size, width, height):
     if form == YUV:
         return
     again = images.encode(shown, form, size)
-    assert (images.decode(again) == shown).all()
+    check_equal(images.decode(again), shown)
 
 
 def test_all_16_bit_colours_are_exact():
+    """Each of RGBA's texels is what its colour is encoded as."""
     values = np.arange(65536).reshape(256, 256)
     texture = images.Texture(RGBA, 2, 256, 256, 256, values.astype(">u2").tobytes())
     assert images.encode(images.decode(texture), RGBA, 2) == texture
 
 
-@pytest.mark.parametrize("form, size, most", [
-    # half a step of 5, 8, 4 bits; of intensity besides half of its own rounding
-    (RGBA, 2, 4.2), (RGBA, 3, 0), (IA, 2, 0.5), (IA, 1, 9), (IA, 0, 18.8), (I, 1, 0.5),
-    (I, 0, 9)])
-def test_formats_are_as_near_as_their_bits_allow(form, size, most):
+@pytest.mark.parametrize("form, size, bits", [(RGBA, 2, 5), (RGBA, 3, 8), (IA, 2, 8), (IA, 1, 4),
+                                              (IA, 0, 3), (I, 1, 8), (I, 0, 4)])
+def test_formats_are_as_near_as_their_bits_allow(form, size, bits):
+    """Bits are repeated to make 8: what two values differ by is at most 255 / (2^bits - 1) rounded
+    up, and from one of them nothing is farther than half of that. Intensities are of grey
+    pictures, whose own they are."""
     picture = noise(64, 64)
     if form in (IA, I):
         picture[..., 1] = picture[..., 2] = picture[..., 0]
     shown = images.decode(images.encode(picture, form, size))[..., :3]
-    off = np.abs(shown.astype(int) - picture[..., :3]).max()
-    assert off <= most, f"at most {most} expected, {off} found"
+    check_within(shown, picture[..., :3], -(-255 // ((1 << bits) - 1)) // 2, "row, column, channel")
 
 
 def test_yuv_is_near():
-    """Of a grey picture only the rounding of Y is lost: 298/256 of half a step, the results'
-    own rounding to integers in two places, and the chroma constants' offsets."""
+    """Of a grey picture only the rounding of Y is lost, 298/256 of half a step, and half a step of
+    the result: less than 2. A colour has U and V rounded besides, which count up to 445/256, and
+    is rounded before it is multiplied, too: (1/2 + 445/512 + 1/2) 298/256 + 1/2 is less than 3."""
     picture = np.repeat(np.arange(256, dtype=np.uint8).reshape(16, 16, 1), 4, -1)
     picture[..., 3] = 255
-    shown = images.decode(images.encode(picture, YUV, 2)).astype(int)
-    assert np.abs(shown - picture)[..., :3].max() <= 2
+    check_within(images.decode(images.encode(picture, YUV, 2)), picture, 1, "grey: row, column")
     pairs = np.repeat(smooth(32)[:, ::2], 2, 1)  # two texels share their chroma
-    shown = images.decode(images.encode(pairs, YUV, 2)).astype(int)
-    # an error of half a step of U and V is multiplied by up to 445/256 and 298/256 besides
-    assert np.abs(shown - pairs)[..., :3].max() <= 4
+    check_within(images.decode(images.encode(pairs, YUV, 2)), pairs, 2, "row, column, channel")
 
 
 @pytest.mark.parametrize("form, size", [f for f in FORMATS if f[0] != YUV])
@@ -78,11 +79,12 @@ def test_tmem_shows_what_dram_holds(form, size, block):
     texture = images.encode(grown(noise(32, 16)), form, size, ia=block)
     state = unit(texture, block=block)
     t, s = np.mgrid[:16, :32]
-    found = fetch(state, state.tiles[0], s, t)
-    assert (found == images.decode(texture)).all()
+    check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture))
 
 
 def test_yuv_through_tmem():
+    """The samples of both loads, converted, make the texture's colours by the combiner's
+    multiplication."""
     texture = images.encode(noise(32, 16), YUV, 2)
     for block in (True, False):
         state = unit(texture, block=block, filter0=0, filter1=0)
@@ -91,7 +93,7 @@ def test_yuv_through_tmem():
         found = sample(state, 0, s * 32, t * 32)
         found = np.where(found >= 384, found - 512, found)[..., :3]
         bright = np.clip((found - 114) * 42 + (found << 8) + 128 >> 8, 0, 255)
-        assert (bright == images.decode(texture)[..., :3]).all()
+        check_equal(bright, images.decode(texture)[..., :3], f"block {block}")
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
@@ -104,7 +106,7 @@ def test_palettes(size, count, fixed):
     """Few colours are exact; of many a palette is nearer than one of fixed steps."""
     few = noise(count, 1)[0][np.random.default_rng(1).integers(0, count, (16, 16))]
     texture = images.encode(few, CI, size)
-    assert (images.decode(texture) == images.decode(images.encode(few, RGBA, 2))).all()
+    check_equal(images.decode(texture), images.decode(images.encode(few, RGBA, 2)))
     many = images.encode(smooth(64), CI, size)
     assert len(many.tlut) <= 2 * count
     steps = 256 / np.array(fixed)
@@ -114,6 +116,7 @@ def test_palettes(size, count, fixed):
 
 @pytest.mark.parametrize("size", [0, 1])
 def test_palettes_of_alpha(size):
+    """Entries of IA16 are nearer than fixed steps of intensity and alpha."""
     picture = grown(smooth(64))
     shown = images.decode(images.encode(picture, CI, size, ia=True))
     grey = images.decode(images.encode(picture, IA, 2))
@@ -123,13 +126,15 @@ def test_palettes_of_alpha(size):
 
 
 def test_transparency_of_palettes():
+    """What cannot be seen has an entry of its own."""
     picture = smooth(64)
     picture[:32, :, 3] = 0
     for size in (0, 1):
-        assert (images.decode(images.encode(picture, CI, size))[..., 3] == picture[..., 3]).all()
+        check_equal(images.decode(images.encode(picture, CI, size))[..., 3], picture[..., 3])
 
 
 def test_sixteen_palettes():
+    """In one TLUT, each read by a tile of its own; there are no more, and CI 4 alone has them."""
     textures = [images.encode(noise(4, 4, seed), CI, 0) for seed in range(16)]
     tlut = images.join_palettes(textures)
     dram, places, _ = memory(*textures)
@@ -143,25 +148,27 @@ def test_sixteen_palettes():
         start, words.words = words.words, []
         commands.replay(state, start)
         t, s = np.mgrid[:4, :4]
-        assert (fetch(state, state.tiles[0], s, t) == images.decode(texture)).all()
+        check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture), f"palette {n}")
     with pytest.raises(UserError, match="17 palettes"):
         images.join_palettes(textures + textures[:1])
     with pytest.raises(UserError, match="only 4-bit"):
         images.join_palettes([images.encode(noise(4, 4), I, 0)])
 
 
-def test_chain():
+def test_levels_are_means_of_four():
+    """Of two where a side has one texel already; sides have to have halves."""
     levels = images.chain(noise(8, 2), 4)
     assert [level.shape[:2] for level in levels] == [(2, 8), (1, 4), (1, 2), (1, 1)]
     mean = levels[0][:2, 2:4].astype(int).sum((0, 1)) + 2 >> 2
-    assert (levels[1][0, 1] == mean).all()
-    assert (levels[2][0, 0] == levels[1][0, :2].astype(int).sum(0) + 1 >> 1).all()
+    check_equal(levels[1][0, 1], mean, "level 1")
+    check_equal(levels[2][0, 0], levels[1][0, :2].astype(int).sum(0) + 1 >> 1, "level 2")
     with pytest.raises(UserError, match="6 x 3 texels has no half"):
         images.chain(noise(12, 6), 3)
 
 
 @pytest.mark.parametrize("form, size", [(RGBA, 2), (I, 0), (CI, 1)])
 def test_levels_in_tmem(form, size):
+    """Each in a tile of its own with the shift of its level; CI ones as indices."""
     textures = [images.encode(p, form, size) for p in images.chain(noise(32, 16), 6)]
     dram, places, _ = memory(*textures)
     state, words = State(dram=dram), List()
@@ -177,7 +184,7 @@ def test_levels_in_tmem(form, size):
             want = np.repeat(want[:, :texture.width, None], 4, -1)
         else:
             want = images.decode(texture)
-        assert (found == want).all()
+        check_equal(found, want, f"level {n}")
 
 
 @pytest.mark.parametrize("sizes, first, message", [
@@ -190,9 +197,10 @@ def test_chains_that_do_not_fit(sizes, first, message):
 
 
 def test_files(tmp_path):
+    """Pictures are read as they are; one that is not there is named."""
     picture = grown(noise(16, 8))
     Image.fromarray(picture).save(tmp_path / "a.png")
-    assert (images.read("a.png", tmp_path, "here", 16, 8) == picture).all()
+    check_equal(images.read("a.png", tmp_path, "here", 16, 8), picture)
     with pytest.raises(UserError, match="here: b.png: no such file"):
         images.read("b.png", tmp_path, "here", 16, 8)
 

@@ -6,7 +6,7 @@ import mode_tables
 import numpy as np
 import pytest
 
-from tools import bench_modes, fuzz, model, tx_errors
+from tools import bench_modes, guest_frames, model, tx_errors
 from tools.bench_modes import FIRST, scene_of
 from tools.errors import UserError
 from tools.modes import KINDS
@@ -19,7 +19,7 @@ from tools.tx_modes import EVERY, FORMATS, MODES
 
 N = 65536
 #: How far a coordinate is off at most, in texels: one that is cut to 1/32, and with perspective
-#: S and W cut to 16 bits and the reciprocal's error (tests/test_tx_polygon.py: units).
+#: S and W cut to 16 bits and the reciprocal's error (tests/test_tx_model_polygons.py: units).
 CUT, STEEPEST = 1 / 32, 100 * 2 * np.pi / 32  # of the smooth picture, a texel
 
 
@@ -96,8 +96,8 @@ def test_pages_keep_all_bits_of_u() -> None:
     settings = model.Settings(edges=scene.materials[0].edges)
     made = model.set_up(corners, 160, 96, True, settings, (256, 256))
     assert made.texturing.spare, "v does not wrap: the polygon tests nothing"
-    digests, = fuzz.draw([(scene, "addx")], "a1200-fast")
-    assert fuzz.is_models(model.render(scene, FIRST), digests[FIRST]), (
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
+    assert guest_frames.is_models(model.render(scene, FIRST), digests[FIRST]), (
         "the page's spans do not show the texels of the passes; again: .deps/venv/bin/python -m "
         "pytest tests/test_tx_modes.py -k all_bits")
 

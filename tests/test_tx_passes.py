@@ -1,13 +1,14 @@
 """Which polygons of a texture engine are drawn by passes, and that these are the model's: YUV in
 its modes, texels straight into 16-bit pixels, the second cycle's texel alone."""
 
+import guest_runs
 import numpy as np
 import pytest
-from engine_scenes import compiled, explain, many_text, save_noise
+from engine_scenes import compiled, many_text, save_noise
+from guest_runs import Asked
 
-from tools import model, run
-
-COLUMNS, SIDE, GAP = 5, 22, 26
+PIXELS = ("rgba5551", "rgba8888")
+COLUMNS, SIDE, GAP = 5, 22, 26  # engines a row; pixels of a triangle, of its place
 YUV = 'image = "noise.png", format = "yuv16", width = 16, height = 16'
 RGBA = 'image = "noise.png", format = "rgba16", width = 16, height = 16'
 SHADE = '{ rgb = [["0", "0", "0", "combined"], ["texel0", "environment", "shade", "texel1"]], ' \
@@ -86,30 +87,32 @@ def corners(n: int, tx: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    """A directory with noise, 16x16."""
-    path = tmp_path_factory.mktemp("passes")
-    save_noise(path, 9, noise=(16, 16))
-    return path
+def drawn(tmp_path_factory):
+    """By the frames' format a scene of all engines and what became of it, of one boot."""
+    folder = tmp_path_factory.mktemp("passes")
+    save_noise(folder, 9, noise=(16, 16))
+    asked = {pixels: Asked(compiled(folder, text_of(pixels))) for pixels in PIXELS}
+    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()]))))
 
 
-@pytest.mark.parametrize("pixels", ["rgba5551", "rgba8888"])
-def test_passes_are_the_models(folder, pixels):
-    """One frame of all engines: each triangle is the model's, drawn as it is to be."""
+def text_of(pixels: str) -> str:
+    """One frame of all engines."""
     lines = -(-len(ENGINES) // COLUMNS)
     text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, (tx for tx, _ in ENGINES.values()))
     for n, (tx, _) in enumerate(ENGINES.values()):
         text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, tx)}\n'
-    scene = compiled(folder, text)
-    done = run.render(scene, "a1200-fast", "addx")
-    expected = model.render(scene, 0)
-    for n, (name, (_, by_passes)) in enumerate(ENGINES.items()):
-        left, top = GAP * (n % COLUMNS), GAP * (n // COLUMNS)
-        part = np.s_[top:top + GAP, left:left + GAP]
-        found = done.frames[0][part]
-        assert np.array_equal(found, expected[part]), explain(
-            f"{name}, from ({left}, {top}) on", expected[part], found,
-            f".deps/venv/bin/python -m pytest tests/test_tx_passes.py -k {pixels}")
-        assert len(np.unique(expected[part])) > 20, f"{name}: hardly any colours"
-        spans = list(done.executed[n]["spans"])
+    return text
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_passes_are_the_models(drawn, pixels):
+    """Each triangle is the model's, drawn as it is to be."""
+    asked, done = drawn[pixels]
+    places = {name: (GAP * (n % COLUMNS), GAP * (n // COLUMNS)) for n, name in enumerate(ENGINES)}
+    frame, = guest_runs.check(f"{pixels}; from these pixels on {places}", asked, done)
+    for (name, (left, top)), (_, by_passes), material in zip(places.items(), ENGINES.values(),
+                                                             done.executed):
+        part = frame[top:top + GAP, left:left + GAP]
+        assert len(np.unique(part)) > 20, f"{name}: hardly any colours"
+        spans = list(material["spans"])
         assert spans == [("tx_pixels", "tx_passes")[by_passes]], f"{name}: drawn by {spans}"

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from engine_scenes import HEAD, check_refused, compiled, scene_text
-from PIL import Image
-from test_tx_scenes import ONE, SQUARE, TILE, make, scene_of
+from engine_scenes import HEAD, check_refused, compiled, save_noise, scene_text
+from tx_texts import ONE, SQUARE, TILE, make, scene_of
 
 from tools import emulator, model, scene_file
 from tools.errors import UserError
@@ -24,8 +23,7 @@ BOX = "rectangle = [4, 6, 24, 22]"
 @pytest.fixture
 def folder(tmp_path):
     """A directory with a picture: noise 32x32."""
-    pixels = np.random.default_rng(3).integers(0, 256, (32, 32, 3), np.uint8)
-    Image.fromarray(pixels).save(tmp_path / "noise.png")
+    save_noise(tmp_path, 3, noise=(32, 32))
     return tmp_path
 
 
@@ -98,6 +96,7 @@ def test_a_material_of_several_kinds_becomes_several(folder):
 
 
 def rectangle(more: str = "", box: str = BOX) -> str:
+    """A rectangle with another line."""
     return f"{box}\n{more}"
 
 

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from engine_scenes import (HEAD, check_refused, compiled, explain, run_command, save_noise,
-                           scene_text)
+from engine_scenes import HEAD, check_refused, explain, run_command, save_noise
+from tx_texts import ONE, SQUARE, TILE, make, scene_of
 
-from tools import emulator, fuzz, model, run, scene_file, scene_units
+from tools import emulator, guest_frames, model, run, scene_file, scene_units
 from tools.errors import UserError
 from tools.paths import ROOT, SCENES
 from tools.scene import compile_scene
@@ -15,26 +15,13 @@ from tools.tx import images
 NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv", "tx_rectangles")
 MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
 
-SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32], [0, 32, 0, 32]]"
-TILE = 'image = "noise.png", format = "rgba16"'
-
 
 @pytest.fixture
 def folder(tmp_path):
-    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16."""
+    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16, half 16x5."""
     save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), wide=(4, 1030), palettes=(16, 16),
                half=(5, 16))
     return tmp_path
-
-
-def scene_of(tx: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
-    """A scene's text: one material, one object."""
-    return scene_text(f"{more}tx = {{ {tx} }}", obj, **kinds)
-
-
-def make(folder, *args, **kinds):
-    """The compiled scene of ``scene_of``."""
-    return compiled(folder, scene_of(*args, **kinds))
 
 
 WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
@@ -47,7 +34,7 @@ def drawn() -> dict[str | None, dict[str, tuple]]:
     scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
-    found = iter(fuzz.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
+    found = iter(guest_frames.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
                            "a1200-fast", patience=emulator.PATIENT_SECONDS))
     return {off: {name: (scene, right[name], next(found)) for name, scene in scenes.items()}
             for off in WAYS}
@@ -57,7 +44,7 @@ def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
     """Compares the guest's first frames with the model's."""
     scene, right, digests = found
     for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
-        assert fuzz.is_models(expected, digest), explain(
+        assert guest_frames.is_models(expected, digest), explain(
             f"{name}, frame {number}", expected,
             run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
             run_command(name, scene.frames, off))
@@ -77,6 +64,7 @@ def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
 
 
 def test_a_frame_of_one_colour_fails():
+    """Where the model shows more."""
     scene = compile_scene(SCENES / "tx_wall.toml", 1)
     empty = np.full((scene.height, scene.width), scene.background, np.uint16)
     with pytest.raises(UserError, match="frame 0: one colour only"):
@@ -171,7 +159,6 @@ def two(tile: str, other: str = TILE) -> str:
     return f"tiles = [{{ {tile} }}, {{ {other} }}]"
 
 
-ONE = f"tiles = [{{ {TILE} }}]"
 CI = 'image = "noise.png", format = "ci4"'
 MESSAGES = [
     ("cycles = 3, " + ONE, "tx.cycles: must be from 1 to 2"),

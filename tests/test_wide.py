@@ -1,14 +1,15 @@
 """Affine polygons in 16- and 32-bit frames: their spans by the rules, and the example scenes."""
 
-import json
 from dataclasses import replace
 
+import guest_runs
 import numpy as np
 import pytest
+from engine_scenes import compiled, save_noise
+from floors import FLOORS, turned
+from guest_runs import Asked, Drawn
 
-from test_still_steps import FLOORS, folder, turned  # noqa: F401
-from tools import fuzz, fuzz_polygons, model, run
-from tools.__main__ import main
+from tools import fuzz_polygons, guest_frames, model
 from tools.paths import SCENES
 from tools.pixel_formats import FORMATS
 from tools.scene import compile_scene
@@ -40,42 +41,55 @@ COPIES = {
 KINDS = {"rgb565": "affine_16", "rgba5551": "affine_16", "rgba8888": "affine_32"}
 
 
-def drawn(folder, pixels: str, shapes, *options: str):  # noqa: F811
-    """Compiled, dumps and figures of one shape a frame."""
+WRAPPING = [[0, 0, 0, 0], [96, 0, 700, 900], [96, 64, 100, 1300], [0, 64, -600, 400]]
+TURNING = [[10, 0, 20, 30], [90, 20, 99, 80], [70, 60, 80, 160], [-10, 40, 1, 110]]
+#: How a span's name ends to the shapes that it draws, one a frame.
+SHAPES = {"_row": list(FLOORS.values()), "_copy": list(COPIES.values()), "_wrap": [WRAPPING],
+          "": [TURNING, turned(FLOORS["upright"])]}
+EXAMPLES = {"wide": {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row"},
+            "panel": {"fill_16", "affine_16", "affine_16_row", "affine_16_copy"}}
+
+
+def shapes_text(pixels: str) -> str:
+    """A scene of all SHAPES."""
+    shapes = [shape for some in SHAPES.values() for shape in some]
     text = HEAD.format(frames=len(shapes), pixels=pixels)
     for n, corners in enumerate(shapes):
         text += f'[[objects]]\nmaterial = "it"\nfirst = {n}\nlast = {n}\nvertices = {corners}\n'
-    (folder / "scene.toml").write_text(text)
-    assert main(["run", str(folder / "scene.toml"), "-o", str(folder / "out"), *options]) == 0
-    frames = [path.read_bytes() for path in sorted((folder / "out").glob("*.chunky"))]
-    return (compile_scene(folder / "scene.toml"), frames,
-            json.loads((folder / "out" / "run.json").read_text())["frames"])
+    return text
+
+
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory) -> dict[tuple, tuple[Asked, Drawn]]:
+    """By format and form, and with no rule followed on the other machine: the scene of shapes; by
+    their names the first frames of the examples. One boot a machine."""
+    folder = tmp_path_factory.mktemp("scene")
+    save_noise(folder, 2, noise=(256, 256))
+    scenes = {pixels: compiled(folder, shapes_text(pixels)) for pixels in KINDS}
+    asked = {(pixels, form): Asked(scene, form=form, counted=form == "addx") for pixels, scene in scenes.items()
+             for form in ("addx", "swap", "c")}
+    asked |= {(name,): Asked(compile_scene(SCENES / f"{name}.toml", 2)) for name in EXAMPLES}
+    general = {(pixels, "a1200"): Asked(scene, "all") for pixels, scene in scenes.items()}
+    found = guest_runs.draw([*asked.values()]) + guest_runs.draw([*general.values()], "a1200")
+    return dict(zip([*asked, *general], zip([*asked.values(), *general.values()], found)))
 
 
 @pytest.mark.parametrize("pixels", KINDS)
-def test_spans_by_the_rules(folder, pixels):  # noqa: F811
+def test_spans_by_the_rules(drawn, pixels):
     """Rows, copies, what turns and what wraps: each by its span, and the model's picture; the same
     with no rule followed, on the other machine, and in the plain forms."""
     kind = KINDS[pixels]
-    wrapping = [[0, 0, 0, 0], [96, 0, 700, 900], [96, 64, 100, 1300], [0, 64, -600, 400]]
-    turning = [[10, 0, 20, 30], [90, 20, 99, 80], [70, 60, 80, 160], [-10, 40, 1, 110]]
-    shapes = {"_row": list(FLOORS.values()), "_copy": list(COPIES.values()), "_wrap": [wrapping],
-              "": [turning, turned(FLOORS["upright"])]}
     wanted = [kind + ("_row" if (kind, end) == ("affine_32", "_copy") else end)
-              for end, some in shapes.items() for _ in some]
-    every = [shape for some in shapes.values() for shape in some]
-    scene, frames, figures = drawn(folder, pixels, every)
-    right = [model.render(scene, number) for number in range(len(every))]
-    big_endian = scene.pixel.dtype.newbyteorder(">")
-    for number, (frame, figure) in enumerate(zip(frames, figures, strict=True)):
-        assert frame == right[number].astype(big_endian).tobytes(), number
-        assert set(figure["spans"]) == {wanted[number]}, (number, figure["spans"])
-    _, others, general = drawn(folder, pixels, every, "--off", "all", "--machine", "a1200")
-    assert others == frames and {k for f in general for k in f["spans"]} == {f"{kind}_wrap"}
-    forms = "swap", "c"
-    for form, digests in zip(forms, fuzz.draw([(scene, form) for form in forms], "a1200-fast")):
-        for number, (frame, digest) in enumerate(zip(right, digests, strict=True)):
-            assert fuzz.is_models(frame, digest), f"form {form}, frame {number}"
+              for end, some in SHAPES.items() for _ in some]
+    asked, done = drawn[pixels, "addx"]
+    guest_runs.check(pixels, asked, done)
+    for number, (figure, span) in enumerate(zip(done.figures, wanted, strict=True)):
+        assert set(figure["spans"]) == {span}, f"frame {number}: {figure['spans']}, not {span}"
+    for form in ("swap", "c"):
+        guest_runs.check(pixels, *drawn[pixels, form])
+    asked, done = drawn[pixels, "a1200"]
+    guest_runs.check(pixels, asked, done, "a1200")
+    assert done.spans == {f"{kind}_wrap"}
 
 
 def widened(scene: Scene, pixels: str) -> Scene:
@@ -89,37 +103,46 @@ def widened(scene: Scene, pixels: str) -> Scene:
     return replace(scene, format=pixels, textures=pages, materials=materials)
 
 
-def fuzzed(pixels: str) -> list[tuple[Scene, list[tuple[int, int]]]]:
-    """The fuzzer's scenes in a format, and the digests of the model's frames."""
-    scenes = []
+#: Formats of fuzzed polygons, and the forms that draw them.
+FUZZED_FORMS = (("rgb565", "addx"), ("rgba8888", "addx"), ("rgba8888", "swap"))
+
+
+@pytest.fixture(scope="module")
+def fuzzed() -> dict[str, list[tuple[Scene, list[tuple[int, int]]]]]:
+    """By format: the fuzzer's scenes, and the digests of the model's frames."""
+    found = {pixels: [] for pixels, _ in FUZZED_FORMS}
     for block in range(FUZZED_BLOCKS):
         some = [fuzz_polygons.polygon(SEED, block * fuzz_polygons.BLOCK + k)
                 for k in range(FUZZED)]
-        scene = widened(fuzz_polygons.scene(SEED, block, some), pixels)
-        scenes.append((scene, [fuzz.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
-    return scenes
+        for pixels, scenes in found.items():
+            scene = widened(fuzz_polygons.scene(SEED, block, some), pixels)
+            scenes.append((scene, [guest_frames.digest_of(model.render(scene, k)) for k in range(FUZZED)]))
+    return found
 
 
-@pytest.mark.parametrize("pixels, forms", [("rgb565", ["addx"]), ("rgba8888", ["addx", "swap"])])
-def test_fuzzed_polygons(pixels: str, forms: list[str]) -> None:
+@pytest.fixture(scope="module")
+def fuzzed_digests(fuzzed) -> dict[tuple[str, str, int], np.ndarray]:
+    """By format, form and block: the guest's, of one boot."""
+    asked = {(pixels, form, block): (scene, form) for pixels, form in FUZZED_FORMS
+             for block, (scene, _) in enumerate(fuzzed[pixels])}
+    return dict(zip(asked, guest_frames.draw([*asked.values()], "a1200-fast"), strict=True))
+
+
+@pytest.mark.parametrize("pixels, form", FUZZED_FORMS)
+def test_fuzzed_polygons(pixels: str, form: str, fuzzed, fuzzed_digests) -> None:
     """The fuzzer's polygons with their settings: the model's frames, refused where they must be."""
-    made = [(form, block, *each) for form in forms for block, each in enumerate(fuzzed(pixels))]
-    drawn = fuzz.draw([(scene, form) for form, _, scene, _ in made], "a1200-fast")
-    for (form, block, scene, right), digests in zip(made, drawn, strict=True):
+    for block, (scene, right) in enumerate(fuzzed[pixels]):
+        digests = fuzzed_digests[pixels, form, block]
         wrong = [number for number, (wanted, digest) in enumerate(zip(right, digests, strict=True))
                  if (digest["sum"], digest["hash"]) != wanted]
-        assert not wrong, (f"seed {SEED}, block {block}, form {form}: polygons {wrong}; "
+        assert not wrong, (f"seed {SEED}, block {block}, form {form}, {pixels}: polygons {wrong}; "
                            f"{scene.materials[scene.objects[wrong[0]].material]}")
 
 
-@pytest.mark.parametrize("name, spans", [
-    ("wide", {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row"}),
-    ("panel", {"fill_16", "affine_16", "affine_16_row", "affine_16_copy"})])
-def test_example_scenes(name: str, spans: set[str]) -> None:
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_example_scenes(name: str, drawn) -> None:
     """The first frames of each are the model's and show many colours."""
-    scene = compile_scene(SCENES / f"{name}.toml", 2)
-    done = run.render(scene, "a1200-fast", "addx")
-    for number, frame in enumerate(done.frames):
-        assert np.array_equal(frame, model.render(scene, number)), number
-        assert len(np.unique(frame)) > 1000
-    assert set(run.total(done.figures)["spans"]) == spans
+    asked, done = drawn[name,]
+    for number, frame in enumerate(guest_runs.check(name, asked, done)):
+        assert len(np.unique(frame)) > 1000, f"frame {number}"
+    assert done.spans == EXAMPLES[name]

@@ -10,7 +10,7 @@ import property_cases
 import pytest
 from properties import SIDE
 
-from tools import clip, model, model_edges, model_texturing
+from tools import clip, model, model_edges, model_polygon, model_texturing
 from tools.fixed import M32, mul_div, signed
 from tools.model_edges import Edge
 
@@ -24,8 +24,8 @@ def floor_plus_one(patch) -> None:
 
 def right_included(patch) -> None:
     """The wrong fill rule: the first pixel right of the right edge is drawn too."""
-    right = model.Line
-    patch.setattr(model, "Line", lambda left, end: right(left, end + (end > left)))
+    right = model_polygon.Line
+    patch.setattr(model_polygon, "Line", lambda left, end: right(left, end + (end > left)))
 
 
 def bottom_included(patch) -> None:
@@ -48,8 +48,8 @@ def edges_without_prestep(patch) -> None:
 
 def texture_without_prestep(patch) -> None:
     """u and v of the edge at the first pixel's centre."""
-    right = model.edge_starts
-    patch.setattr(model, "edge_starts",
+    right = model_polygon.edge_starts
+    patch.setattr(model_polygon, "edge_starts",
                   lambda t, e, settings: right(t, e, replace(settings, start="truncated")))
 
 
@@ -79,7 +79,7 @@ def spans_that_drift(patch) -> None:
 
 def edges_in_list_order(patch) -> None:
     """An edge starts at whichever end comes first in the list: neighbours disagree."""
-    right = model.side
+    right = model_polygon.side
 
     class FromBelow(Edge):
         def at(self, line: int) -> int:
@@ -91,7 +91,7 @@ def edges_in_list_order(patch) -> None:
         edges = right(vertices, start, direction, *rest)
         return edges if direction > 0 else [FromBelow(**vars(e)) for e in edges]
 
-    patch.setattr(model, "side", side)
+    patch.setattr(model_polygon, "side", side)
 
 
 def edges_that_lean(patch) -> None:
@@ -103,15 +103,15 @@ def edges_that_lean(patch) -> None:
 
 def first_three_vertices(patch) -> None:
     """The texture plane runs through the first vertices of the list."""
-    right = model.plane
-    patch.setattr(model, "plane",
+    right = model_polygon.plane
+    patch.setattr(model_polygon, "plane",
                   lambda vertices, corners, *rest: right(vertices, (0, 1, 2), *rest))
 
 
 def seen_from_the_corner(patch) -> None:
     """u and v are reckoned from the frame's corner, not from the polygon."""
-    right = model.plane
-    patch.setattr(model, "plane", lambda vertices, corners, box, settings: right(
+    right = model_polygon.plane
+    patch.setattr(model_polygon, "plane", lambda vertices, corners, box, settings: right(
         vertices, corners, (0, 0, *box[2:]), settings))
 
 
@@ -131,12 +131,12 @@ def cut_to_24_bits(patch) -> None:
 
 def not_held(patch) -> None:
     """Lines are drawn as they are, wherever they end."""
-    patch.setattr(model, "hold", lambda lines, ranges: None)
+    patch.setattr(model_polygon, "hold", lambda lines, ranges: None)
 
 
 def planes_trusted(patch) -> None:
     """The plane is taken to run through all vertices, however many."""
-    patch.setattr(model, "plane_range", lambda vertices, t: tuple(
+    patch.setattr(model_polygon, "plane_range", lambda vertices, t: tuple(
         [f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max)))
 
 

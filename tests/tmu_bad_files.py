@@ -1,11 +1,10 @@
 """Scene files whose texture units, as Glide's, cannot be: file, place, value, field."""
 
 import numpy as np
-from wrong_fields import Row, WrongFields
+from wrong_fields import M32, Row, WrongFields
 
 from tools.scene_file import IDENTITY, Material, Object, Scene
 
-M32 = 0xFFFFFFFF
 LOCAL = 0x1 << 12 | 0x1 << 18 | 0x1 << 21 | 0x1 << 27  # colours are the texels
 
 

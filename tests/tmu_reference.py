@@ -1,6 +1,7 @@
-"""The texture unit's model run over the text of reference data."""
+"""The texture unit's model run over the text of reference data; rules of the unit by fractions."""
 
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
 
@@ -52,3 +53,17 @@ def questions(path: Path, fraction_bits: int):
 def only(level: int, linear: int, **others) -> Modes:
     """Modes by which one level alone is drawn; ``linear``: 0 point, 1 bilinear."""
     return Modes(minify=linear, magnify=linear, lod_min=4 * level, lod_max=4 * level, **others)
+
+
+def table_quotient(s: int, w: int) -> int:
+    """s * 2^30 / w through the reciprocal of the rules, by fractions: rounded down, within 32 bits; 0
+    where w is 0."""
+    if not w:
+        return 0
+    shift = 32 - abs(w).bit_length()
+    place = Fraction((abs(w) << shift) - (1 << 31), 1 << 22)  # 0 to 512, of entries
+    i, part = int(place), int(place % 1 * 256)
+    entries = [(1 << 31) // (512 + n) for n in (i, i + 1)]
+    inverse = (entries[0] * (256 - part) + entries[1] * part) // 256
+    value = s * inverse * Fraction(2) ** (shift - 23) * (1 if w > 0 else -1)
+    return max(-1 << 31, min(value.numerator // value.denominator, (1 << 31) - 1))

@@ -2,11 +2,10 @@
 
 import mesh_cases
 import numpy as np
-from wrong_fields import Row, WrongFields
+from wrong_fields import M32, Row, WrongFields
 
 from tools.scene_file import IDENTITY, Material, Object, Scene
 
-M32 = 0xFFFFFFFF
 KINDS = ("rectangles", "coloured")
 
 

@@ -52,6 +52,16 @@ def texture(max_level: int, first: int) -> Words:
     return 0xD7 << 24 | max_level << 11 | first << 8 | 2, 0xFFFFFFFF
 
 
+#: A tile of RGBA 16 that wraps, as a vector line has it behind n.
+WRAPPED = (RGBA, BITS_16, 4, 0, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0, 60, 28)
+
+
+def packed(colour: list[int]) -> int:
+    """R G B A as one signed long, as answers have it."""
+    value = int.from_bytes(bytes(colour), "big")
+    return value - (1 << 32) if value >> 31 else value
+
+
 class Guest(vector_guest.Guest):
     """Asks the N64's texture engine."""
 

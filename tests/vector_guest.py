@@ -24,10 +24,22 @@ class Guest:
 
     def run(self) -> list[list[int]]:
         """Asks; all answers in order."""
-        found = vector_file.ask(self.operations).tolist()
-        assert len(found) == sum(self.lengths), (len(found), sum(self.lengths))
+        return self.parts(vector_file.ask(self.operations).tolist())
+
+    def parts(self, found: list[int]) -> list[list[int]]:
+        """Notes all numbers of all answers."""
+        assert len(found) == sum(self.lengths), (
+            f"{sum(self.lengths)} numbers were asked for, {len(found)} came")
         at = 0
         for length in self.lengths:
             self.answers.append(found[at:at + length])
             at += length
         return self.answers
+
+
+def run_all(guests: dict[str, Guest]) -> dict[str, list[list[int]]]:
+    """Asks several in one boot, of whom each finds the engines as new; by the same names their
+    answers."""
+    found = vector_file.ask_all([guest.operations for guest in guests.values()])
+    return {name: guest.parts(numbers.tolist())
+            for (name, guest), numbers in zip(guests.items(), found, strict=True)}

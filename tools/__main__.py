@@ -1,19 +1,23 @@
 """The command line: ``scripts/tmap COMMAND ...``.
 
 Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed
-run, told in one line; 130 interrupted.
+run, told in one line; 130 interrupted; 143 ended by SIGTERM.
 """
 
 import argparse
 import signal
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
+from .bench_conditions import CONDITIONS
+from .convert import LAYOUTS
+from .emulator import MACHINES, MEASURED
 from .errors import UserError
 from .paths import BUILD, ROOT
 from .pixel_formats import FORMATS
-from .scene_file import MAPPERS
+from .scene_textures import MAPPERS
 
 FORMS = ("addx", "swap", "c")
 
@@ -122,7 +126,7 @@ def adf(args: argparse.Namespace) -> int:
     return tool.command(args.out or tool.IMAGE)
 
 
-def readme(args: argparse.Namespace) -> int:
+def readme(_: argparse.Namespace) -> int:
     """Types the tables of the pages."""
     from . import readme as tool
     return tool.command()
@@ -131,7 +135,7 @@ def readme(args: argparse.Namespace) -> int:
 def diff(args: argparse.Namespace) -> int:
     """Compares frames."""
     from . import diff as tool
-    return tool.diff_command(args.a, args.b, args.out)
+    return tool.command(args.a, args.b, args.out)
 
 
 def vectors(args: argparse.Namespace) -> int:
@@ -153,24 +157,45 @@ def to_picture(args: argparse.Namespace) -> int:
     return tool.picture_command(args.source, args.out)
 
 
-def parser() -> Parser:
-    """All commands and their arguments."""
-    top = Parser(prog="tmap", description="Texture mapping on an emulated Amiga 1200.")
-    commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+def number(text: str) -> float:
+    """A finite number from 0 on. Messages on wrong ones have this function's name."""
+    value = float(text)
+    if not 0 <= value < float("inf"):
+        raise ValueError
+    return value
 
-    def add(function, text: str) -> argparse.ArgumentParser:
-        name = function.__name__.removeprefix("to_").replace("_", "-")
-        command = commands.add_parser(name, help=text, description=text)
+
+class Commands:
+    """The commands of a parser, as they are added."""
+
+    def __init__(self, top: Parser) -> None:
+        self.commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
+
+    def add(self, name: str, function, text: str) -> argparse.ArgumentParser:
+        """A command that calls a function with its arguments."""
+        command = self.commands.add_parser(name, help=text, description=text)
         command.set_defaults(function=function)
         return command
 
-    command = add(run, "Render a scene: dumps, pictures and run.json.")
+
+def add_out(command: argparse.ArgumentParser, text: str, metavar: str = "DIR", **more) -> None:
+    """Where a command writes to."""
+    command.add_argument("-o", dest="out", type=Path, metavar=metavar, help=text, **more)
+
+
+def add_machine(command: argparse.ArgumentParser, default: str | None = None, text: str | None = None,
+                choices: Iterable[str] = MEASURED, **more) -> None:
+    """Which emulated machine a command is about."""
+    command.add_argument("--machine", choices=tuple(choices), default=default, help=text, **more)
+
+
+def add_scenes(commands: Commands) -> None:
+    """What draws scenes."""
+    command = commands.add("run", run, "Render a scene: dumps, pictures and run.json.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
-                         help="where to (build/run/SCENE); results of an earlier run are replaced")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-030"),
-                         default="a1200-fast", help="chip RAM only; 8 MB of fast RAM besides "
-                         "(a1200-fast); that and a 68EC030 at the same clock")
+    add_out(command, "where to (build/run/SCENE); results of an earlier run are replaced")
+    add_machine(command, "a1200-fast", "chip RAM only; 8 MB of fast RAM besides (a1200-fast); that and "
+                "a 68EC030 at the same clock", MACHINES)
     command.add_argument("--frames", type=int, metavar="N",
                          help="how many, from the first (as the scene says)")
     command.add_argument("--form", choices=FORMS, default=FORMS[0],
@@ -178,85 +203,98 @@ def parser() -> Parser:
     command.add_argument("--off", metavar="RULES", help="rules of lowering that are not followed, "
                          "by commas, or all: the picture is the same but for tolerances")
 
-    command = add(show, "Play a scene in a window, on the emulated machine's screen: space pauses, "
-                  "cursor keys change the accuracy, escape leaves.")
+    command = commands.add("show", show, "Play a scene in a window, on the emulated machine's screen: "
+                           "space pauses, cursor keys change the accuracy, escape leaves.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-030"),
-                         default="a1200-fast", help="as run has them (a1200-fast)")
+    add_machine(command, "a1200-fast", "as run has them (a1200-fast)", MACHINES)
 
-    command = add(demo, "Make the demo's folder, which can be run on an Amiga as it is.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/demo)")
+    command = commands.add("demo", demo,
+                           "Make the demo's folder, which can be run on an Amiga as it is.")
+    add_out(command, "where to (build/demo)")
     command.add_argument("--play", action="store_true", help="play it in a window too: space goes "
                          "on to the next part, escape leaves")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
-                         help="what it is played on (a1200-fast)")
+    add_machine(command, "a1200-fast", "what it is played on (a1200-fast)")
 
-    command = add(scene_program, "Make a program that holds one scene and what draws it alone.")
+    command = commands.add("scene-program", scene_program,
+                           "Make a program that holds one scene and what draws it alone.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
-                         help="where to (build/scene/SCENE)")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200",
-                         help="where its frames and times are compared (a1200)")
+    add_out(command, "where to (build/scene/SCENE)")
+    add_machine(command, "a1200", "where its frames and times are compared (a1200)")
 
-    command = add(bench, "Measure every kernel: bench.json, a table and a plot.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/bench)")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast", "a1200-mixed"),
-                         help="one machine instead of all")
+
+def add_measurements(commands: Commands) -> None:
+    """What measures and compares with the committed figures."""
+    command = commands.add("bench", bench, "Measure every kernel: bench.json, a table and a plot.")
+    add_out(command, "where to (build/bench)")
+    add_machine(command, None, "one machine instead of all", CONDITIONS)
     command.add_argument("--only", metavar="PATTERN", help="kernels with such names, as affine_*")
     command.add_argument("--accept", action="store_true",
                          help="make the result the committed baseline")
 
-    machines = {"choices": ("a1200", "a1200-fast"), "help": "one machine instead of both"}
-    command = add(accuracy, "Measure error and cycles of every accuracy setting and mapper.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/accuracy)")
-    command.add_argument("--machine", **machines)
+    command = commands.add("accuracy", accuracy,
+                           "Measure error and cycles of every accuracy setting and mapper.")
+    add_out(command, "where to (build/accuracy)")
+    add_machine(command, None, "one machine instead of both")
     command.add_argument("--set", action="append", metavar="NAME",
                          help="one set of polygons (small, medium, large, thin, steep; with depth: "
-                              "depth, deep), texture engines' modes (tx, tmu), or the hard cases "
+                              "depth, deep), a turning face by each method (methods), the scenes "
+                              "(scenes), texture engines' modes (tx, tmu), or the hard cases "
                               "(hard); may be given several times")
     command.add_argument("--accept", action="store_true",
                          help="make the medium set the committed baseline")
 
-    command = add(polys, "Count polygons a second, as fatmap2's test program does.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/polys)")
-    command.add_argument("--machine", **machines)
+    command = commands.add("polys", polys, "Count polygons a second, as fatmap2's test program does.")
+    add_out(command, "where to (build/polys)")
+    add_machine(command, None, "one machine instead of both")
     command.add_argument("--accept", action="store_true",
                          help="make the result the committed baseline")
 
-    command = add(fuzz, "Draw random polygons and hold each to the model and to the derived bounds.")
+
+def add_checks(commands: Commands) -> None:
+    """What holds the renderer to the model, to bounds, and to reference data."""
+    command = commands.add("fuzz", fuzz,
+                           "Draw random polygons and hold each to the model and to the derived bounds.")
     command.add_argument("--seed", type=int, default=1, metavar="N", help="which polygons (1)")
     command.add_argument("--count", type=int, default=20_000, metavar="N", help="how many (20000)")
     command.add_argument("--first", type=int, default=0, metavar="N", help="from which on (0)")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
+    add_machine(command, "a1200-fast")
     command.add_argument("--keep", metavar="NAME",
                          help="add the smallest failing polygon to the hard cases")
 
-    command = add(vectors, "Ask the texture engines the questions of reference data: 0 all right "
-                  "(Glide's: up to 2 of 1,000 may differ, 5 with perspective), 1 too many wrong.")
+    command = commands.add("vectors", vectors,
+                           "Ask the texture engines the questions of reference data: 0 all right "
+                           "(Glide's: up to 2 of 1,000 may differ, 5 with perspective), 1 too many wrong.")
     command.add_argument("files", type=Path, nargs="+", metavar="FILE",
                          help="text, gzipped or not, for the N64's engine or Glide's, as its "
                          "commands say; a name that begins with tmu2: filter weights of 8 bits, "
                          "as in Voodoo 2; all are run in one boot")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast")
+    add_machine(command, "a1200-fast")
 
-    command = add(to_map, "Write a PNG or JPEG as a texture map in memory layout.")
+
+def add_maps(commands: Commands) -> None:
+    """What converts textures."""
+    command = commands.add("map", to_map, "Write a PNG or JPEG as a texture map in memory layout.")
     command.add_argument("source", type=Path, metavar="PICTURE")
-    command.add_argument("-o", dest="out", type=Path, metavar="FILE", required=True,
-                         help="the texels; FILE.json beside it says what they are")
-    command.add_argument("--layout", choices=("linear", "tiled", "columns"), default="linear")
+    add_out(command, "the texels; FILE.json beside it says what they are", "FILE", required=True)
+    command.add_argument("--layout", choices=LAYOUTS, default=LAYOUTS[0])
     command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
                          help="palette indices (chunky), or what a texel's bytes are")
-    command = add(to_picture, "Write a texture map as a PNG.")
-    command.add_argument("source", type=Path, metavar="FILE")
-    command.add_argument("-o", dest="out", type=Path, metavar="PICTURE.png", required=True)
 
-    command = add(choose, "Name the cheapest setting of a material that keeps an error.")
-    command.add_argument("--error", type=positive, required=True, metavar="TEXELS",
+    command = commands.add("picture", to_picture, "Write a texture map as a PNG.")
+    command.add_argument("source", type=Path, metavar="FILE")
+    add_out(command, None, "PICTURE.png", required=True)
+
+
+def add_choose(commands: Commands) -> None:
+    """What looks settings up."""
+    command = commands.add("choose", choose,
+                           "Name the cheapest setting of a material that keeps an error.")
+    command.add_argument("--error", type=number, required=True, metavar="TEXELS",
                          help="how far u and v may be off, anywhere")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), required=True)
+    add_machine(command, required=True)
     command.add_argument("--rms", action="store_true",
                          help="hold the root of the mean square to it instead of the largest error")
-    command.add_argument("--wrong", type=positive, metavar="PIXELS",
+    command.add_argument("--wrong", type=number, metavar="PIXELS",
                          help="how many pixels in a million may be on an edge's wrong side (any)")
     command.add_argument("--depth", action="store_true",
                          help="polygons with depth, whose texture is seen in perspective")
@@ -265,43 +303,46 @@ def parser() -> Parser:
     command.add_argument("--data", type=Path, metavar="FILE",
                          help="an accuracy.json, as make accuracy writes it (the committed baseline)")
 
-    command = add(sdk, "Make the SDK: include files, C sources, hunk and ELF objects, an example.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
-                         help="where to (build/sdk); an archive of it goes beside it")
 
-    command = add(report, "Gather every figure and picture in one page: index.html.")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR", help="where to (build/report)")
+def add_products(commands: Commands) -> None:
+    """What is made for others: library, report, disk, pages."""
+    command = commands.add("sdk", sdk,
+                           "Make the SDK: include files, C sources, hunk and ELF objects, an example.")
+    add_out(command, "where to (build/sdk); an archive of it goes beside it")
+
+    command = commands.add("report", report, "Gather every figure and picture in one page: index.html.")
+    add_out(command, "where to (build/report)")
     command.add_argument("--scene", action="append", metavar="NAME",
                          help="a scene of tests/scenes instead of all; may be given several times")
-    command.add_argument("--machine", choices=("a1200", "a1200-fast"), default="a1200-fast",
-                         help="what scenes are drawn on (a1200-fast)")
+    add_machine(command, "a1200-fast", "what scenes are drawn on (a1200-fast)")
     command.add_argument("--committed", action="store_true",
                          help="take the committed figures of bench, accuracy and polygons instead "
                               "of measuring, and leave out what is not committed")
 
-    command = add(adf, "Write the image of a bootable disk: demo, the owners' bench, readme.")
-    command.add_argument("-o", dest="out", type=Path, metavar="FILE",
-                         help="where to (build/adf/tmap020.adf)")
+    command = commands.add("adf", adf,
+                           "Write the image of a bootable disk: demo, the owners' bench, readme.")
+    add_out(command, "where to (build/adf/tmap020.adf)", "FILE")
 
-    add(readme, "Bring the tables and pictures of README.md and the rooms' pages up to date.")
+    commands.add("readme", readme,
+                 "Bring the tables and pictures of README.md and the rooms' pages up to date.")
 
-    command = add(diff, "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
+
+def add_diff(commands: Commands) -> None:
+    """What compares runs."""
+    command = commands.add("diff", diff,
+                           "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
     command.add_argument("a", type=Path, metavar="A")
     command.add_argument("b", type=Path, metavar="B")
-    command.add_argument("-o", dest="out", type=Path, metavar="DIR",
-                         help="where pictures of the differences go")
+    add_out(command, "where pictures of the differences go")
+
+
+def parser() -> Parser:
+    """All commands and their arguments."""
+    top = Parser(prog="tmap", description="Texture mapping on an emulated Amiga 1200.")
+    commands = Commands(top)
+    for add in (add_scenes, add_measurements, add_checks, add_maps, add_choose, add_products, add_diff):
+        add(commands)
     return top
-
-
-def positive(text: str) -> float:
-    """A number from 0 on."""
-    number = float(text)
-    if not 0 <= number < float("inf"):
-        raise ValueError
-    return number
-
-
-positive.__name__ = "number"  # what messages call it
 
 
 def stop(*_) -> None:

@@ -5,55 +5,27 @@ frame must be the model's, byte for byte, so the model's u and v are the rendere
 are compared with the exact rational ideal (tools/ideal.py) pixel by pixel.
 """
 
-import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from . import emulator, ideal, ideal_perspective, model, polygon_sets, provenance
-from .emulator import CYCLES_PER_TICK
+from . import emulator, ideal, ideal_perspective, model, polygon_sets, provenance, random_maps
+from .accuracy_rows import as_json, mark_frontier, report, table
+from .accuracy_settings import combinations, depth_combinations
+from .emulator import CYCLES_PER_TICK, MEASURED
 from .errors import UserError
 from .model import Settings
 from .model_shading import LIT
+from .outputs import bars, check_directory
 from .paths import ACCURACY_BASELINE
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, Material, Object, Scene,
-                         Texture, write)
+from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
 
-MACHINES = ("a1200", "a1200-fast")
-#: Mappers that draw the same picture: a row is on the frontier among its own kind.
-KINDS = {"flat": "flat", "gouraud": "gouraud"}
-#: Combinations of the mappers other than affine: cheap, usual, exact.
-USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
-         ("exact", "plane", "subtexel"))
-
-
-def usual(mapper: str) -> list[Settings]:
-    """USUAL, as far as the mapper has them."""
-    return [Settings(*each, mapper=mapper) for each in USUAL
-            if mapper not in ON_PLANE or each[1:] == ("plane", "subtexel")]
-
-
-def combinations() -> list[Settings]:
-    """Every sensible combination of settings and mapper."""
-    made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
-            for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
-    made += [Settings(e, "plane", "subtexel", mapper="flat")
-             for e in ("integer", "subpixel", "exact")]
-    return made + [settings for mapper in MAPPERS[1] if mapper not in ("flat", "affine")
-                   for settings in usual(mapper)]
-
-
-def depth_combinations() -> list[Settings]:
-    """What a set with depth is drawn with: affine, and every other perspective beside it."""
-    return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
-            for p in SETTINGS["perspective"]]
-
-
-def picture() -> np.ndarray:
-    """A 256x256 map of noise."""
-    return np.random.default_rng(256).integers(0, 256, (256, 256), dtype=np.uint8)
+#: The sets whose rows are kept beside the bench's baseline, for README and tests.
+BASELINE_SETS = "medium", "depth"
+#: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
+#: of tools.engines), the page of hard cases.
+METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("tx", "tmu")
 
 
 def set_polygons(name: str, mapper: str) -> list:
@@ -65,7 +37,9 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     """An empty frame, then one with the whole set for each combination."""
     used = {MAPPER_LAYOUT[s.mapper] for s in settings}  # chip RAM alone has no room for all
     layouts = [layout for layout in dict.fromkeys(MAPPER_LAYOUT.values()) if layout in used and layout]
-    lights = [Texture(picture()[:64], "light")] if any(s.mapper in LIT for s in settings) else []
+    textures = [Texture(random_maps.page(), layout) for layout in layouts]
+    if any(s.mapper in LIT for s in settings):
+        textures.append(Texture(random_maps.page()[:64], "light"))
     materials, objects, vertices = [], [], []
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
@@ -75,43 +49,45 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, palette,
-                 [*(Texture(picture(), layout) for layout in layouts), *lights], materials, objects,
-                 np.array(vertices), np.array([IDENTITY]))
+    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, random_maps.palette(),
+                 textures, materials, objects, np.array(vertices), np.array([IDENTITY]))
 
 
-def cycles(scene: Scene, machine: str, what: str, on_frame=None) -> list[float]:
-    """Cycles a polygon of each frame but the first, checked against the model."""
+def check_frame(scene: Scene, number: int, dump: Path, what: str) -> None:
+    """Refuses a dump of frame ``number`` that is not the model's."""
+    expected = model.render(scene, number)
+    found = np.fromfile(dump, np.uint8).reshape(expected.shape)
+    wrong = np.argwhere(found != expected)
+    if len(wrong):
+        y, x = wrong[0]
+        raise UserError(f"accuracy: {what}: frame {number} is not the model's: {len(wrong)} pixels, "
+                        f"the first at (x {x}, y {y}): expected {expected[y, x]}, found {found[y, x]}")
+
+
+def cycles(scene: Scene, machine: str, what: str) -> list[float]:
+    """Cycles a polygon of each frame but the first, checked against the model; ``what``: the scene, for
+    messages."""
     with emulator.workspace() as directory:
-        done = emulator.run("render", "input.scene", {"input.scene": write(scene)}, machine,
-                            directory, lambda output: on_frame and on_frame(output.count("\n")))
+        done = emulator.run("render", "input.scene", {"input.scene": write(scene)}, machine, directory)
         if done.code:
-            raise UserError(f"accuracy: {what}: {emulator.last_words(done.output)}")
-        ticks = [int(line.split()[3]) for line in done.output.splitlines()]
+            raise UserError(f"accuracy: {what} on {machine}: {emulator.last_words(done.output)}")
         for number in range(scene.frames):
-            found = np.fromfile(done.directory / f"frame_{number:03}.chunky", np.uint8)
-            expected = model.render(scene, number)
-            wrong = np.argwhere(found.reshape(expected.shape) != expected)
-            if len(wrong):
-                y, x = wrong[0]
-                raise UserError(
-                    f"accuracy: {what} on {machine}: frame {number} is not the model's: "
-                    f"{len(wrong)} pixels, the first at (x {x}, y {y}): expected "
-                    f"{expected[y, x]}, found {found.reshape(expected.shape)[y, x]}")
-    return [(t - ticks[0]) * CYCLES_PER_TICK / polygon_sets.COUNT for t in ticks[1:]]
+            check_frame(scene, number, done.directory / f"frame_{number:03}.chunky",
+                        f"{what} on {machine}")
+    empty, *spent = (int(line.split()[3]) for line in done.output.splitlines())
+    return [(ticks - empty) * CYCLES_PER_TICK / polygon_sets.COUNT for ticks in spent]
 
 
 @dataclass
 class Errors:
-    """Sums over the pixels of a set."""
+    """Sums over the pixels of a set. Where u and v are both off, the larger of the two counts."""
 
-    coverage: int = 0
+    coverage: int = 0  # pixels lit or left out against the ideal
     ideal_pixels: int = 0
-    pixels: int = 0
-    worst: float = 0.0
-    squares: float = 0.0
-    wrong: int = 0
+    pixels: int = 0  # drawn
+    worst: float = 0.0  # texels, of any pixel
+    squares: float = 0.0  # of texels
+    wrong: int = 0  # pixels that show another texel than the ideal
 
     def add(self, polygon: model.Polygon | None, exact: ideal.Picture, settings: Settings) -> None:
         """Adds a polygon as it was set up, compared with the exact one."""
@@ -148,12 +124,17 @@ class Errors:
         self.squares += float((worst * worst).sum())
         self.wrong += int(wrong.sum())
 
+    @property
+    def rms(self) -> float:
+        """Root of the mean square over all pixels, of the larger of u's and v's errors, texels."""
+        return (self.squares / max(self.pixels, 1)) ** 0.5
+
     def figures(self) -> dict:
         """The error columns of a row."""
         pixels = max(self.pixels, 1)
         return {"coverage_errors_per_million": round(1e6 * self.coverage / self.ideal_pixels, 2),
                 "texel_error_max": round(self.worst, 6),
-                "texel_error_rms": round((self.squares / pixels) ** 0.5, 6),
+                "texel_error_rms": round(self.rms, 6),
                 "wrong_texels_percent": round(100 * self.wrong / pixels, 4)}
 
 
@@ -171,21 +152,6 @@ def errors(name: str, settings: Settings) -> Errors:
                                settings.mapper != "flat", settings, (256, 256))
         total.add(polygon, exact, settings)
     return total
-
-
-def mark_frontier(rows: list[dict]) -> None:
-    """Sets ``frontier``: nothing of its kind is as cheap and as exact, and better in one."""
-    measures = ("cycles_per_polygon", "coverage_errors_per_million", "texel_error_rms")
-
-    def beats(a: dict, b: dict) -> bool:
-        pairs = [(a[m], b[m]) for m in measures]
-        return all(x <= y for x, y in pairs) and any(x < y for x, y in pairs)
-
-    def kind(row: dict) -> tuple:
-        return row["name"], row["machine"], KINDS.get(row["mapper"], "texture")
-
-    for row in rows:
-        row["frontier"] = not any(kind(o) == kind(row) and beats(o, row) for o in rows)
 
 
 def measure(names: list[str], machines: list[str], settings: list[Settings],
@@ -207,52 +173,6 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
                 on_step()
     mark_frontier(rows)
     return rows
-
-
-COLUMNS = ("mapper", "edges", "gradients", "start", "perspective", "cycles_per_polygon", "cycles_per_pixel",
-           "coverage_errors_per_million", "texel_error_max", "texel_error_rms",
-           "wrong_texels_percent", "frontier")
-
-
-def table(rows: list[dict], name: str, machine: str) -> str:
-    """Markdown: one set on one machine, cheapest first within a mapper."""
-    chosen = [r for r in rows if r["name"] == name and r["machine"] == machine]
-    order = list(dict.fromkeys(r["mapper"] for r in chosen))
-    chosen.sort(key=lambda r: (order.index(r["mapper"]), r["cycles_per_polygon"]))
-    lines = ["| " + " | ".join(c.replace("_", " ") for c in COLUMNS) + " |",
-             "|---" * 5 + "|--:" * 6 + "|---|"]
-    for row in chosen:
-        cells = [row[c] for c in COLUMNS[:-1]] + ["yes" if row["frontier"] else ""]
-        lines.append("| " + " | ".join(f"{c:,}" if isinstance(c, float) else str(c)
-                                       for c in cells) + " |")
-    return "\n".join(lines) + "\n"
-
-
-def report(found: dict) -> str:
-    """accuracy.md."""
-    text = ("# What accuracy costs\n\n" + found["conditions"] + f" {found['emulator']}, "
-            f"{found['compiler']}.\n")
-    rows = found["rows"]
-    for name in dict.fromkeys(r["name"] for r in rows):
-        for machine in dict.fromkeys(r["machine"] for r in rows):
-            text += f"\n## {name}, {machine}\n\n" + table(rows, name, machine)
-    return text
-
-
-def as_json(found: dict) -> str:
-    """JSON with a row a line."""
-    head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
-    rows = ",\n  ".join(map(json.dumps, found["rows"]))
-    return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'
-
-
-#: The sets whose rows are kept beside the bench's baseline, for README and tests.
-BASELINE_SETS = "medium", "depth"
-
-
-#: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
-#: of tools.engines), the page of hard cases.
-METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("tx", "tmu")
 
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
@@ -308,45 +228,49 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
     return tool.write(folder, machine, lambda: progress.advance(task))
 
 
-def command(out: str, names: list[str] | None, machine: str | None, accept: bool) -> int:
-    """``tmap accuracy``: measures, writes the report into ``out``, prints a table. 1: a hard
-    case exceeds its bound."""
-    from rich.progress import Progress
+def measured_names(names: list[str] | None) -> list[str]:
+    """What is measured: what was asked for, or everything."""
+    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, METHODS, SCENES, *ENGINES, HARD]
+    for name in names or ():
+        if name not in every:
+            raise UserError(f"accuracy: no set is called {name}; "
+                            f"there are {', '.join(every[:-1])} and {every[-1]}")
+    return names or every
 
-    folder = Path(out)
+
+def written_files(names: list[str], sets: list[str]) -> list[str]:
+    """What lies in the folder then, for people."""
+    files = {METHODS: ["methods.md", "methods.png", "methods.gif"],
+             SCENES: ["scenes.md and an animation of each"],
+             **{name: [f"{name}.md"] for name in ENGINES}, HARD: [f"{HARD}/index.html"]}
+    made = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+            "swimming.png"] if sets else []
+    if polygon_sets.DEPTHS.keys() & set(sets):
+        made.append("pieces.png")
+    return made + [file for name, some in files.items() if name in names for file in some]
+
+
+def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
+    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. 1: a hard
+    case exceeds its bound."""
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
-    if folder.exists() and not folder.is_dir():
-        raise UserError(f"{out}: is not a directory")
-    known = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS]
-    others = [METHODS, SCENES, *ENGINES]
-    unknown = set(names or ()) - {*known, *others, HARD}
-    if unknown:
-        raise UserError(f"accuracy: no set is called {unknown.pop()}; "
-                        f"there are {', '.join([*known, *others])} and {HARD}")
-    names = names or [*known, *others, HARD]
-    sets = [name for name in names if name in known]
-    machines, text, excess = [machine] if machine else list(MACHINES), "", []
-    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+    check_directory(folder)
+    names = measured_names(names)
+    sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
+    machines, made, excess = [machine] if machine else list(MEASURED), [], []
+    with bars() as progress:
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
-            text = write_sets(folder, sets, machines, accept, lambda: progress.advance(task))
-        for name in others:
+            made.append(write_sets(folder, sets, machines, accept, lambda: progress.advance(task)))
+        for name in (METHODS, SCENES, *ENGINES):
             if name in names:
-                made = write_other(folder, name, machines[-1], progress)
-                text += f"\n{made}\n" if text else f"{made}\n"
+                made.append(write_other(folder, name, machines[-1], progress) + "\n")
         if HARD in names:
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
-    deep = bool(polygon_sets.DEPTHS.keys() & sets)
-    written = (["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-                "swimming.png"] * bool(sets) + ["pieces.png"] * deep
-               + ["methods.md", "methods.png", "methods.gif"] * (METHODS in names)
-               + ["scenes.md and an animation of each"] * (SCENES in names)
-               + [f"{name}.md" for name in ENGINES if name in names]
-               + [f"{HARD}/index.html"] * (HARD in names))
-    print(text + f"written to {out}: {', '.join(written)}")
+    print("\n".join(made) + f"written to {folder}: {', '.join(written_files(names, sets))}")
     for line in excess:
         print(f"exceeds its bound: {line}")
     return 1 if excess else 0

@@ -2,19 +2,17 @@
 
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
-from .accuracy import MACHINES
+from .emulator import MEASURED
 from .model import Settings
+from .outputs import save_animation
 from .paths import SCENES
 from .run import render
 from .scene import compile_scene
 from .scene_file import Material, Object, Scene, Texture
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
@@ -68,7 +66,7 @@ def plot(rows: list[dict], path: Path) -> None:
 SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
             Settings("subpixel", "plane", "truncated", mapper="affine"),
             Settings("exact", "plane", "subtexel", mapper="affine"))
-SWIM_FRAMES = 24
+SWIM_FRAMES, SWIM_FRAME_MS = 24, 120
 SWIM_SIDE = 64  # pixels of a panel
 
 
@@ -92,14 +90,13 @@ def swimming_scene() -> Scene:
 def write_swimming(out: Path) -> None:
     """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
     scene = swimming_scene()
-    frames = render(scene, MACHINES[-1], "addx").frames
+    frames = render(scene, MEASURED[-1], "addx").frames
     pictures = []
     for frame in frames:
         big = np.kron(frame, np.ones((5, 5), np.uint8))
         big[:, 5 * SWIM_SIDE::5 * SWIM_SIDE] = 255
         pictures.append(Image.fromarray(big))
-    pictures[0].save(out / "swimming.gif", save_all=True, append_images=pictures[1:],
-                     duration=120, loop=0)
+    save_animation(out / "swimming.gif", pictures, SWIM_FRAME_MS)
     strip = np.concatenate([np.asarray(p) for p in pictures[::SWIM_FRAMES // 3][:3]])
     Image.fromarray(strip).save(out / "swimming.png")
 
@@ -107,7 +104,7 @@ def write_swimming(out: Path) -> None:
 def write_mappers(out: Path) -> None:
     """mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
-    (frame,) = render(scene, MACHINES[-1], "addx").frames
+    (frame,) = render(scene, MEASURED[-1], "addx").frames
     picture = Image.fromarray(frame, "P")
     picture.putpalette(scene.palette.tobytes())
     picture.save(out / "mappers.png")

@@ -10,20 +10,16 @@ import json
 import sys
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 
-from . import bench_cases, bench_modes, bench_rules, bench_scenes, provenance
+from . import bench_cases, bench_modes, bench_rules, bench_scenes, markdown, provenance
+from .bench_conditions import CONDITIONS
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
-from .kernels import Case, call
+from .kernels import Case, Result, call
+from .outputs import bars, check_directory
 from .paths import BASELINE
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-
-#: Name to (emulated machine, data in chip RAM).
-CONDITIONS = {"a1200": ("a1200", True), "a1200-fast": ("a1200-fast", False),
-              "a1200-mixed": ("a1200-fast", True)}
 #: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
 TICKS = 25_000
 #: The same where something is displayed, of which a field's lines have the most and its ends
@@ -36,6 +32,14 @@ UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycl
          "instructions": "cycles_per_instruction",
          "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
          "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
+#: What stands over each kind's table.
+TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
+          "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
+          "instructions": "Cycles of instructions, with a loop's around 16 of them",
+          "frames": f"Cycles a frame, mean of {bench_scenes.FRAMES}",
+          "rules": "Cycles a polygon, with each rule of lowering and without it",
+          "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
+          "first_frames": "Cycles that the first frame costs more: tables, texels decoded"}
 #: Kinds that depend on the C compiler.
 IN_C = ("frames", "rules", "modes", "first_frames")
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
@@ -50,40 +54,47 @@ def repeats(row: bench_cases.Row) -> int:
     return max(4, ticks * CYCLES_PER_TICK // (row.units * ROUGH_CYCLES_PER_UNIT))
 
 
-def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
-    """Rows of one machine by kind: in pixels, lines, points, instructions, frames, polygons with and
-    without a rule of lowering, and modes of the texture engine."""
-    boot, chip = CONDITIONS[machine]
-    kinds = {"rows": bench_cases.pixel_rows(chip), "lines": bench_cases.line_rows(chip),
-             "points": bench_cases.point_rows(chip),
-             "instructions": bench_cases.instruction_rows(chip)}
-    kinds = {kind: [r for r in rows if fnmatch.fnmatch(r.name, only)]
-             for kind, rows in kinds.items()}
-    rows = [row for kind in kinds.values() for row in kind]
-    frames = bench_scenes.measure(machine, [name for name in bench_scenes.NAMES
-                                            if fnmatch.fnmatch(f"scene_{name}", only)])
-    whole = {"frames": frames, "rules": bench_rules.measure(
-        machine, [f"rule_{case.name}" for case in bench_rules.CASES
-                  if fnmatch.fnmatch(f"rule_{case.name}", only)])}
-    whole |= bench_modes.measure(machine, [name for name in bench_modes.EVERY if fnmatch.fnmatch(
-        f"{bench_modes.ROW}{name}", only)])
+def measured(row: bench_cases.Row, result: Result, per_call: float, unit: str, machine: str) -> dict:
+    """A kernel's row, of what its call drew and took; ``per_call``: what calling alone takes."""
+    wrong = row.check(result)
+    if wrong:
+        raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
+    spent = (result.cycles / row.case.repeats - per_call) / row.units
+    return {"name": row.name, "machine": machine, "length": row.length, unit: round(spent, 3),
+            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)}
+
+
+def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:
+    """The rows of kernels called one by one, by kind: in pixels, lines, points, instructions."""
+    condition = CONDITIONS[machine]
+    makers = {"rows": bench_cases.pixel_rows, "lines": bench_cases.line_rows,
+              "points": bench_cases.point_rows, "instructions": bench_cases.instruction_rows}
+    rows = [(kind, row) for kind, make in makers.items() for row in make(condition.chip)
+            if fnmatch.fnmatch(row.name, only)]
+    found: dict[str, list[dict]] = {kind: [] for kind in makers}
     if not rows:
-        return {kind: [] for kind in kinds} | whole
-    for row in rows:
+        return found
+    for _, row in rows:
         row.case.repeats = repeats(row)
     nothing = Case("nothing", repeats=NOTHING_REPEATS)
-    overhead, *results = call([nothing] + [row.case for row in rows], boot, on_case)
-    per_call = overhead.cycles / nothing.repeats
-    measured = {}
-    for row, result in zip(rows, results):
-        wrong = row.check(result)
-        if wrong:
-            raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
-        cycles = (result.cycles / row.case.repeats - per_call) / row.units
-        measured[id(row)] = round(cycles, 3), CYCLES_PER_TICK / row.case.repeats / row.units
-    return {kind: [{"name": r.name, "machine": machine, "length": r.length,
-                    UNITS[kind]: measured[id(r)][0], "one_tick": round(measured[id(r)][1], 5)}
-                   for r in group] for kind, group in kinds.items()} | whole
+    overhead, *results = call([nothing, *(row.case for _, row in rows)], condition.machine, on_case)
+    for (kind, row), result in zip(rows, results, strict=True):
+        found[kind].append(measured(row, result, overhead.cycles / nothing.repeats, UNITS[kind], machine))
+    return found
+
+
+def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
+    """Rows of one machine by kind: those of kernels, then frames, polygons with and without a rule of
+    lowering, and modes of the texture engines. ``machine``: of CONDITIONS; ``only``: a pattern of
+    names; ``on_case``: told how many kernels were begun."""
+    def chosen(prefix: str, names) -> list[str]:
+        return [name for name in names if fnmatch.fnmatch(prefix + name, only)]
+
+    rules = chosen(bench_rules.ROW, (case.name for case in bench_rules.CASES))
+    return (measure_kernels(machine, only, on_case)
+            | {"frames": bench_scenes.measure(machine, chosen(bench_scenes.ROW, bench_scenes.NAMES)),
+               "rules": bench_rules.measure(machine, rules)}
+            | bench_modes.measure(machine, chosen(bench_modes.ROW, bench_modes.EVERY)))
 
 
 def key(row: dict) -> tuple:
@@ -96,9 +107,14 @@ def cycles(row: dict) -> float:
     return next(row[unit] for unit in UNITS.values() if unit in row)
 
 
+def figures(rows: list[dict]) -> dict[tuple, float]:
+    """Cycles by what identifies a row."""
+    return {key(row): cycles(row) for row in rows}
+
+
 def compare(found: dict, baseline: dict) -> list[str]:
     """Rows that left the baseline by more than TOLERANCE and DOUBT, in words."""
-    old = {key(row): cycles(row) for kind in UNITS for row in baseline.get(kind, [])}
+    old = figures([row for kind in UNITS for row in baseline.get(kind, [])])
     complaints = []
     for kind in UNITS:
         for row in found[kind]:
@@ -109,22 +125,19 @@ def compare(found: dict, baseline: dict) -> list[str]:
             where = "{} {} length {}".format(*key(row))
             if before is None:
                 complaints.append(f"{where}: {now} cycles, not in the baseline")
-            elif abs(now - before) > max(TOLERANCE * before, DOUBT * row["one_tick"]):
-                complaints.append(f"{where}: {now} cycles, the baseline says {before} "
-                                  f"({100 * (now - before) / before:+.1f} %)")
+            elif abs(now - before) > max(TOLERANCE * abs(before), DOUBT * row["one_tick"]):
+                change = f" ({100 * (now - before) / before:+.1f} %)" if before else ""
+                complaints.append(f"{where}: {now} cycles, the baseline says {before}{change}")
     return complaints
 
 
 def table(rows: list[dict], machines: list[str]) -> str:
     """Markdown: a line for each name and length, a column for each machine."""
-    lines = ["| row | length | " + " | ".join(machines) + " |",
-             "|---|---|" + "---|" * len(machines)]
-    values = {key(row): cycles(row) for row in rows}
-    for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows):
-        cells = [f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
-                 for m in machines]
-        lines.append(f"| {name} | {length} | " + " | ".join(cells) + " |")
-    return "\n".join(lines) + "\n"
+    values = figures(rows)
+    cells = [[name, str(length), *(f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
+                                   for m in machines)]
+             for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows)]
+    return markdown.table(["row", "length", *machines], cells, "l") + "\n"
 
 
 def plot(rows: list[dict], machines: list[str], path: Path) -> None:
@@ -135,7 +148,7 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
     figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
     height = 0.8 / len(machines)
-    values = {key(row): cycles(row) for row in rows}
+    values = figures(rows)
     for k, machine in enumerate(machines):
         axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
                   [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
@@ -165,45 +178,29 @@ def write(found: dict, out: Path) -> None:
     machines = list(dict.fromkeys(row["machine"] for kind in UNITS
                                   for row in found[kind]))
     text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
-    text += "\nCycles a pixel (step_*: a step):\n\n" + table(found["rows"], machines)
-    text += "\nCycles a line:\n\n" + table(found["lines"], machines)
-    text += "\nCycles a point (mesh_looks: a normal, mesh_faces: a face):\n\n" \
-        + table(found["points"], machines)
-    text += "\nCycles of instructions, with a loop's around 16 of them:\n\n" \
-        + table(found["instructions"], machines)
-    text += f"\nCycles a frame, mean of {bench_scenes.FRAMES}:\n\n" + table(found["frames"], machines)
-    text += "\nCycles a polygon, with each rule of lowering and without it:\n\n" \
-        + table(found["rules"], machines)
-    text += "\nTexture engines' modes, cycles a pixel of a polygon (_c: in plain C):\n\n" \
-        + table(found["modes"], machines)
-    text += "\nCycles that the first frame costs more: tables, texels decoded:\n\n" \
-        + table(found["first_frames"], machines)
+    text += "".join(f"\n{title}:\n\n" + table(found[kind], machines) for kind, title in TITLES.items())
     if found["rows"]:
         plot(found["rows"], machines, out / "bench.png")
     (out / "bench.md").write_text(text)
     (out / "bench.json").write_text(json.dumps(found, indent=1) + "\n")
 
 
-def command(out: str, machine: str | None, only: str | None, accept: bool) -> int:
+def command(out: Path, machine: str | None, only: str | None, accept: bool) -> int:
     """``tmap bench``: prints the table; status 1 where the baseline is left."""
-    from rich.progress import Progress
-
-    if Path(out).exists() and not Path(out).is_dir():
-        raise UserError(f"{out}: is not a directory")
+    check_directory(out)
     if accept and (machine or only):
         raise UserError("bench: --accept needs all machines and all rows")
     machines = [machine] if machine else list(CONDITIONS)
-    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+    with bars() as progress:
         task = progress.add_task("bench", total=None)
         found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
     rows = [row for kind in UNITS for row in found[kind]]
     if not rows:
         raise UserError(f"bench: no row is called {only}")
-    write(found, Path(out))
+    write(found, out)
     print(table(rows, machines))
-    print(f"written to {out}: bench.json, bench.md, bench.png")
+    print(f"written to {out}: bench.json, bench.md" + ", bench.png" * bool(found["rows"]))
     if accept:
-        BASELINE.parent.mkdir(parents=True, exist_ok=True)
         BASELINE.write_text(json.dumps(found, indent=1) + "\n")
         print("the baseline is these figures now; give the reason in the commit")
         return 0

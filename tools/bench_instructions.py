@@ -1,9 +1,10 @@
 """Bench rows of single instructions: what each takes on the emulated machine, 16 of them in a loop that
 the instruction cache holds.
 
-A row counts the loop's dbra too; ``table`` takes it off.
+A row counts the loop's dbra too; ``prices`` take it off.
 """
 
+from . import markdown
 from .kernels import Arena, Case, Result
 
 IN_LOOP = 16
@@ -66,12 +67,9 @@ def prices(baseline: dict) -> dict[tuple[str, str], float]:
 
 
 def table(baseline: dict, machines: dict[str, str]) -> str:
-    """Markdown: cycles of each instruction on each machine."""
+    """Markdown: cycles of each instruction on each machine; ``machines``: names to titles."""
     found = prices(baseline)
     titles = {name: title for name, (title, _) in INSTRUCTIONS.items()} | {LOOP: "dbra, taken"}
-    lines = ["| instruction | " + " | ".join(machines.values()) + " |",
-             "|---|" + "--:|" * len(machines)]
-    for name, title in titles.items():
-        cells = [f"{found[name, machine]:.1f}" for machine in machines]
-        lines.append(f"| `{title}` | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+    return markdown.table(["instruction", *machines.values()],
+                          [[f"`{title}`", *(f"{found[name, machine]:.1f}" for machine in machines)]
+                           for name, title in titles.items()])

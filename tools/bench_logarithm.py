@@ -5,10 +5,11 @@ import math
 from . import layout
 from . import model_logarithm as logarithms
 from . import model_reciprocal as reciprocals
-from .bench_perspective import LINES, RATIO, case_of_lines, first_wrong_line, polygon_lines
-from .bench_perspective import add_plan as planes_plan
+from .bench_perspective import (LINES, RATIO, add_perspective_plan, case_of_lines, first_wrong_line,
+                                polygon_lines)
 from .bench_reciprocal import constants_fields, lines_left
-from .kernels import M32, Arena, Case, Result
+from .fixed import M32, ONE
+from .kernels import Arena, Case, Result
 from .model_reciprocal import swap
 
 NEAREST = 63000 << 16  # q of the nearer end as normalised
@@ -29,13 +30,13 @@ def power_table(arena: Arena, lines) -> int:
     return arena.add(part.astype(">u2").tobytes()) - 2 * max(low, 0)
 
 
-def line(k: int, length: int, ratio: int, rng) -> logarithms.Logarithmic:
+def line(k: int, length: int, rng) -> logarithms.Logarithmic:
     """Line k of a row."""
     n = length - 1
-    q0, q1 = (NEAREST, NEAREST // ratio)[::1 if k % 2 else -1]
+    q0, q1 = (NEAREST, NEAREST // RATIO)[::1 if k % 2 else -1]
     # u = K + C / q, from the first to the last pixel
     c = [max(way * length, 1) / abs(1 / q0 - 1 / q1) for way in (1, 0.7)]
-    power = tuple(round(logarithms.OCTAVE * math.log2(256 * d / 65536)) - logarithms.MIDDLE for d in c)
+    power = tuple(round(logarithms.OCTAVE * math.log2(256 * d / ONE)) - logarithms.MIDDLE for d in c)
     return logarithms.Logarithmic(
         k % 4, n, swap(q0 - (logarithms.ORIGIN << 16) & M32), swap(((q1 - q0) // max(n, 1)) & M32),
         tuple(int(x) for x in rng.integers(0, 1 << 16, 2)), power, 3 if q0 < q1 else 0)
@@ -53,13 +54,13 @@ def entry(each: logarithms.Logarithmic) -> bytes:
 def span_case(length: int):
     """A table of lines of one length, by logarithms."""
     return case_of_lines(
-        "span_logarithm", "logarithm_span", length, lambda k, rng: line(k, length, RATIO, rng),
+        "span_logarithm", "logarithm_span", length, lambda k, rng: line(k, length, rng),
         logarithms.coordinates,
         lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), logs=log_table(arena),
                                   powers=power_table(arena, lines)))
 
 
-def add_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
+def add_logarithm_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
     """Adds a reciprocal_plan with its constants, and the tables but for the powers."""
     plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
                         limit=0, piece=0, table=0, to=0)
@@ -74,7 +75,8 @@ def lines_case():
     constants = reciprocals.find(deep, None, 200, lines[0][0] - deep.i, 0)
     expected = [logarithms.line(deep, constants, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan, tables = add_plan(arena, planes_plan(arena, deep, lines, to_at), constants)
+    planes_at = add_perspective_plan(arena, deep, lines, to_at)
+    plan, tables = add_logarithm_plan(arena, planes_at, constants)
 
     def check(result: Result) -> str | None:
         return lines_left(result) or first_wrong_line(

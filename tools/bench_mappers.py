@@ -3,69 +3,61 @@
 import numpy as np
 
 from . import layout
-from .kernels import Arena, Case, Result
+from .bench_spans import DU, DV, GAP, line_count, scanlines, span_call
+from .fixed import ONE
+from .kernels import Arena
 from .model_spans import texel_generated
-from .scanline import add_span_plan, pack
 
-DU, DV, DS = 0x18000, 0x14000, 0xA000  # texels and shades a pixel, 16.16
+DS = 0xA000  # shades a pixel, 16.16
 PICTURE = 331, 417  # rows and columns of the arbitrary map: at an odd address
 
 
-def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
-    """Where two pictures first differ, in words; None where they are equal."""
-    wrong = np.argwhere(expected != found)
-    if not len(wrong):
-        return None
-    y, x = wrong[0]
-    return (f"{len(wrong)} pixels differ, the first at ({x}, {y}): "
-            f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
+def add_map(far: Arena, name: str, picture: np.ndarray) -> int:
+    """Adds a map as a mapper wants it; where the mapper's pointer goes."""
+    if "gouraud" in name:
+        return 0  # there is none
+    if name == "arbitrary":
+        return far.add(b"\0" + picture.tobytes()) + 1
+    half = len(picture) // 2  # as much again lies before it, and behind it
+    lying = np.concatenate([picture[half:], picture, picture[:half]]).tobytes()
+    return far.add(bytes(32768) + lying, ONE) + ONE
 
 
-def mapper_case(name: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
-    """A table of spans of one length, as tools.bench_cases.span_case."""
-    rng = np.random.default_rng(length)
-    lines = lines or min(128, max(16, 2048 // length))
-    pitch = length + 4  # bytes from line to line: each line begins 0 to 3 bytes on
-    constants = layout.load().constants
-    arena, far, n = Arena(), Arena(), np.arange(length)
+def start_of(name: str, rng: np.random.Generator, steps: tuple[int, int], length: int) -> tuple[int, int]:
+    """u and v of a line: shades that do not run over; all of it inside the arbitrary map; anywhere."""
+    if "gouraud" in name:
+        return int(rng.integers(0, 90 << 16)), 0
+    if name == "arbitrary":
+        travel = [step * (length - 1) for step in steps]
+        return tuple(int(rng.integers(max(0, -t), (side << 16) - max(0, t)))
+                     for t, side in zip(travel, PICTURE[::-1]))
+    return tuple(rng.integers(0, 256 << 16, 2).tolist())
+
+
+def drawn(name: str, picture: np.ndarray, start: tuple[int, int], steps: tuple[int, int],
+          length: int) -> np.ndarray:
+    """A line's pixels."""
+    n, (u, v), (du, dv) = np.arange(length), start, steps
+    if "gouraud" in name:
+        return (u + n * du) >> 16
+    if name == "arbitrary":
+        return picture[(v + n * dv) >> 16, (u + n * du) >> 16]
+    return picture.reshape(-1)[texel_generated(u, v, du, dv, length) & 0xFFFF]
+
+
+def mapper_case(name: str, length: int, dv: int = DV, lines: int = 0):
+    """A table of spans of one length, as tools.bench_spans.span_case."""
+    rng, lines = np.random.default_rng(length), lines or line_count(length)
+    arena, far = Arena(), Arena()
     rows, columns = PICTURE if name == "arbitrary" else (256, 256)
     picture = rng.integers(0, 256, (rows, columns), dtype=np.uint8)
-    if name == "generated":
-        lying = np.concatenate([picture[128:], picture, picture[:128]]).tobytes()
-        map_at = far.add(bytes(32768) + lying, 65536) + 65536
-    elif "gouraud" in name:
-        map_at = 0  # there is none
-    else:
-        map_at = far.add(b"\0" + picture.tobytes()) + 1
-    entries = np.zeros(lines, layout.load().struct("scanline").dtype)
-    expected = np.zeros((lines, pitch), np.uint8)
-    for k in range(lines):
-        if "gouraud" in name:
-            u, v = int(rng.integers(0, 90 << 16)), 0
-            drawn = (u + n * DS) >> 16
-        elif name == "arbitrary":
-            travel = [d * (length - 1) for d in (du, dv)]
-            u, v = (int(rng.integers(max(0, -t), (side << 16) - max(0, t)))
-                    for t, side in zip(travel, (columns, rows)))
-            drawn = picture[(v + n * dv) >> 16, (u + n * du) >> 16]
-        else:
-            u, v = (int(x) for x in rng.integers(0, 256 << 16, 2))
-            drawn = picture.reshape(-1)[texel_generated(u, v, du, dv, length) & 0xFFFF]
-        for field, value in pack("plain", u, v).items():
-            entries[k][field] = value
-        entries[k]["left"] = constants["EDGE_BIAS"] + k % 4
-        entries[k]["last"] = entries[k]["left"] + length - 1
-        expected[k, k % 4:k % 4 + length] = drawn
-    table_at = arena.add(entries.tobytes())
-    code_at = arena.add(bytes(constants["CODE_BYTES"]))
-    frame_at = far.add(bytes(pitch * lines))
-    plan_at = add_span_plan(
-        arena, dict(lines=table_at, code=code_at),
-        dict(row=frame_at - constants["EDGE_BIAS"], map=map_at), count=lines, pitch=pitch,
-        dudx=DS if "gouraud" in name else du, dvdx=dv, map_width=columns, map_height=rows)
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
-        return first_difference(expected, found.reshape(expected.shape))
-
-    return lines * length, Case(f"span_{name}", arena, pointers={"a0": plan_at}, far=far), check
+    map_at = add_map(far, name, picture)
+    steps = DS if "gouraud" in name else DU, dv
+    starts = [(k % 4, *start_of(name, rng, steps, length)) for k in range(lines)]
+    expected = np.zeros((lines, length + GAP), np.uint8)
+    for k, (x, *start) in enumerate(starts):
+        expected[k, x:x + length] = drawn(name, picture, tuple(start), steps, length)
+    pointers = {"lines": arena.add(scanlines(starts, length, "plain")),
+                "code": arena.add(bytes(layout.load().constants["CODE_BYTES"]))}
+    return lines * length, *span_call(f"span_{name}", arena, far, pointers, {"map": map_at}, expected,
+                                      dudx=steps[0], dvdx=dv, map_width=columns, map_height=rows)

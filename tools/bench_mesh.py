@@ -5,7 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import layout, model_mesh
-from .kernels import M32, Arena, Case, Result
+from .fixed import M32, mul_div
+from .kernels import Arena, Case, Result
 from .scene_file import records
 
 COUNT = 64
@@ -105,8 +106,8 @@ def cut_case():
     to = arena.add(bytes(24))
     plan_at = arena.struct("cut_plan", {"to": to, "inside": ends[0], "outside": ends[1]},
                            part=part, whole=whole)
-    made = [a + (w if b > a else -w) for a, b, w in
-            ((a, b, (abs(b - a) * part + (whole >> 1)) // whole) for a, b in zip(inside, outside))]
+    moves = [mul_div(abs(b - a), part, whole) for a, b in zip(inside, outside)]
+    made = [a + (move if b > a else -move) for a, b, move in zip(inside, outside, moves)]
 
     def check(result: Result) -> str | None:
         found = longs(result, to, 6)

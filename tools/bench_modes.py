@@ -9,10 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from . import fuzz, model, modes, tmu_modes, tx_modes
-from .bench_rules import MACHINES
+from . import guest_frames, model, modes, tmu_modes, tx_modes
+from .bench_conditions import CONDITIONS
 from .emulator import CYCLES_PER_TICK
-from .errors import UserError
 from .modes import Mode
 from .scene_file import IDENTITY, Material, Object, Scene
 
@@ -72,33 +71,37 @@ def shown(mode: Mode, plain: bool = False) -> tuple[list[np.ndarray], int]:
     return frames, made.pixels
 
 
+def rows_of(mode: Mode, end: str, machine: str, ticks: list[int], pixels: int) -> dict[str, dict]:
+    """The rows of a mode by kind: what the frames FIRST and AGAIN took. ``end``: PLAIN_END, or ""."""
+    row = {"name": f"{ROW}{mode.name}{end}", "machine": machine, "length": pixels}
+    found = {"modes": row | {
+        "cycles_per_pixel": round((ticks[AGAIN] - ticks[EMPTY]) * CYCLES_PER_TICK / pixels, 3),
+        "one_tick": round(CYCLES_PER_TICK / pixels, 5)}}
+    if not end:
+        found["first_frames"] = row | {
+            "name": f"{FIRST_ROW}{mode.name}", "one_tick": CYCLES_PER_TICK,
+            "cycles_more": (ticks[FIRST] - ticks[AGAIN]) * CYCLES_PER_TICK}
+    return found
+
+
 def measure(machine: str, names: list[str], plain: bool = True) -> dict[str, list[dict]]:
     """Rows "modes" and "first_frames" of modes, all in one boot; ``names``: of modes; ``plain``:
     with those in plain C, on PLAIN_MACHINE."""
     wanted = [EVERY[name] for name in names]
+    found: dict[str, list[dict]] = {"modes": [], "first_frames": []}
     if not wanted:
-        return {"modes": [], "first_frames": []}
-    boot, chip = MACHINES[machine]
+        return found
+    condition = CONDITIONS[machine]
     asked = [(mode, "") for mode in wanted]
     if plain and machine == PLAIN_MACHINE:
         asked += [(mode, PLAIN_END) for mode in wanted if mode.in_c]
-    made = fuzz.draw([(scene_of(mode, plain=bool(end)),
-                       f"addx{chip}" + (f" OFF {mode.PLAIN}" if end else ""))
-                      for mode, end in asked], boot)
-    found = {"modes": [], "first_frames": []}
-    for (mode, end), digests in zip(asked, made):
+    drawn = guest_frames.draw([(scene_of(mode, plain=bool(end)), f"addx{condition.options}"
+                                + (f" OFF {mode.PLAIN}" if end else "")) for mode, end in asked],
+                              condition.machine)
+    for (mode, end), digests in zip(asked, drawn):
         frames, pixels = shown(mode, True) if end else shown(mode)
-        for number, (frame, digest) in enumerate(zip(frames, digests, strict=True)):
-            if not fuzz.is_models(frame, digest):
-                raise UserError(f"bench: mode {mode.name}{end}, {machine}: frame {number} is not "
-                                "the model's")
+        guest_frames.require_models(frames, digests, f"bench: mode {mode.name}{end}, {machine}")
         ticks = digests["ticks"].astype(int).tolist()
-        row = {"name": f"{ROW}{mode.name}{end}", "machine": machine, "length": pixels}
-        found["modes"].append(row | {
-            "cycles_per_pixel": round((ticks[AGAIN] - ticks[EMPTY]) * CYCLES_PER_TICK / pixels, 3),
-            "one_tick": round(CYCLES_PER_TICK / pixels, 5)})
-        if not end:
-            found["first_frames"].append(row | {
-                "name": f"{FIRST_ROW}{mode.name}", "one_tick": CYCLES_PER_TICK,
-                "cycles_more": (ticks[FIRST] - ticks[AGAIN]) * CYCLES_PER_TICK})
+        for kind, row in rows_of(mode, end, machine, ticks, pixels).items():
+            found[kind].append(row)
     return found

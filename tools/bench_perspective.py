@@ -7,7 +7,7 @@ from far to near.
 import numpy as np
 
 from . import layout
-from .bench_mappers import first_difference
+from .bench_spans import GAP, first_difference, line_count
 from .kernels import Arena, Case, Result
 from .model_edges import measure
 from .model_perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level,
@@ -51,8 +51,7 @@ def case_of_lines(kernel: str, plan: str, length: int, line, coordinates, near, 
     ``coordinates`` are u and v of its pixels; ``near`` puts lines and tables into an arena, the
     pointers to them are the plan's, as ``fields`` are."""
     rng = np.random.default_rng(length)
-    count = min(128, max(16, 2048 // length))
-    pitch = length + 4
+    count, pitch = line_count(length), length + GAP
     shapes = layout.load()
     arena, far = Arena(), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
@@ -126,7 +125,7 @@ def scanlines(arena, lines) -> int:
         for left, right, _ in lines))
 
 
-def add_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
     """Adds a perspective_plan and its scanline table."""
     return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
 
@@ -159,7 +158,7 @@ def lines_case(setting: str):
     deep, lines = polygon_lines()
     expected = [ends(deep, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_plan(arena, deep, lines, to_at, setting)
+    plan_at = add_perspective_plan(arena, deep, lines, to_at, setting)
 
     def check(result: Result) -> str | None:
         return first_wrong_line(shape, result.memory[to_at:], [entry(each, setting) for each in expected],

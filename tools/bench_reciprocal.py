@@ -4,10 +4,10 @@ import numpy as np
 
 from . import layout
 from . import model_reciprocal as reciprocals
-from .bench_perspective import (LINES, NEAR, RATIO, add_plan, case_of_lines, first_wrong_line,
-                                polygon_lines)
-from .fixed import signed
-from .kernels import M32, Arena, Case, Result
+from .bench_perspective import (LINES, NEAR, RATIO, add_perspective_plan, case_of_lines,
+                                first_wrong_line, polygon_lines)
+from .fixed import M32, signed
+from .kernels import Arena, Case, Result
 
 #: Row: pixels of a piece.
 SPANS = {"persp_every16": 16, "persp_every8": 8}
@@ -56,10 +56,9 @@ def constants_fields(constants) -> dict:
         | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1])}
 
 
-def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int,
-                        shape: str = "reciprocal_plan") -> int:
+def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int) -> int:
     """Adds a reciprocal_plan with its constants."""
-    return arena.struct(shape, dict(planes=planes_at, table=table_at, to=to_at),
+    return arena.struct("reciprocal_plan", dict(planes=planes_at, table=table_at, to=to_at),
                         **constants_fields(constants), limit=constants.limit, piece=constants.piece)
 
 
@@ -76,8 +75,8 @@ def lines_case(m: int):
     constants = reciprocals.find(deep, m.bit_length() - 1, 200, lines[0][0] - deep.i, 0)
     expected = [reciprocals.line(deep, constants, *each) for each in lines]
     to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_reciprocal_plan(arena, add_plan(arena, deep, lines, to_at), constants, table(arena),
-                                  to_at)
+    planes_at = add_perspective_plan(arena, deep, lines, to_at)
+    plan_at = add_reciprocal_plan(arena, planes_at, constants, table(arena), to_at)
 
     def check(result: Result) -> str | None:
         return lines_left(result) or first_wrong_line(

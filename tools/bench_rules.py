@@ -8,17 +8,15 @@ from functools import cache
 
 import numpy as np
 
-from . import fuzz, model
+from . import guest_frames, model, random_maps
+from .bench_conditions import CONDITIONS
 from .emulator import CYCLES_PER_TICK
-from .errors import UserError
 from .pixel_formats import FORMATS
 from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
 
 WIDTH, HEIGHT = 160, 128
 COPIES = 8  # of a polygon: two ticks of doubt are then 5 cycles, of the cheapest 0.4 %
-#: Name to (emulated machine, options of ``render``).
-MACHINES = {"a1200": ("a1200", ""), "a1200-fast": ("a1200-fast", ""),
-            "a1200-mixed": ("a1200-fast", " CHIP")}
+ROW = "rule_"
 WITHOUT = "_off"  # ends the name of a row without its rule
 #: Rules that change the picture, as far as the material's tolerance goes.
 INEXACT = ("tolerance", "coarser")
@@ -58,6 +56,11 @@ class Case:
         """The rule, and in a frame of wider pixels their bits."""
         bits = 8 * FORMATS[self.pixels].bytes
         return self.rule if bits == 8 else f"{self.rule}_{bits}"
+
+    @property
+    def group(self) -> tuple[str, str]:
+        """What cases of one scene share."""
+        return self.pixels, self.material.perspective
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
@@ -107,8 +110,8 @@ CASES = (
 )
 #: Cases that share a scene: of one format, and those with perspective apart, as the tables that it
 #: needs would be made for all the others too.
-GROUPS = [[case for case in CASES if kind == (case.pixels, case.material.perspective)]
-          for kind in dict.fromkeys((case.pixels, case.material.perspective) for case in CASES)]
+GROUPS = [[case for case in CASES if case.group == group]
+          for group in dict.fromkeys(case.group for case in CASES)]
 
 
 @cache
@@ -133,8 +136,7 @@ def scene_of(cases, copies: int = 1, counted: Case | None = None) -> Scene:
     objects = [Object(materials.index(case.material), 3 * k, 3, 0, 1, k + 1)
                for k, case in enumerate(cases)
                for _ in range(copies if counted in (None, case) else 1)]
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, palette, textures(pixels), materials,
+    return Scene(WIDTH, HEIGHT, len(cases) + 1, 7, random_maps.palette(), textures(pixels), materials,
                  objects, np.array(vertices), np.array([IDENTITY]), pixels)
 
 
@@ -145,32 +147,57 @@ def shown(group: int) -> list[np.ndarray]:
     return [model.render(scene, number) for number in range(scene.frames)]
 
 
-def measure(machine: str, names: list[str]) -> list[dict]:
-    """Two rows for each case, with its rule and without it, all in one boot."""
-    boot, chip = MACHINES[machine]
-    runs: list[tuple[int, Case | None, Scene]] = []  # group, case whose rule is off
+@dataclass(frozen=True)
+class Run:
+    """A scene drawn once: all cases of a group with their rules, or one case without its own."""
+
+    group: int
+    case: Case | None
+    scene: Scene
+
+    @property
+    def options(self) -> str:
+        """What ``render`` is told."""
+        return f" OFF {self.case.rule}" if self.case else ""
+
+
+def runs_of(names: list[str]) -> list[Run]:
+    """What is drawn for some cases: of each group all, then each case without its rule."""
+    runs = []
     for number, group in enumerate(GROUPS):
-        cases = [case for case in group if f"rule_{case.name}" in names]
-        runs += [(number, None, scene_of(group, COPIES))][:len(cases)]
-        runs += [(number, case, scene_of(group, COPIES, case)) for case in cases]
+        cases = [case for case in group if case.name in names]
+        if cases:
+            runs.append(Run(number, None, scene_of(group, COPIES)))
+            runs += [Run(number, case, scene_of(group, COPIES, case)) for case in cases]
+    return runs
+
+
+def row_of(name: str, machine: str, digests: np.ndarray, frame: int) -> dict:
+    """A row: what a frame takes more than the empty first one, by its polygon."""
+    ticks = digests["ticks"].astype(int).tolist()
+    return {"name": name, "machine": machine, "length": 1,
+            "cycles_per_polygon": (ticks[frame] - ticks[0]) * CYCLES_PER_TICK / COPIES,
+            "one_tick": CYCLES_PER_TICK / COPIES}
+
+
+def measure(machine: str, names: list[str]) -> list[dict]:
+    """Two rows for each case, with its rule and without it, all in one boot. ``machine``: of
+    CONDITIONS; ``names``: of cases."""
+    runs = runs_of(names)
     if not runs:
         return []
-    ways = [f" OFF {case.rule}" if case else "" for _, case, _ in runs]
-    drawn = fuzz.draw([(scene, f"addx{chip}{way}") for way, (*_, scene) in zip(ways, runs)], boot)
-    rows = []
-    for way, (number, case, _), digests in zip(ways, runs, drawn):
-        group = GROUPS[number]
-        for frame, (picture, digest) in enumerate(zip(shown(number), digests, strict=True)):
-            if not fuzz.is_models(picture, digest):
-                raise UserError(f"bench: rules{way}, {machine}: frame {frame} "
-                                f"({group[frame - 1].name}) is not the model's")
-        if case is None:
-            lowered = digests
+    condition = CONDITIONS[machine]
+    drawn = guest_frames.draw([(run.scene, f"addx{condition.options}{run.options}") for run in runs],
+                              condition.machine)
+    rows, lowered = [], {}  # the latter: digests by group
+    for run, digests in zip(runs, drawn):
+        group = GROUPS[run.group]
+        guest_frames.require_models(shown(run.group), digests, f"bench: rules{run.options}, {machine}",
+                                    ["empty", *(case.name for case in group)])
+        if run.case is None:
+            lowered[run.group] = digests
             continue
-        for end, found in (("", lowered), (WITHOUT, digests)):
-            ticks = found["ticks"].astype(int).tolist()
-            rows.append({"name": f"rule_{case.name}{end}", "machine": machine, "length": 1,
-                         "cycles_per_polygon": (ticks[group.index(case) + 1] - ticks[0])
-                         * CYCLES_PER_TICK / COPIES,
-                         "one_tick": CYCLES_PER_TICK / COPIES})
+        frame, name = group.index(run.case) + 1, f"{ROW}{run.case.name}"
+        rows += [row_of(name, machine, lowered[run.group], frame),
+                 row_of(name + WITHOUT, machine, digests, frame)]
     return rows

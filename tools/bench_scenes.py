@@ -10,9 +10,8 @@ from functools import cache
 
 import numpy as np
 
-from . import fuzz, model
-from .emulator import CYCLES_PER_TICK, PATIENT_SECONDS
-from .errors import UserError
+from . import guest_frames, model
+from .emulator import CYCLES_PER_TICK, MEASURED, PATIENT_SECONDS
 from .paths import SCENES
 from .scene import compile_scene
 from .scene_file import Scene
@@ -22,31 +21,51 @@ NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "
          "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
          "glide_lightmap", "dithered")
 FRAMES = 4
-#: Conditions of the bench that a program can be run under.
-MACHINES = ("a1200", "a1200-fast")
+ROW = "scene_"
 
 
-def some_frames(scene: Scene, numbers: list[int]) -> Scene:
-    """A scene of these frames alone, none before the last."""
-    poses, views, objects, instances = [], [], [], []
-    places = [0]  # of objects among those that are kept
-    for things, kept, table, rows, first, count in (
-            (scene.objects, objects, scene.poses, poses, "pose", "poses"),
-            (scene.instances, instances, scene.views, views, "view", "views")):
-        for each in things:
-            ages = [number - each.first_frame for number in numbers]
-            seen = [k for k, age in enumerate(ages) if 0 <= age < getattr(each, count)]
-            if seen:
-                kept.append(replace(each, first_frame=seen[0], **{first: len(rows), count: len(seen)}))
-                rows += [table[getattr(each, first) + ages[k]] for k in seen]
-            if kept is objects:
-                places.append(len(objects))
-    instances = [replace(each, before=places[each.before]) for each in instances]
+def runs(numbers: list[int]) -> list[list[int]]:
+    """Ascending numbers, those that follow each other together."""
+    found: list[list[int]] = []
+    for number in numbers:
+        if found and number == found[-1][-1] + 1:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    return found
+
+
+def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, list, list[int]]:
+    """Objects (``row``: "pose") or instances ("view") in these frames alone, the rows of ``table`` that
+    they have there, and how many are kept of the first n, by n. One that comes again becomes two."""
+    kept, rows, places = [], [], [0]
+    for each in things:
+        first, count = getattr(each, row), getattr(each, f"{row}s")
+        ages = [number - each.first_frame for number in numbers]
+        for run in runs([k for k, age in enumerate(ages) if 0 <= age < count]):
+            kept.append(replace(each, first_frame=run[0], **{row: len(rows), f"{row}s": len(run)}))
+            rows += [table[first + ages[k]] for k in run]
+        places.append(len(kept))
+    return kept, rows, places
+
+
+def cut_lists(scene: Scene, numbers: list[int]) -> tuple[list, list]:
+    """The engines' units and lists for these frames: each has one for the start, and one a frame unless
+    it has no more."""
     units, lists = [], []
     for first, count in scene.units.tolist():
         kept = [first] + [first + 1 + number for number in numbers if count > 1]
         units.append([len(lists), len(kept)])
         lists += scene.lists[kept].tolist()
+    return units, lists
+
+
+def some_frames(scene: Scene, numbers: list[int]) -> Scene:
+    """A scene of these frames alone, in this order; a frame may be there twice."""
+    objects, poses, places = cut(scene.objects, scene.poses, "pose", numbers)
+    instances, views, _ = cut(scene.instances, scene.views, "view", numbers)
+    instances = [replace(each, before=places[each.before]) for each in instances]
+    units, lists = cut_lists(scene, numbers)
     return replace(scene, frames=len(numbers), objects=objects, instances=instances,
                    poses=np.array(poses or scene.poses), views=np.array(views or scene.views),
                    units=np.array(units or scene.units), lists=np.array(lists or scene.lists))
@@ -63,17 +82,15 @@ def shown(name: str) -> tuple[Scene, list[np.ndarray]]:
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
-    """A row for each scene, all in one boot."""
-    if machine not in MACHINES or not names:
+    """A row for each scene, all in one boot; none where data is put elsewhere than programs do."""
+    if machine not in MEASURED or not names:
         return []
     rows = []
-    drawn = fuzz.draw([(shown(name)[0], "addx") for name in names], machine,
-                      patience=PATIENT_SECONDS, apart=True)  # some fill all chip RAM
+    drawn = guest_frames.draw([(shown(name)[0], "addx") for name in names], machine,
+                              patience=PATIENT_SECONDS, apart=True)  # some fill all chip RAM
     for name, digests in zip(names, drawn):
-        for number, (frame, digest) in enumerate(zip(shown(name)[1], digests, strict=True)):
-            if not fuzz.is_models(frame, digest):
-                raise UserError(f"bench: scene {name}, {machine}: frame {number} is not the model's")
+        guest_frames.require_models(shown(name)[1], digests, f"bench: scene {name}, {machine}")
         cycles = int(digests["ticks"][-FRAMES:].astype(int).sum()) * CYCLES_PER_TICK / FRAMES
-        rows.append({"name": f"scene_{name}", "machine": machine, "length": FRAMES,
+        rows.append({"name": f"{ROW}{name}", "machine": machine, "length": FRAMES,
                      "cycles_per_frame": cycles, "one_tick": CYCLES_PER_TICK / FRAMES})
     return rows

@@ -4,7 +4,7 @@ import numpy as np
 
 from . import tx_examples
 from .kernels import Arena, Case, Result
-from .tx_example import Example
+from .pass_example import Example
 
 LENGTH = 256
 

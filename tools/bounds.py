@@ -2,14 +2,8 @@
 
 All bounds follow from formats and roundings alone. 1 unit = U = 1/2^16, of a pixel or a
 texel. Vertices are those that ``model.adapt`` gives: `integer` edges are judged on the
-vertices they cut, shades and texels on what the vertices say after their rounding.
-
-**Edges.** `exact`: none. Rounded ones, line j, the edge's first line in the frame f: x starts
-at the nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less
-what comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
-within E(j) of its centre, and none where E is 0. Polygons cut to the window have new vertices
-(not with `exact` edges): each cut rounds one coordinate (U/2), an edge is cut four times at
-most, so it moves by 2U across its direction at most, besides.
+vertices they cut, shades and texels on what the vertices say after their rounding. Which pixels are
+drawn, and E(j), what the edge on line j is off: tools/bounds_coverage.py.
 
 **Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
 
@@ -57,17 +51,16 @@ Every line is held: 6B + 8U.
 from dataclasses import dataclass
 
 from . import bounds_perspective, ideal, model, model_tolerance
+from .bounds_coverage import FLOAT, LARGEST, crossing, edge_bound, edges_by_line, judge_coverage
 from .fixed import ceil16, signed
 from .ideal import UNIT
+from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
 from .model_dithered import moves
 from .model_edges import Edge
 from .model_spans import CUT
 from .model_texturing import Line, Settings
-
-LARGEST = 32768.0  # texels: all is modulo twice that
-#: Double precision's own share when a bound is evaluated and compared.
-FLOAT = 1 + 1e-9
+from .random_polygons import is_convex
 
 
 @dataclass
@@ -82,75 +75,39 @@ class Verdict:
     unsure: int = 0  # polygons drawn affine though w differs
     complaint: str = ""  # the first excess found, in words
 
+    def complain(self, text: str) -> None:
+        """Notes an excess, if it is the first."""
+        self.complaint = self.complaint or text
+
+    def note(self, error: float, bound: float) -> None:
+        """Notes a pixel's error, if it is the largest."""
+        if error > self.texel_error or not self.texel_bound:
+            self.texel_error, self.texel_bound = float(error), float(bound)
+
     def merge(self, other: "Verdict") -> None:
         """Takes the worse of both."""
         self.pixels += other.pixels
         self.coverage_errors += other.coverage_errors
         self.unsure += other.unsure
-        if other.texel_error > self.texel_error:
-            self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
+        self.note(other.texel_error, other.texel_bound)
         self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.complaint = self.complaint or other.complaint
+        self.complain(other.complaint)
 
 
-def edge_bound(edge: Edge, line: int) -> float:
-    """E(j) of rounded numbers, pixels; a quotient that comes out even adds nothing."""
-    (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
-    width, height = x1 - x0, y1 - y0
-    start, step = width * ((edge.top << 16) - y0) % height, (width << 16) % height
-    return ((start != 0) + (line - edge.top) * (step != 0)) * UNIT / 2
+def has_ideal(vertices, settings: Settings = Settings()) -> bool:
+    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
+    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
+    (more than three may not be, by their rounding)."""
+    points = [tuple(v[:2]) for v in vertices]
+    inside = all(-model.FAR <= c < model.FAR for v in vertices for c in v[:4])
+    convex = len(points) == 3 or is_convex(points) and winds_once(points)
+    return inside and convex and (settings.perspective == "none" or in_front(vertices))
 
 
-def crossing(edge: Edge, line: int) -> float:
-    """Where the exact edge crosses a line, pixels."""
-    (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
-    return (x0 + (x1 - x0) * ((line << 16) - y0) / (y1 - y0)) * UNIT
-
-
-def across(vertices, i: int, j: int) -> float:
-    """The distance of pixel (i, j) from the nearest of a polygon's edges' lines, pixels."""
-    best = LARGEST
-    for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
-        dx, dy = x1 - x0, y1 - y0
-        length = (dx * dx + dy * dy) ** 0.5
-        if length:
-            best = min(best, abs(dx * ((j << 16) - y0) - ((i << 16) - x0) * dy) / length * UNIT)
-    return best
-
-
-def edges_by_line(edges: list[Edge]) -> dict[int, Edge]:
-    """The edge of each line."""
-    return {line: edge for edge in edges for line in range(edge.top, edge.end)}
-
-
-def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
-                   height: int) -> tuple[int, str]:
-    """Wrong pixels of a convex polygon, and the first that lies too far from its edge."""
-    exact = {}
-    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
-    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height)):
-        exact[y] = [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
-    lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
-    wrong, complaint = 0, ""
-    clipped = 2 * UNIT if settings.clip == "vertices" and settings.edges != "exact" else 0.0
-    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] \
-        if polygon else [{}, {}]
-    for y in exact.keys() | lines.keys():
-        found = [lines[y].left, lines[y].right] if y in lines else [0, 0]
-        ends = [end for _, _, end in exact[y]] if y in exact else [0, 0]
-        found, ends = ([a, max(a, b)] for a, b in (found, ends))
-        pixels = set(range(*found)) ^ set(range(*ends))
-        wrong += len(pixels)
-        for i in sorted(pixels):
-            rounded = settings.edges != "exact"
-            allowed = max((edge_bound(s[y], y) for s in sides if y in s), default=0.0) * rounded
-            off = min((abs(i - n / d * UNIT) for n, d, _ in exact.get(y, ())), default=LARGEST)
-            if (off > allowed * FLOAT or not allowed) and not (clipped and across(vertices, i, y)
-                                              <= (allowed + clipped) * FLOAT):
-                complaint = complaint or (
-                    f"pixel ({i}, {y}) is {'lit' if i in range(*found) else 'left out'}: its centre is "
-                    f"{off:.9f} pixels from the exact edge, {allowed + clipped:.9f} are allowed")
-    return wrong, complaint
+def winds_once(points) -> bool:
+    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
+    signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
+    return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
 
 
 @dataclass
@@ -243,7 +200,7 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
         return exact, (abs(g * ((i - first) * stretch - (first - x[0])))
                        + 2 * a[0] + a[1] + (abs(i - first) + 1) * UNIT)
     ends = max(b + abs(g) * e for b, e in zip(a, off)) * (1 + 2 * max(off))
-    bound = ends + (abs(i - x[0]) + 1) * UNIT
+    bound = ends + (abs(i - rounded[0] * UNIT) + 1) * UNIT
     if rounded[1] - rounded[0] < 65536:
         bound = max(bound, abs(rise) + a[0] + a[1] + UNIT)
     return exact, bound
@@ -251,13 +208,19 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
 
 def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) -> None:
     """Adds one pixel's error to a verdict."""
-    if error > out.texel_error or not out.texel_bound:
-        out.texel_error, out.texel_bound = error, bound
+    out.note(error, bound)
     if bound < LARGEST and error / bound > out.texel_ratio:
         out.texel_ratio = error / bound
-        if error > bound * FLOAT and not out.complaint:
-            out.complaint = (f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
-                             f"{bound:.9f} are allowed")
+        if error > bound * FLOAT:
+            out.complain(f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
+                         f"{bound:.9f} are allowed")
+
+
+def mapper_bound(mapper: str, key: str, away: int) -> float:
+    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first."""
+    cut = CUT.get(mapper, (0, 0))["uv".index(key)]
+    return ((away + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
+            + DITHERED * (mapper == "dithered"))
 
 
 def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
@@ -281,9 +244,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
                 else:
                     error = abs(c.plane.error(value, i, y))
                     bound = plane_bound(c, t, sides[0][y], i, y, settings)
-                cut = CUT.get(mapper, (0, 0))["uv".index(key)]
-                bound += (i - line.left + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
-                bound += DITHERED * (mapper == "dithered")
+                bound += mapper_bound(mapper, key, i - line.left)
                 found.append((error, bound, key, (i, y)))
     if beyond is not None:
         most = max((bound for _, bound, *_ in found), default=0.0) + beyond

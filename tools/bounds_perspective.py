@@ -158,7 +158,7 @@ def reach(piece: int, width: int) -> float:
             0, width - 1, (0, 0), 0, 0, c, first, model_reciprocal.TABLE[-1], 0, piece))
 
     least = model_reciprocal.LEAST >> 16
-    firsts = model_reciprocal.TABLE[least - model_reciprocal.LOWEST:]
+    firsts = set(model_reciprocal.TABLE[least - model_reciprocal.LOWEST:])
     return min((RECIPROCALS / UNIT - bound(r, 0)) / (bound(r, 1) - bound(r, 0)) for r in firsts)
 
 
@@ -193,8 +193,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
-        taken = polygon.taken(line, y)
-        more = polygon.by.bound(taken) * UNIT if taken else 0
+        record = polygon.record(line, y)
+        more = polygon.tables.bound(record) * UNIT if record else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -205,7 +205,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
                 b = bound.line(made, y, inside)
-                allowed = more + (b + FLOAT if taken and polygon.setting not in PIECES
+                allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
                                   else line_bound(b, polygon.setting))
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
@@ -217,21 +217,19 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
     material's setting, ``tolerance`` its texels."""
     for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
-        if polygon.setting != asked and bent > tolerance + FLOAT and not out.complaint:
-            out.complaint = (f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
-                             f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
+        if polygon.setting != asked and bent > tolerance + FLOAT:
+            out.complain(f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
+                         f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
         k = int(abs(error).argmax())
-        if abs(error[k]) > out.texel_error or not out.texel_bound:
-            out.texel_error = float(abs(error[k]))
-            out.texel_bound = float(min(abs(wanted[k]) + allowed, BOUNDLESS))
+        out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
         if allowed >= BOUNDLESS:
             continue
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
-        if off[k] > allowed and not out.complaint:
-            out.complaint = (f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
-                             f"setting intends, {allowed:.9f} are allowed")
+        if off[k] > allowed:
+            out.complain(f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+                         f"setting intends, {allowed:.9f} are allowed")
 
 
 def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
@@ -250,9 +248,8 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = abs(curve.errors(found[seen], columns, y))
             k = int(error.argmax())
-            if error[k] > out.texel_error or not out.texel_bound:
-                out.texel_error, out.texel_bound = float(error[k]), bound
+            out.note(error[k], bound)
             out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)
-            if error[k] > bound and not out.complaint:
-                out.complaint = (f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
-                                 f"{error[k]:.9f} off, {bound:.9f} are allowed")
+            if error[k] > bound:
+                out.complain(f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
+                             f"{error[k]:.9f} off, {bound:.9f} are allowed")

@@ -8,6 +8,7 @@ import ast
 import functools
 import hashlib
 import json
+import os
 import shutil
 import tempfile
 import tomllib
@@ -64,15 +65,15 @@ def sources(module: str) -> list[Path]:
 def scene_files(path: Path) -> list[Path]:
     """A scene's file and every file beside it that it names."""
     def words(value) -> Iterable[str]:
-        if isinstance(value, dict | list):
+        if isinstance(value, str):
+            yield value
+        elif isinstance(value, dict | list):
             for each in value.values() if isinstance(value, dict) else value:
                 yield from words(each)
-        elif isinstance(value, str):
-            yield value
 
-    named = {path.parent / word for word in words(tomllib.loads(path.read_text()))
-             if len(word) < 200 and "\0" not in word}
-    return [path, *sorted(file for file in named if file.is_file())]
+    named = {path.parent / word for word in words(tomllib.loads(path.read_text()))}
+    # Unlike Path.is_file, os.path's says no of impossible names too.
+    return [path, *sorted(file for file in named if os.path.isfile(file))]
 
 
 def key(module: str, files: Iterable[Path] = (), words: Iterable[str] = ()) -> str:

@@ -7,6 +7,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+from .accuracy_rows import beats
 from .errors import UserError
 from .paths import ACCURACY_BASELINE
 from .scene_file import MAPPER_LAYOUT
@@ -14,7 +15,8 @@ from .scene_file import MAPPER_LAYOUT
 #: What draws the same picture as affine. "arbitrary" has polygons of its own in the sets, whose
 #: coordinates stay inside the map: it is judged alone.
 FAMILY = ("affine", "generated", "tiled", "columns")
-SETTINGS = ("mapper", "edges", "gradients", "start", "perspective")
+#: What a row says of a material.
+COLUMNS = ("mapper", "edges", "gradients", "start", "perspective")
 #: The sets that are judged: without depth and with it.
 FLAT_SET, DEPTH_SET = "medium", "depth"
 COST, WRONG = "cycles_per_pixel", "coverage_errors_per_million"
@@ -57,10 +59,14 @@ def load(path: Path) -> dict:
     if not isinstance(rows, list):
         raise UserError(f"{path}: rows: is not a list")
     for number, row in enumerate(rows):
-        for kind, names in ((str, ("name", "machine", *SETTINGS)), ((int, float), NUMBERS)):
+        if not isinstance(row, dict):
+            raise UserError(f"{path}: rows[{number}]: is not an object")
+        for kind, names in ((str, ("name", "machine", *COLUMNS)), ((int, float), NUMBERS)):
             for name in names:
-                if not isinstance(row, dict) or not isinstance(row.get(name), kind):
+                if not isinstance(row.get(name), kind):
                     raise UserError(f"{path}: rows[{number}].{name}: is missing or of another kind")
+        if not row[COST] > 0:  # it is divided by
+            raise UserError(f"{path}: rows[{number}].{COST}: must be above 0")
     return found
 
 
@@ -69,12 +75,6 @@ def candidates(rows: list[dict], wish: Wish) -> list[dict]:
     mappers = (wish.mapper,) if wish.mapper else FAMILY
     return sorted((r for r in rows if (r["name"], r["machine"]) == (wish.set_name, wish.machine)
                    and r["mapper"] in mappers), key=lambda r: (r[COST], r[wish.measure]))
-
-
-def beats(a: dict, b: dict, measures: tuple[str, ...]) -> bool:
-    """Whether ``a`` is nowhere worse than ``b``, and better in one."""
-    pairs = [(a[m], b[m]) for m in measures]
-    return all(x <= y for x, y in pairs) and any(x < y for x, y in pairs)
 
 
 def choose(rows: list[dict], wish: Wish) -> tuple[dict | None, dict | None, dict | None]:
@@ -99,7 +99,7 @@ def pasted(row: dict) -> str:
     mapper = row["mapper"]
     words = [COLOURS.get(mapper, 'texture = "my_texture"')]
     if MAPPER_LAYOUT[mapper]:
-        words += [f'{name} = "{row[name]}"' for name in SETTINGS]
+        words += [f'{name} = "{row[name]}"' for name in COLUMNS]
     else:
         words += [f'{name} = "{row[name]}"' for name in ("edges", "gradients", "start")]
     return "[materials]\nmy_material = { " + ", ".join(words) + " }"
@@ -107,16 +107,16 @@ def pasted(row: dict) -> str:
 
 def table(steps: tuple[dict | None, dict, dict | None]) -> str:
     """The choice between its neighbours, in columns."""
-    titles = ("", *SETTINGS, "cycles/pixel", "largest error", "rms error",
+    titles = ("", *COLUMNS, "cycles/pixel", "largest error", "rms error",
               "wrong in 10^6", "wrong texels")
     lines = [titles]
     for title, row in zip(("cheaper", "choice", "more exact"), steps):
-        lines.append((title, *(row[s] for s in SETTINGS), f"{row[COST]:.2f}", f"{row[LARGEST]:.4f}",
+        lines.append((title, *(row[s] for s in COLUMNS), f"{row[COST]:.2f}", f"{row[LARGEST]:.4f}",
                       f"{row[RMS]:.4f}", f"{row[WRONG]:,.0f}",
                       f"{row['wrong_texels_percent']:.2f} %")
                      if row else (title, "-", *[""] * (len(titles) - 2)))
     widths = [max(map(len, column)) for column in zip(*lines)]
-    first_number = 1 + len(SETTINGS)
+    first_number = 1 + len(COLUMNS)
     return "\n".join("  ".join(
         word.rjust(width) if k >= first_number else word.ljust(width)
         for k, (word, width) in enumerate(zip(line, widths))).rstrip() for line in lines)
@@ -156,9 +156,10 @@ def command(wish: Wish, data: Path | None) -> int:
     steps = choose(rows, wish)
     down, best, up = steps
     if best is None:
-        nearest = min(rows, key=lambda r: (r[WRONG] > (wish.wrong or 0), r[wish.measure], r[COST]))
+        nearest = min(rows, key=lambda r: (wish.wrong is not None and r[WRONG] > wish.wrong,
+                                           r[wish.measure], r[COST]))
         print(f"tmap: choose: no setting has {asked(wish)} on {wish.machine}; the most exact has "
-              f"{nearest[wish.measure]:g} ({', '.join(nearest[s] for s in SETTINGS)}), "
+              f"{nearest[wish.measure]:g} ({', '.join(nearest[s] for s in COLUMNS)}), "
               f"{nearest[WRONG]:g} wrong pixels in a million, at {nearest[COST]:.2f} cycles "
               "a pixel",
               file=sys.stderr)

@@ -3,9 +3,8 @@
 Coordinates are 16.16; a vertex is a tuple that begins with x and y.
 """
 
-from .fixed import mul_div
+from .fixed import ONE, mul_div
 
-ONE = 65536
 VERTICES_MAX = 64 + 4  # CLIP_VERTICES_MAX: a convex polygon gets no more
 
 

@@ -19,12 +19,18 @@ from .scene_file import size_fault
 LAYOUTS = ("linear", "tiled", "columns")
 
 
+def padded(palette: np.ndarray) -> np.ndarray:
+    """A palette with black for the rest of its 256 colours."""
+    return np.pad(palette, ((0, 256 - len(palette)), (0, 0)))
+
+
 def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Palette indices uint8 [height][width] and the palette, uint8 (256, 3)."""
-    with Image.open(path) as image:
+    """Palette indices uint8 [height][width] and the palette, uint8 (256, 3), of a PNG or JPEG. A picture's
+    own indices, or those of its colours in order; more than 256 colours become so many."""
+    with images.opened(path) as image:
         if image.mode == "P":
             found = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
-            return np.array(image), np.pad(found, ((0, 256 - len(found)), (0, 0)))
+            return np.array(image), padded(found)
     image = images.decode(path)
     pixels = np.array(image)
     colours, where = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
@@ -32,8 +38,7 @@ def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
         reduced = image.quantize(256, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
         colours = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)
         where = np.array(reduced)
-    return (where.reshape(pixels.shape[:2]).astype(np.uint8),
-            np.pad(colours, ((0, 256 - len(colours)), (0, 0))))
+    return where.reshape(pixels.shape[:2]).astype(np.uint8), padded(colours)
 
 
 def laid_out(picture: np.ndarray, layout: str) -> np.ndarray:
@@ -80,15 +85,19 @@ def picture_command(source: Path, out: Path) -> int:
         width, height = (int(about[key]) for key in ("width", "height"))
         layout, pixel = str(about["layout"]), str(about["format"])
         palette = np.array(about["palette"] or [], np.uint8).reshape(-1, 3)
-    except (ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError, OverflowError) as error:
         raise UserError(f"{side}: not what tmap map writes: {error}") from None
     if layout not in LAYOUTS or pixel not in FORMATS:
         raise UserError(f"{side}: layout {layout!r} in format {pixel!r} is not known")
+    if len(palette) > 256:
+        raise UserError(f"{side}: palette: has {len(palette)} colours, more than 256")
+    if needs := size_fault(layout, width, height):
+        raise UserError(f"{side}: {width}x{height} texels; layout {layout} needs {needs}")
     data, made = source.read_bytes(), FORMATS[pixel]
-    texels = np.frombuffer(data[:len(data) // made.bytes * made.bytes],
-                           made.dtype.newbyteorder(">"))
-    if len(data) != width * height * made.bytes or size_fault(layout, width, height):
-        raise UserError(f"{source}: has {len(texels)} texels, {side.name} says {width}x{height}")
+    if len(data) != width * height * made.bytes:
+        raise UserError(f"{source}: has {len(data)} bytes, {side.name} says {width}x{height} texels of "
+                        f"{made.bytes}")
+    texels = np.frombuffer(data, made.dtype.newbyteorder(">"))
     picture = unlaid(texels, layout, width, height)
     if pixel == "chunky":
         image = Image.fromarray(picture, "P")

@@ -147,15 +147,15 @@ def pairs(a: Path, b: Path) -> list[tuple[Path, Path]]:
     return [(a / name, b / name) for name in sorted(names)]
 
 
-def diff_command(a: Path | str, b: Path | str, out_dir: Path | str | None = None) -> int:
-    """Prints how two dumps, PNGs or run directories differ.
+def command(a: Path, b: Path, out: Path | None = None) -> int:
+    """``tmap diff``: prints how two dumps, PNGs or run directories differ.
 
-    Every differing frame's panels go to ``out_dir`` as ``NAME_diff.png``, if
-    given. Returns 0: equal, 1: different, 2: something could not be compared.
+    Every differing frame's panels go to ``out`` as ``NAME_diff.png``, if given.
+    Returns 0: equal, 1: different, 2: something could not be compared.
     """
     different = unusable = 0
     try:
-        work = pairs(Path(a), Path(b))
+        work = pairs(a, b)
     except UserError as error:
         print(f"diff: {error}", file=sys.stderr)
         return 2
@@ -167,9 +167,9 @@ def diff_command(a: Path | str, b: Path | str, out_dir: Path | str | None = None
                 continue
             different += 1
             print(f"{one.stem}: {found}")
-            if out_dir is not None:
-                Path(out_dir).mkdir(parents=True, exist_ok=True)
-                Image.fromarray(panels(*frames)).save(Path(out_dir) / f"{one.stem}_diff.png")
+            if out is not None:
+                out.mkdir(parents=True, exist_ok=True)
+                Image.fromarray(panels(*frames)).save(out / f"{one.stem}_diff.png")
         except (UserError, OSError) as error:
             print(f"diff: {error}", file=sys.stderr)
             unusable += 1

@@ -20,7 +20,7 @@ from amitools.fs.MetaInfo import MetaInfo
 from amitools.fs.RootMetaInfo import RootMetaInfo
 from amitools.fs.TimeStamp import TimeStamp
 
-from . import demo, objects, owner_bench
+from . import demo, elf_object, owner_bench
 from .errors import UserError
 from .paths import BUILD, PROGRAMS, ROOT
 
@@ -70,7 +70,7 @@ def contents() -> dict[str, bytes]:
 def boot_code() -> bytes:
     """The boot block's code."""
     path = BUILD / "obj" / "asm" / "amiga" / "boot.o"
-    code, = (part for part in objects.load(path) if part.name == ".text.boot")
+    code, = (part for part in elf_object.load(path) if part.name == ".text.boot")
     assert not code.relocations
     return code.data
 

@@ -7,7 +7,8 @@ pixels, which the eye blends them to; of the filter's colours the same means are
 
 import numpy as np
 
-from . import model
+from . import markdown, model
+from .fixed import ONE
 from .model_spans import coordinates, pixels
 
 SIDE = 256  # pixels of the frame
@@ -29,7 +30,7 @@ def square(scale: int) -> model.Polygon:
     """The frame, filled with the map; a texel is ``scale`` pixels long."""
     def texel(x: int, y: int) -> list[int]:
         turned = complex(x - 91, y - 77) * np.exp(1j * TURN) / scale
-        return [round(part * 65536) for part in (turned.real, turned.imag)]
+        return [round(part * ONE) for part in (turned.real, turned.imag)]
 
     corners = [(x << 16, y << 16, *texel(x, y)) for x, y in
                ((0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE))]
@@ -38,13 +39,10 @@ def square(scale: int) -> model.Polygon:
 
 def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """The exact filter of a repeated map at u, v in texels, whose texels have their middle at 0.5."""
-    found = 0
     i, j = (np.floor(c - 0.5).astype(int) for c in (u, v))
     fu, fv = u - 0.5 - i, v - 0.5 - j
-    for down, part in ((0, 1 - fv), (1, fv)):
-        for across, share in ((0, 1 - fu), (1, fu)):
-            found = found + picture[(j + down) % MAP, (i + across) % MAP] * part * share
-    return found
+    return sum(picture[(j + down) % MAP, (i + across) % MAP] * part * share
+               for down, part in ((0, 1 - fv), (1, fv)) for across, share in ((0, 1 - fu), (1, fu)))
 
 
 def blended(frame: np.ndarray) -> np.ndarray:
@@ -56,7 +54,7 @@ def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
     """Mean errors of points and of dithered ones: pixel by pixel, and blended."""
     polygon, found = square(scale), {}
     lines = list(enumerate(polygon.lines))
-    exact = np.array([bilinear(picture, *(c / 65536 for c in coordinates(line)))
+    exact = np.array([bilinear(picture, *(c / ONE for c in coordinates(line)))
                       for _, line in lines])
     for name, mapper in MAPPERS.items():
         drawn = np.array([pixels(line, mapper, picture, None, y) for y, line in lines], float)
@@ -67,12 +65,11 @@ def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
 def table() -> str:
     """Markdown: all of them."""
     names = list(MAPPERS)
-    lines = ["| mean error in 1/255 | " + " | ".join(
-        f"{name}{of}" for of in ("", ", means of 2x2") for name in names) + " |",
-        "|---|" + "--:|" * (2 * len(names))]
+    rows = []
     for kind, picture in maps().items():
         for scale in SCALES:
             found = errors(picture, scale)
-            lines.append(f"| {kind}, a texel {scale} pixels long | " + " | ".join(
-                f"{found[name][k]:.2f}" for k in (0, 1) for name in names) + " |")
-    return "\n".join(lines)
+            rows.append([f"{kind}, a texel {scale} pixels long",
+                         *(f"{found[name][k]:.2f}" for k in (0, 1) for name in names)])
+    return markdown.table(["mean error in 1/255",
+                           *(f"{name}{of}" for of in ("", ", means of 2x2") for name in names)], rows)

@@ -34,6 +34,8 @@ MACHINES = {
                   "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
                   "uae_cpu_speed": "real"},
 }
+#: Those that everything is measured on.
+MEASURED = ("a1200", "a1200-fast")
 #: What every run has.
 OPTIONS = {
     "amiga_model": "A1200",
@@ -65,6 +67,7 @@ STALL_SECONDS = 20.0
 #: The same where texture engines draw: a frame alone may take that long.
 PATIENT_SECONDS = 10 * STALL_SECONDS
 CYCLES_PER_TICK = 4  # CPU cycles in a colour clock, by which guests measure
+CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 VERSION = "3.1.66"  # the cycle figures in this tree are those of this version
 
 EXCEPTIONS = {

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import bench_modes, provenance, tmu_errors, tmu_modes, tx_errors, tx_modes
+from . import bench_modes, markdown, provenance, tmu_errors, tmu_modes, tx_errors, tx_modes
+from .ideal_texels import Error
 from .modes import KINDS, Mode
-from .tx.ideal import Error
 
 
 @dataclass(frozen=True)
@@ -47,12 +47,10 @@ def table(engine: Engine, machine: str) -> str:
     model's."""
     rows = bench_modes.measure(machine, list(engine.every), plain=False)["modes"]
     cycles = {row["name"]: row["cycles_per_pixel"] for row in rows}
-    lines = [f"| {engine.title}, {machine}; errors in 1/255 | cycles a pixel | "
-             + " | ".join(TITLES) + " |", "|---|--:|" + "--:|" * len(TITLES)]
-    for mode in engine.every.values():
-        found = [f"{cycles[bench_modes.ROW + mode.name]:.1f}", *engine.errors(mode)]
-        lines.append(f"| {mode.title} | " + " | ".join(found) + " |")
-    return "\n".join(lines)
+    return markdown.table(
+        [f"{engine.title}, {machine}; errors in 1/255", "cycles a pixel", *TITLES],
+        [[mode.title, f"{cycles[bench_modes.ROW + mode.name]:.1f}", *engine.errors(mode)]
+         for mode in engine.every.values()])
 
 
 def write(folder: Path, engine: Engine, machine: str) -> str:

@@ -1,12 +1,41 @@
-"""Fixed-point arithmetic as src68k does it, in Python integers."""
+"""Fixed-point arithmetic as src68k does it, in integers."""
+
+from typing import TypeVar
+
+import numpy as np
+
+Number = TypeVar("Number", int, np.ndarray)
 
 M32 = (1 << 32) - 1
+ONE = 65536  # 1.0 in 16.16
 
 
-def signed(value: int, bits: int = 32) -> int:
-    """The low ``bits`` of a value as a two's complement number."""
-    value &= (1 << bits) - 1
-    return value - (value >> (bits - 1) << bits)
+def fix(value: float) -> int:
+    """The nearest 16.16 number, the even one of two."""
+    return round(value * ONE)
+
+
+def fix_all(values) -> np.ndarray:
+    """The nearest 16.16 numbers of an array or nested lists, int64."""
+    return np.rint(np.asarray(values) * ONE).astype(np.int64)
+
+
+def signed(value: Number, bits: int = 32) -> Number:
+    """The low ``bits`` of an integer, or of each of an int64 array, as a two's complement
+    number."""
+    value = value & (1 << bits) - 1
+    return value - (value >> bits - 1 << bits)
+
+
+def swap(x: int) -> int:
+    """The words of a long exchanged: 16.16 as fraction:integer and back."""
+    return (x >> 16 | x << 16) & M32
+
+
+def step_swapped(x: int, step: int) -> int:
+    """x + step, both fraction:integer, modulo 2^32: add.l, whose carry addx.w adds."""
+    total = x + step
+    return total & 0xFFFF0000 | (total & 0xFFFF) + (total >> 32) & 0xFFFF
 
 
 def ceil16(x: int) -> int:

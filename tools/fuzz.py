@@ -16,12 +16,13 @@ from threading import Event
 
 import numpy as np
 
-from . import bounds, emulator, layout, model
+from . import bounds, layout, model
 from .errors import UserError
-from .fuzz_polygons import BLOCK, FRAMES, Fuzzed, has_ideal, polygon, scene, textures
+from .fuzz_polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from .fuzz_shrink import shrink
+from .guest_frames import draw, frame_of, is_models
 from .polygon_report import explain
-from .scene_file import Scene, write
+from .scene_file import write
 
 MACHINE = "a1200-fast"
 #: Blocks of one boot.
@@ -42,7 +43,7 @@ class Checked:
 
 def check(each: Fuzzed, seed: int, block: int) -> Checked:
     """The model's frame, and its distance from the ideal where there is one."""
-    width, height = FRAMES[block % len(FRAMES)]
+    width, height = frame_size(block)
     settings, texels, size = each.settings, None, (256, 256)
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels
@@ -53,40 +54,11 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if made:
         model.draw(frame, made, texels, 200, settings.mapper, textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
-    judged = has_ideal(adapted, settings)
+    judged = bounds.has_ideal(adapted, settings)
     verdict = bounds.Verdict(pixels=made.pixels if made else 0)
     if judged:
         verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
-
-
-def draw(scenes: list[tuple[Scene, str]], machine: str,
-         on_output: Callable[[str], None] | None = None,
-         patience: float | None = None, apart: bool = False) -> list[np.ndarray]:
-    """The digests of each scene's frames, all in one boot; beside each scene its form, and what
-    may follow that among the arguments of ``render``. ``patience``, ``apart``: as run_many has
-    them."""
-    shape = layout.load().struct("frame_digest").dtype
-    files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
-    commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
-                for k, (_, form) in enumerate(scenes)]
-    with emulator.workspace() as directory:
-        done = emulator.run_many(commands, files, machine, directory, on_output,
-                                 patience=patience, apart=apart)
-        for result in done:
-            fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
-            if fault or result.code:
-                raise UserError(fault or f"render: {emulator.last_words(result.output)}")
-        return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]
-
-
-def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
-    """The first frame of a scene as the guest draws it."""
-    with emulator.workspace() as directory:
-        done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
-                            machine, directory)
-        found = np.fromfile(done.directory / "frame_000.chunky", this.pixel.dtype.newbyteorder(">"))
-    return found.reshape(this.height, this.width)
 
 
 @dataclass
@@ -95,21 +67,6 @@ class Fault:
 
     kind: str
     text: str
-
-
-def digest_of(frame: np.ndarray) -> tuple[int, int]:
-    """The fields sum and hash of struct frame_digest."""
-    data = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
-    longs, factor = np.frombuffer(data, ">u4"), layout.load().constants["FRAME_HASH"]
-    changes, found = np.flatnonzero(np.diff(longs, prepend=longs.dtype.type(0))), 0
-    for four, left in zip(longs[changes].tolist(), (len(longs) - changes).tolist()):
-        found = (((found << 16 | found >> 16) ^ four) * factor + left) & 0xFFFFFFFF
-    return int(longs.sum(dtype=np.uint64)) & 0xFFFFFFFF, found
-
-
-def is_models(frame: np.ndarray, digest) -> bool:
-    """Whether a digest is a frame's."""
-    return (int(digest["sum"]), int(digest["hash"])) == digest_of(frame)
 
 
 def compare(checked: Checked, digest) -> Fault | None:
@@ -251,13 +208,25 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
     return total
 
 
+def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
+    """Whether a scene file takes a polygon."""
+    try:
+        write(scene(seed, block, [each]))
+    except UserError:
+        return False
+    return True
+
+
 def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed, Fault]:
     """The failing polygon made as simple as it can be and still fail in the same way."""
     block = number // BLOCK
 
     def failing(candidates: list[Fuzzed]) -> dict[int, Fault]:
-        found = faults(candidates, seed, block, form_of(block), machine)
-        return {k: each for k, each in found.items() if each.kind == fault.kind}
+        # What no file holds would look like a crash, and be sought by halves, boot by boot.
+        kept = [k for k, each in enumerate(candidates) if can_be_held(each, seed, block)]
+        some = [candidates[k] for k in kept]
+        found = faults(some, seed, block, form_of(block), machine) if some else {}
+        return {kept[k]: each for k, each in found.items() if each.kind == fault.kind}
 
     return shrink(polygon(seed, number), fault, failing)
 

@@ -11,17 +11,16 @@ from functools import cache
 import numpy as np
 
 from . import fuzz_depths
-from .fixed import ceil16
-from .ideal_perspective import in_front
+from .fixed import ONE, ceil16, fix
 from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
-from .random_polygons import convex_polygon, fix, is_convex
-from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, ONE, SETTINGS, Material, Object,
+from .random_polygons import convex_polygon
+from .scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material, Object,
                          Scene, Texture)
 
 BLOCK = 1000
-#: Width and height of a block's frame: small ones are quick, long ones show drift.
+#: Width and height of blocks' frames, by turns: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
 #: Of materials with a perspective, 1/65536 texel.
@@ -39,20 +38,9 @@ class Fuzzed:
     texture: int  # index in its block's textures; -1: none
 
 
-def has_ideal(vertices, settings: Settings = Settings()) -> bool:
-    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
-    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
-    (more than three may not be, by their rounding)."""
-    points = [tuple(v[:2]) for v in vertices]
-    inside = all(-FAR <= c < FAR for v in vertices for c in v[:4])
-    convex = len(points) == 3 or is_convex(points) and winds_once(points)
-    return inside and convex and (settings.perspective == "none" or in_front(vertices))
-
-
-def winds_once(points) -> bool:
-    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
-    signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
-    return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
+def frame_size(block: int) -> tuple[int, int]:
+    """Width and height of a block's frame."""
+    return FRAMES[block % len(FRAMES)]
 
 
 @cache
@@ -164,7 +152,7 @@ def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
-    width, height = FRAMES[block % len(FRAMES)]
+    width, height = frame_size(block)
     points = visible_corners(rng, width, height)
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
                          "lit_gouraud", "dithered") + 4 * ("affine",))
@@ -206,5 +194,5 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
                               len(each.vertices), 0, 1, number))
         vertices += each.vertices
     palette = np.zeros((256, 3), np.uint8)
-    return Scene(*FRAMES[block % len(FRAMES)], len(polygons), 7, palette, maps,
+    return Scene(*frame_size(block), len(polygons), 7, palette, maps,
                  list(materials), objects, np.array(vertices), np.array([IDENTITY]))

@@ -1,15 +1,16 @@
 """Makes a failing polygon simpler as long as it fails: fewer vertices, rounder and smaller
 numbers, plainer settings."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import zip_longest
 from typing import TypeVar
 
+from .fixed import ONE
 from .fuzz_depths import limits
 from .fuzz_polygons import Fuzzed
 from .scene_file import SETTINGS
 
-ONE = 65536
 ROUNDS = 60  # each takes a boot
 #: Settings from plain to demanding; a shrunken polygon has the plainest that still fails.
 PLAIN = {"clip": ("scissor", "vertices"), "start": ("subtexel", "truncated"),
@@ -33,7 +34,7 @@ def there(vertices) -> tuple[tuple[int, ...], ...]:
 def weight(each: Fuzzed) -> tuple:
     """Smaller is simpler: vertices, settings, bits and size of the numbers."""
     numbers = [c for v in away(each.vertices) for c in v]
-    bits = sum(bin(abs(c)).count("1") for c in numbers)
+    bits = sum(abs(c).bit_count() for c in numbers)
     settings = sum(choices.index(getattr(each.settings, kind)) for kind, choices in PLAIN.items())
     return len(each.vertices), settings, bits + sum(abs(c).bit_length() for c in numbers), numbers
 
@@ -42,6 +43,12 @@ def simpler(c: int) -> list[int]:
     """Numbers like c, but simpler."""
     made = [0, c // 2] + [(c + (1 << bits - 1)) >> bits << bits for bits in (16, 15, 12, 8, 4)]
     return [m for m in dict.fromkeys(made) if m != c]
+
+
+def with_column(vertices, column: int, values) -> Iterator[tuple[int, ...]]:
+    """The vertices with other values in a column."""
+    for vertex, value in zip(vertices, values):
+        yield *vertex[:column], value, *vertex[column + 1:]
 
 
 def candidates(each: Fuzzed) -> list[Fuzzed]:
@@ -53,20 +60,14 @@ def candidates(each: Fuzzed) -> list[Fuzzed]:
         at = choices.index(getattr(each.settings, kind))
         made += [replace(each, settings=replace(each.settings, **{kind: c})) for c in choices[:at]]
     v = away(v)
-    for column in range(6):  # all vertices at once
-        changed = [simpler(vertex[column]) + [vertex[column]] * 9 for vertex in v]
-        for choice in range(7):
-            made.append(replace(each, vertices=there(
-                (*vertex[:column], options[choice], *vertex[column + 1:])
-                for vertex, options in zip(v, changed))))
-        low = min(vertex[column] for vertex in v) // ONE * ONE
-        made.append(replace(each, vertices=there(
-            (*vertex[:column], vertex[column] - low, *vertex[column + 1:]) for vertex in v)))
-    for k, vertex in enumerate(v):
-        for column in range(6):
-            for c in simpler(vertex[column]) + [w[column] for w in v]:
-                moved = (*vertex[:column], c, *vertex[column + 1:])
-                made.append(replace(each, vertices=there((*v[:k], moved, *v[k + 1:]))))
+    for column in range(6):
+        own = [vertex[column] for vertex in v]
+        low = min(own) // ONE * ONE
+        changed = [[c - low for c in own]]  # all vertices at once
+        changed += [[old if new is None else new for old, new in zip(own, some)]
+                    for some in zip_longest(*map(simpler, own))]
+        changed += [[*own[:k], c, *own[k + 1:]] for k in range(len(v)) for c in simpler(own[k]) + own]
+        made += [replace(each, vertices=there(with_column(v, column, values))) for values in changed]
     made = [m for m in dict.fromkeys(made) if weight(m) < weight(each)]
     return sorted(made, key=weight)
 

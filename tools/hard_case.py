@@ -10,14 +10,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from .polygon_sets import fix
-from .scene_file import MAPPERS as CHUNKY
-from .scene_file import ONE
+from . import scene_textures
+from .fixed import ONE, fix
+from .model_texturing import Settings
 
 WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
 FAR = 16384  # pixels and texels: coordinates reach from -FAR to FAR - UNIT
-MAPPERS = CHUNKY[1]  # of those who draw pixels of a byte
+MAPPERS = scene_textures.MAPPERS[1]  # of those who draw pixels of a byte
 #: Mappers whose map repeats in both directions: their coordinates may leave it.
 REPEATING = ("affine", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered")
 SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture takes
@@ -87,3 +87,9 @@ def label(value) -> str:
     count = abs(value) if whole else abs(value) / UNIT
     return ("minus_" if value < 0 else "") + str(count) + (
         "" if whole else "_unit" if count == 1 else "_units")
+
+
+def called(case, settings: Settings) -> str:
+    """A drawing's name in messages: of a Case or a MeshCase."""
+    ways = ", ".join(str(value) for value in vars(settings).values() if value)
+    return f"{case.name}: {case.sentence} {ways}"

@@ -18,9 +18,9 @@ Q = sum(b / w) there:
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
+from .fixed import fix
 from .hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, label
 from .hard_case_outlines import FARTHEST, box, ring
-from .polygon_sets import fix
 
 NEAREST, DEEPEST = Fraction(1, 256), Fraction(16384)  # w's range
 FOCUS = 64  # pixels from the viewer to the screen

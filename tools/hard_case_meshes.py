@@ -13,8 +13,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from .fixed import ONE
 from .hard_case import UNIT, label
-from .scene_meshes import ONE
 
 REACH, NEAREST = 2048, Fraction(1, 256)
 FOCAL = 64  # pixels from the eye to the screen
@@ -77,8 +77,8 @@ def made(name: str, sentence: str, faces, turn: Turn = STRAIGHT, **more) -> Mesh
 
 
 def sheet(origin, along, down, size=(1, 1), texels=(256, 256), start=(0, 0)) -> list[tuple]:
-    """A parallelogram from a corner, its sides times ``size``: seen from the side from which ``down``
-    is right of ``along``... as a page is read, s along and t down."""
+    """A parallelogram from a corner, its sides times ``size``, with s along and t down: seen from the side
+    from which it reads like a page."""
     o, a, b = ([Fraction(c) for c in vector] for vector in (origin, along, down))
     corners = ((0, 0), (0, 1), (1, 1), (1, 0))
     return [(*(p + k * size[0] * c + n * size[1] * d for p, c, d in zip(o, a, b)),
@@ -110,8 +110,10 @@ def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
              Fraction(x, 64), Fraction(z, 64)) for x, z in corners]
 
 
-def ball(radius, middle, around: int, down: int, inward: bool = False) -> list[list[tuple]]:
-    """Triangles of a globe; s and t are its longitude and latitude."""
+def ball(radius, middle, around: int, inward: bool = False) -> list[list[tuple]]:
+    """Triangles of a globe, ``around`` of them round it; s and t are its longitude and latitude."""
+    down = 8
+
     def place(k: int, n: int) -> tuple:
         a, b = 2 * np.pi * (k % around) / around, np.pi * n / down
         way = np.cos(a) * np.sin(b), -np.cos(b), np.sin(a) * np.sin(b)
@@ -262,11 +264,11 @@ def tiny_and_huge() -> Iterator[MeshCase]:
     yield made("box_in_one_pixel", "A box that covers one pixel.",
                box((-Fraction(1, 2), -Fraction(1, 2), 60), (Fraction(1, 2), Fraction(1, 2), 61)), ASKEW)
     yield made("ball_within_a_pixel", "A ball of 112 faces far away, all of it smaller than a pixel.",
-               ball(4, (0, 0, 0), 8, 8), ASKEW, eye=(3, 5, -9000))
+               ball(4, (0, 0, 0), 8), ASKEW, eye=(3, 5, -9000))
     yield made("ball_of_small_faces", "A ball of 224 faces, most of them smaller than a pixel.",
-               ball(300, (0, 0, 0), 16, 8), ASKEW, eye=(0, 0, -3000))
+               ball(300, (0, 0, 0), 16), ASKEW, eye=(0, 0, -3000))
     yield made("ball_around_the_eye", "The same from inside, the eye near its wall: huge and small at once.",
-               ball(300, (0, 0, 0), 16, 8, inward=True), ASKEW, eye=(0, 0, -270), around=True)
+               ball(300, (0, 0, 0), 16, inward=True), ASKEW, eye=(0, 0, -270), around=True)
     yield made("largest", "A box of the largest size from close by.",
                box((-REACH, -REACH, -REACH), (REACH, REACH, REACH)), ASKEW, eye=(-2100, 2500, -5000))
 
@@ -287,13 +289,13 @@ def normals() -> Iterator[MeshCase]:
     for look in ("environment", "shade"):
         for name, turn in (("", STRAIGHT), ("_askew", ASKEW)):
             yield made(f"{look}_of_a_ball{name}", "Normals of all directions.",
-                       ball(1, (0, 0, 3), 12, 8), turn, look=look)
+                       ball(1, (0, 0, 3), 12), turn, look=look)
         corners = [[(x, 0, 4, 0, 0), (0, y, 4, 0, 0), (0, 0, 4 + z, 0, 0)][::x * y * z]
                    for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
         yield made(f"{look}_of_an_octahedron", "Normals along the axes, where it begins and ends.",
                    corners, look=look)
         yield made(f"{look}_out_of_the_guard_band", "Cut where its corners are far off the screen.",
-                   ball(40, (0, 0, 41), 12, 8, inward=True), ASKEW, eye=(0, 0, 3), look=look)
+                   ball(40, (0, 0, 41), 12, inward=True), ASKEW, eye=(0, 0, 3), look=look)
 
 
 FAMILIES = (near_planes, edge_on, guard_bands, horizons, grazing, tiny_and_huge, orders, normals)

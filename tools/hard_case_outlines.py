@@ -27,9 +27,10 @@ def ring(count: int, radius, centre=MIDDLE, turn: float = 0.3) -> list[tuple]:
             for a in angles]
 
 
-def leaning(units: Fraction, height: int) -> Fraction:
-    """Pixels that an edge of so many units of 1/65536 pixel a line moves over its height."""
-    return units * UNIT * height
+def leaning(units: Fraction) -> Fraction:
+    """Pixels that an edge of so many units of 1/65536 pixel a line moves from the first line of all to
+    the screen's end."""
+    return units * UNIT * (FAR + HEIGHT)
 
 
 def slivers() -> Iterator[Case]:
@@ -272,7 +273,7 @@ def long_edges() -> Iterator[Case]:
                    "end on the screen, where it has drifted most.",
                    [(x0, -FAR), (x1 / 50 + 100, 90.5), (x1 / 50, 91.25)])
     for way, units in (("down", Fraction(69, 20)), ("up", Fraction(71, 20))):
-        lean = leaning(units, FAR + HEIGHT)
+        lean = leaning(units)
         yield make(f"long_edge_ends_at_right_border_rounded_{way}", "A right side from the first "
                    "line of all ends a unit from the screen's right border: it must not drift "
                    "across.", [(1, -FAR), (WIDTH - UNIT - lean, -FAR), (WIDTH - UNIT, HEIGHT),

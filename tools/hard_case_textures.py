@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
 
+from .fixed import ONE, fix
 from .hard_case import FAR, HEIGHT, REPEATING, UNIT, WIDTH, Case, fitted, label, laid, make
 from .hard_case_outlines import box, leaning
-from .polygon_sets import fix
 
 PAGE = 256  # texels
 QUAD = [(16.25, 8.5), (112, 20.75), (100.5, 88), (8, 70.25)]
@@ -65,7 +65,7 @@ def gradients() -> Iterator[Case]:
                **on_map((10.5, 20.5), (1, 0), (0, 4096)))
     yield make("gradient_across_a_narrow_sliver", "The plane of a triangle one unit wide: ends "
                "200 texels apart in one unit, far more than 16.16 can step.",
-               [(60, 5.5), (60 + UNIT, 50), (60, 90)], laid((10, 20), (200 * 65536, 0), (0, 1)))
+               [(60, 5.5), (60 + UNIT, 50), (60, 90)], laid((10, 20), (200 * ONE, 0), (0, 1)))
 
 
 def mirrored() -> Iterator[Case]:
@@ -148,7 +148,7 @@ def long_spans() -> Iterator[Case]:
         case = make(f"long_edge_beside_the_{where}_texel", "A left side from the first line of "
                     "all, beside the end of map and palette: were it to drift, a pixel too far left "
                     "would be beyond it.",
-                    [(left - leaning(Fraction(69, 20), FAR + HEIGHT), -FAR), (left, HEIGHT),
+                    [(left - leaning(Fraction(69, 20)), -FAR), (left, HEIGHT),
                      (60, HEIGHT)], shades=[start, start, start + away])
         yield replace(case, vertices=tuple(
             (x, y, fix(s), fix(t), *rest) for (x, y, _, _, *rest), s, t

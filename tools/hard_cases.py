@@ -10,7 +10,8 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from . import accuracy, hard_case_depths, hard_case_outlines, hard_case_textures
+from . import hard_case_depths, hard_case_outlines, hard_case_textures, random_maps
+from .accuracy_settings import usual
 from .clip import clip, frame_window
 from .errors import UserError
 from .hard_case import HEIGHT, WIDTH, Case
@@ -77,15 +78,10 @@ def combinations(case: Case) -> Iterator[Settings]:
         elif mapper == "flat":
             made = [Settings(e) for e in SETTINGS["edges"]]
         else:
-            made = accuracy.usual(mapper)
+            made = usual(mapper)
         for settings in made:
             for way in clips if mapper in ("affine", "flat") or settings == made[-1] else clips[:1]:
                 yield replace(settings, clip=way, mapper=mapper)
-
-
-def noise(width: int, height: int) -> np.ndarray:
-    """A map where neighbours differ."""
-    return np.random.default_rng(width << 16 | height).integers(0, 256, (height, width), np.uint8)
 
 
 def scene(drawings: list[Drawing]) -> Scene:
@@ -101,7 +97,6 @@ def scene(drawings: list[Drawing]) -> Scene:
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(case.vertices), 0, 1, number))
         vertices += case.vertices
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(WIDTH, HEIGHT, len(drawings), 7, palette,
-                 [Texture(noise(*size), layout) for layout, size in textures], list(materials),
+    return Scene(WIDTH, HEIGHT, len(drawings), 7, random_maps.palette(),
+                 [Texture(random_maps.of_size(*size), layout) for layout, size in textures], list(materials),
                  objects, np.array(vertices), np.array([IDENTITY]))

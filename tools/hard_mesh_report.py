@@ -5,13 +5,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from . import fuzz, ideal_faces, mesh_build, model, space
+from . import guest_frames, ideal_faces, mesh_build, model, random_maps, space
 from .diff import compare
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
-from .hard_case import HEIGHT, WIDTH
+from .hard_case import HEIGHT, WIDTH, called
 from .hard_case_meshes import MeshCase
-from .hard_cases import noise
 from .ideal_faces import Camera, Verdict
 from .mesh_file import Shape
 from .model_texturing import Settings
@@ -71,10 +70,10 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
     flags = FLAGS.get(case.look, 0)
     ends = (DARK << 16, BRIGHT << 16) if flags == LIT else (0, 0)
     instances = [Instance(0, k, 0, 0, 1, k, flags, *ends) for k in range(len(settings))]
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
     exact = camera(case)
-    return Scene(WIDTH, HEIGHT, len(settings), BACKGROUND, palette, [Texture(texels)], materials, [],
-                 np.zeros((0, 6), int), np.array([IDENTITY]), near_plane=round(case.near * ONE),
+    return Scene(WIDTH, HEIGHT, len(settings), BACKGROUND, random_maps.palette(), [Texture(texels)],
+                 materials, [], np.zeros((0, 6), int), np.array([IDENTITY]),
+                 near_plane=round(case.near * ONE),
                  guard=exact.guard, points=tables.points, normals=tables.normals,
                  corners=tables.corners, faces=tables.faces,
                  meshes=[mesh], instances=instances, views=np.array([view(exact)]))
@@ -86,11 +85,6 @@ def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
     for case, settings in drawings:
         found.setdefault(case, []).append(settings)
     return found
-
-
-def called(case: MeshCase, settings: Settings) -> str:
-    """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def joined(scenes: list[Scene]) -> Scene:
@@ -114,32 +108,42 @@ def joined(scenes: list[Scene]) -> Scene:
     return made
 
 
-def cycles(drawings: list[Drawing], machine: str) -> list[int]:
-    """What each drawing takes on the guest, all in one boot, drawings of a case together. A frame that is
-    not the model's ends it."""
-    groups = grouped(drawings)
-    lenses: dict[tuple[int, int], list[int]] = {}  # scenes by what holds for all of a file
-    scenes = [scene(case, settings, noise(256, 256)) for case, settings in groups.items()]
+def drawn(scenes: list[Scene], machine: str) -> list[tuple[np.ndarray, np.void]]:
+    """The digests of each scene's frames, and that of an empty frame; all in one boot, scenes with the
+    same lens in one file."""
+    lenses: dict[tuple[int, int], list[int]] = {}
     for k, each in enumerate(scenes):
         lenses.setdefault((each.near_plane, each.guard), []).append(k)
     whole = [joined([scenes[k] for k in part]) for part in lenses.values()]
-    drawn = fuzz.draw([(each, "addx") for each in whole], machine)
-    found = {}  # by scene: the digests of its frames, and that of an empty one
-    for part, digests in zip(lenses.values(), drawn):
+    found = {}
+    for part, digests in zip(lenses.values(),
+                             guest_frames.draw([(each, "addx") for each in whole], machine)):
         ends = np.cumsum([scenes[k].frames for k in part])
         for k, some in zip(part, np.split(digests[:-1], ends[:-1]), strict=True):
             found[k] = some, digests[-1]
+    return [found[k] for k in range(len(scenes))]
+
+
+def check(each: Scene, digests: np.ndarray, names: list[str], machine: str) -> None:
+    """Refuses frames that are not the model's. ``names``: of the scene's drawings."""
+    for number, (digest, name) in enumerate(zip(digests, names, strict=True)):
+        right = model.render(each, number)
+        if not guest_frames.is_models(right, digest):
+            alone = replace(each, frames=1, instances=[replace(each.instances[number], first_frame=0)])
+            raise UserError(f"{name} is not the model's; expected / found: "
+                            f"{compare(right, guest_frames.frame_of(alone, 'addx', machine))}")
+
+
+def cycles(drawings: list[Drawing], machine: str) -> list[int]:
+    """What each drawing takes on the guest, drawings of a case together. A frame that is not the model's
+    ends it."""
+    groups = grouped(drawings)
+    scenes = [scene(case, settings, random_maps.of_size(256, 256)) for case, settings in groups.items()]
     spent = []
-    for k, (each, (case, settings)) in enumerate(zip(scenes, groups.items())):
-        digests, empty = found[k]
-        for number, digest in enumerate(digests):
-            right = model.render(each, number)
-            if not fuzz.is_models(right, digest):
-                alone = replace(each, frames=1, instances=[replace(each.instances[number], first_frame=0)])
-                raise UserError(f"{called(case, settings[number])} is not the model's; expected / found: "
-                                f"{compare(right, fuzz.frame_of(alone, 'addx', machine))}")
-        if not fuzz.is_models(np.full_like(right, BACKGROUND), empty):
-            raise UserError("a frame without meshes is not empty")
+    for each, (case, settings), (digests, empty) in zip(scenes, groups.items(), drawn(scenes, machine)):
+        check(each, digests, [called(case, s) for s in settings], machine)
+        if not guest_frames.is_models(np.full((HEIGHT, WIDTH), BACKGROUND, np.uint8), empty):
+            raise UserError(f"{case.name}: a frame without meshes is not empty")
         ticks = digests["ticks"].astype(int) - int(empty["ticks"])
         spent += (ticks * CYCLES_PER_TICK).tolist()
     return spent
@@ -147,7 +151,7 @@ def cycles(drawings: list[Drawing], machine: str) -> list[int]:
 
 def judge(case: MeshCase, settings: list[Settings]) -> list[Verdict]:
     """Each way to draw a case held to its exact faces."""
-    made = scene(case, settings, noise(256, 256))
+    made = scene(case, settings, random_maps.of_size(256, 256))
     faces = ideal_faces.exact_faces(made, made.instances[0], camera(case))
     found = [ideal_faces.judge(made, k, instance, faces) for k, instance in enumerate(made.instances)]
     for k, verdict in enumerate(found):

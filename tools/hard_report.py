@@ -14,13 +14,13 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from . import (bounds, fuzz, hard_case_meshes, hard_cases, hard_mesh_report, ideal,
+from . import (bounds, guest_frames, hard_case_meshes, hard_cases, hard_mesh_report, ideal,
                ideal_perspective, model)
 from .diff import MARK
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
 from .fixed import ceil16
-from .fuzz_polygons import has_ideal
+from .hard_case import called
 from .hard_cases import HEIGHT, WIDTH, Case, Drawing
 from .model_texturing import Settings
 from .polygon_report import explain
@@ -62,18 +62,13 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     adapted = model.adapt(case.vertices, settings, max(size))
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
-    if has_ideal(adapted, settings):
+    if bounds.has_ideal(adapted, settings):
         verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
         row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
         if verdict.texel_bound:
             row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
             row.worst_ratio = verdict.texel_ratio
     return row
-
-
-def called(case: Case, settings: Settings) -> str:
-    """A drawing's name in messages."""
-    return f"{case.name}: {case.sentence} " + ", ".join(str(value) for value in vars(settings).values() if value)
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
@@ -84,13 +79,13 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
         part = drawings[first:first + PART]
         scene = hard_cases.scene(part)
         scene.frames += 1
-        digests, = fuzz.draw([(scene, form)], machine)
+        digests, = guest_frames.draw([(scene, form)], machine)
         wrong = [number for number, digest in enumerate(digests[:-1])
-                 if not fuzz.is_models(model.render(scene, number), digest)]
+                 if not guest_frames.is_models(model.render(scene, number), digest)]
         if wrong:
             alone = hard_cases.scene([part[wrong[0]]])
             raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
-                alone, 0, fuzz.frame_of(alone, form, machine), called(*part[wrong[0]]),
+                alone, 0, guest_frames.frame_of(alone, form, machine), called(*part[wrong[0]]),
                 f"scripts/tmap accuracy --set hard --machine {machine}"))
         empty = int(digests[-1]["ticks"])
         spent += [(int(digest["ticks"]) - empty) * CYCLES_PER_TICK for digest in digests[:-1]]
@@ -113,7 +108,7 @@ def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> li
             row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
                       complaint=found.complaint)
             if settings.clip == "scissor":
-                row.coverage_errors = found.wrong_pixels
+                row.coverage_errors = found.coverage_errors
             if found.texel_bound:
                 row.texel_error, row.texel_bound = found.texel_error, found.texel_bound
                 row.worst_ratio = found.texel_ratio
@@ -141,7 +136,7 @@ def palette() -> np.ndarray:
 def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
     """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one.
     ``vertices``: (x, y, u, v, w)."""
-    if not has_ideal(vertices, settings):
+    if not bounds.has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
     three = [vertices[k] for k in ideal.corners(vertices)]

@@ -1,9 +1,9 @@
 """Turns a linked ELF program into an AmigaDOS hunk executable.
 
-The linker keeps its relocations (``ld -q``) and lays ``.text``, ``.data`` and
-``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
-HUNK_RELOC32. Beside the program a ``.map`` file lists ``offset name`` for each
-symbol of the code, which is how a crash report finds the routine's name.
+``python -m tools.hunk PROGRAM.elf OUT``. The linker keeps its relocations (``ld -q``) and lays
+``.text``, ``.data`` and ``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
+HUNK_RELOC32. Beside the program OUT.map lists ``offset name`` for each symbol of the code, which is
+how a crash report finds the routine's name. This file stands alone: the SDK has it as elf2hunk.py.
 
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
@@ -13,6 +13,7 @@ import struct
 import sys
 from pathlib import Path
 
+from elftools.common.exceptions import ELFError
 from elftools.elf.elffile import ELFFile
 
 HUNK_CODE, HUNK_DATA, HUNK_BSS = 0x3E9, 0x3EA, 0x3EB
@@ -29,7 +30,7 @@ def longs(*values: int) -> bytes:
 
 
 def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, list[int]]:
-    """Offsets to relocate in ``section``, by the hunk they point into."""
+    """Offsets to relocate in ``section``, by the hunk they point into. ``hunk_of``: of sections."""
     table = elf.get_section_by_name(".rela" + section.name)
     found: dict[int, list[int]] = {}
     if table is None:
@@ -44,45 +45,57 @@ def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, lis
         elif kind in PC_RELATIVE and target == elf.get_section_index(section.name):
             continue
         elif kind and target != "SHN_ABS":
-            raise SystemExit(
-                f"hunk: relocation type {kind} to {symbol.name!r} cannot be expressed in a hunk file"
-            )
+            raise ValueError(f"relocation type {kind} to {symbol.name!r} cannot be in a hunk file")
     return found
 
 
+def executable(elf: ELFFile) -> bytes:
+    """The hunk file of a linked program."""
+    sections = [s for s in map(elf.get_section_by_name, SECTIONS) if s and s["sh_size"]]
+    hunk_of = {elf.get_section_index(s.name): i for i, s in enumerate(sections)}
+    sizes = [(s["sh_size"] + 3) // 4 for s in sections]
+    out = longs(HUNK_HEADER, 0, len(sections), 0, len(sections) - 1, *sizes)
+    for section, size in zip(sections, sizes):
+        if section.name == ".bss":
+            out += longs(HUNK_BSS, size)
+        else:
+            out += longs(HUNK_CODE if section.name == ".text" else HUNK_DATA, size)
+            out += section.data().ljust(size * 4, b"\0") + reloc32(relocations(elf, section, hunk_of))
+        out += longs(HUNK_END)
+    return out
+
+
+def reloc32(offsets: dict[int, list[int]]) -> bytes:
+    """The HUNK_RELOC32 of a hunk: where it has addresses, by the hunk they are in; b"" of none."""
+    if not offsets:
+        return b""
+    return longs(HUNK_RELOC32) + b"".join(longs(len(some), hunk, *sorted(some))
+                                          for hunk, some in sorted(offsets.items())) + longs(0)
+
+
+def symbol_map(elf: ELFFile) -> str:
+    """A line for each symbol of the code: offset in hexadecimal, name."""
+    code = elf.get_section_index(".text")
+    names = sorted((symbol["st_value"], symbol.name)
+                   for symbol in elf.get_section_by_name(".symtab").iter_symbols()
+                   if symbol["st_shndx"] == code and symbol.name
+                   and not COMPILER_LABEL.match(symbol.name))
+    return "".join(f"{value:08x} {name}\n" for value, name in names)
+
+
 def convert(elf_path: Path, out_path: Path) -> None:
-    """Writes ``out_path`` (the executable) and ``out_path.map``."""
+    """Writes ``out_path`` (the executable) and ``out_path``.map."""
     with elf_path.open("rb") as stream:
         elf = ELFFile(stream)
-        sections = [s for s in map(elf.get_section_by_name, SECTIONS) if s and s["sh_size"]]
-        hunk_of = {elf.get_section_index(s.name): i for i, s in enumerate(sections)}
-        sizes = [(s["sh_size"] + 3) // 4 for s in sections]
-        out = longs(HUNK_HEADER, 0, len(sections), 0, len(sections) - 1, *sizes)
-        for section, size in zip(sections, sizes):
-            if section.name == ".bss":
-                out += longs(HUNK_BSS, size)
-            else:
-                out += longs(HUNK_CODE if section.name == ".text" else HUNK_DATA, size)
-                out += section.data().ljust(size * 4, b"\0")
-                table = relocations(elf, section, hunk_of)
-                if table:
-                    out += longs(HUNK_RELOC32)
-                    for hunk, offsets in sorted(table.items()):
-                        out += longs(len(offsets), hunk, *sorted(offsets))
-                    out += longs(0)
-            out += longs(HUNK_END)
-        text = elf.get_section_index(".text")
-        names = sorted(
-            (symbol["st_value"], symbol.name)
-            for symbol in elf.get_section_by_name(".symtab").iter_symbols()
-            if symbol["st_shndx"] == text and symbol.name
-            and not COMPILER_LABEL.match(symbol.name)
-        )
-    out_path.write_bytes(out)
-    out_path.with_name(out_path.name + ".map").write_text(
-        "".join(f"{value:08x} {name}\n" for value, name in names)
-    )
+        program, symbols = executable(elf), symbol_map(elf)
+    out_path.write_bytes(program)
+    out_path.with_name(out_path.name + ".map").write_text(symbols)
 
 
 if __name__ == "__main__":
-    convert(Path(sys.argv[1]), Path(sys.argv[2]))
+    if len(sys.argv) != 3:
+        sys.exit(f"usage: python {sys.argv[0]} PROGRAM.elf OUT")
+    try:
+        convert(Path(sys.argv[1]), Path(sys.argv[2]))
+    except (OSError, ELFError, ValueError) as error:
+        sys.exit(f"hunk: {sys.argv[1]}: {error}")

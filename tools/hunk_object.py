@@ -12,9 +12,9 @@ Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 
 from dataclasses import dataclass
 
+from .elf_object import Relocation, Section
 from .errors import UserError
-from .hunk import HUNK_BSS, HUNK_CODE, HUNK_DATA, HUNK_END, HUNK_RELOC32, longs
-from .objects import Relocation, Section
+from .hunk import HUNK_BSS, HUNK_CODE, HUNK_DATA, HUNK_END, longs, reloc32
 
 HUNK_UNIT, HUNK_NAME, HUNK_EXT = 0x3E7, 0x3E8, 0x3EF
 EXT_DEF, EXT_REF32 = 1, 129
@@ -75,8 +75,8 @@ def contents(section: Section) -> tuple[bytes, list[Relocation]]:
     return bytes(data) + bytes(-len(data) % 4), addresses
 
 
-def hunk(section: Section, names: Names, numbers: dict[int, int]) -> bytes:
-    """A section's hunk; ``numbers``: of the object's sections, by id."""
+def hunk(section: Section, names: Names, numbers: dict[Section, int]) -> bytes:
+    """A section's hunk; ``numbers``: of the object's sections."""
     data, addresses = contents(section)
     inside: dict[int, list[int]] = {}
     outside: dict[str, list[int]] = {}
@@ -84,13 +84,8 @@ def hunk(section: Section, names: Names, numbers: dict[int, int]) -> bytes:
         if isinstance(r.target, str):
             outside.setdefault(r.target, []).append(r.offset)
         else:
-            inside.setdefault(numbers[id(r.target)], []).append(r.offset)
-    out = head(section, names) + longs((section.size + 3) // 4) + data
-    if inside:
-        out += longs(HUNK_RELOC32)
-        for number, offsets in sorted(inside.items()):
-            out += longs(len(offsets), number, *sorted(offsets))
-        out += longs(0)
+            inside.setdefault(numbers[r.target], []).append(r.offset)
+    out = head(section, names) + longs((section.size + 3) // 4) + data + reloc32(inside)
     if section.symbols or outside:
         out += longs(HUNK_EXT)
         for name, value in sorted(section.symbols.items()):
@@ -103,7 +98,7 @@ def hunk(section: Section, names: Names, numbers: dict[int, int]) -> bytes:
 
 def unit(name: str, sections: list[Section], names: Names) -> bytes:
     """An object's unit."""
-    numbers = {id(section): number for number, section in enumerate(sections)}
+    numbers = {section: number for number, section in enumerate(sections)}
     try:
         return longs(HUNK_UNIT) + text(name) + b"".join(hunk(s, names, numbers) for s in sections)
     except UserError as error:

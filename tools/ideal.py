@@ -244,10 +244,11 @@ class Picture:
 def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:
     """(first pixel, line, error, bound) of every edge on every line, in pixels. For stepped
     edges: exact ones have no error."""
+    exact = extents(vertices)
     for side, edges in enumerate((polygon.left_edges, polygon.right_edges)):
         for edge in edges:
             for y in range(edge.top, edge.end):
-                numerator, denominator = extent(vertices, y)[side]
+                numerator, denominator = exact(y)[side]
                 error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
                 yield edge.column(y), y, error, (y - edge.top + 1) * UNIT / 2
 
@@ -271,9 +272,9 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
 
 def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
     """Pixels of the polygon's lines that are lit or left out against the ideal."""
-    wrong = 0
+    wrong, exact = 0, extents(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in extent(vertices, y))
+        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in exact(y))
         if line.right > line.left or right > left:
             wrong += abs(line.left - left) + abs(line.right - right)
     return wrong

@@ -32,7 +32,7 @@ from functools import cached_property
 
 import numpy as np
 
-from . import bounds_perspective, ideal, ideal_mesh, ideal_perspective, model, model_mesh
+from . import bounds, bounds_perspective, ideal, ideal_mesh, ideal_perspective, model, model_mesh
 from .ideal import UNIT
 from .model_texturing import Settings
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
@@ -57,27 +57,16 @@ class Camera:
 
 
 @dataclass
-class Verdict:
-    """What the faces of a frame are off. Errors in texels."""
+class Verdict(bounds.Verdict):
+    """What the faces of a frame are off; ``unsure``: faces drawn affine though their depth is not the
+    same everywhere."""
 
     faces: int = 0  # drawn
-    pixels: int = 0  # of them
-    unsure: int = 0  # faces drawn affine though their depth is not the same everywhere
-    wrong_pixels: int = 0  # drawn or left out against the exact face
-    texel_error: float = 0.0
-    texel_bound: float = 0.0  # at the same pixel
-    texel_ratio: float = 0.0  # the largest error / bound
-    complaint: str = ""  # the first excess found, in words
-
-    def complain(self, text: str) -> None:
-        """Notes an excess, if it is the first."""
-        self.complaint = self.complaint or text
 
     def errors(self, error: np.ndarray, wanted: np.ndarray, bound: np.ndarray, what: str) -> None:
         """Adds errors; ``wanted``: what the setting intends."""
         k = int(abs(error).argmax())
-        if abs(error[k]) > self.texel_error or not self.texel_bound:
-            self.texel_error, self.texel_bound = float(abs(error[k])), float(abs(wanted[k]) + bound[k])
+        self.note(abs(error[k]), abs(wanted[k]) + bound[k])
         ratio = abs(error - wanted) / bound
         k = int(ratio.argmax())
         self.texel_ratio = max(self.texel_ratio, float(ratio[k]))
@@ -87,12 +76,8 @@ class Verdict:
 
     def merge(self, other: "Verdict") -> None:
         """Takes the worse of both."""
-        for name in ("faces", "pixels", "unsure", "wrong_pixels"):
-            setattr(self, name, getattr(self, name) + getattr(other, name))
-        if other.texel_error > self.texel_error or not self.texel_bound:
-            self.texel_error, self.texel_bound = other.texel_error, other.texel_bound
-        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.complain(other.complaint)
+        super().merge(other)
+        self.faces += other.faces
 
 
 def cross(p, q) -> list:
@@ -309,7 +294,7 @@ def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[
     for y in drawn.keys() | face.extents.keys():
         ours, exact = (range(*ends.get(y, (0, 0))) for ends in (drawn, face.extents))
         wrong = set(ours) ^ set(exact)
-        out.wrong_pixels += len(wrong)
+        out.coverage_errors += len(wrong)
         for x in sorted(wrong):
             if not near_an_edge((x, y), vertices, off):
                 out.complain(f"has pixel ({x}, {y}) {'drawn' if x in ours else 'left out'}, far from "
@@ -345,7 +330,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
             return out
     elif face.height <= doubt:
         if face.height > 0:
-            out.wrong_pixels = sum(end - first for first, end in face.extents.values())
+            out.coverage_errors = sum(end - first for first, end in face.extents.values())
         return out
     settings = Settings(material.edges, material.gradients, material.start, material.clip,
                         material.perspective, material.mapper)

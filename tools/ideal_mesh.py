@@ -41,7 +41,8 @@ nothing is cut.
 import math
 from fractions import Fraction
 
-ONE = 65536
+from .fixed import ONE
+
 CUT = 5 * 2.0 ** -17  # what cutting at all borders adds to a corner's numbers
 
 

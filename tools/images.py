@@ -37,16 +37,22 @@ def locate(reference: str, folder: Path, where: str) -> Path:
     return path
 
 
-def decode(path: Path, mode: str = "RGB") -> Image.Image:
-    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises ValueError if too
-    large."""
+def opened(path: Path) -> Image.Image:
+    """The PNG or JPEG in a file, not decoded yet. Raises ValueError if too large, and what Pillow
+    does of others."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
         image = Image.open(path, formats=("PNG", "JPEG"))
-    with image:
-        if not 1 <= min(image.size) <= max(image.size) <= SIDE_MAX:
-            width, height = image.size
-            raise ValueError(f"{width}x{height} pixels; a side must be from 1 to {SIDE_MAX}")
+    if not 1 <= min(image.size) <= max(image.size) <= SIDE_MAX:
+        width, height = image.size
+        image.close()
+        raise ValueError(f"{width}x{height} pixels; a side must be from 1 to {SIDE_MAX}")
+    return image
+
+
+def decode(path: Path, mode: str = "RGB") -> Image.Image:
+    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises as ``opened`` does."""
+    with opened(path) as image:
         image.load()
         if image.mode.startswith("I"):  # 16-bit grey: Pillow would clip, not scale
             image = Image.fromarray((np.asarray(image, np.int64) >> 8).astype(np.uint8))

@@ -4,8 +4,8 @@ import re
 import subprocess
 from dataclasses import dataclass
 
+from .elf_object import Section
 from .errors import UserError
-from .objects import Section
 
 OBJDUMP = "m68k-linux-gnu-objdump"
 LINE = re.compile(r"\s*([0-9a-f]+):\t((?:[0-9a-f]{4} )+)\s*\t(\S+)\s*(.*)")
@@ -43,11 +43,13 @@ def parse(words: str, name: str, operands: str) -> Instruction:
 
 def sweep(section: Section, start: int) -> dict[int, Instruction]:
     """The instructions of a section from an offset on, by offset."""
-    text = subprocess.run(
+    done = subprocess.run(
         [OBJDUMP, "-d", "-m", "m68k:68020", "--insn-width=24", "-j", section.name,
-         f"--start-address={start}", section.file], capture_output=True, text=True).stdout
+         f"--start-address={start}", section.file], capture_output=True, text=True)
+    if done.returncode:
+        raise UserError(f"{section.file}: {section.name}: {' '.join(done.stderr.split())}")
     return {int(match[1], 16): parse(*match.groups()[1:])
-            for match in map(LINE.match, text.splitlines()) if match}
+            for match in map(LINE.match, done.stdout.splitlines()) if match}
 
 
 def at(section: Section, offsets: list[int]) -> dict[int, Instruction]:

@@ -12,9 +12,9 @@ import numpy as np
 from . import emulator, layout
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
+from .fixed import M32
 
 REGISTERS = [f"d{n}" for n in range(8)] + [f"a{n}" for n in range(7)]
-M32 = (1 << 32) - 1
 #: What registers hold that a case does not set: no kernel may rely on them.
 POISON = 0xDEAD0000
 #: A plan's images, cases and offsets: a machine with chip RAM alone has about 1.7 MB free for the
@@ -61,9 +61,9 @@ class Shown:
 
     title: str
     units: int
-    chip: int
-    fast: int
-    drawn: int
+    chip: int  # cycles with chip RAM alone
+    fast: int  # and with fast RAM
+    drawn: int  # checksum of the far memory after a call; 0: none
 
 
 @dataclass
@@ -129,7 +129,7 @@ def plan(cases: list[Case]) -> bytes:
         return place(text.encode("ascii") + b"\0")
 
     def place_image(image: bytes) -> int:
-        return place(np.array([piece and place(piece) or 0 for piece in pieces(image)],
+        return place(np.array([place(piece) if piece else 0 for piece in pieces(image)],
                               ">u4").tobytes())
 
     def mask(registers: dict[str, int]) -> int:

@@ -217,12 +217,13 @@ class Layout:
                 if name.startswith(prefix)]
 
     @functools.cached_property
-    def made(self) -> dict[str, Struct]:
-        """The structs by name."""
+    def by_name(self) -> dict[str, Struct]:
+        """The structs, ready to pack and unpack."""
         return {name: Struct(name, **struct) for name, struct in self.structs.items()}
 
     def struct(self, name: str) -> Struct:
-        return self.made[name]
+        """The struct of a name."""
+        return self.by_name[name]
 
 
 def load() -> Layout:
@@ -240,6 +241,7 @@ def read(path: Path) -> Layout:
 
 
 def main(arguments: list[str]) -> int:
+    """Writes the three files; returns the exit status."""
     if len(arguments) < 3:
         print("usage: python -m tools.layout OBJECT.o OUT_DIR HEADER...", file=sys.stderr)
         return 2

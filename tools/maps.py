@@ -91,10 +91,10 @@ def from_rgba8888(pixels: np.ndarray) -> np.ndarray:
 def texel_tiled(u: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Where MAP_TILED has the texels of u and v, 16.16."""
     x, y = u >> 16 & 255, v >> 16 & 255
-    return 2048 * (x // 8) + 8 * y + x % 8
+    return 256 * TILE * (x // TILE) + TILE * y + x % TILE
 
 
 def texel_columns(u: np.ndarray, v: np.ndarray, width: int, height: int) -> np.ndarray:
     """Where MAP_COLUMNS has the texels of u and v, 16.16; both sides repeat."""
     x, y = (u >> 16) % width, (v >> 16) % height
-    return 4 * height * (x // 4) + 4 * y + x % 4
+    return COLUMN * height * (x // COLUMN) + COLUMN * y + x % COLUMN

@@ -7,10 +7,11 @@ import numpy as np
 
 from . import images, palette, scene_glide, scene_tx
 from .fields import REQUIRED, choice, colour, fail, integer, join, number, one_of, rows, table, text
+from .fixed import fix
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
-from .scene_file import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, ONE, SETTINGS, UNITS, Material,
-                         Texture, size_fault)
+from .scene_materials import SETTINGS, Material
+from .scene_textures import LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNITS, Texture, size_fault
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
@@ -72,47 +73,53 @@ def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
     scene_tx.check(material["tx"], f"{at}.tx")
 
 
+def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
+    """Refuses settings that do not go together, or are not for the scene's pixels."""
+    mapper, perspective = mapper_of(material), material["perspective"]
+    drawn = MAPPERS[pixel.bytes]
+    if mapper not in drawn and mapper not in UNITS:
+        fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
+             f"a scene in {pixel.name} has flat colours and the mapper "
+             + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
+    if pixel.bytes > 1 and perspective != "none":
+        fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
+    if "tx" in material:
+        check_tx(material, pixel, at)
+    if "glide" in material:
+        check_units(material, "glide", scene_glide.FRAMES, pixel, at)
+        scene_glide.check(material["glide"], f"{at}.glide")
+    on_plane = (material["gradients"], material["start"]) == ("plane", "subtexel")
+    if perspective != "none" and not (mapper == "affine" and on_plane):
+        fail(f"{at}.perspective", f'"{perspective}" needs the mapper "affine", gradients "plane" '
+                                  'and start "subtexel"')
+    if material["tolerance"] and perspective == "none":
+        fail(f"{at}.tolerance", "there is no perspective that could become less")
+    if mapper in ON_PLANE and not on_plane:
+        fail(f"{at}.mapper", f'"{mapper}" needs gradients "plane" and start "subtexel"')
+
+
+def check_texture(material: dict, textures: dict[str, dict], at: str) -> None:
+    """Refuses a texture that is not there, or that the material's mapper cannot draw."""
+    name, mapper = material["texture"], mapper_of(material)
+    if name not in textures:
+        fail(f"{at}.texture", f"there is no texture {name!r}")
+    width, height = textures[name]["width"], textures[name]["height"]
+    needs = size_fault(MAPPER_LAYOUT[mapper], width, height)
+    if needs:
+        fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {name!r} is {width}x{height}')
+
+
 def check(spec: dict, where: str) -> None:
     """Refuses textures and materials that do not fit each other or the scene's pixels."""
     for name, texture in spec["textures"].items():
         if texture["width"] * texture["height"] > TEXELS_MAX:
             fail(join(f"{where}textures", name) + ".width",
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
-    pixel = FORMATS[spec["format"]]
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)
-        mapper = mapper_of(material)
-        drawn = MAPPERS[pixel.bytes]
-        if mapper not in drawn and mapper not in UNITS:
-            fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
-                 f"a scene in {pixel.name} has flat colours and the mapper "
-                 + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
-        if pixel.bytes > 1 and material["perspective"] != "none":
-            fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
-        if "tx" in material:
-            check_tx(material, pixel, at)
-        if "glide" in material:
-            check_units(material, "glide", scene_glide.FRAMES, pixel, at)
-            scene_glide.check(material["glide"], f"{at}.glide")
-        if material["perspective"] != "none" and (
-                mapper, material["gradients"], material["start"]) != (
-                    "affine", "plane", "subtexel"):
-            fail(f"{at}.perspective", f'"{material["perspective"]}" needs the mapper "affine", '
-                                      'gradients "plane" and start "subtexel"')
-        if material["tolerance"] and material["perspective"] == "none":
-            fail(f"{at}.tolerance", "there is no perspective that could become less")
-        if mapper in ON_PLANE and (material["gradients"], material["start"]) != (
-                "plane", "subtexel"):
-            fail(f"{at}.mapper", f'"{mapper}" needs gradients "plane" and start "subtexel"')
-        if "texture" not in material:
-            continue
-        if material["texture"] not in spec["textures"]:
-            fail(f"{at}.texture", f"there is no texture {material['texture']!r}")
-        texture = spec["textures"][material["texture"]]
-        needs = size_fault(MAPPER_LAYOUT[mapper], texture["width"], texture["height"])
-        if needs:
-            fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {material["texture"]!r} is '
-                                 f"{texture['width']}x{texture['height']}")
+        check_settings(material, FORMATS[spec["format"]], at)
+        if "texture" in material:
+            check_texture(material, spec["textures"], at)
 
 
 @dataclass
@@ -154,24 +161,29 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
+def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[str, np.ndarray]:
+    """The pictures of the textures in use, uint8 (height, width, channels); the others' are
+    looked at too, for what is wrong with them."""
+    pictures = {name: images.load(texture["image"], folder,
+                                  join(f"{where}textures", name) + ".image", texture["width"],
+                                  texture["height"], FORMATS[spec["format"]].channels)
+                for name, texture in spec["textures"].items()}
+    return {name: picture for name, picture in pictures.items() if name in used}
+
+
 def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
     """Palette, uint8 (256, 3), textures and materials; a texture once a layout. ``engines``:
     the numbers of those that materials have, or of their pipes."""
-    wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]])
-              for m in spec["materials"].values() if "texture" in m}
-    pictures, pixel = {}, FORMATS[spec["format"]]
-    for name, texture in spec["textures"].items():
-        at = join(f"{where}textures", name) + ".image"
-        picture = images.load(texture["image"], folder, at, texture["width"], texture["height"],
-                              pixel.channels)
-        if any(name == used for used, _ in wanted):
-            pictures[name] = picture
+    textured = [m for m in spec["materials"].values() if "texture" in m]
+    wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]]) for m in textured}
+    lit = {m["texture"] for m in textured if m["mapper"] in LIT}
+    pictures = load_pictures(spec, {name for name, _ in wanted}, folder, where)
+    pixel = FORMATS[spec["format"]]
     if pixel.numbers:
         colours = np.zeros((256, 3), np.uint8)
         texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in pictures.values()]
     else:
-        lit = {m["texture"] for m in spec["materials"].values() if mapper_of(m) in LIT}
         colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",
                                         [pictures[name] for name in pictures if name in lit])
     stored, number = [], {}
@@ -181,12 +193,12 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
                 number[name, layout] = len(stored)
                 stored.append(Texture(array, layout))
     light = len(stored)
-    if any(mapper_of(m) in LIT for m in spec["materials"].values()):
+    if lit:
         stored.append(Texture(palette.light(colours), "light"))
     return colours, stored, [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
-                 light if mapper_of(m) in LIT else -1, round(m["tolerance"] * ONE),
+                 light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
                  engines.get(name, -1), m.get("primitive", "polygons"))
         for name, m in spec["materials"].items()]

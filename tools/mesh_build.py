@@ -10,8 +10,9 @@ import numpy as np
 
 from . import layout
 from .fields import fail
+from .fixed import ONE, fix
 from .mesh_file import Shape, check_counts
-from .scene_meshes import ONE, UNIT_14, UNIT_30
+from .scene_meshes import UNIT_14, UNIT_30
 
 FLAT = 1 / 256  # of a face's size its corners may be off its plane, or dented
 UNEVEN = 1 / 64  # of s or t a corner may be off the plane
@@ -184,7 +185,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
-    corners = [[point, normal, *(round(value * ONE) for value in texel)]
+    corners = [[point, normal, *map(fix, texel)]
                for point, normal, texel in zip(point_of, normal_of, texels)]
     rows, first = [], 0
     for face in faces:

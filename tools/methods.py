@@ -12,22 +12,20 @@ import zlib
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
-from . import model
+from . import markdown, model
 from .accuracy import Errors
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
+from .outputs import save_animation
 from .paths import SCENES
 from .run import render
 from .scene import compile_scene
 from .scene_file import Scene
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 #: What is shown, in the note's words and ours.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
@@ -40,6 +38,11 @@ METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
 SHOWN = 4  # the frame of the picture
 
 
+def is_of_the_note(name: str) -> bool:
+    """Whether a method is one of the note's, which have numbers."""
+    return name[0].isdigit()
+
+
 @dataclass
 class Method:
     """What one method draws, and what it costs."""
@@ -48,11 +51,6 @@ class Method:
     frames: np.ndarray  # uint8 (frames, height, width, 3)
     cycles: float  # a frame
     errors: Errors
-
-    @property
-    def rms(self) -> float:
-        """Over all pixels, the larger of u's and v's, in texels."""
-        return (self.errors.squares / max(self.errors.pixels, 1)) ** 0.5
 
 
 def scene_of(settings: Settings) -> Scene:
@@ -83,7 +81,8 @@ def measure(machine: str, on_step=None) -> list[Method]:
         scene = scene_of(settings)
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
-        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent, errors_of(scene, settings)))
+        made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
+                           errors_of(scene, settings)))
         if on_step:
             on_step()
     return made
@@ -91,17 +90,19 @@ def measure(machine: str, on_step=None) -> list[Method]:
 
 def table(methods: list[Method], machine: str) -> str:
     """The figures in Markdown."""
-    lines = [f"| method, {machine} | cycles a frame | largest error, texels | rms | wrong texels |",
-             "|---|--:|--:|--:|--:|"]
+    rows = []
     for m in methods:
         wrong = 100 * m.errors.wrong / max(m.errors.pixels, 1)
-        lines.append(f"| {m.name} | {m.cycles:,.0f} | {m.errors.worst:.3f} | {m.rms:.4f} | {wrong:.2f} % |")
-    return "\n".join(lines)
+        rows.append([m.name, f"{m.cycles:,.0f}", f"{m.errors.worst:.3f}", f"{m.errors.rms:.4f}",
+                     f"{wrong:.2f} %"])
+    return markdown.table([f"method, {machine}", "cycles a frame", "largest error, texels", "rms",
+                           "wrong texels"], rows)
 
 
 def described(methods: list[Method]) -> dict[str, dict]:
     """What the picture says of each method, and the CRC of the frame that it shows."""
-    return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6), "rms": round(m.rms, 6),
+    return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6),
+                     "rms": round(m.errors.rms, 6),
                      "frame": zlib.crc32(m.frames[SHOWN].tobytes())} for m in methods}
 
 
@@ -115,7 +116,8 @@ def write_picture(methods: list[Method], path: Path) -> None:
     for axes, m in zip(panels.flat, methods):
         axes.imshow(m.frames[SHOWN], interpolation="nearest")
         axes.set_title(f"{m.name}\n{m.cycles / 1000:,.0f} thousand cycles\n"
-                       f"error {m.errors.worst:.3g} texels, rms {m.rms:.2g}", fontsize=10, y=-0.24)
+                       f"error {m.errors.worst:.3g} texels, rms {m.errors.rms:.2g}",
+                       fontsize=10, y=-0.24)
     figure.savefig(path, dpi=100, bbox_inches="tight", pad_inches=0.05,
                    metadata={"Description": json.dumps(described(methods))})
     plt.close(figure)
@@ -123,11 +125,11 @@ def write_picture(methods: list[Method], path: Path) -> None:
 
 def write_animation(methods: list[Method], path: Path) -> None:
     """The note's three methods side by side, there and back."""
-    three = sorted((m for m in methods if m.name[0].isdigit()), key=lambda m: m.name)
+    three = sorted((m for m in methods if is_of_the_note(m.name)), key=lambda m: m.name)
     strips = np.concatenate([m.frames for m in three], axis=2)
     pictures = [Image.fromarray(np.kron(strip, np.ones((2, 2, 1), np.uint8)))
                 for strip in [*strips, *strips[-2:0:-1]]]
-    pictures[0].save(path, save_all=True, append_images=pictures[1:], duration=80, loop=0)
+    save_animation(path, pictures, 80)
 
 
 def write(folder: Path, machine: str, on_step=None) -> str:

@@ -4,7 +4,7 @@ and what they call, c/polygon/edges.c."""
 from dataclasses import dataclass
 from functools import cached_property
 
-from .fixed import ceil16, mul_div
+from .fixed import ONE, ceil16, mul_div
 
 EDGE_ERROR = 1024  # pixels that an edge's x may lie beyond its vertices, 16.16
 
@@ -19,17 +19,22 @@ class Edge:
     end: int
     exact: bool
 
+    @property
+    def extent(self) -> tuple[int, int]:
+        """Width and height between the vertices, 16.16."""
+        return self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+
     @cached_property
     def slope(self) -> int:
         """Pixels a line, 16.16; 0 where the edge has one line only."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        width, height = self.extent
         several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
-        return mul_div(width, 65536, height) if several else 0
+        return mul_div(width, ONE, height) if several else 0
 
     @cached_property
     def first(self) -> int:
         """x on the line ``top``, 16.16, rounded."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        width, height = self.extent
         return self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
 
     def at(self, line: int) -> int:
@@ -40,14 +45,14 @@ class Edge:
         """The first pixel at or right of the edge."""
         if not self.exact:
             return ceil16(self.at(line))
-        (x0, y0, *_), (x1, y1, *_) = self.upper, self.lower
-        n = x0 * (y1 - y0) + (x1 - x0) * ((line << 16) - y0)
-        return -(-n // (y1 - y0 << 16))
+        (x, y, *_), (width, height) = self.upper, self.extent
+        n = x * height + width * ((line << 16) - y)
+        return -(-n // (height << 16))
 
     @property
     def whole(self) -> int:
         """Whole pixels a line."""
-        width, height = self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+        width, height = self.extent
         return width // height if self.exact else self.slope >> 16
 
 

@@ -12,8 +12,8 @@ from math import floor, log, log2
 
 import numpy as np
 
-from .fixed import M32, signed
-from .model_reciprocal import ends, swap
+from .fixed import M32, signed, step_swapped, swap
+from .model_reciprocal import near_ends
 
 BITS = 14
 OCTAVE = 1 << BITS
@@ -32,7 +32,6 @@ FACTORS = 128
 BIAS = 7
 #: 2^(1/128) and 2^(1/16384)
 COARSE, FINE = 1079572136, 1073787251
-
 
 #: What makes a line's pixels wrong: in 1/65536 texel K and powers rounded, C and K of the polygon;
 #: in indices of q its cut and its shift and steps; in units of a logarithm logs' rounding, what
@@ -113,8 +112,7 @@ def indices(each: Logarithmic) -> np.ndarray:
     q, out = each.q, []
     for _ in range(each.n + 1):
         out.append(signed(q << 16) // 65536 + ORIGIN - LOWEST)
-        q += each.dq
-        q = q & 0xFFFF0000 | (q & 0xFFFF) + (q >> 32) & 0xFFFF
+        q = step_swapped(q, each.dq)
     return np.array(out)
 
 
@@ -140,7 +138,8 @@ def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
         up = 64 - size.bit_length()
         m = size << up >> 32
         part, rest = m >> 23 & 255, m >> 7 & 0xFFFF
-        full = parts()[part] + ((parts()[part + 1] - parts()[part]) * rest >> 16) - (up << 22) + base
+        lower, upper = parts()[part:part + 2]
+        full = lower + ((upper - lower) * rest >> 16) - (up << 22) + base
         power = full >> 8
         if power + high > LIMITS[(high + 24576) >> 10]:
             return None
@@ -156,7 +155,7 @@ def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
 def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
     """The line's record from ``model_reciprocal.Constants``; None: it is left to others.
     ``right`` is excluded."""
-    at_ends = ends(p, left, right, y, FURTHEST)
+    at_ends = near_ends(p, left, right, y, FURTHEST)
     if not at_ends:
         return None
     q0, q1, shift = at_ends
@@ -175,8 +174,8 @@ def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
     if None in found:
         return None
     (u, power_u), (v, power_v) = found
-    return Logarithmic(left, right - 1 - left, swap(q0 - (ORIGIN << 16) & M32), swap(dq & M32), (u, v),
-                       (power_u, power_v), way)
+    return Logarithmic(left, right - 1 - left, swap(q0 - (ORIGIN << 16) & M32), swap(dq & M32),
+                       (u, v), (power_u, power_v), way)
 
 
 def bound(each: Logarithmic) -> float:

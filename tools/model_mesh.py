@@ -5,7 +5,8 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 
 from dataclasses import dataclass
 
-from .fixed import mul_div, signed
+from .fixed import ONE, mul_div, signed
+from .scene_file import vertices_at
 from .scene_meshes import ENVIRONMENT, LIT
 
 #: What a frame draws: number of the material, vertices.
@@ -42,7 +43,7 @@ def transform(scene, points, view) -> list[Point]:
 
 def project(scene, x: int, y: int, w: int) -> tuple[int, int]:
     """Where a point before the camera is on the screen."""
-    scale = 65536 << scene.guard
+    scale = ONE << scene.guard
     return (mul_div(x, scale, w) + (scene.width << 15), mul_div(y, scale, w) + (scene.height << 15))
 
 
@@ -52,7 +53,7 @@ def looks(normals, factors, base: int, low: int, high: int) -> list[int]:
     return [min(max(base + ((a * x + b * y + c * z) >> 5), low), high) for x, y, z, _ in normals]
 
 
-def looks_of(scene, instance, normals, view) -> tuple[list[int], list[int], list[int]]:
+def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
     """s, t and shade of an instance's normals; empty what it has no use for."""
     s, t, shade = [], [], []
     if instance.flags & ENVIRONMENT:
@@ -118,7 +119,7 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
     mesh, view = scene.meshes[instance.mesh], scene.views[instance.view + age].tolist()
     points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
     normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
-    made_s, made_t, shades = looks_of(scene, instance, normals, view)
+    made_s, made_t, shades = looks_of(instance, normals, view)
     made = []
     for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
         if not is_seen(face, view):
@@ -152,8 +153,6 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
 def polygons_at(scene, number: int) -> list[Drawn]:
     """All that a frame draws, in drawing order: each polygon's material and its vertices on
     the screen."""
-    from .scene_file import vertices_at
-
     groups: dict[int, list] = {}  # instances by the object that they are drawn before
     for instance in scene.instances:
         groups.setdefault(instance.before, []).append(instance)

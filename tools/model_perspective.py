@@ -14,7 +14,8 @@ from math import ceil, floor, log2
 import numpy as np
 
 from . import layout
-from .fixed import M32, cut_quotient, mul_div, quotient, signed, wide_mul
+from .fixed import M32, cut_quotient, mul_div, signed, wide_mul
+from .model_texturing import gradients
 
 Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 4  # q is at least so many times its error
@@ -61,6 +62,10 @@ class Plane:
     dx: int
     dy: int
 
+    def scaled(self, bits: int) -> "Plane":
+        """The plane times 2^bits."""
+        return Plane(*(signed(n << bits, 64) for n in (self.at, self.dx, self.dy)))
+
     def value(self, x: int, y: int) -> int:
         """x pixels right of (i, j), y lines below."""
         return signed(self.at + x * self.dx + y * self.dy, 64)
@@ -81,6 +86,19 @@ class Perspective:
     low: tuple[int, int]  # u and v less their bases
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 bits of integer
+
+    @property
+    def farthest(self) -> int:
+        """How far u or v may be from its base."""
+        return max(*self.high, *(-c for c in self.low))
+
+    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
+        """q at a pixel, at least ``least``, and u and v by it, within their ranges."""
+        at = x - self.i, y - self.j
+        q = max(self.q.value(*at) >> 32, self.least)
+        return q, [base + min(max(cut_quotient(plane.value(*at), q), low), high)
+                   for base, plane, low, high in zip(self.base, (self.s, self.t), self.low,
+                                                     self.high)]
 
 
 @dataclass
@@ -136,31 +154,27 @@ def perspective(vertices, corners, box) -> Perspective | None:
     high = tuple(max(span) - b for span, b in zip(spans, base))
     farthest = max(*high, *(-c for c in low))
     shift = max(farthest.bit_length(), 16)
-    first, bottom, apex = (vertices[k] for k in corners)
-    triple = []
-    for x, y, u, v, w in (first, bottom, apex):
+    three = []
+    for x, y, u, v, w in (vertices[k] for k in corners):
         q = mul_div(min(ws), Q_ONE, w)
-        triple.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
-    a, b = ([p - o for p, o in zip(corner, triple[0])] for corner in triple[1:])
-    d = a[0] * b[1] - b[0] * a[1]
-    left, top, right, bottom_line = box
-    x, y = signed((left << 16) - first[0]), signed((top << 16) - first[1])
-    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom_line - top + 1
-    planes, errors, lowest, gentle = [], [], None, True
-    for key, scale in ((2, 32), (3, shift), (4, shift)):
-        gx = quotient(a[key] * b[1] - b[key] * a[1], d)
-        gy = quotient(a[0] * b[key] - b[0] * a[key], d)
-        at = (triple[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16)
-        if key == 2:
-            lowest = min(signed((at >> 16) + wide_mul(gx, signed(v[0] - (left << 16)))
-                                + wide_mul(gy, signed(v[1] - (top << 16)))) for v in vertices)
-        gentle &= all(abs(signed(g, 64)) >> 32 < STEEP for g in ([gx, gy] if key == 2 else [gx]))
-        errors.append(2 + error_part(gx, ways[0]) + error_part(gy, ways[1]))
-        planes.append(Plane(signed(at << scale - 16, 64), signed(gx << scale - 16, 64),
-                            signed(gy << scale - 16, 64)))
-    if max(errors) >= TOO_STEEP or lowest < Q_SURE * max(errors):
+        three.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
+    left, top, right, bottom = box
+    x, y = signed((left << 16) - three[0][0]), signed((top << 16) - three[0][1])
+    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom - top + 1
+    planes = []
+    for key in (2, 3, 4):
+        gx, gy = gradients(three, key)
+        planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
+    q, *st = planes
+    least = min(signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
+                       + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices)
+    error = max(2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1])
+                for plane in planes)
+    if error >= TOO_STEEP or least < Q_SURE * error:
         return None
-    return Perspective(*planes, left, top, base, shift, lowest, low, high, gentle)
+    gentle = all(abs(signed(g, 64)) >> 32 < STEEP for g in (q.dx, q.dy, *(p.dx for p in st)))
+    return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
+                       shift, least, low, high, gentle)
 
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:
@@ -176,8 +190,7 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
         return False
     if not part:
         return not high
-    farthest = max(*p.high, *(-c for c in p.low))
-    off = (((farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    off = (((p.farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
     return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
 
 
@@ -192,11 +205,10 @@ def level_step(gradient: int, q: int) -> int:
 
 def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
     """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
-    at, k = (left - p.i, y - p.j), np.arange(right - left, dtype=np.int64)
-    q = max(p.q.value(*at) >> 32, p.least)
-    return tuple(b + min(max(cut_quotient(plane.value(*at), q), low), high)
-                 + k * level_step(signed(plane.dx, 64), q) & M32
-                 for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))
+    q, starts = p.divided(left, y)
+    k = np.arange(right - left, dtype=np.int64)
+    return tuple(start + k * level_step(signed(plane.dx, 64), q) & M32
+                 for start, plane in zip(starts, (p.s, p.t)))
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
@@ -207,13 +219,7 @@ def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
 
 def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
     """The line's ends; right is excluded."""
-    pixels = []
-    for column in (left, right - 1):
-        at = column - p.i, y - p.j
-        q = max(p.q.value(*at) >> 32, p.least)
-        pixels.append((q, *(signed(b + min(max(cut_quotient(plane.value(*at), q), low), high))
-                            for b, plane, low, high in zip(p.base, (p.s, p.t), p.low, p.high))))
-    (q0, u, v), (q1, u1, v1) = pixels
+    (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
     line = Ends(left, right - 1 - left, u & M32, v & M32)
     if line.n:
         line.du, line.dv = signed(u1 - u), signed(v1 - v)

@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 
 from . import layout
-from .fixed import M32, signed
+from .fixed import M32, signed, step_swapped, swap
 
 LOWEST = 10920
 COUNT = 65536 - LOWEST
@@ -84,7 +84,7 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
         return None
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
-    for base, plane in zip(p.base, (p.s, p.t)):
+    for plane in (p.s, p.t):
         full = asymptote(p.q, plane)
         if full is None:
             return None
@@ -100,7 +100,7 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
                      piece and reach(piece, width) << 24 - piece, piece)
 
 
-def ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int] | None:
+def near_ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int] | None:
     """q at a line's first and last pixel, and by how many bits, up to ``furthest``, the larger one
     can go left; None: an end is too near, or q too small. ``right`` is excluded."""
     q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
@@ -111,7 +111,7 @@ def ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int
 def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
     """The line's record; None: it is left to others. ``right`` is excluded."""
     n, m = right - 1 - left, 1 << k.piece
-    found = ends(p, left, right, y, FURTHEST)
+    found = near_ends(p, left, right, y, FURTHEST)
     if not found:
         return None
     q0, q1, shift = found
@@ -133,7 +133,7 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
         if c != signed(c) or c + 0x8000 != signed(c + 0x8000):
             return None
         near = c + 0x8000 >> 16
-        lost = (c & 0xFFFF ^ 0x8000) - 0x8000
+        lost = signed(c, 16)
         start = (signed(base) << 8) + (near * r0 + (lost * (r0 + r1 >> 2) >> 15) << k.piece)
         cs.append(near)
         starts.append(start)
@@ -142,11 +142,6 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
     falls = cs[1] * (r1 - r0) < 0
     return Reciprocal(left, n, tuple(starts), swap((q0 - (ORIGIN << 16)) & M32), swap(dq & M32),
                       tuple(cs), r0, r1, -128 if falls else 128, k.piece)
-
-
-def swap(x: int) -> int:
-    """The words exchanged."""
-    return (x >> 16 | x << 16) & M32
 
 
 def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
@@ -186,13 +181,12 @@ def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
     while True:
         rest = each.n - k
         if rest >= m:
-            q += each.dq
-            q = q & 0xFFFF0000 | (q & 0xFFFF) + (q >> 32) & 0xFFFF
+            q = step_swapped(q, each.dq)
             r = TABLE[signed(q << 16) // 65536 + ORIGIN - LOWEST]
-            du, dv = (c * ((r - old + 32768 & 0xFFFF) - 32768) for c in each.c)
-            old, first, rest = r, 0, m - 1
+            du, dv = (c * signed(r - old, 16) for c in each.c)
+            old, rest = r, m - 1
         else:
-            r = (each.last - old + 32768 & 0xFFFF) - 32768
+            r = signed(each.last - old, 16)
             part = 0x7FFFFFFF // rest if rest else 0
             du, dv = ((c * r * part >> 32) << each.piece + 1 for c in each.c)
         db, da = steps(du, dv, each.carry)

@@ -30,7 +30,7 @@ def generated_offsets(dudx: int, dvdx: int, count: int) -> np.ndarray:
     """Bytes from a line's first texel to its others, as generated code has them."""
     n = np.arange(count, dtype=np.int64)
     far = 256 * (n * signed(dvdx) >> 16) + (n * signed(dudx) >> 16)
-    return (far + 32768 & 0xFFFF) - 32768
+    return signed(far, 16)
 
 
 def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:

@@ -3,9 +3,8 @@ c/polygon/texturing.c and ramps.c."""
 
 from dataclasses import dataclass
 
-from .fixed import M32, ceil16, cut_quotient, mul, mul_div, quotient, signed, step, wide_mul
+from .fixed import M32, ONE, ceil16, cut_quotient, mul, mul_div, quotient, signed, step, wide_mul
 from .model_edges import Edge
-
 
 #: Mappers whose u and v share an addx chain.
 CHAINED = ("affine", "lit")
@@ -73,24 +72,30 @@ def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
     return spare, spare & (speed < 0), wraps and not once
 
 
-def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
-    """The texture plane through three corners (indices), seen from the box's middle."""
-    a, b, c = (vertices[k] for k in corners)
-    e1, e2 = ([p - q for p, q in zip(v, a)] for v in (b, c))
-
-    def cross(p, q):
-        return e1[p] * e2[q] - e2[p] * e1[q]
-
-    d = cross(0, 1)
+def gradients(corners, key: int) -> tuple[int, int] | None:
+    """What one number of three corners (x, y, ...) grows a pixel and a line on its plane, 32.32;
+    None where the corners have no area."""
+    a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
+    d = a[0] * b[1] - b[0] * a[1]
     if d == 0:
         return None
-    dsdx, dsdy = quotient(cross(2, 1), d), quotient(cross(0, 2), d)
-    dtdx, dtdy = quotient(cross(3, 1), d), quotient(cross(0, 3), d)
+    return (quotient(a[key] * b[1] - b[key] * a[1], d),
+            quotient(a[0] * b[key] - b[0] * a[key], d))
+
+
+def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
+    """The texture plane through three corners (indices), seen from the box's middle."""
+    three = [vertices[k] for k in corners]
+    found = [gradients(three, key) for key in (2, 3)]
+    if None in found:
+        return None
+    (dsdx, dsdy), (dtdx, dtdy) = found
     left, top, right, bottom = box
     i, j = (left + right) >> 1, (top + bottom) >> 1
-    x, y = signed((i << 16) - a[0]), signed((j << 16) - a[1])
-    u = a[2] + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
-    v = a[3] + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
+    x0, y0, u0, v0 = three[0][:4]
+    x, y = signed((i << 16) - x0), signed((j << 16) - y0)
+    u = u0 + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
+    v = v0 + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
     dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
     chained = settings.mapper in CHAINED  # only their u and v share a chain
     inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
@@ -103,7 +108,7 @@ def saturated_step(part: int, whole: int) -> int:
     """part / whole in 16.16, at most the largest number."""
     if abs(part) >> 15 >= abs(whole):
         return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
-    return mul_div(-part, 65536, -whole) if whole < 0 else mul_div(part, 65536, whole)
+    return mul_div(-part, ONE, -whole) if whole < 0 else mul_div(part, ONE, whole)
 
 
 def longest(vertices, corners, box, settings: Settings) -> Texturing:
@@ -130,7 +135,7 @@ def along(edge: Edge) -> list[tuple[int, int, int]]:
     y = (edge.top << 16) - edge.upper[1]
     several = edge.end - edge.top > 1
     first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
-    steps = [mul_div(whole[k], 65536, whole[1]) if several else 0 for k in (2, 3)]
+    steps = [mul_div(whole[k], ONE, whole[1]) if several else 0 for k in (2, 3)]
     return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
             for n, line in enumerate(range(edge.top, edge.end))]
 
@@ -172,7 +177,7 @@ def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> Non
         moves = [(line.left - first) * s for s in steps]
     else:
         width, prestep = min(right[0] - left[0], 0x7FFFFFFF), (line.left << 16) - left[0]
-        if width >= 65536:
+        if width >= ONE:
             steps = [cut_quotient(r << 16, width) for r in rise]
             moves = [mul(s, prestep) for s in steps]
         else:

@@ -23,8 +23,7 @@ def bend(p: Perspective) -> int | None:
     if steep > p.least >> STEEP or grows > p.least >> 2:
         return None
     a = mul_div(steep, 1 << 24, p.least) + 1
-    farthest = max(*p.high, *(-c for c in p.low))
-    slope = mul_div(grows, 1 << 30, p.least >> 2) + 1 + (farthest * a >> 24) + 1
+    slope = mul_div(grows, 1 << 30, p.least >> 2) + 1 + (p.farthest * a >> 24) + 1
     return (slope * a >> 24) + 1
 
 

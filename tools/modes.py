@@ -12,8 +12,6 @@ from typing import ClassVar
 import numpy as np
 from PIL import Image
 
-from .scene_file import ONE
-
 KINDS = ("smooth", "noise")
 SIDE, FINE_SIDE = 32, 128  # texels of pictures
 #: What maps show: file to its side, its seed and whether its alpha differs from 255.
@@ -101,8 +99,3 @@ class Mode(ABC):
     def material(self) -> dict:
         """The checked content of the material's table."""
         return self.check(deepcopy(self.table), f"mode {self.name}")
-
-
-def fixed(*numbers: float) -> tuple[int, ...]:
-    """16.16."""
-    return tuple(round(number * ONE) for number in numbers)

@@ -8,7 +8,7 @@ import json
 from dataclasses import dataclass
 
 from . import bench_cases
-from .bench import CONDITIONS, NOTHING_REPEATS, cycles, key, repeats
+from .bench import NOTHING_REPEATS, cycles, key, repeats
 from .errors import UserError
 from .kernels import Case, Shown, call, checksum, plan
 from .paths import BASELINE

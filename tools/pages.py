@@ -1,8 +1,8 @@
 """The pages for readers, and what can be checked in them.
 
-Pages are the Markdown files on top and the README.md of each room. A table stands between two marker
-lines, by its title; every table has one page, every marker a table. Links, files and commands that a
-page names are there.
+Pages are the Markdown files on top and the README.md of each room. A table stands between two
+marker lines, by its title; every table has one page, every marker a table. Links, files and
+commands that a page names are there.
 """
 
 import re
@@ -12,7 +12,7 @@ from .errors import UserError
 from .paths import ROOT
 
 BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
-MARKER = re.compile(r"<!-- (.+): written by scripts/tmap readme -->")
+MARKER = re.compile(BEGIN.format("(.+)"))
 ROOMS = ("src68k", "c", "tests", "tools", "scripts")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.M)

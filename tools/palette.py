@@ -4,11 +4,12 @@ import numpy as np
 from PIL import Image
 
 from . import layout
-from .errors import UserError
+from .fields import fail
 
 COLOURS = 256
 EXACT_MAX = 192  # what exact colours may take where there are textures
 DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # light in which lit pictures count too
+AT_ONCE = 16384  # colours whose distances are taken together: 16 MB of them
 EVERY_PIXEL = 128 * 128  # pixels of a picture up to which all count, not a quarter
 
 
@@ -24,8 +25,8 @@ def nearest(pixels: np.ndarray, palette: np.ndarray) -> np.ndarray:
     entries = palette.astype(np.float32)
     length = (entries * entries).sum(axis=1)
     found = np.empty(len(colours), np.uint8)
-    for start in range(0, len(colours), 16384):
-        some = slice(start, start + 16384)
+    for start in range(0, len(colours), AT_ONCE):
+        some = slice(start, start + AT_ONCE)
         found[some] = np.argmin(length - 2 * (colours[some].astype(np.float32) @ entries.T), axis=1)
     return found[where].reshape(pixels.shape[:-1])
 
@@ -58,8 +59,8 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: 
     """
     most = EXACT_MAX if pictures else COLOURS
     if len(exact) > most:
-        raise UserError(f"{where}: {len(exact)} palette entries for flat colours, ramps and the "
-                        f"background; {most} at most" + (" beside textures" if pictures else ""))
+        fail(where, f"{len(exact)} palette entries for flat colours, ramps and the background; "
+                    f"{most} at most" + (" beside textures" if pictures else ""))
     palette = np.zeros((COLOURS, 3), np.uint8)
     palette[:len(exact)] = np.array(exact, np.uint8).reshape(-1, 3)
     if not pictures:

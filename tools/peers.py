@@ -7,10 +7,10 @@ pixels, code in fast RAM, du 1.5, dv 1.25, FS-UAE 3.1.66, DMA off. The figures a
 from dataclasses import dataclass
 
 from . import bench
+from .markdown import MACHINES
 
 LONG, SHORT = 256, 16  # pixels of a span
-#: Machine of a bench row to the column of it.
-COLUMNS = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
+FLOOR_LONG = 1024  # the same where memory alone is measured
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Loop:
 
     name: str
     source: str
-    cycles: tuple[float, float, float]  # of LONG pixels, as COLUMNS
+    cycles: tuple[float, float, float]  # of LONG pixels, in the order of MACHINES
     short: float | None  # of SHORT pixels with set-up, fast RAM
     exact: bool  # to 16 fraction bits
     ours: bool = False
@@ -54,8 +54,8 @@ OURS = {
 
 def ours(kind: str, measured: dict) -> list[Loop]:
     """Our loops for a kind of work, out of the bench's figures."""
-    figures = {bench.key(row): bench.cycles(row) for row in measured["rows"]}
-    return [Loop(name, source, tuple(figures[row, machine, LONG] for machine in COLUMNS),
+    figures = bench.figures(measured["rows"])
+    return [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
                  figures[row, "a1200-fast", SHORT], exact, True)
             for row, name, source, exact in OURS[kind]]
 
@@ -66,12 +66,13 @@ def ranked(kind: str, measured: dict) -> list[Loop]:
 
 
 def places(loops: list[Loop]) -> dict[str, list[int]]:
-    """Each loop's place, from 1 on, in each of COLUMNS."""
+    """Each loop's place, from 1 on, on each of MACHINES."""
     return {each.name: [1 + sum(other.cycles[k] < each.cycles[k] for other in loops)
-                        for k in range(len(COLUMNS))] for each in loops}
+                        for k in range(len(MACHINES))] for each in loops}
 
 
-def floors(measured: dict) -> tuple[float, ...]:
-    """What memory alone takes, as COLUMNS: one byte fetched and one stored, a pixel."""
-    figures = {bench.key(row)[:2]: bench.cycles(row) for row in measured["rows"]}
-    return tuple(figures["floor_copy", machine] for machine in COLUMNS)
+def floors(measured: dict, row: str = "floor_copy") -> tuple[float, ...]:
+    """What memory alone takes on each of MACHINES, a pixel: one byte fetched and one stored, or
+    another ``row`` of the bench."""
+    figures = bench.figures(measured["rows"])
+    return tuple(figures[row, machine, FLOOR_LONG] for machine in MACHINES)

@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import numpy as np
 
+from .fixed import ONE
 from .ideal_perspective import Curve
-from .scene_file import ONE
 
 #: Pixels of a piece, from far off to near.
 PIECES = (32, 16, 8, 4)
@@ -29,11 +30,6 @@ def piece_errors(n: int, ratio: int = RATIO) -> np.ndarray:
 
 def plot(path: Path, ratio: int = RATIO) -> None:
     """A curve for each length of piece, its largest error in the legend."""
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-
     figure, axes = plt.subplots(figsize=(8, 4.2), layout="constrained")
     for n in PIECES:
         errors = abs(piece_errors(n, ratio))

@@ -90,10 +90,11 @@ def ham8_shown(dots: np.ndarray, background: tuple[int, int, int]) -> np.ndarray
 
     Each line begins with the background; a dot changes the upper six bits of one colour.
     """
+    channels = np.array([CHANNELS.get(code, 0) for code in range(4)])
     now = np.tile(np.array(background, np.uint8), (len(dots), 1))
     shown = np.zeros((*dots.shape, 3), np.uint8)
     for x, column in enumerate(dots.T):
-        channel = np.array([0, 2, 0, 1])[column & 3]
+        channel = channels[column & 3]
         rows = np.arange(len(dots))
         now[rows, channel] = column & 0xFC | now[rows, channel] & 3
         shown[:, x] = now
@@ -117,6 +118,8 @@ def noise(name: str, rng, width: int, rows: int) -> np.ndarray:
 
 def difference(expected: np.ndarray, found: np.ndarray) -> str | None:
     """The first dot that differs, or None."""
-    for y, x in np.argwhere(expected != found)[:1]:
-        return f"dot {x}, {y} is {found[y, x]:#04x}, expected {expected[y, x]:#04x}"
-    return None
+    wrong = np.argwhere(expected != found)
+    if not len(wrong):
+        return None
+    y, x = wrong[0]
+    return f"dot {x}, {y} is {found[y, x]:#04x}, expected {expected[y, x]:#04x}"

@@ -7,13 +7,14 @@ from PIL import Image
 
 from . import model
 from .diff import Frame, compare, panels
+from .fixed import M32, ONE, signed
 from .paths import BUILD
 from .scene_file import Scene, vertices_at
 
 
 def numbers(name: str, value: int) -> str:
     """A 16.16 number in decimal and in hexadecimal."""
-    return f"{name} {value / 65536:.6f} ({value & model.M32:#010x})"
+    return f"{name} {value / ONE:.6f} ({value & M32:#010x})"
 
 
 def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, again: str) -> str:
@@ -36,7 +37,7 @@ def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, agai
         lines += [f"  {name} edge, lines {e.top} to {e.end - 1}: {numbers('slope', e.slope)}"
                   for e in getattr(polygon, f"{name}_edges")]
     if polygon and polygon.texturing:
-        lines += ["  " + numbers(k, model.signed(v))
+        lines += ["  " + numbers(k, signed(v))
                   for k, v in vars(polygon.texturing).items() if k.startswith("d")]
     if found is not None:
         picture = BUILD / "failed" / (re.sub(r"\W+", "_", what)[:60].strip("_") + ".png")

@@ -7,6 +7,8 @@ the same in every run. A vertex is (x, y, s, t, shade, w).
 import math
 import random
 
+from .fixed import fix
+
 WIDTH, HEIGHT = 320, 256
 COUNT = 20  # polygons a set
 #: Texels a pixel along the set's polygons, in turn.
@@ -20,11 +22,6 @@ SHAPES = {"small": ((12, 40), (3, 20)), "medium": ((1800, 2200), (40, 90)),
 DEPTHS = {"depth": 4, "deep": 100}
 FOCUS = WIDTH / 2  # pixels from the viewer to the screen
 LARGEST = 8192  # texels: what s and t keep within
-
-
-def fix(value: float) -> int:
-    """The nearest 16.16 number."""
-    return round(value * 65536)
 
 
 def area(points) -> float:

@@ -9,13 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, model, polygon_sets, provenance
-from .accuracy import MACHINES, as_json, picture
-from .emulator import CYCLES_PER_TICK
+from . import guest_frames, markdown, model, polygon_sets, provenance, random_maps
+from .accuracy_rows import as_json
+from .emulator import CLOCK_HZ, CYCLES_PER_TICK, MEASURED
 from .errors import UserError
+from .outputs import check_directory
 from .paths import POLYS_BASELINE
-from .run import CLOCK_HZ
-from .scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture, write
+from .scene_file import IDENTITY, Object, Scene
+from .scene_materials import Material
+from .scene_textures import MAPPER_LAYOUT, Texture
 
 #: So many that their mean area, 4,889 pixels by expectation, has a deviation of 2 %.
 TRIANGLES = 2000
@@ -35,40 +37,30 @@ def scene(row: str, count: int) -> Scene:
     for triangle in polygon_sets.random_triangles(count):
         objects.append(Object(0, len(vertices), 3, 0, 1, 1))
         vertices += triangle
-    palette = np.random.default_rng(1).integers(0, 256, (256, 3), dtype=np.uint8)
-    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, 2, 7, palette,
-                 [Texture(picture(), layout)] if layout else [], [material], objects,
+    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, 2, 7, random_maps.palette(),
+                 [Texture(random_maps.page(), layout)] if layout else [], [material], objects,
                  np.array(vertices), np.array([IDENTITY]))
 
 
 @functools.cache
-def expected(row: str, count: int) -> np.ndarray:
-    """The model's frame of triangles."""
-    return model.render(scene(row, count), 1)
-
-
-def measure_row(row: str, machine: str, cache: bool, count: int) -> float:
-    """Cycles a polygon; the frame is checked against the model."""
-    with emulator.workspace() as directory:
-        done = emulator.run("render", "input.scene" + " DCACHE" * cache,
-                            {"input.scene": write(scene(row, count))}, machine, directory)
-        if done.code:
-            raise UserError(f"polys: {emulator.last_words(done.output)}")
-        found = np.fromfile(done.directory / "frame_001.chunky", np.uint8)
-        if (found != expected(row, count).ravel()).any():
-            raise UserError(f"polys: {row} on {machine}: the frame is not the model's")
-    empty, full = (int(line.split()[3]) for line in done.output.splitlines())
-    return (full - empty) * CYCLES_PER_TICK / count
+def frames(row: str, count: int) -> list[np.ndarray]:
+    """The model's frames of a row's scene."""
+    return [model.render(scene(row, count), number) for number in (0, 1)]
 
 
 def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[dict]:
-    """The rows of a machine, ``cache``: with a data cache."""
+    """The rows of a machine, in one boot, every frame held to the model's; ``cache``: with a data
+    cache."""
+    form = "addx DCACHE" if cache else "addx"
+    drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []
-    for name, (_, pentium) in ROWS.items():
-        each = measure_row(name, machine, cache, count)
+    for (name, (_, pentium)), digests in zip(ROWS.items(), drawn, strict=True):
+        guest_frames.require_models(frames(name, count), digests, f"polys: {name} on {machine}")
+        empty, full = digests["ticks"].astype(int).tolist()
+        cycles = (full - empty) * CYCLES_PER_TICK / count
         rows.append({"name": name, "machine": machine + ", data cache" * cache,
-                     "polygons_per_second": round(CLOCK_HZ / each, 1),
-                     "kilocycles_per_polygon": round(each / 1000, 2),
+                     "polygons_per_second": round(CLOCK_HZ / cycles, 1),
+                     "kilocycles_per_polygon": round(cycles / 1000, 2),
                      "pentium_kilocycles": pentium})
     return rows
 
@@ -76,18 +68,19 @@ def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[d
 def table(rows: list[dict]) -> str:
     """Markdown: a line a row, two columns a machine."""
     machines = list(dict.fromkeys(r["machine"] for r in rows))
-    lines = ["| filler | " + " | ".join(f"{m}, polygons/s | {m}, kcycles" for m in machines)
-             + " | Pentium 120, kcycles |", "|---" + "|--:" * (2 * len(machines) + 1) + "|"]
+    lines = []
     for name in dict.fromkeys(r["name"] for r in rows):
         some = [r for r in rows if r["name"] == name]
-        cells = [f"{r['polygons_per_second']:.0f} | {r['kilocycles_per_polygon']:.1f}" for r in some]
-        lines.append(f"| {name} | " + " | ".join(cells) + f" | {some[0]['pentium_kilocycles']} |")
-    return "\n".join(lines) + "\n"
+        cells = [cell for r in some for cell in (f"{r['polygons_per_second']:.0f}",
+                                                 f"{r['kilocycles_per_polygon']:.1f}")]
+        lines.append([name, *cells, str(some[0]["pentium_kilocycles"])])
+    titles = [f"{machine}, {what}" for machine in machines for what in ("polygons/s", "kcycles")]
+    return markdown.table(["filler", *titles, "Pentium 120, kcycles"], lines) + "\n"
 
 
 def measure_all(machine: str | None = None) -> dict:
     """The content of polys.json; one machine alone has no rows of a 68030 beside it."""
-    rows = [row for m in ([machine] if machine else MACHINES) for row in measure(m)]
+    rows = [row for m in ([machine] if machine else MEASURED) for row in measure(m)]
     cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
     return provenance.record() | {
         "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
@@ -98,8 +91,7 @@ def measure_all(machine: str | None = None) -> dict:
 def command(out: str, machine: str | None, accept: bool) -> int:
     """``tmap polys``: measures, writes polys.json and polys.md, prints the table."""
     folder = Path(out)
-    if folder.exists() and not folder.is_dir():
-        raise UserError(f"{out}: is not a directory")
+    check_directory(folder)
     if accept and machine:
         raise UserError("polys: --accept needs all machines")
     found = measure_all(machine)

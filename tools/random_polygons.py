@@ -9,13 +9,11 @@ import random
 import numpy as np
 
 from . import model
+from .fixed import ONE, fix
 from .pixel_formats import FORMATS
-from .scene_file import IDENTITY, ONE, Material, Object, Scene, Texture
-
-
-def fix(value: float) -> int:
-    """The nearest 16.16 number."""
-    return round(value * 65536)
+from .scene_file import IDENTITY, Object, Scene
+from .scene_materials import Material
+from .scene_textures import Texture
 
 
 def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
@@ -50,9 +48,9 @@ def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tup
     squeeze = rng.choice((1, 1, -1, 0.2))
     c, s = scale * math.cos(angle), scale * math.sin(angle)
     base = rng.uniform(-300, 300), rng.uniform(-300, 300)
-    mx, my = points[0][0] / 65536, points[0][1] / 65536
-    return [(fix(base[0] + c * (x / 65536 - mx) - s * (y / 65536 - my)),
-             fix(base[1] + squeeze * (s * (x / 65536 - mx) + c * (y / 65536 - my))))
+    mx, my = points[0][0] / ONE, points[0][1] / ONE
+    return [(fix(base[0] + c * (x / ONE - mx) - s * (y / ONE - my)),
+             fix(base[1] + squeeze * (s * (x / ONE - mx) + c * (y / ONE - my))))
             for x, y in points]
 
 

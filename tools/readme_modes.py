@@ -1,12 +1,12 @@
-"""The README's tables of texture engines: what their modes and texel formats cost and are off."""
+"""The pages' tables of texture engines: what their modes and texel formats cost and are off."""
 
 from dataclasses import dataclass
 
 from . import bench, engines
 from .bench_modes import FIRST_ROW, PLAIN_END, PLAIN_MACHINE, ROW
 from .engines import Engine
+from .markdown import MACHINES, table
 
-MACHINES = {"a1200-fast": "fast RAM", "a1200-mixed": "data in chip", "a1200": "chip RAM only"}
 Figures = dict[tuple[str, str], float]
 Rows = dict[tuple[str, str], dict]
 
@@ -32,12 +32,6 @@ def thousands(cycles: float) -> str:
     return f"{round(cycles / 1000):,}"
 
 
-def lines_of(first: str, titles: list[str], rows: list[list[str]]) -> str:
-    """Markdown: a table whose first column is words and whose others are numbers."""
-    lines = [f"| {first} | " + " | ".join(titles) + " |", "|---|" + "--:|" * len(titles)]
-    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
-
-
 def modes_table(baseline: dict, engine: Engine) -> str:
     """Markdown: cycles a pixel, in plain C, and of the first frame; errors on both pictures."""
     figures, rows = figures_of(baseline), []
@@ -47,9 +41,8 @@ def modes_table(baseline: dict, engine: Engine) -> str:
                   f"{ratio(figures, mode.name):.1f}"] if mode.in_c else ["", ""]
         cells.append(thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE]))
         rows.append([mode.title, *cells, *engine.errors(mode)])
-    return lines_of("cycles a pixel; errors in 1/255", [
-        *MACHINES.values(), "plain C, fast RAM", "times", "first frame, kcycles more",
-        *engines.TITLES], rows)
+    return table(["cycles a pixel; errors in 1/255", *MACHINES.values(), "plain C, fast RAM",
+                  "times", "first frame, kcycles more", *engines.TITLES], rows)
 
 
 def formats_table(baseline: dict, engine: Engine) -> str:
@@ -64,9 +57,9 @@ def formats_table(baseline: dict, engine: Engine) -> str:
                       thousands(figures[FIRST_ROW + name, PLAIN_MACHINE]),
                       *engine.errors(engine.every[name])[:2]]
         rows.append(cells)
-    return lines_of("texels", [f"{how}: {what}" for how in ("point", engine.filtered) for what in (
-        "fast RAM", "chip RAM only", "plain C", "first frame, kcycles", "largest error", "rms")],
-        rows)
+    titles = [f"{how}: {what}" for how in ("point", engine.filtered) for what in (
+        "fast RAM", "chip RAM only", "plain C", "first frame, kcycles", "largest error", "rms")]
+    return table(["texels", *titles], rows)
 
 
 @dataclass(frozen=True)
@@ -120,12 +113,16 @@ UNCALLED = (Step("clamping, inside the map", "tmu_point", "tmu_point_inside", "t
 
 def steps_table(baseline: dict) -> str:
     """Markdown: what each step of Glide's unit adds where it is on."""
-    figures = figures_of(baseline)
-    return lines_of("cycles a pixel", [f"{what}, {words}" for words in MACHINES.values()
-                                       for what in ("without", "more with it")], [
-        [step.title, *(cell for machine in MACHINES for cell in (
-            f"{figures[ROW + step.without, machine]:,.1f}",
-            f"{step.more(figures, machine):+,.1f}"))] for step in STEPS])
+    figures, rows = figures_of(baseline), []
+    for step in STEPS:
+        cells = []
+        for machine in MACHINES:
+            cells += [f"{figures[ROW + step.without, machine]:,.1f}",
+                      f"{step.more(figures, machine):+,.1f}"]
+        rows.append([step.title, *cells])
+    titles = [f"{what}, {words}" for words in MACHINES.values()
+              for what in ("without", "more with it")]
+    return table(["cycles a pixel", *titles], rows)
 
 
 def polygon(rows: Rows, name: str, machine: str) -> float:
@@ -137,9 +134,14 @@ def polygon(rows: Rows, name: str, machine: str) -> float:
 def uncalled_table(baseline: dict) -> str:
     """Markdown: what a polygon costs more with each step on that does nothing for it, beside what
     a polygon of a few pixels costs."""
-    rows = rows_of(baseline)
-    return lines_of("cycles a polygon", [f"{what}, {words}" for words in MACHINES.values()
-                                         for what in ("more", "one of 8 pixels")], [
-        [step.title, *(f"{cycles:{sign},.0f}" for machine in MACHINES for cycles, sign in (
-            (polygon(rows, step.on, machine) - polygon(rows, step.without, machine), "+"),
-            (polygon(rows, step.small, machine), "")))] for step in UNCALLED])
+    measured, rows = rows_of(baseline), []
+    for step in UNCALLED:
+        cells = []
+        for machine in MACHINES:
+            on, without, small = (polygon(measured, name, machine)
+                                  for name in (step.on, step.without, step.small))
+            cells += [f"{on - without:+,.0f}", f"{small:,.0f}"]
+        rows.append([step.title, *cells])
+    titles = [f"{what}, {words}" for words in MACHINES.values()
+              for what in ("more", "one of 8 pixels")]
+    return table(["cycles a polygon", *titles], rows)

@@ -1,15 +1,16 @@
-"""The tables of the page on numbers: formats, and what tools/bounds.py and its neighbours derive."""
+"""The tables of the page on numbers: formats, and what tools/bounds.py and its neighbours
+derive."""
 
 from dataclasses import dataclass, replace
 from functools import cache
 
 from . import bounds, bounds_perspective, ideal, ideal_mesh, polygon_sets
+from .markdown import table
 from .model_dithered import MOST
 from .model_edges import Edge
 from .model_logarithm import OCTAVE
 from .model_reciprocal import LOWEST, TABLE
 from .model_texturing import Settings
-from .readme_modes import lines_of
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ FORMATS = (
            "tests/test_tx_vectors.py"),
     Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/tx/tx.h", "tests/test_tx_words.py"),
     Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/tx/planes.h",
-           "tests/test_tx_polygon.py"),
+           "tests/test_tx_model_polygons.py"),
     Format("14.18", "s and t of Glide's unit, 0 to 256 along the longer side", 32, 18, True,
            "as the hardware", "c/tmu/tmu.h", "tests/test_tmu_vectors.py"),
     Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/tmu/tmu.h",
@@ -86,13 +87,10 @@ FORMATS = (
 
 def formats_table() -> str:
     """Markdown: each format, its range, its step, and where it lives."""
-    lines = ["| format | of | from | below | step | rounding | introduced in | held by |",
-             "|---|---|--:|--:|--:|---|---|---|"]
-    for f in FORMATS:
-        low, high = f.ends
-        lines.append(f"| {f.name} | {f.what} | {low} | {high} | {f.step} | {f.rounding} "
-                     f"| `{f.place}` | `{f.proof}` |")
-    return "\n".join(lines)
+    rows = [[f.name, f.what, *f.ends, f.step, f.rounding, f"`{f.place}`", f"`{f.proof}`"]
+            for f in FORMATS]
+    return table(["format", "of", "from", "below", "step", "rounding", "introduced in", "held by"],
+                 rows, "llrrrl")
 
 
 EXACT = Settings("exact")
@@ -133,8 +131,8 @@ def judged_table() -> str:
         found = judged(settings, name)
         cells.append([title, f"{found.coverage_errors:,}", f"{found.texel_error:.6f}",
                       f"{found.texel_bound:.6f}", f"{100 * found.texel_ratio:.0f} %"])
-    return lines_of("setting", ["wrong pixels", "largest error, texels", "its bound there",
-                                "nearest to a bound"], cells)
+    return table(["setting", "wrong pixels", "largest error, texels", "its bound there",
+                  "nearest to a bound"], cells)
 
 
 def edge_off(lines: int) -> float:
@@ -179,9 +177,8 @@ def bounds_table() -> str:
          "ideal_mesh.screen_error"),
         ("... depth 16", ideal_mesh.screen_error(9, 16, 1), "ideal_mesh.screen_error"),
         ("s, t of an environment, texels", ideal_mesh.look_error(128), "ideal_mesh.look_error")]
-    lines = ["| what | off by at most | derived in tools/ |", "|---|--:|---|"]
-    lines += [f"| {what} | {pixels(x) if x else 0} | `{where}` |" for what, x, where in rows]
-    return "\n".join(lines)
+    return table(["what", "off by at most", "derived in tools/"],
+                 [[what, pixels(x) if x else "0", f"`{where}`"] for what, x, where in rows], "lrl")
 
 
 def tables() -> dict[str, str]:

@@ -5,8 +5,8 @@ from pathlib import Path
 
 from . import bench
 from .errors import UserError
+from .markdown import MACHINES, table
 from .paths import ROOT
-from .readme_modes import MACHINES, lines_of
 
 PROGRAMS = ROOT / "c" / "programs"
 #: "/* name - what it does." at a program's beginning.
@@ -26,12 +26,12 @@ def about(source: Path) -> tuple[str, str, str]:
 
 def programs_table() -> str:
     """Markdown: each program."""
-    lines = ["| program | template | does |", "|---|---|---|"]
-    return "\n".join([*lines, *(f"| {' | '.join(about(source))} |"
-                                for source in sorted(PROGRAMS.glob("*.c")))])
+    return table(["program", "template", "does"],
+                 [about(source) for source in sorted(PROGRAMS.glob("*.c"))], "l")
 
 
-#: Chunky to planar: frame, row, pixels of a line, displays of 320x256: what shows it, end of the row.
+#: Chunky to planar: frame, row, pixels of a line, displays of 320x256: what shows it, end of the
+#: row.
 PLANAR_LINES = (
     ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
@@ -40,17 +40,18 @@ PLANAR_LINES = (
 
 
 def planar_table(baseline: dict) -> str:
-    """Markdown: cycles a pixel of the frame, with nothing displayed and with the frame's own display."""
-    figures = {bench.key(row): bench.cycles(row) for row in baseline["rows"]}
-    rows = []
+    """Markdown: cycles a pixel of the frame, with nothing displayed and with the frame's own
+    display."""
+    figures, rows = bench.figures(baseline["rows"]), []
     for title, name, width, displays in PLANAR_LINES:
         for shown, end in displays:
             cells = [f"{figures[name + kind, machine, width]:.1f}"
                      for kind in ("", end) for machine in ("a1200-mixed", "a1200")]
-            rows.append([f"{title}: {shown}", *cells, f"{figures[f'{name}_c', 'a1200-mixed', width]:.0f}"])
-    return lines_of("cycles a pixel", [
-        *(f"{display}: {MACHINES[machine]}" for display in ("display off", "shown")
-          for machine in ("a1200-mixed", "a1200")), "plain C, off: data in chip"], rows)
+            rows.append([f"{title}: {shown}", *cells,
+                         f"{figures[f'{name}_c', 'a1200-mixed', width]:.0f}"])
+    titles = [f"{display}: {MACHINES[machine]}" for display in ("display off", "shown")
+              for machine in ("a1200-mixed", "a1200")]
+    return table(["cycles a pixel", *titles, "plain C, off: data in chip"], rows)
 
 
 def tables(baseline: dict) -> dict[str, str]:

@@ -1,14 +1,17 @@
-"""The tables of the page on scenes: what each shows and costs, and what became of the notes that the
-project grew from."""
+"""The tables of the page on scenes: what each shows and costs, and what became of the notes that
+the project grew from."""
 
 import json
 import re
 
 from PIL import Image
 
-from . import bench, bench_scenes, run
+from . import bench, bench_scenes
 from .bench_modes import ROW
+from .emulator import CLOCK_HZ
 from .errors import UserError
+from .markdown import table
+from .methods import is_of_the_note
 from .paths import SCENES
 
 
@@ -26,23 +29,17 @@ def shows(name: str) -> str:
 
 
 def scenes_table(baseline: dict) -> str:
-    """Markdown: each scene, cycles of a frame and frames a second; blank where it is not measured."""
-    figures = {bench.key(row): bench.cycles(row) for row in baseline["frames"]}
-    lines = ["| scene | shows | fast RAM, kcycles a frame | frames a second | chip RAM only "
-             "| frames a second |", "|---|---|" + "--:|" * 4]
+    """Markdown: each scene, cycles of a frame and frames a second; blank where it is not
+    measured."""
+    figures, rows = bench.figures(baseline["frames"]), []
     for name in sorted(path.stem for path in SCENES.glob("*.toml")):
         cells = []
         for machine in ("a1200-fast", "a1200"):
             spent = figures.get((f"scene_{name}", machine, bench_scenes.FRAMES))
-            cells += [f"{spent / 1000:,.0f}", f"{run.CLOCK_HZ / spent:.1f}"] if spent else ["", ""]
-        lines.append(f"| {name} | {shows(name)} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
-
-
-def question_table(rows: list[tuple[str, str]]) -> str:
-    """Markdown: questions and answers."""
-    return "\n".join(["| question | answer |", "|---|--:|",
-                      *(f"| {' | '.join(row)} |" for row in rows)])
+            cells += [f"{spent / 1000:,.0f}", f"{CLOCK_HZ / spent:.1f}"] if spent else ["", ""]
+        rows.append([name, shows(name), *cells])
+    return table(["scene", "shows", "fast RAM, kcycles a frame", "frames a second",
+                  "chip RAM only", "frames a second"], rows, "llr")
 
 
 def fatmap2(accuracy: dict, counted: dict) -> list[tuple[str, str]]:
@@ -81,7 +78,7 @@ def a1200_note(pixels: dict) -> list[tuple[str, str]]:
         for what, name in (("step of one number", "step_{}_1"), ("textured pixel", "pixel_{}_2"))]
     return found + [(f"method {name}: thousand cycles a frame; texels off (rms)",
                      f"{each['cycles'] / 1000:,.0f}; {each['rms']:.2f}")
-                    for name, each in sorted(methods.items()) if name[0].isdigit()]
+                    for name, each in sorted(methods.items()) if is_of_the_note(name)]
 
 
 #: Of the texture units: table, then questions and the modes that answer them.
@@ -114,4 +111,4 @@ def tables(baseline: dict, accuracy: dict, counted: dict) -> dict[str, str]:
              "the note for the A1200": a1200_note(pixels)}
     found |= {title: mode_rows(baseline, questions) for title, questions in MODES.items()}
     return {"scenes": scenes_table(baseline)} | {
-        title: question_table(rows) for title, rows in found.items()}
+        title: table(["question", "answer"], rows) for title, rows in found.items()}

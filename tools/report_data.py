@@ -3,10 +3,14 @@
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
+from itertools import count
 from pathlib import Path
+
+from rich.progress import Progress
 
 from . import cache, provenance
 from .cache import Entry
+from .emulator import MEASURED
 from .errors import UserError
 from .paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
 
@@ -16,8 +20,8 @@ MACHINE = "a1200-fast"
 SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
 #: To be raised when what a part keeps in the cache takes another form.
 FORM = "1"
-Step = Callable[[], None]
-Part = Callable[[int, int], None]  # how many of how many are done
+#: Told how many of how many steps are done; None: nobody knows.
+Tell = Callable[[int, int | None], None]
 
 
 @dataclass
@@ -58,7 +62,7 @@ def of_scene(name: str, machine: str) -> Entry:
         about = run.make(path, folder, machine, None, "addx")
         for file in set(folder.iterdir()) - {folder / kept for kept in SCENE_FILES}:
             file.unlink()
-        return {key: value for key, value in about.items() if key != "palette"} | {
+        return {name: value for name, value in about.items() if name != "palette"} | {
             "errors": asdict(showcase.errors_of(compile_scene(path)))}
 
     identity = key("showcase", cache.scene_files(path), machine)
@@ -73,48 +77,49 @@ def bench_scene_files() -> list[Path]:
             for file in cache.scene_files(SCENES / f"{name}.toml")]
 
 
-def of_bench(on_case: Callable[[int], None]) -> Entry:
+def of_bench(tell: Tell) -> Entry:
     """All rows of the bench on all machines."""
     def make(folder: Path) -> dict:
         from . import bench
 
-        found = bench.bench(list(bench.CONDITIONS), on_case=on_case)
+        found = bench.bench(list(bench.CONDITIONS), on_case=lambda done: tell(done, None))
         bench.write(found, folder)
         return found
 
     return cache.kept("bench", key("bench", bench_scene_files()), make)
 
 
-def of_accuracy(on_step: Part) -> Entry:
+def of_accuracy(tell: Tell) -> Entry:
     """All sets under all settings, on all machines."""
     def make(folder: Path) -> dict:
         from . import accuracy, polygon_sets
 
-        names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], iter(range(1, 1000))
-        total = len(names) * len(accuracy.MACHINES)
-        accuracy.write_sets(folder, names, list(accuracy.MACHINES), False,
-                            lambda: on_step(next(done), total))
+        names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], count(1)
+        total = len(names) * len(MEASURED)
+        accuracy.write_sets(folder, names, list(MEASURED), False,
+                            lambda: tell(next(done), total))
         return json.loads((folder / "accuracy.json").read_text())
 
     files = cache.scene_files(SCENES / "mappers.toml")
     return cache.kept("accuracy", key("accuracy", files), make)
 
 
-def of_methods(on_step: Step) -> Entry:
+def of_methods(tell: Tell) -> Entry:
     """A turning face by each method."""
     def make(folder: Path) -> dict:
         from . import methods
 
-        return provenance.record() | {"machine": MACHINE,
-                                      "table": methods.write(folder, MACHINE, on_step)}
+        done = count(1)
+        table = methods.write(folder, MACHINE, lambda: tell(next(done), len(methods.METHODS)))
+        return provenance.record() | {"machine": MACHINE, "table": table}
 
     files = cache.scene_files(SCENES / "face.toml")
     return cache.kept("methods", key("methods", files, MACHINE), make)
 
 
-def of_polys() -> Entry:
+def of_polys(_: Tell) -> Entry:
     """Polygons a second."""
-    def make(folder: Path) -> dict:
+    def make(_: Path) -> dict:
         from . import polys
 
         return polys.measure_all()
@@ -122,12 +127,12 @@ def of_polys() -> Entry:
     return cache.kept("polys", key("polys"), make)
 
 
-def of_hard_cases(on_part: Part) -> Entry:
+def of_hard_cases(tell: Tell) -> Entry:
     """The page of hard cases, and which exceed a bound."""
     def make(folder: Path) -> dict:
         from . import accuracy
 
-        complaints = accuracy.write_hard_cases(folder, MACHINE, on_part)
+        complaints = accuracy.write_hard_cases(folder, MACHINE, tell)
         return provenance.record() | {"machine": MACHINE, "complaints": complaints}
 
     return cache.kept("hard", key("accuracy", [], MACHINE), make)
@@ -138,33 +143,24 @@ def committed(path: Path) -> dict:
     return json.loads(path.read_text())
 
 
-def gather(scenes: list[str], machine: str, only_committed: bool, progress) -> Found:
-    """Everything the page shows. ``progress``: a rich Progress, told what is being measured."""
-    def task(name: str, total: int | None = None) -> Callable[..., None]:
-        number = progress.add_task(name, total=total)
-        return lambda **how: progress.update(number, **how)
-
-    update, drawn = task("scenes", len(scenes)), []
+def gather(scenes: list[str], machine: str, only_committed: bool, progress: Progress) -> Found:
+    """Everything the page shows; ``progress`` is told what is being measured."""
+    task, drawn = progress.add_task("scenes", total=len(scenes)), []
     for name in scenes:
-        update(description=f"scene {name}")
+        progress.update(task, description=f"scene {name}")
         drawn.append(of_scene(name, machine))
-        update(advance=1)
-    update(description="scenes")
+        progress.advance(task)
+    progress.update(task, description="scenes")
     if only_committed:
         return Found(*map(committed, (BASELINE, ACCURACY_BASELINE, POLYS_BASELINE)), drawn)
 
-    def part(name: str, find: Callable[..., Entry], total: int | None, adapt) -> Entry:
-        update = task(name, total)
-        entry = find(*adapt(update))
-        update(total=1, completed=1)
+    def part(name: str, find: Callable[[Tell], Entry]) -> Entry:
+        task = progress.add_task(name, total=None)
+        entry = find(lambda done, total: progress.update(task, completed=done, total=total))
+        progress.update(task, total=1, completed=1)
         return entry
 
-    def counted(update) -> tuple:
-        return (lambda done, total: update(completed=done, total=total),)
-
-    methods = part("methods", of_methods, None, lambda update: (lambda: update(advance=1),))
-    polys = part("polygons a second", of_polys, None, lambda update: ())
-    bench = part("bench", of_bench, None, lambda update: (lambda done: update(completed=done),))
-    sets = part("accuracy", of_accuracy, None, counted)
-    hard = part("hard cases", of_hard_cases, None, counted)
+    methods, polys = part("methods", of_methods), part("polygons a second", of_polys)
+    bench, sets = part("bench", of_bench), part("accuracy", of_accuracy)
+    hard = part("hard cases", of_hard_cases)
     return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard)

@@ -8,9 +8,10 @@ import jinja2
 from markdown_it import MarkdownIt
 from markupsafe import Markup
 
-from . import (accuracy, bench, engines, peers, polys, provenance, readme, readme_modes,
-               readme_scenes, report_pictures, run, showcase)
+from . import (accuracy, bench, engines, markdown, peers, polys, provenance, readme_cycles,
+               readme_modes, readme_scenes, report_pictures, showcase)
 from .cache import Entry
+from .emulator import CLOCK_HZ
 from .emulator import MACHINES as EMULATED
 from .hard_report import every_case
 from .report_data import MACHINE, Found
@@ -63,18 +64,13 @@ class Source:
         return Markup('<p class="source">{}.</p>').format("; ".join(word for word in words if word))
 
 
-def lowering(about: dict) -> list[dict]:
-    """What each material of a run asked for and what was executed for it."""
-    return [{"name": name, **each} for name, each in about["lowering"].items()]
-
-
 def scene(about: dict, pictures: Path) -> dict:
     """A scene's run as the template takes it."""
     count, cycles = len(about["frames"]), [frame["cycles"] for frame in about["frames"]]
     mean = sum(cycles) / count
-    materials = lowering(about)
+    materials = [{"name": name, **each} for name, each in about["lowering"].items()]
     moving = f"{about['scene']}_animation.gif"
-    return about | {"count": count, "mean": mean, "worst": max(cycles), "rate": run.CLOCK_HZ / mean,
+    return about | {"count": count, "mean": mean, "worst": max(cycles), "rate": CLOCK_HZ / mean,
                     "still": f"{pictures.name}/{about['scene']}_frame_000.png",
                     "moving": f"{pictures.name}/{moving}" if (pictures / moving).exists() else None,
                     "materials": materials, "settings": list(materials[0]["asked"]),
@@ -83,15 +79,11 @@ def scene(about: dict, pictures: Path) -> dict:
 
 def floored(measured: dict) -> list[dict]:
     """Rows of the bench, 256 pixels, in multiples of what memory alone takes."""
-    figures = {bench.key(row): bench.cycles(row) for row in measured["rows"]}
-    floors = {bench.key(row)[:2]: bench.cycles(row) for row in measured["rows"]
-              if row["name"].startswith("floor_")}
-    made = []
+    figures, made = bench.figures(measured["rows"]), []
     for name in FLOORED:
-        floor = "floor_store" if name in STORES else "floor_copy"
-        cells = [(figures[name, machine, peers.LONG], floors[floor, machine])
-                 for machine in peers.COLUMNS]
-        made.append({"name": name, "cells": cells, "stores": name in STORES})
+        cycles = [figures[name, machine, peers.LONG] for machine in markdown.MACHINES]
+        floors = peers.floors(measured, "floor_store" if name in STORES else "floor_copy")
+        made.append({"name": name, "cells": list(zip(cycles, floors)), "stores": name in STORES})
     most = max(row["cells"][0][0] for row in made)
     return sorted((row | {"most": most} for row in made), key=lambda row: row["cells"][0][0])
 
@@ -107,7 +99,7 @@ def hard_cases(entry: Entry) -> dict:
     exact as they can be."""
     rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
     judged = [r for r in rows if r["worst_ratio"] is not None]
-    exact = {(name, value) for name, value in zip(("edges", "gradients", "start", "mapper"), EXACT)}
+    exact = dict(zip(("edges", "gradients", "start", "mapper"), EXACT)).items()
     nearest: dict[str, dict] = {}
     for row in sorted(judged, key=lambda r: -r["worst_ratio"]):
         if exact <= row.items() and row["pixels"] >= LARGE:
@@ -139,10 +131,11 @@ def page(found: Found, pictures: Path) -> str:
     names = {machine: words for machine, words in MACHINES.items()
              if machine in bench.CONDITIONS or machine in EMULATED}
     return environment.get_template(TEMPLATE).render(
-        found=found, scenes=scenes, made=provenance.record(), clock=run.CLOCK_HZ / 1e6,
-        machines=names, machine=MACHINE, pictures=pictures.name, columns=peers.COLUMNS,
-        versus=readme.table(measured), effects=readme.effects_table(measured),
-        rules=readme.rules_table(measured), meshes=readme.mesh_table(measured),
+        found=found, scenes=scenes, made=provenance.record(), clock=CLOCK_HZ / 1e6,
+        machines=names, machine=MACHINE, pictures=pictures.name, columns=markdown.MACHINES,
+        versus=readme_cycles.versus_table(measured),
+        effects=readme_cycles.effects_table(measured),
+        rules=readme_cycles.rules_table(measured), meshes=readme_cycles.mesh_table(measured),
         whole=readme_scenes.scenes_table(measured), steps=readme_modes.steps_table(measured),
         uncalled=readme_modes.uncalled_table(measured),
         engines={name: (readme_modes.modes_table(measured, engine),
@@ -161,7 +154,7 @@ def page(found: Found, pictures: Path) -> str:
         frontiers=report_pictures.frontiers(found.accuracy["rows"], MACHINE),
         sets=report_pictures.SETS, settings=all_settings(found.accuracy),
         accuracy_source=Source(MACHINE, found.accuracy),
-        perspective=readme.perspective_table(measured, found.accuracy),
+        perspective=readme_cycles.perspective_table(measured, found.accuracy),
         hard=hard_cases(found.hard) if found.hard else None,
         polys=polys.table(found.polys["rows"]), polys_030=polys.table(found.polys["rows_68030"]),
         polys_source=Source("a1200, a1200-fast, a1200-030", found.polys),

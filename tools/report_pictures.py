@@ -2,12 +2,9 @@
 
 from pathlib import Path
 
-import matplotlib
+import matplotlib.pyplot as plt
 
 from .accuracy_pictures import LEAST, MARKS, drawn_by
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
 
 #: Set to its title and colour: polygons without depth and with it.
 SETS = {"medium": ("without depth", "#1f5fa8"), "depth": ("with depth", "#b3541e")}

@@ -1,25 +1,22 @@
 """``tmap run``: a scene rendered on the emulated A1200, as pictures and figures."""
 
 import json
-import os
 import re
-import sys
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from . import emulator, layout, model, provenance
-from .emulator import CYCLES_PER_TICK
+from .emulator import CLOCK_HZ, CYCLES_PER_TICK
 from .errors import UserError
+from .fixed import ONE
+from .outputs import bars, check_directory, replaced, save_animation
 from .scene import compile_scene, parse
-from .scene_file import ONE, SETTINGS, Scene, write
+from .scene_file import Scene, write
+from .scene_materials import SETTINGS
 
-CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40
@@ -33,15 +30,6 @@ FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
 MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
 #: Not "scene": the Amiga would take that argument for its template's keyword.
 SCENE_NAME = "input.scene"
-
-
-def check_directory(out: Path) -> None:
-    """Refuses a place where no directory can be, before the work begins."""
-    for place in (out, *out.parents):
-        if os.path.lexists(place):
-            if not place.is_dir():
-                raise UserError(f"{place}: is not a directory")
-            return
 
 
 def counts_of(text: str) -> dict[str, int]:
@@ -119,12 +107,7 @@ class Rendered:
 
 def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
     """Renders all frames, without the rules ``off``; a bar on stderr where that is a terminal."""
-    console = Console(stderr=True)
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-               TimeElapsedColumn())
-    with (emulator.workspace() as directory,
-          Progress(*columns, console=console, transient=True,
-                   disable=not sys.stderr.isatty()) as bar):
+    with emulator.workspace() as directory, bars() as bar:
         task = bar.add_task(f"rendering on {machine}", total=scene.frames)
         done = emulator.run(
             "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""),
@@ -178,24 +161,15 @@ def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> N
         (folder / f"frame_{number:03}.chunky").write_bytes(dump)
         pictures.append(picture)
     if len(pictures) > 1:
-        pictures[0].save(folder / "animation.gif", save_all=True, append_images=pictures[1:],
-                         duration=gif_frame_ms(len(pictures)), loop=0, optimize=False)
+        save_animation(folder / "animation.gif", pictures, gif_frame_ms(len(pictures)),
+                       optimize=False)
     (folder / "run.json").write_text(as_json(about))
 
 
 def publish(out: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
-    """Replaces what an earlier run left in ``out``, once everything new is on the disk."""
-    try:
-        out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".tmap-", dir=out) as folder:
-            save(Path(folder), frames, scene, about)
-            for pattern in WRITTEN:
-                for old in out.glob(pattern):
-                    old.unlink()
-            for new in sorted(Path(folder).iterdir()):  # run.json comes last
-                new.replace(out / new.name)
-    except OSError as error:
-        raise UserError(f"{error.filename or out}: {error.strerror or error}") from None
+    """Replaces what an earlier run left in ``out``."""
+    with replaced(out, WRITTEN, WRITTEN[0]) as folder:
+        save(folder, frames, scene, about)
 
 
 def asked(material: dict) -> str:

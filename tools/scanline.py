@@ -1,8 +1,8 @@
 """The packing of struct scanline's start fields, for what calls kernels from the host."""
 
 from . import layout
+from .fixed import M32
 
-M32 = (1 << 32) - 1
 #: Which bits of a start count, by form: v--U has room in its middle.
 MASKS = {"addx": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": 0xFF0000FF},
          "plain": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": M32},

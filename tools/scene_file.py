@@ -5,13 +5,18 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import layout, scene_meshes, scene_pipes, scene_units
-from .errors import UserError
+from . import layout, scene_materials, scene_meshes, scene_pipes, scene_units
+from .errors import UserError, require
+from .fixed import ONE
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
+from .scene_materials import SETTINGS, Material, name_of
 from .scene_meshes import Instance, Mesh
-from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNIT_FORMATS, UNITS, Texture,
-                             check_texture, linear, ordered, size_fault)
+from .scene_textures import (LAYOUTS, MAPPER_LAYOUT, MAPPERS, ON_PLANE, UNITS, Texture,
+                             check_on_map, check_texture, linear, ordered, size_fault)
+
+__all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE", "SETTINGS",
+           "UNITS", "Material", "Object", "Scene", "Texture", "read", "records", "vertices_at", "write"]
 
 #: (count and offset field, struct of an entry) of each table, in file order; texels
 #: follow. The palette has no count: it is always whole.
@@ -24,31 +29,7 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
 BYTES = ("dram", "tmu_memory")  # behind the tables, without a structure
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
-#: The settings of a material by their names, and the prefix of each one's enumerators.
-SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
-            "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
-            "clip": ("scissor", "vertices"),
-            "perspective": ("none", "every16", "every8", "pixel", "fine")}
-ONE = 65536  # 1.0 in 16.16
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
-
-
-@dataclass(frozen=True)
-class Material:
-    """What a polygon is drawn with: struct scene_material, enumerators by name."""
-
-    mapper: str = "flat"
-    edges: str = "subpixel"
-    gradients: str = "plane"
-    start: str = "subtexel"
-    clip: str = "scissor"
-    perspective: str = "none"
-    texture: int = -1  # index, or NO_TEXTURE
-    colour: int = 0  # pixel
-    light: int = -1  # index of a light table, or NO_TEXTURE
-    tolerance: int = 0  # 16.16 texels that less perspective may cost
-    unit: int = -1  # index of a texture engine or a pipe, or NO_UNIT
-    primitive: str = "polygons"  # what an engine's objects are: of scene_units.PRIMITIVES
 
 
 @dataclass
@@ -116,73 +97,6 @@ def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, i
             for x, y, *rest in corners]
 
 
-def require(name: str, where: str, value: int, low: int, high: int, unit: str = "") -> None:
-    """Refuses a value outside low..high."""
-    if not low <= value <= high:
-        raise UserError(f"{name}: {where}: {value} is not from {low} to {high}{unit}")
-
-
-def name_of(kind: str, number: int, name: str, where: str) -> str:
-    """The setting with this number."""
-    require(name, where, number, 0, len(SETTINGS[kind]) - 1)
-    return SETTINGS[kind][number]
-
-
-def number_of(kind: str, value: str, name: str, where: str) -> int:
-    """The number of a setting."""
-    if value not in SETTINGS[kind]:
-        raise UserError(f"{name}: {where}: {value!r} is not one of {', '.join(SETTINGS[kind])}")
-    return SETTINGS[kind].index(value)
-
-
-def check_material(scene: Scene, material: Material, name: str, where: str) -> None:
-    """Refuses unknown settings and a texture that is not the mapper's."""
-    for kind in SETTINGS:
-        number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
-    if material.perspective != "none" and (material.mapper, material.gradients, material.start) != (
-            "affine", "plane", "subtexel"):
-        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper "
-                        "'affine', gradients 'plane' and start 'subtexel'")
-    if material.mapper in ON_PLANE and (material.gradients, material.start) != (
-            "plane", "subtexel"):
-        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} needs gradients 'plane' and "
-                        "start 'subtexel'")
-    none = layout.load().constants["NO_UNIT"]
-    if material.mapper in UNITS:
-        there = scene.units if material.mapper == "unit" else scene.pipes
-        require(name, f"{where}.unit", material.unit, 0, len(there) - 1)
-        if material.edges == "integer":
-            raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
-    else:
-        require(name, f"{where}.unit", material.unit, none, none)
-    if material.primitive not in scene_units.PRIMITIVES[:None if material.mapper == "unit" else 1]:
-        raise UserError(f"{name}: {where}.primitive: {material.primitive!r} is not for mapper "
-                        f"{material.mapper!r}")
-    if scene.pixel.bytes == 2 and scene.format != UNIT_FORMATS.get(material.mapper, scene.format):
-        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for {scene.format}")
-    if material.mapper not in MAPPERS[scene.pixel.bytes]:
-        raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
-                        f"{scene.pixel.bytes} bytes")
-    if scene.pixel.bytes > 1 and material.perspective != "none":
-        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} is for pixels of "
-                        "one byte")
-    wanted = MAPPER_LAYOUT[material.mapper]
-    none = layout.load().constants["NO_TEXTURE"]
-    light = "light" if material.mapper in LIT else None
-    for kind, index, layout_wanted in (("texture", material.texture, wanted),
-                                       ("light", material.light, light)):
-        if layout_wanted is None:
-            require(name, f"{where}.{kind}", index, none, none)
-            continue
-        require(name, f"{where}.{kind}", index, 0, len(scene.textures) - 1)
-        found = scene.textures[index].layout
-        if found != layout_wanted:
-            raise UserError(f"{name}: {where}.{kind}: its layout is {found}, not {layout_wanted}")
-    most = layout.load().constants["TOLERANCE_MAX"] if material.perspective != "none" else 0
-    require(name, f"{where}.tolerance", material.tolerance, 0, most)
-    require(name, f"{where}.colour", material.colour, 0, 256**scene.pixel.bytes - 1)
-
-
 def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
     """Refuses vertices the material cannot have: what leaves the map or the palette."""
     material = scene.materials[obj.material]
@@ -194,8 +108,8 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
                         "are for triangles")
     corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices]
     if material.mapper in ("gouraud", *LIT):
-        require(name, f"{where}: shade", int(corners[:, 4].min()), 0, (256 << 16) - 1)
-        require(name, f"{where}: shade", int(corners[:, 4].max()), 0, (256 << 16) - 1)
+        for shade in corners[:, 4].tolist():
+            require(name, f"{where}: shade", shade, 0, (256 << 16) - 1)
     has_own = scene_pipes.has_own(scene, material)
     if has_own:
         scene_pipes.check_own(corners, name, where)
@@ -204,12 +118,7 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
         for w in corners[:len(corners) // (2 if has_own else 1), 5].tolist():
             require(name, f"{where}: w", w, limits["W_MIN"], limits["W_MAX"])
     if material.mapper == "arbitrary":
-        height, width = scene.textures[material.texture].texels.shape
-        for noun, column, side in (("s", 2, width), ("t", 3, height)):
-            for value in corners[:, column].tolist():
-                require(name, f"{where}: {noun}", value, 0, 256 << 16)
-                require(name, f"{where}: texel of {noun}", value * max(width, height) >> 8, 0,
-                        side << 16)
+        check_on_map(corners[:, 2:4], scene.textures[material.texture], name, where)
 
 
 def check(scene: Scene, name: str) -> None:
@@ -228,7 +137,7 @@ def check(scene: Scene, name: str) -> None:
     scene_units.check(scene, name)
     scene_pipes.check(scene, name)
     for i, material in enumerate(scene.materials):
-        check_material(scene, material, name, f"materials[{i}]")
+        scene_materials.check(scene, material, name, f"materials[{i}]")
     for i, obj in enumerate(scene.objects):
         where = f"objects[{i}]"
         require(name, f"{where}.material", obj.material, 0, len(scene.materials) - 1)
@@ -256,44 +165,51 @@ def records(table, struct: layout.Struct) -> bytes:
     return out.tobytes()
 
 
-def write(scene: Scene, with_palette: bool = True) -> bytes:
-    """The scene as a scene file; without a palette it is for programs that hold it."""
-    check(scene, "scene")
-    built = layout.load()
-    header = built.struct("scene_header")
-    palette = np.zeros((256, 4), np.uint8)
-    palette[:, 1:] = scene.palette
-    tables = {t: getattr(scene, t)
-              for t in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
-                        *scene_pipes.COLUMNS)}
+def rows_of(scene: Scene) -> dict[str, list | np.ndarray]:
+    """The rows of all tables but the textures', a number a field."""
+    rows = {table: getattr(scene, table)
+            for table in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
+                          *scene_pipes.COLUMNS)}
     for table in RECORDS:
-        fields = built.struct(TABLES[table]).fields
-        tables[table] = [[getattr(o, f) for f in fields] for o in getattr(scene, table)]
-    tables["materials"] = [
+        fields = layout.load().struct(TABLES[table]).fields
+        rows[table] = [[getattr(each, name) for name in fields] for each in getattr(scene, table)]
+    rows["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
          m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive)]
         for m in scene.materials]
-    texels = [ordered(texture) for texture in scene.textures]
-    texels = [data + bytes(-len(data) % 4) for data in texels]
-    count = {table: len(getattr(scene, table)) for table in TABLES}
+    return rows
+
+
+def write(scene: Scene, with_palette: bool = True) -> bytes:
+    """The scene as a scene file; without a palette it is for programs that hold it.
+
+    Header, palette, TABLES, BYTES, texels of each texture: padded to whole longwords.
+    """
+    check(scene, "scene")
+    built = layout.load()
+    header, rows = built.struct("scene_header"), rows_of(scene)
+    palette = np.zeros((256, 4), np.uint8)
+    palette[:, 1:] = scene.palette
+    texels = [data + bytes(-len(data) % 4) for data in map(ordered, scene.textures)]
+    values = {table: len(getattr(scene, table)) for table in TABLES}
     at = header.size + PALETTE_BYTES * with_palette + sum(
-        count[t] * built.struct(s).size for t, s in TABLES.items())
-    blocks = {}
+        values[table] * built.struct(struct).size for table, struct in TABLES.items())
     for block in BYTES:
-        blocks |= {block: len(getattr(scene, block)), f"{block}_at": at}
-        at += blocks[block]
-    tables["textures"] = []
+        values |= {block: len(getattr(scene, block)), f"{block}_at": at}
+        at += values[block]
+    rows["textures"] = []
     for texture, data in zip(scene.textures, texels):
         height, width = texture.texels.shape
-        tables["textures"].append([width, height, LAYOUTS.index(texture.layout),
-                                   scene.pixel.bytes, at])
+        rows["textures"].append([width, height, LAYOUTS.index(texture.layout), scene.pixel.bytes,
+                                 at])
         at += len(data)
-    values = count | {"size": at, "magic": built.constants["SCENE_MAGIC"],
-                      "version": built.constants["SCENE_VERSION"]}
-    values |= blocks | {f: getattr(scene, f) for f in HEADER}
-    values["format"] = list(FORMATS).index(scene.format)
+    values |= {"size": at, "magic": built.constants["SCENE_MAGIC"],
+               "version": built.constants["SCENE_VERSION"],
+               "format": list(FORMATS).index(scene.format)}
+    values |= {name: getattr(scene, name) for name in HEADER}
     parts = {"palette": palette.tobytes() if with_palette else b""}
-    parts |= {t: records(tables[t], built.struct(s)) for t, s in TABLES.items()}
+    parts |= {table: records(rows[table], built.struct(struct))
+              for table, struct in TABLES.items()}
     at = header.size
     for part, data in parts.items():
         values[f"{part}_at"] = at
@@ -304,59 +220,80 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     return header.pack(**values, checksum=checksum) + body
 
 
-def read(data: bytes, name: str) -> Scene:
-    """The scene in a scene file's bytes; ``name`` is for messages only."""
-    built = layout.load()
-    header = built.struct("scene_header")
-    if len(data) < header.size:
-        raise UserError(f"{name}: {len(data)} bytes is too short for a scene file")
-    values = header.unpack(data)
-    summed = header.fields["width"]["offset"]
-    for part, expected in (("magic", built.constants["SCENE_MAGIC"]),
-                           ("version", built.constants["SCENE_VERSION"]),
-                           ("size", len(data)), ("checksum", zlib.crc32(data[summed:]))):
-        if values[part] != expected:
-            raise UserError(f"{name}: {part}: {values[part]:#x} where {expected:#x} is right")
+class Contents:
+    """A scene file's bytes, taken apart; ``name`` begins every refusal."""
 
-    def part(where: str, at: int, size: int) -> bytes:
-        require(name, where, at, header.size, len(data) - size)
+    def __init__(self, data: bytes, name: str) -> None:
+        built = layout.load()
+        self.data, self.name, self.header = data, name, built.struct("scene_header")
+        if len(data) < self.header.size:
+            raise UserError(f"{name}: {len(data)} bytes is too short for a scene file")
+        self.values = self.header.unpack(data)
+        summed = self.header.fields["width"]["offset"]
+        for part, expected in (("magic", built.constants["SCENE_MAGIC"]),
+                               ("version", built.constants["SCENE_VERSION"]),
+                               ("size", len(data)), ("checksum", zlib.crc32(data[summed:]))):
+            if self.values[part] != expected:
+                raise UserError(f"{name}: {part}: {self.values[part]:#x} where {expected:#x} is "
+                                "right")
+
+    def part(self, where: str, at: int, size: int) -> bytes:
+        """Bytes behind the header; ``where``: the field that says so."""
+        require(self.name, where, at, self.header.size, len(self.data) - size)
         if at % 4:
-            raise UserError(f"{name}: {where}: {at} is not a multiple of 4")
-        return data[at:at + size]
+            raise UserError(f"{self.name}: {where}: {at} is not a multiple of 4")
+        return self.data[at:at + size]
 
-    rows = {}
-    for table, struct_name in TABLES.items():
-        struct, count = built.struct(struct_name), values[table]
-        require(name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
-        found = np.frombuffer(part(f"{table}_at", values[f"{table}_at"], count * struct.size),
-                              struct.dtype)
-        rows[table] = np.stack([found[f].astype(np.int64) for f in struct.fields], axis=1)
-    require(name, "format", values["format"], 0, len(FORMATS) - 1)
-    pixel = list(FORMATS.values())[values["format"]]
-    textures = []
-    for i, (width, height, kind, texel_bytes, at) in enumerate(rows["textures"].tolist()):
-        where = f"textures[{i}]"
-        require(name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
-        require(name, f"{where}.texel_bytes", texel_bytes, *[pixel.bytes] * 2)
+    def block(self, name: str, size: int) -> bytes:
+        """Bytes whose place the header has."""
+        return self.part(f"{name}_at", self.values[f"{name}_at"], size)
+
+    def rows(self, table: str) -> np.ndarray:
+        """A table, int64 [n, fields]."""
+        built = layout.load()
+        struct, count = built.struct(TABLES[table]), self.values[table]
+        require(self.name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
+        found = np.frombuffer(self.block(table, count * struct.size), struct.dtype)
+        return np.stack([found[name].astype(np.int64) for name in struct.fields], axis=1)
+
+    def texture(self, row: list[int], pixel: PixelFormat, where: str) -> Texture:
+        """A texture from its row of the table."""
+        width, height, kind, texel_bytes, at = row
+        require(self.name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
+        require(self.name, f"{where}.texel_bytes", texel_bytes, pixel.bytes, pixel.bytes)
         needs = size_fault(LAYOUTS[kind], width, height)
         if needs:
-            raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
-        texels = part(f"{where}.at", at, width * height * texel_bytes)
-        textures.append(linear(texels, width, height, LAYOUTS[kind], pixel.dtype))
-    materials = []
-    for i, (*row, primitive) in enumerate(rows["materials"].tolist()):
-        require(name, f"materials[{i}].primitive", primitive, 0, len(scene_units.PRIMITIVES) - 1)
-        materials.append(Material(*(name_of(kind, number, name, f"materials[{i}].{kind}")
-                                    for kind, number in zip(SETTINGS, row)),
-                                  *row[len(SETTINGS):], scene_units.PRIMITIVES[primitive]))
-    palette = np.frombuffer(part("palette_at", values["palette_at"], PALETTE_BYTES), np.uint8)
+            raise UserError(f"{self.name}: {where}.width or height: {width}x{height} is not "
+                            f"{needs}")
+        texels = self.part(f"{where}.at", at, width * height * texel_bytes)
+        return linear(texels, width, height, LAYOUTS[kind], pixel.dtype)
+
+    def material(self, row: list[int], where: str) -> Material:
+        """A material from its row of the table."""
+        *row, primitive = row
+        settings = [name_of(kind, number, self.name, f"{where}.{kind}")
+                    for kind, number in zip(SETTINGS, row)]
+        require(self.name, f"{where}.primitive", primitive, 0, len(scene_units.PRIMITIVES) - 1)
+        return Material(*settings, *row[len(SETTINGS):], scene_units.PRIMITIVES[primitive])
+
+
+def read(data: bytes, name: str) -> Scene:
+    """The scene in a scene file's bytes; ``name`` is for messages only."""
+    contents = Contents(data, name)
+    values = contents.values
+    rows = {table: contents.rows(table) for table in TABLES}
+    require(name, "format", values["format"], 0, len(FORMATS) - 1)
+    pixel = list(FORMATS.values())[values["format"]]
+    rows["textures"] = [contents.texture(row, pixel, f"textures[{i}]")
+                        for i, row in enumerate(rows["textures"].tolist())]
+    rows["materials"] = [contents.material(row, f"materials[{i}]")
+                         for i, row in enumerate(rows["materials"].tolist())]
+    palette = np.frombuffer(contents.block("palette", PALETTE_BYTES), np.uint8)
     for table, kind in RECORDS.items():
         rows[table] = [kind(*row) for row in rows[table].tolist()]
     for block in BYTES:
-        rows[block] = part(f"{block}_at", values[f"{block}_at"], values[block])
-    scene = Scene(
-        **{f: values[f] for f in HEADER}, format=pixel.name,
-        **rows | {"textures": textures, "materials": materials},
-        palette=palette.reshape(256, 4)[:, 1:].copy())
+        rows[block] = contents.block(block, values[block])
+    scene = Scene(**{field_name: values[field_name] for field_name in HEADER}, format=pixel.name,
+                  **rows, palette=palette.reshape(256, 4)[:, 1:].copy())
     check(scene, name)
     return scene

@@ -6,23 +6,20 @@ The words are Glide's where it has one; c/tmu/tmu.h tells what each does.
 import numpy as np
 
 from .fields import REQUIRED, fail, flag, integer, number, one_of, rows, table, text
-from .map_range import fixed
+from .fixed import ONE, fix_all
 from .mipmap import FILTERS as MIPMAP_FILTERS
 from .scene_pipes import PREFILTER_KB
-from .tmu.state import LAST_LEVEL, SUBDIVISIONS
+from .tmu.state import LAST_LEVEL, REACH, SIDE, SUBDIVISIONS, W_MAX
 from .tmu.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
 
 FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
-REACH = 8192  # s and t: below, and above -REACH; and how far apart those of two corners may be
-LEAST_W = 1 / 65536  # how far w is from 0
+LEAST_W = 1 / ONE  # how far w is from 0
 NO_MIPMAP = "none"  # the picture alone
 #: The bilinear filter, or moved points instead of it.
 BILINEAR = ("exact", "dithered")
 #: What becomes of the frame's pixels: replaced, or added to.
 BLENDS = ("replace", "add")
-SIDE = 256
 PREFILTER_MOST = 8192  # KB of prefiltered tiles
-NARROWEST = 8  # how many times a side may be as long as the other
 
 
 def quarters(low: float, high: float):
@@ -86,7 +83,7 @@ def schema():
 def coordinates_fields(corners: int) -> dict:
     """The fields of a polygon for its corners' coordinates of the second unit, and for what moves
     them."""
-    place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-16384, 16384)
+    place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-W_MAX, W_MAX)
     way = rows(place, 2, 2), None
     return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None),
             "w1": (rows(depth, 3, corners // 2), None), "slide": way, "slide1": way}
@@ -124,10 +121,10 @@ def with_own(corners: np.ndarray, obj: dict) -> np.ndarray:
     """An object's vertices as the file has them, int64 [n, 6], and as many again with the second
     unit's coordinates; their depth is the vertices' own where there is no other."""
     own = corners.copy()
-    own[:, 2:4] = fixed(obj["st1"])
+    own[:, 2:4] = fix_all(obj["st1"])
     own[:, 4] = 0
     if obj["w1"] is not None:
-        own[:, 5] = fixed(obj["w1"])
+        own[:, 5] = fix_all(obj["w1"])
     return np.concatenate([corners, own])
 
 
@@ -137,8 +134,8 @@ def slid(corners: np.ndarray, obj: dict, material: dict, age: int, where: str) -
     second = len(made) // 2 if has_own(material) else len(made)
     for field, part in (("slide", made[:second]), ("slide1", made[second:])):
         if obj[field] is not None:
-            part[:, 2:4] += fixed([[age * step for step in obj[field]]])
-            check_range((part[:, 2:4] / 65536).tolist(), f"{where}.{field}: frame {age}")
+            part[:, 2:4] += fix_all([[age * step for step in obj[field]]])
+            check_range((part[:, 2:4] / ONE).tolist(), f"{where}.{field}: frame {age}")
     return made
 
 

@@ -6,29 +6,16 @@ from pathlib import Path
 import numpy as np
 
 from . import images
+from .byte_pool import BytePool
 from .errors import UserError
 from .fields import fail, join
-from .scene_glide import BLENDS, NARROWEST, NO_MIPMAP, SIDE, has_own
+from .scene_glide import BLENDS, NO_MIPMAP, has_own
 from .scene_pipes import COLUMNS, NO_TABLE
 from .tmu.images import Map, encode
 from .tmu.mipmap import levels, shape_of
 from .tmu.registers import words_of_ncc
+from .tmu.state import LAST_ASPECT, SIDE
 from .tmu.words import ALIGN, FORMATS, LEVELS, Words, memory_required, place, texel_bytes
-
-
-class Memory:
-    """The texture memory of a scene: what is there once need not be there twice."""
-
-    def __init__(self) -> None:
-        self.data = bytearray()
-        self.known: dict[bytes, int] = {}
-
-    def put(self, content: bytes) -> int:
-        """Where the content lies, a multiple of 8."""
-        if content not in self.known:
-            self.known[content] = len(self.data)
-            self.data += content + bytes(-len(content) % 8)
-        return self.known[content]
 
 
 def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
@@ -42,7 +29,7 @@ def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
         shape_of(width, height)
     except UserError:
         fail(at, f"{unit['image']}: {width}x{height} pixels; a map's sides are powers of two up to "
-                 f"{SIDE}, one at most {NARROWEST} times the other")
+                 f"{SIDE}, one at most {1 << LAST_ASPECT} times the other")
     unit["width"], unit["height"] = width, height
     return images.load(unit["image"], folder, at, width, height, "RGBA")
 
@@ -79,7 +66,7 @@ def words_of(unit: dict, perspective: bool, memory_bytes: int, shape: tuple) -> 
     return words
 
 
-def row_of(unit: dict, perspective: bool, folder: Path, memory: Memory, where: str) -> list[int]:
+def row_of(unit: dict, perspective: bool, folder: Path, memory: BytePool, where: str) -> list[int]:
     """A unit as the scene's table has it."""
     picture = picture_of(unit, folder, where)
     height, width = picture.shape[:2]
@@ -112,7 +99,7 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: Memory, where: s
 def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
     """The number of each material's pipe, and what a Scene has of all of them. Fills in the sizes
     that units leave to their pictures."""
-    numbers, known, memory = {}, {}, Memory()
+    numbers, known, memory = {}, {}, BytePool()
     tmus, pipes = [], []
     for name, material in spec["materials"].items():
         if "glide" not in material:

@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import layout, scene_pipes
-from .errors import UserError
+from .errors import UserError, require
+from .fixed import ONE
+from .scene_textures import check_on_map
 
 #: The tables that are rows of numbers, with their columns.
 COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
@@ -18,7 +20,7 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
                      "eye_x", "eye_y", "eye_z", "s_x", "s_y", "s_z", "t_x", "t_y", "t_z",
                      "light_x", "light_y", "light_z", "spare")}
 ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
-ONE, UNIT_14, UNIT_30 = 1 << 16, 1 << 14, 1 << 30
+UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
 
 @dataclass
@@ -53,12 +55,6 @@ class Instance:
 def empty(table: str) -> np.ndarray:
     """A table without entries."""
     return np.zeros((0, len(COLUMNS[table])), np.int64)
-
-
-def require(name: str, where: str, value: int, low: int, high: int) -> None:
-    """Refuses a value outside low..high."""
-    if not low <= value <= high:
-        raise UserError(f"{name}: {where}: {value} is not from {low} to {high}")
 
 
 def require_all(name: str, table: str, rows: np.ndarray, columns, low: int, high: int) -> None:
@@ -107,12 +103,8 @@ def check_look(scene, instance: Instance, name: str, where: str) -> None:
     if material.mapper == "arbitrary":
         if instance.flags & ENVIRONMENT:
             raise UserError(f"{name}: {where}.flags: 'arbitrary' does not repeat its map")
-        height, width = scene.textures[material.texture].texels.shape
-        for corner in scene.corners[mesh.corner:mesh.corner + mesh.corners].tolist():
-            for noun, value, side in (("s", corner[2], width), ("t", corner[3], height)):
-                require(name, f"{where}: {noun}", value, 0, 256 << 16)
-                require(name, f"{where}: texel of {noun}", value * max(width, height) >> 8, 0,
-                        side << 16)
+        corners = scene.corners[mesh.corner:mesh.corner + mesh.corners, 2:4]
+        check_on_map(corners, scene.textures[material.texture], name, where)
 
 
 def check(scene, name: str) -> None:

@@ -1,4 +1,5 @@
-"""Glide's texture units in scene files: their registers and memory, and what they draw.
+"""Glide's texture units in scene files: their registers and memory, and what the Amiga would
+refuse.
 
 Formats stand in c/scene/scene_file.h.
 """
@@ -9,19 +10,20 @@ import numpy as np
 
 from .errors import UserError
 from .tmu.registers import NCC_REGISTERS, modes_of, ncc_of, words_of
-from .tmu.state import SUBDIVISIONS, VOODOO2_BITS, VOODOO_BITS, Unit, unpacked
+from .tmu.state import (LOD_FRACTION, SUBDIVISIONS, VOODOO2_BITS, VOODOO_BITS, W_MAX, Unit,
+                        unpacked)
 
 UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
-W_MAX = 1 << 30
 NO_TABLE = -1
 PREFILTER_KB = 1024  # of prefiltered tiles, unless a pipe says otherwise
 PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
 RESERVED_MODE = 1 << 31  # of no meaning here
 
 #: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
-#: palette and NCC tables lie, three settings; a pipe's first unit, how many, which have coordinates of
-#: their own, bytes that prefiltered tiles may take, whether they are added to the frame.
+#: palette and NCC tables lie, three settings; a pipe's first unit, how many, which of them has
+#: coordinates of its own (2, or 0: none), bytes that prefiltered tiles may take, whether it adds to
+#: the frame.
 COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
                     "fraction_bits", "dithered", "subdivision"),
            "pipes": ("tmu", "tmus", "own", "prefilter", "adds")}
@@ -61,23 +63,6 @@ def has_own(scene, material) -> bool:
     return material.mapper == "glide" and bool(scene.pipes[material.unit][2])
 
 
-def draw(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of the scene's."""
-    from . import model  # which draws with this
-    from .tmu import polygon
-
-    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
-    owns = [None] * len(vertices)
-    if has_own(scene, material):
-        half = len(vertices) // 2
-        owns = [(s, t, w) for _, _, s, t, _, w in vertices[half:]]
-        vertices = vertices[:half]
-    corners = [polygon.Vertex(x, y, s, t, w, own)
-               for (x, y, s, t, _, w), own in zip(vertices, owns)]
-    polygon.draw(units_of(scene, material.unit), frame, corners, settings,
-                 bool(scene.pipes[material.unit][4]))
-
-
 def check_own(corners: np.ndarray, name: str, where: str) -> None:
     """Refuses an object's vertices, rows of the table, that are not twice as many as its corners,
     or have a depth that the second unit cannot divide by."""
@@ -85,8 +70,8 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
         raise UserError(f"{name}: {where}.vertices: {len(corners)} are not twice as many as a "
                         "polygon has corners")
     for w in corners[len(corners) // 2:, 5].tolist():
-        if not 0 < abs(w) <= W_MAX:
-            raise UserError(f"{name}: {where}: w: {w} is 0 or more than {W_MAX} away from it")
+        if not 0 < abs(w) <= W_MAX << 16:
+            raise UserError(f"{name}: {where}: w: {w} is 0 or more than {W_MAX << 16} away from it")
 
 
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
@@ -115,7 +100,7 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
         modes = modes_of(*words, bits)
     except UserError as error:
         raise UserError(f"{name}: {where}.mode: {error}") from error
-    if max(modes.rgb.mselect, modes.alpha.mselect) > 5:
+    if max(modes.rgb.mselect, modes.alpha.mselect) > LOD_FRACTION:
         raise UserError(f"{name}: {where}.mode: there is no such factor")
     if words_of(modes) != (words[0] & ~RESERVED_MODE, *words[1:]):
         raise UserError(f"{name}: {where}.mode, lod, detail or base: bits that mean nothing")

@@ -6,9 +6,10 @@ import numpy as np
 
 from . import materials, scene_tx, scene_units
 from .fields import REQUIRED, fail, flag, integer, number, rows
+from .fixed import ONE
 from .scene_tx import colour_and_alpha
+from .tx.state import REACH
 
-ONE = 65536  # 1.0 in 16.16
 TEXEL = 32  # parts of a texel where a rectangle begins, s10.5
 STEP = 1024  # of its steps, s5.10
 STEP_MAX = 32  # texels
@@ -23,9 +24,8 @@ def colours_field(corners: int) -> dict:
 def rectangle_fields(far: int) -> dict:
     """The fields of a texture rectangle."""
     steps = number(-STEP_MAX, STEP_MAX - 1 / STEP)
-    reach = scene_tx.REACH
     return {"rectangle": (rows(integer(-far, far), 4, 4), REQUIRED),
-            "texel": (rows(number(-reach, reach - 1 / TEXEL), 2, 2), [0.0, 0.0]),
+            "texel": (rows(number(-REACH, REACH - 1 / TEXEL), 2, 2), [0.0, 0.0]),
             "step": (rows(steps, 2, 2), [1.0, 1.0]), "flip": (flag, False)}
 
 

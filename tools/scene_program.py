@@ -12,15 +12,17 @@ from pathlib import Path
 
 import numpy as np
 
-from . import emulator, objects, provenance
+from . import elf_object, emulator, provenance
 from .emulator import CYCLES_PER_TICK
 from .errors import UserError
-from .pack import Layout
-from .parts import Program
+from .outputs import check_directory
 from .paths import BUILD, PROGRAMS, ROOT
-from .run import SCENE_NAME, check_directory, parse_output
+from .program_layout import Layout
+from .program_parts import Program
+from .run import SCENE_NAME, parse_output
 from .scene import compile_scene
-from .scene_file import Scene, ordered, write
+from .scene_file import Scene, write
+from .scene_textures import ordered
 
 #: What calls the first calls the second: short memory ends the program with a line.
 ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
@@ -48,30 +50,30 @@ class Run:
     ticks: list[int]
 
 
-def scene_section(scene: Scene) -> objects.Section:
+def scene_section(scene: Scene) -> elf_object.Section:
     """The scene as the program holds it."""
     data = write(scene, with_palette=False)
-    return objects.Section("", ".rodata.scene_data", data, len(data), 4,
+    return elf_object.Section("", ".rodata.scene_data", data, len(data), 4,
                            symbols={"_scene_data": 0})
 
 
-def load_sections(scene: Scene) -> list[objects.Section]:
+def load_sections(scene: Scene) -> list[elf_object.Section]:
     """All sections a program could hold."""
     compiler, *files = (BUILD / "obj" / "objects").read_text().split()
     files.append(f"build/obj/{compiler}/programs/scene.o")
-    return [section for name in files for section in objects.load(ROOT / name)] + [
+    return [section for name in files for section in elf_object.load(ROOT / name)] + [
         scene_section(scene)]
 
 
-def renderer_places(sections: list[objects.Section]) -> dict[objects.Section, int]:
+def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Section, int]:
     """Addresses of sections in the full renderer."""
-    places = {(str(ROOT / file), name): int(address, 16)
+    places = {(str(ROOT / file), name): at
               for name, address, file in LINKED.findall(RENDER_LINK.read_text())
-              if int(address, 16)}  # 0: the linker dropped it
+              if (at := int(address, 16))}  # 0: the linker dropped it
     return {s: places[s.file, s.name] for s in sections if (s.file, s.name) in places}
 
 
-def measure(sections: list[objects.Section], folder: Path) -> dict:
+def measure(sections: list[elf_object.Section], folder: Path) -> dict:
     """Executed offsets of each section, and whether timed: drawn once on the emulator."""
     program = Program(sections, ALIASES | TRACER, None)
     layout = Layout(program, {})
@@ -112,8 +114,8 @@ def run_program(name: str, arguments: str, files: dict, machine: str, folder: Pa
 def compare(full: Run, own: Run, name: str) -> None:
     """Refuses a program that does not draw as the full renderer does."""
     if sorted(full.dumps) != sorted(own.dumps) or len(full.ticks) != len(own.ticks):
-        raise UserError(f"{name}: {len(own.dumps)} frames where the full renderer draws "
-                        f"{len(full.dumps)}")
+        raise UserError(f"{name}: {len(own.dumps)} frames drawn and {len(own.ticks)} timed where "
+                        f"the full renderer has {len(full.dumps)} and {len(full.ticks)}")
     for dump in sorted(full.dumps):
         if full.dumps[dump] != own.dumps[dump]:
             raise UserError(f"{name}: {dump} is not what the full renderer draws")
@@ -124,9 +126,9 @@ def is_as_fast(own: int, full: int) -> bool:
     return own <= full + LONGER
 
 
-def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout]:
-    """The program by what lies as in the full renderer: nothing, what repeats, all; each in some
-    orders, the smallest first."""
+def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
+    """The program by what lies as in the full renderer: nothing, what is timed again and again, all
+    that is timed (Part.timed); each in some orders, the smallest first."""
     made = []
     for least in (3, 2, 1):
         fixed = {p.section: places[p.section] for p in program.parts.values()
@@ -135,7 +137,7 @@ def layouts(program: Program, places: dict[objects.Section, int]) -> list[Layout
     return sorted(made, key=lambda layout: layout.size)
 
 
-def fit(program: Program, places: dict[objects.Section, int], full: Run, name: str,
+def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,
         machine: str, folder: Path) -> tuple[Layout, Run]:
     """The smallest layout whose frames are all as fast as the full renderer's, or the last."""
     (folder / "made").mkdir()
@@ -149,7 +151,7 @@ def fit(program: Program, places: dict[objects.Section, int], full: Run, name: s
     return layout, own
 
 
-def sizes(layout: Layout, program: bytes, scene: Scene) -> dict[str, int]:
+def sizes(program: bytes, scene: Scene) -> dict[str, int]:
     """Bytes of the file: what is code and its tables, the scene without maps, the maps."""
     maps = sum(len(data) + -len(data) % 4 for data in map(ordered, scene.textures))
     inside = len(write(scene, with_palette=False))
@@ -195,6 +197,8 @@ def command(path: Path, out: Path, machine: str) -> int:
                         "as the program's shall be")
     sections = load_sections(scene)
     scene_file = write(scene)
+    print(f"{name}: {scene.frames} frames, traced, then drawn by each arrangement that is tried",
+          flush=True)
     with emulator.workspace() as folder:
         full = run_program("render", SCENE_NAME, {SCENE_NAME: scene_file}, machine,
                            folder / "full", PROGRAMS, scene.frames)
@@ -202,7 +206,7 @@ def command(path: Path, out: Path, machine: str) -> int:
         layout, own = fit(program, renderer_places(sections), full, name, machine, folder)
         made = {file: (folder / "made" / file).read_bytes() for file in (name, f"{name}.map")}
     full_bytes = (PROGRAMS / "render").stat().st_size
-    inside = sizes(layout, made[name], scene)
+    inside = sizes(made[name], scene)
     about = {"scene": name, "machine": machine, **provenance.record(), "bytes": inside,
              "full_bytes": {"file": full_bytes + len(scene_file), "code": full_bytes,
                             "scene": len(scene_file) - inside["maps"], "maps": inside["maps"],

@@ -16,29 +16,23 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import model_mesh, space
-from .fields import REQUIRED, fail, integer, number, rows, table
-from .map_range import extent_of, fixed
-from .scene_glide import LEAST_W, REACH, has_own
-from .scene_meshes import ONE
+from .fields import REQUIRED, fail, table
+from .fixed import ONE, fix, fix_all
+from .map_range import extent_of
+from .scene_glide import LEAST_W, has_own
+from .tmu.state import REACH, W_MAX
 
 #: What a corner has on its way to the screen: x, y, s, t, shade and w as tools.model_mesh has them,
 #: 16.16, then S Q, T Q and Q of the second unit, of FINE fraction bits.
 X, Y, S, W, SQ, TQ, Q = 0, 1, 2, 5, 6, 7, 8
 FINE = 24
-W_MAX = 16384
 ROUNDED = 1 / 256  # more than rounding adds to s and t
 CONE = 4000  # of s and t, beyond which a face is cut if one of its corners is beyond REACH
 
 
 def schema(limits: dict[str, int]):
     """The check of a projector: a camera's fields but the near plane."""
-    place = rows(number(-1e5, 1e5), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    return table({"eye": (place, REQUIRED), "target": (place, REQUIRED),
-                  "up": (place, [0.0, 1.0, 0.0]),
-                  "fov": (number(1, 170), 60.0),  # degrees, across the picture's width
-                  "keys": (rows(key, 1, 1000), None)})
+    return table(space.camera_fields(limits, REQUIRED))
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
@@ -93,7 +87,7 @@ class Faces:
         self.obj, self.space, self.where = obj, made, where
         camera = made.spec["camera"]
         self.scene = SimpleNamespace(width=made.spec["width"], height=made.spec["height"],
-                                     guard=made.guard, near_plane=round(camera["near"] * ONE))
+                                     guard=made.guard, near_plane=fix(camera["near"]))
         self.projector = made.spec["projectors"].get(obj["projector"])
         unit = material["glide"]["units"][1]
         self.most = made.limits["POLYGON_VERTICES_MAX"] // 2
@@ -160,7 +154,7 @@ class Faces:
                         for x, y, w in first[:, [X, Y, W]].tolist()]
         second = first.copy()
         st, w = own_of(face)
-        second[:, S:] = fixed(np.column_stack([st, np.zeros(len(face)), w]))
+        second[:, S:] = fix_all(np.column_stack([st, np.zeros(len(face)), w]))
         return np.concatenate([first, second])
 
     def polygons(self, frame: int, age: int) -> list[np.ndarray]:

@@ -8,15 +8,16 @@ from pathlib import Path
 
 import numpy as np
 
-from . import (layout, materials, mesh_build, mesh_file, scene_glide, scene_glide_build,
-               scene_projectors, scene_tx_build, space)
+from . import layout, materials, mesh_build, mesh_file, scene_projectors, space
 from .fields import REQUIRED, fail, flag, integer, join, named, number, one_of, rows, table, text
-from .map_range import check_engine, check_map, extent_of, fixed, inside
+from .fixed import ONE, fix
+from .map_range import Map, check_corners, inside_map, map_of
 from .mesh_build import Wishes
-from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_30, Instance, Mesh, empty
+from .scene_meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from .scene_textures import UNITS
 
-MAPPINGS = {"gouraud": ("shade",), "flat": ("none",)}  # of the others: uv, environment
+#: What mappers take; all others "uv" or "environment".
+MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
 FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, s or t
 
@@ -24,15 +25,15 @@ RADIUS = 127.0  # of an environment in its map, s or t
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     """The fields of an object with a mesh, by the one that tells it."""
     most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
-    away, reach = number(-1e5, 1e5), number(-1e6, 1e6)
-    place, angles = rows(away, 3, 3), rows(number(-3600, 3600), 3, 3)
+    reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
+    place = rows(number(-space.AWAY, space.AWAY), 3, 3)
     texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
     key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
                  "position": (place, None), "rotation": (angles, None)})
     placing = {
         "position": (place, [0.0, 0.0, 0.0]), "rotation": (angles, [0.0, 0.0, 0.0]),
         "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
-        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, 1000), None),
+        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
         "mapping": (one_of("uv", "environment", "shade", "none"), None),
         "normals": (one_of("file", "smooth", "faces"), None),
         "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
@@ -45,15 +46,10 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
 
 def schema(limits: dict[str, int]) -> dict:
     """The fields of a scene for camera and light."""
-    place = rows(number(-1e5, 1e5), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    camera = table({
-        "eye": (place, REQUIRED), "target": (place, [0.0, 0.0, 0.0]),
-        "up": (place, [0.0, 1.0, 0.0]),
-        "fov": (number(1, 170), 60.0),  # degrees, across the frame's width
-        "near": (number(limits["W_MIN"] / ONE, 1000), 0.125), "keys": (rows(key, 1, 1000), None)})
-    light = table({"direction": (place, REQUIRED), "ambient": (number(0, 1), 0.25)})
+    camera = table(space.camera_fields(limits, [0.0, 0.0, 0.0])
+                   | {"near": (number(limits["W_MIN"] / ONE, 1000), 0.125)})
+    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED),
+                   "ambient": (number(0, 1), 0.25)})
     return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
             "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
 
@@ -68,6 +64,12 @@ def is_mesh(obj: dict) -> bool:
     return "mesh" in obj or "points" in obj
 
 
+def lives_of(obj: dict, count: int) -> int:
+    """Frames of the first ``count`` in which an object is there; below 1: none."""
+    last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
+    return last - obj["first"] + 1
+
+
 def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
     """Gives keys what they leave out; refuses those that are not in order."""
     for key in spec["keys"] or []:
@@ -76,16 +78,37 @@ def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
+def check_camera(camera: dict, width: int, where: str) -> None:
+    """Refuses a camera that sees too little for frames of so many pixels a line."""
+    fill_keys(camera, ("eye", "target"), where)
+    focal = space.focal_length(width, camera["fov"])
+    most = 1 << layout.load().constants["GUARD_MAX"]
+    if focal > most:
+        fail(f"{where}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+                             f"pixels; {most} at most")
+
+
+def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
+    """Refuses an object in space that its material does not draw; fills in its mapping and what its
+    keys leave out."""
+    if not np.any(obj["axis"]):
+        fail(f"{where}.axis", "must have a length")
+    fill_keys(obj, ("position", "rotation"), where)
+    scene_projectors.check_object(obj, material, projectors, where)
+    mapper, name = materials.mapper_of(material), obj["material"]
+    allowed = MAPPINGS.get(mapper, ("uv", "environment"))
+    obj["mapping"] = obj["mapping"] or allowed[0]
+    if obj["mapping"] not in allowed:
+        fail(f"{where}.mapping", f'"{obj["mapping"]}", but material {name!r} takes '
+                                 f"{' or '.join(allowed)}")
+    if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
+        fail(f"{where}.normals", f"material {name!r} has no use for them")
+
+
 def check(spec: dict, where: str) -> None:
     """Refuses camera, light and objects that make no sense; fills what keys leave out."""
-    camera = spec["camera"]
-    if camera:
-        fill_keys(camera, ("eye", "target"), f"{where}camera")
-        focal, most = space.focal_length(spec["width"], camera["fov"]), \
-            1 << layout.load().constants["GUARD_MAX"]
-        if focal > most:
-            fail(f"{where}camera.fov", f"is too narrow for {spec['width']} pixels: a focal length "
-                                       f"of {focal:.0f} pixels; {most} at most")
+    if spec["camera"]:
+        check_camera(spec["camera"], spec["width"], f"{where}camera")
     for name, projector in spec["projectors"].items():
         fill_keys(projector, ("eye", "target"), join(f"{where}projectors", name))
     if not np.any(spec["light"]["direction"]):
@@ -93,23 +116,10 @@ def check(spec: dict, where: str) -> None:
     for i, obj in enumerate(spec["objects"]):
         if not is_mesh(obj):
             continue
-        at = f"{where}objects[{i}]"
-        if not camera:
+        if not spec["camera"]:
             fail(f"{where}camera", f"is missing; objects[{i}] has a mesh")
-        if not np.any(obj["axis"]):
-            fail(f"{at}.axis", "must have a length")
-        fill_keys(obj, ("position", "rotation"), at)
-        scene_projectors.check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
-                                      at)
-        material = spec["materials"][obj["material"]]
-        mapper = materials.mapper_of(material)
-        allowed = MAPPINGS.get(mapper, ("uv",) if mapper == "arbitrary" else ("uv", "environment"))
-        obj["mapping"] = obj["mapping"] or allowed[0]
-        if obj["mapping"] not in allowed:
-            fail(f"{at}.mapping", f'"{obj["mapping"]}", but material {obj["material"]!r} takes '
-                                  f"{' or '.join(allowed)}")
-        if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
-            fail(f"{at}.normals", f"material {obj['material']!r} has no use for them")
+        check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
+                     f"{where}objects[{i}]")
 
 
 def rounded(values, bits: int) -> list[int]:
@@ -145,36 +155,30 @@ class Space:
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables:
         """The tables of an object with a unit of Glide's, with the coordinates of one field."""
-        size = scene_glide_build.size_of(material)
-        return self.build(obj, "glide", (size, extent_of(size)), self.wishes_of(obj, material),
+        return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
                           where, uvs)
 
     def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
         """The number of an object's mesh; the same one for the same wishes."""
-        size = (texture["width"], texture["height"]) if texture else (256, 256)
-        mapper = materials.mapper_of(material)
+        mapper, shown = materials.mapper_of(material), map_of(material, texture)
         wishes = self.wishes_of(obj, material)
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
-        if mapper == "glide":
-            size = scene_glide_build.size_of(material)
-        extent = scene_tx_build.size_of(material) if mapper == "unit" else extent_of(size)
-        key = repr((source, size, extent, mapper in ("arbitrary", *UNITS), wishes))
+        key = repr((source, shown, mapper in ("arbitrary", *UNITS), wishes))
         if key not in self.asked:
-            made = self.build(obj, mapper, (size, extent), wishes, where)
+            made = self.build(obj, mapper, shown, wishes, where)
             if mapper == "arbitrary":
-                made.corners[:, 2:4] = inside(made.corners[:, 2:4], texture)
+                made.corners[:, 2:4] = inside_map(made.corners[:, 2:4], texture)
             if made.key not in self.known:
                 self.known[made.key] = self.store(made, where)
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
-    def build(self, obj: dict, mapper: str, map_size: tuple, wishes: Wishes, where: str,
+    def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
               uvs: str = "uvs") -> mesh_build.Tables:
-        """The tables of an object's mesh, refused where the material cannot draw it.
-        ``map_size``: sides in texels; s and t at the far ends. ``uvs``: the field with those."""
-        size, extent = map_size
+        """The tables of an object's mesh, refused where the material cannot draw it. ``uvs``: the
+        field with s and t."""
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
-        shape = mesh_file.load(obj["mesh"], self.folder, at, extent) if "mesh" in obj else \
+        shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
             mesh_file.listed(obj, where, uvs)
         if obj["normals"] == "file" and shape.normals is None:
             fail(f"{where}.normals", '"file", but not every corner has a normal there')
@@ -182,16 +186,8 @@ class Space:
             if shape.texels is None:
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
             texels_at = at if "mesh" in obj else f"{where}.{uvs}"
-            faces = [[(0, 0, *texel) for texel in face] for face in shape.texels]
-            if mapper == "unit":
-                for face in faces:
-                    check_engine(face, texels_at)
-            elif mapper == "glide":
-                for face in faces:
-                    scene_glide.check_range([corner[2:] for corner in face], texels_at)
-            else:
-                check_map([corner for face in faces for corner in face], mapper, size, extent,
-                          texels_at)
+            for face in shape.texels:
+                check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
         return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
@@ -244,8 +240,7 @@ class Space:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
         number, material, texture, ramp = look
         mesh = self.mesh_of(obj, material, texture, where)
-        last = self.count - 1 if obj["last"] is None else min(obj["last"], self.count - 1)
-        lives = last - obj["first"] + 1
+        lives = lives_of(obj, self.count)
         if lives < 1:
             return
         self.check_together(self.meshes[mesh], before, where)
@@ -256,7 +251,7 @@ class Space:
             dark, bright = (materials.shade_pixel(shade, ramp)
                             for shade in (ambient, materials.SHADES - 1))
         self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
-                                       flags, *fixed([[dark, bright]])[0].tolist()))
+                                       flags, fix(dark), fix(bright)))
         self.views += [self.view(obj, age, obj["first"] + age, bright - dark, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
@@ -267,6 +262,6 @@ class Space:
         made = {name: np.array(stored, np.int64) if stored else empty(name)
                 for name, stored in (self.rows | {"views": self.views}).items()}
         if self.instances:
-            near = round(self.spec["camera"]["near"] * ONE)
+            near = fix(self.spec["camera"]["near"])
             made |= {"near_plane": near, "guard": self.guard}
         return made | {"meshes": self.meshes, "instances": self.instances}

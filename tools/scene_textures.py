@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from . import layout, maps
-from .errors import UserError
+from .errors import UserError, require
 from .pixel_formats import PixelFormat
 
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
@@ -72,6 +72,16 @@ def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -
     needs = size_fault(texture.layout, width, height)
     if needs:
         raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
+
+
+def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -> None:
+    """Refuses corners, rows of s and t in 16.16, outside a map that is not repeated."""
+    height, width = texture.texels.shape
+    for s, t in corners.tolist():
+        for noun, value, side in (("s", s, width), ("t", t, height)):
+            require(name, f"{where}: {noun}", value, 0, 256 << 16)
+            require(name, f"{where}: texel of {noun}", value * max(width, height) >> 8, 0,
+                    side << 16)
 
 
 def ordered(texture: Texture) -> bytes:

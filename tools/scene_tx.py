@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from .fields import (REQUIRED, colour, expect, fail, flag, integer, number, one_of, rows, table,
                      text)
 from .tx.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
-from .tx.state import CI, IA, RGBA, YUV, I
+from .tx.state import CI, IA, REACH, RGBA, TILES, YUV, I
 from .tx.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
 
 #: A tile's formats by name: format and size of its descriptor.
@@ -24,8 +24,6 @@ COPY_FRAMES = "rgba5551"
 #: What copy mode does not do, with what stands for it.
 NOT_COPIED = {"perspective": False, "filter": "point", "convert": "filter", "lod": False,
               "detail": "clamp"}
-TILES = 8
-REACH = 1024  # texels: s and t, and how far apart those of two corners may be
 
 
 def same(*inputs: str) -> Cycle:
@@ -175,35 +173,50 @@ def numbers(tx: dict) -> list[int]:
     return found
 
 
+def is_ci(tile: dict) -> bool:
+    """Whether a tile's texels are indices of colours."""
+    return TEXELS[tile["format"]][0] == CI
+
+
+def check_tile(tx: dict, number_: int, where: str) -> None:
+    """Refuses a tile that does not go with the first one, or that has what is for others."""
+    tile, at = tx["tiles"][number_], f"{where}.tiles[{number_}]"
+    if is_ci(tile) and tx["tlut"] == "none":
+        fail(f"{where}.tlut", f'"none", but tiles[{number_}] is {tile["format"]}')
+    if is_ci(tile) != is_ci(tx["tiles"][0]):
+        fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it none')
+    for name, plain in (("palette", [0]), ("colours", None)):
+        if tile[name] != plain and tile["format"] != "ci4":
+            fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
+
+
 def check_tiles(tx: dict, where: str) -> None:
-    """Refuses tiles too many, that are missing, or that do not go together."""
+    """Refuses tiles too many, that are missing, or that do not go together; fills in what is left
+    out."""
     firsts = numbers(tx)
     for i, (tile, end) in enumerate(zip(tx["tiles"], firsts[1:])):
-        at = f"{where}.tiles[{i}]"
         if end > TILES:
-            fail(f"{at}.levels", f"makes {end} tiles; an engine has {TILES}")
-        if TEXELS[tile["format"]][0] == CI and tx["tlut"] == "none":
-            fail(f"{where}.tlut", f'"none", but tiles[{i}] is {tile["format"]}')
-        if tile["format"].startswith("ci") != tx["tiles"][0]["format"].startswith("ci"):
-            fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it '
-                                 "none")
-        for name, plain in (("palette", [0]), ("colours", None)):
-            if tile[name] != plain and tile["format"] != "ci4":
-                fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
+            fail(f"{where}.tiles[{i}].levels", f"makes {end} tiles; an engine has {TILES}")
+        check_tile(tx, i, where)
         if tile["colours"] is None:
             tile["colours"] = tile["palette"][0]
-    is_ci = tx["tiles"][0]["format"].startswith("ci")
-    if not is_ci and (tx["tlut"] or "none") != "none":
+    has_tlut = is_ci(tx["tiles"][0])
+    if not has_tlut and (tx["tlut"] or "none") != "none":
         fail(f"{where}.tlut", f'"{tx["tlut"]}", but no tile is CI')
-    if not is_ci and tx["palettes"]:
+    if not has_tlut and tx["palettes"]:
         fail(f"{where}.palettes", "there is no tile that is CI")
-    tx["tlut"] = tx["tlut"] or ("rgba16" if is_ci else "none")
-    beyond = tx["tile"] + (tx["detail"] == "detail" and tx["lod"])
+    tx["tlut"] = tx["tlut"] or ("rgba16" if has_tlut else "none")
+    check_last(tx, firsts[-1], where)
+
+
+def check_last(tx: dict, count: int, where: str) -> None:
+    """Refuses an engine that would draw a tile behind its last; fills in the highest level."""
+    first = tx["tile"] + (tx["detail"] == "detail" and tx["lod"])  # behind a detail tile
     if tx["max_level"] is None:
-        tx["max_level"] = max(firsts[-1] - 1 - beyond, 0) if tx["lod"] else 0
-    last = beyond + tx["max_level"] if tx["lod"] else tx["tile"] + ("texel1" in inputs_of(tx))
-    if last >= firsts[-1]:
-        fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {firsts[-1] - 1}")
+        tx["max_level"] = max(count - 1 - first, 0) if tx["lod"] else 0
+    last = first + tx["max_level"] if tx["lod"] else tx["tile"] + ("texel1" in inputs_of(tx))
+    if last >= count:
+        fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {count - 1}")
 
 
 def check_copy(tx: dict, where: str) -> None:

@@ -4,14 +4,15 @@ from pathlib import Path
 
 import numpy as np
 
+from .byte_pool import BytePool
 from .errors import UserError
 from .fields import fail, join
 from .scene_tx import numbers
-from .scene_tx_tiles import Axis, Dram, Palettes, Tile, make, place
+from .scene_tx_tiles import EDGE_MAX, Axis, Palettes, Tile, make, place
 from .tx import commands
 from .tx.loads import BLOCK_TEXELS
 from .tx.state import State
-from .tx.words import List, dxt
+from .tx.words import List, drifts
 
 Words = list[tuple[int, int]]
 
@@ -19,11 +20,9 @@ Words = list[tuple[int, int]]
 def is_block(tile: Tile) -> bool:
     """Whether a tile's texels can be loaded as one run."""
     texture = tile.texture
-    size = max(texture.size, 2)
     row = texture.row_texels << texture.size >> 4  # 64-bit words
-    step = dxt(row)
-    return (len(texture.data) >> size - 1 <= BLOCK_TEXELS
-            and all(c * step >> 11 == c // row for c in range(row * texture.height)))
+    return (len(texture.data) >> max(texture.size, 2) - 1 <= BLOCK_TEXELS
+            and not drifts(row, texture.height))
 
 
 def load(words: List, tile: Tile, palette: int) -> None:
@@ -57,7 +56,7 @@ def edges(tile: Tile, frame: int) -> tuple[int, int, int, int]:
         low, high = axis.low, axis.high
         if step and not axis.clamps:  # what has become one texel needs no moving
             low = moved(axis, step * frame, tile.level)
-            high = min(low + axis.high - axis.low, 4095)
+            high = min(low + axis.high - axis.low, EDGE_MAX)
         found.append((low, high))
     (sl, sh), (tl, th) = found
     return sl, tl, sh, th
@@ -85,13 +84,13 @@ def set_modes(words: List, tx: dict) -> None:
     words.texture(tx["max_level"], tx["tile"])
 
 
-def load_palettes(words: List, palettes: Palettes, dram: Dram) -> None:
+def load_palettes(words: List, palettes: Palettes, dram: BytePool) -> None:
     """Loads an engine's palettes to their places."""
     for first, entries in sorted(palettes.entries.items()):
         words.load_tlut(len(entries), 256 + first, dram.put(entries.astype(">u2").tobytes()))
 
 
-def lists_of(tx: dict, folder: Path, where: str, frames: int, dram: Dram) -> list[Words]:
+def lists_of(tx: dict, folder: Path, where: str, frames: int, dram: BytePool) -> list[Words]:
     """An engine's display lists: at the start, then, where anything moves, for each frame."""
     tiles, palettes = make(tx, folder, where)
     place(tiles, dram, tx["tlut"] != "none")
@@ -99,7 +98,8 @@ def lists_of(tx: dict, folder: Path, where: str, frames: int, dram: Dram) -> lis
     set_modes(start, tx)
     load_palettes(start, palettes, dram)
     for tile in tiles:
-        (describe if tile.is_loaded else load)(start, tile, tile.spec["palette"][0])
+        begin = describe if tile.is_loaded else load
+        begin(start, tile, tile.spec["palette"][0])
         start.set_tile_size(tile.number, *edges(tile, 0))
     lists = [start.words]
     if any(any(tile["slide"]) or len(tile["palette"]) > 1 for tile in tx["tiles"]):
@@ -116,7 +116,7 @@ def lists_of(tx: dict, folder: Path, where: str, frames: int, dram: Dram) -> lis
     return lists
 
 
-def check(lists: list[Words], dram: Dram, where: str) -> None:
+def check(lists: list[Words], dram: BytePool, where: str) -> None:
     """Refuses what the engine itself would."""
     state = State(np.frombuffer(bytes(dram.data), np.uint8))
     try:
@@ -129,7 +129,7 @@ def check(lists: list[Words], dram: Dram, where: str) -> None:
 def build(spec: dict, folder: Path, frames: int, where: str) -> tuple[dict[str, int], dict]:
     """The number of each material's engine, and what a Scene has of all of them. Fills in the
     sizes that tiles leave to their pictures."""
-    numbers_, known, dram = {}, {}, Dram()
+    numbers_, known, dram = {}, {}, BytePool()
     units, lists, words = [], [], []
     for name, material in spec["materials"].items():
         if "tx" not in material:

@@ -6,10 +6,11 @@ from pathlib import Path
 import numpy as np
 
 from . import images
+from .byte_pool import BytePool
 from .fields import fail
-from .scene_tx import REACH, TEXELS, WRAPS, numbers
+from .scene_tx import TEXELS, WRAPS, numbers
 from .tx import images as texels
-from .tx.state import CI, RGBA, TMEM_WORDS, YUV
+from .tx.state import CI, REACH, RGBA, TMEM_WORDS, YUV
 from .tx.words import Wrap, line_of
 
 HALF = TMEM_WORDS // 2
@@ -57,20 +58,15 @@ class Tile:
         """TMEM words, of texels that are split those in either half."""
         return self.line * self.texture.height
 
+    @property
+    def is_split(self) -> bool:
+        """Whether texels lie in both halves of TMEM."""
+        return self.texture.form == YUV or (self.texture.form, self.texture.size) == (RGBA, 3)
 
-@dataclass
-class Dram:
-    """The bytes that engines load from; the same bytes are there once."""
-
-    data: bytearray = field(default_factory=bytearray)
-    known: dict[bytes, int] = field(default_factory=dict)
-
-    def put(self, data: bytes) -> int:
-        """The address of bytes, a multiple of 8."""
-        if data not in self.known:
-            self.known[data] = len(self.data)
-            self.data += data + bytes(-len(data) % 8)
-        return self.known[data]
+    def slots(self, at: int) -> list[slice]:
+        """The TMEM words that it takes from a word on."""
+        starts = (at, at + HALF) if self.is_split else (at,)
+        return [slice(start, start + self.words) for start in starts]
 
 
 def shifted(shift: int, level: int) -> int:
@@ -162,36 +158,48 @@ class Palettes:
         return [part.reshape(picture.shape[:2]) for part, picture in zip(parts, pictures)]
 
 
+def indexed_level(indices: np.ndarray, size: int, shape: tuple[int, int]) -> texels.Texture:
+    """A CI texture of padded indices; ``shape``: height and width without padding."""
+    data = (indices if size else texels.nibbles(indices)).astype(np.uint8)
+    return texels.Texture(CI, size, shape[1], shape[0], indices.shape[1], data.tobytes())
+
+
 def indexed(tx: dict, pictures: list[list[np.ndarray]], folder: Path,
             where: str) -> tuple[list[list[texels.Texture]], Palettes]:
-    """The levels of CI tiles, and their palettes."""
+    """The levels of CI tiles, and their palettes: those of "ci4" tiles with the same colours share
+    one of 16 entries, all "ci8" tiles one of 256."""
     palettes = Palettes(tx["tlut"] == "ia16")
     if tx["palettes"]:
         palettes.read(tx["palettes"], folder, f"{where}.palettes")
     elif len({tile["format"] for tile in tx["tiles"]}) > 1:
         fail(f"{where}.palettes", 'is missing: "ci4" and "ci8" tiles share one TLUT')
-    groups: dict[int, list[int]] = {}
+    groups: dict[int | None, list[int]] = {}  # palette, None: of 256 entries
     for i, tile in enumerate(tx["tiles"]):
-        groups.setdefault(tile["colours"] if tile["format"] == "ci4" else -1, []).append(i)
+        groups.setdefault(tile["colours"] if tile["format"] == "ci4" else None, []).append(i)
     made: dict[int, list[texels.Texture]] = {}
     for number, members in groups.items():
-        size, unit, count = (1, 8, 256) if number < 0 else (0, 16, ENTRIES)
-        full = [texels.padded(level, unit) for i in members for level in pictures[i]]
-        if tx["palettes"] and number >= 0 and ENTRIES * number not in palettes.entries:
+        size, first, count = (1, 0, 256) if number is None else (0, ENTRIES * number, ENTRIES)
+        if tx["palettes"] and number is not None and first not in palettes.entries:
             fail(f"{where}.tiles[{members[0]}].colours", f"{tx['palettes']} has no row {number}")
-        found = iter(palettes.indices(full, ENTRIES * max(number, 0), count))
+        padded = [texels.padded(level, texels.alignment(CI, size))
+                  for i in members for level in pictures[i]]
+        found = iter(palettes.indices(padded, first, count))
         for i in members:
-            made[i] = []
-            for level in pictures[i]:
-                indices = next(found)
-                data = (indices if size else texels.nibbles(indices)).astype(np.uint8)
-                made[i].append(texels.Texture(CI, size, level.shape[1], level.shape[0],
-                                              indices.shape[1], data.tobytes()))
+            made[i] = [indexed_level(next(found), size, level.shape[:2]) for level in pictures[i]]
     for i, tile in enumerate(tx["tiles"]):
         for number in tile["palette"] if tile["format"] == "ci4" else ():
             if ENTRIES * number not in palettes.entries:
                 fail(f"{where}.tiles[{i}].palette", f"palette {number} has no colours")
     return [made[i] for i in range(len(pictures))], palettes
+
+
+def check_slide(steps: list[float], axes: list[Axis], level: int, where: str) -> None:
+    """Refuses axes that move and do not repeat within what an edge can say."""
+    for name, axis, step in zip("st", axes, steps):
+        if step and axis.clamps and not level:
+            fail(where, f"{name} clamps; only what wraps or mirrors can slide")
+        if step and axis.wrap.mask + axis.wrap.mirror > 10:
+            fail(where, f"{name} repeats after more than {REACH} texels")
 
 
 def make(tx: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
@@ -210,51 +218,44 @@ def make(tx: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
         for level, texture in enumerate(levels):
             axes = [axis_of(tile[name], side, level, f"{at}.{name}")
                     for name, side in (("s", tile["width"]), ("t", tile["height"]))]
-            for name, axis, step in zip("st", axes, tile["slide"]):
-                if step and axis.clamps and not level:
-                    fail(f"{at}.slide", f"{name} clamps; only what wraps or mirrors can slide")
-                if step and axis.wrap.mask + axis.wrap.mirror > 10:
-                    fail(f"{at}.slide", f"{name} repeats after more than {REACH} texels")
+            check_slide(tile["slide"], axes, level, f"{at}.slide")
             made.append(Tile(at, tile, first + level, level, texture, *axes))
     return made, palettes
 
 
-def place(tiles: list[Tile], dram: Dram, has_tlut: bool) -> None:
+def free_place(tile: Tile, taken: np.ndarray, room: int, asked: int | None) -> int:
+    """The first TMEM word from which a tile fits below ``room``, or the one that is asked for;
+    refuses what does not fit. ``taken``: bool [TMEM_WORDS]."""
+    starts = range(TMEM_WORDS) if asked is None else [asked]
+    for at in starts:
+        if at + tile.words <= room and not any(taken[slot].any() for slot in tile.slots(at)):
+            return at
+    halves = " in each half" if tile.is_split else ""
+    level = f", level {tile.level}," if tile.level else ""
+    spot = "" if asked is None else f" at word {asked}"
+    fail(tile.where, f"TMEM is full: {tile.texture.width}x{tile.texture.height} texels of "
+                     f"{tile.spec['format']}{level} need {tile.words} words{halves}{spot}; "
+                     f"free are {int((~taken[:room]).sum())}{' there' if room == HALF else ''}")
+
+
+def place(tiles: list[Tile], dram: BytePool, has_tlut: bool) -> None:
     """Gives tiles their places: in TMEM those that are asked for first, then what is split, then
     what is left; the same texels lie there once."""
     taken = np.zeros(TMEM_WORDS, bool)
     taken[HALF:] = has_tlut
     known: dict[tuple, int] = {}
-
-    def is_split(tile: Tile) -> bool:
-        return tile.texture.form == YUV or (tile.texture.form, tile.texture.size) == (RGBA, 3)
-
-    def slots(tile: Tile, at: int) -> list[slice]:
-        starts = (at, at + HALF) if is_split(tile) else (at,)
-        return [slice(start, start + tile.words) for start in starts]
-
     for tile in tiles:
         tile.address = dram.put(tile.texture.data)
     asked = {t.number: t.spec["tmem"] for t in tiles if t.spec["tmem"] is not None and not t.level}
-    for tile in sorted(tiles, key=lambda t: (t.number not in asked, not is_split(t), t.number)):
-        texture, room = tile.texture, HALF if is_split(tile) or has_tlut else TMEM_WORDS
+    for tile in sorted(tiles, key=lambda t: (t.number not in asked, not t.is_split, t.number)):
+        texture, wanted = tile.texture, asked.get(tile.number)
         key = texture.form, texture.size, texture.row_texels, texture.height, texture.data
-        if key in known and asked.get(tile.number, known[key]) == known[key]:
-            tile.tmem, tile.is_loaded = known[key], True
+        if key in known and wanted in (None, known[key]):
+            tile.tmem = known[key]
             continue
-        starts = [asked[tile.number]] if tile.number in asked else range(TMEM_WORDS)
-        fitting = [at for at in starts if at + tile.words <= room
-                   and not any(taken[slot].any() for slot in slots(tile, at))]
-        if not fitting:
-            halves = " in each half" if is_split(tile) else ""
-            level = f", level {tile.level}," if tile.level else ""
-            spot = f" at word {starts[0]}" if tile.number in asked else ""
-            fail(tile.where, f"TMEM is full: {texture.width}x{texture.height} texels of "
-                             f"{tile.spec['format']}{level} need {tile.words} words{halves}{spot}; "
-                             f"free are {int((~taken[:room]).sum())}"
-                             f"{' there' if room == HALF else ''}")
-        tile.tmem = known[key] = fitting[0]
-        for slot in slots(tile, tile.tmem):
+        room = HALF if tile.is_split or has_tlut else TMEM_WORDS
+        tile.tmem = known[key] = free_place(tile, taken, room, wanted)
+        for slot in tile.slots(tile.tmem):
             taken[slot] = True
     loaded = set()
     for tile in tiles:  # the first in order loads what several show

@@ -1,4 +1,4 @@
-"""Texture engines in scene files: their display lists and DRAM, and what they draw.
+"""Texture engines in scene files: their display lists and DRAM, and what the Amiga would refuse.
 
 Formats stand in c/scene/scene_file.h.
 """
@@ -6,15 +6,13 @@ Formats stand in c/scene/scene_file.h.
 import numpy as np
 
 from .errors import UserError
-from .fixed import M32
+from .fixed import ONE
 from .tx.commands import replay
-from .tx.state import COPY, State
+from .tx.state import REACH, State
 
-REACH = 1024 << 16
 #: What the objects of an engine's material are: enum unit_primitive.
 PRIMITIVES = ("polygons", "coloured", "rectangles", "flipped")
 RECTANGLES = PRIMITIVES[2:]
-FAR = 16384  # pixels: nothing is drawn that reaches it
 
 #: The tables, with their columns: an engine's first list and how many; a list's first word and
 #: how many; a word's halves.
@@ -50,10 +48,11 @@ def check_range(vertices: list[tuple], where: str) -> None:
     """Refuses vertices whose s and t an engine does not draw."""
     for noun, column in (("s", 2), ("t", 3)):
         values = [vertex[column] for vertex in vertices]
-        if not -REACH <= min(values) <= max(values) < REACH:
-            raise UserError(f"{where}: {noun} is not from -1,024 to 1,023.97 texels")
-        if max(values) - min(values) >= REACH:
-            raise UserError(f"{where}: {noun} of two vertices are 1,024 texels or more apart")
+        if not -REACH << 16 <= min(values) <= max(values) < REACH << 16:
+            raise UserError(f"{where}: {noun} is not from -{REACH:,} to {REACH - 1 / 32:,.2f} "
+                            "texels")
+        if max(values) - min(values) >= REACH << 16:
+            raise UserError(f"{where}: {noun} of two vertices are {REACH:,} texels or more apart")
 
 
 def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
@@ -66,38 +65,6 @@ def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
     return [(*box[:2], *(start * 2048 for start in starts)), (*box[2:], *ends)]
 
 
-def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip: bool) -> None:
-    """Draws a rectangle of two vertices as a scene has them."""
-    from .tx import polygon
-
-    (left, top, s, t, *_), (right, bottom, dsdx, dtdy, *_) = vertices
-    box = left >> 16, top >> 16, right >> 16, bottom >> 16
-    if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side < FAR for side in box)):
-        return
-    check_range(rectangle_ends(box, (s, t), (dsdx, dtdy), state.modes.cycle == COPY, flip),
-                "rectangle")
-    polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
-
-
-def draw(scene, state: State, frame: np.ndarray, material, vertices: list[tuple]) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by an engine of the scene's."""
-    from . import model  # which draws with this
-    from .tx import polygon
-
-    if material.primitive in RECTANGLES:
-        draw_rectangle(state, frame, vertices, material.primitive == "flipped")
-        return
-    check_range(vertices, "polygon")
-    settings = model.Settings(edges=material.edges, clip=material.clip, mapper="tiled")
-    if material.primitive == "coloured":
-        corners = [polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
-                   for x, y, s, t, shade, w in vertices]
-    else:
-        corners = [polygon.Vertex(x, y, s, t, w, shade=shade)
-                   for x, y, s, t, shade, w in vertices]
-    polygon.draw(state, frame, corners, settings)
-
-
 def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: str) -> None:
     """Refuses a rectangle's vertices and poses, rows of the scene's tables, that are not whole
     pixels, s10.5 and s5.10, or that turn it."""
@@ -108,7 +75,7 @@ def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: s
         for value in vertices[:, column].tolist():
             if not -1 << 15 <= value < 1 << 15:
                 raise UserError(f"{name}: {where}: {noun}: {value} does not fit 16 bits")
-    if (poses[:, :4] != (65536, 0, 0, 65536)).any():
+    if (poses[:, :4] != (ONE, 0, 0, ONE)).any():
         raise UserError(f"{name}: {where}: a rectangle cannot be turned or scaled")
     if (poses[:, 4:] & 0xFFFF).any():
         raise UserError(f"{name}: {where}: a rectangle moves by whole pixels")

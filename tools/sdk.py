@@ -16,20 +16,21 @@ import tarfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import contracts, hunk_object, objects, sdk_include
+from . import contracts, elf_object, hunk_object, sdk_include
+from .elf_object import Section
 from .errors import UserError
-from .objects import Section
 from .paths import BUILD, ROOT
 
-#: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are the
-#: programs' own.
+#: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
+#: the programs' own.
 C_ROOMS = ("mesh", "polygon", "span", "texture", "tmu", "tx")
 C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources: what each offers, routines or a whole room.
-LISTS = {"polygon_draw": ("polygon_draw",), "perspective": ("reciprocals_make", "logarithms_make"),
-         "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",), "mesh": "mesh",
-         "tx": "tx", "tmu": "tmu"}
+LISTS = {"polygon_draw": ("polygon_draw",),
+         "perspective": ("reciprocals_make", "logarithms_make"),
+         "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
+         "mesh": "mesh", "tx": "tx", "tmu": "tmu"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
@@ -56,16 +57,15 @@ class Tree:
                          if name in self.home]
         return sorted(found)
 
-
     def groups(self, paths: list[Path]) -> list[list[Path]]:
         """The objects, those together that refer to one another by distances: linkers disagree on
         these, so they are settled here."""
         of = {path: [path] for path in paths}
         for path in paths:
             for target in references(self.sections[path], True):
-                joined = of[path] if of[self.home[target]] is of[path] \
-                    else of[path] + of[self.home[target]]
-                of |= {each: joined for each in joined}
+                own, other = of[path], of[self.home[target]]
+                if own is not other:
+                    of |= dict.fromkeys(own + other, own + other)
         return [group for path, group in of.items() if group[0] == path]
 
 
@@ -81,7 +81,8 @@ def included(path: Path) -> list[Path]:
 
 
 def offered(suffix: str) -> list[Path]:
-    """The public C sources or headers, relative to c/: not plain C that is for comparisons alone."""
+    """The public C sources or headers, relative to c/: not plain C that is for comparisons
+    alone."""
     paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
              for path in sorted((ROOT / "c" / room).glob(f"*{suffix}"))]
     return [path for path in (*paths, *C_FILES) if path.suffix == suffix
@@ -118,17 +119,18 @@ def built() -> Tree:
     wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in offered(".c")] \
         + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
            and is_assembly(ROOT / name)]
-    tree = Tree({path: objects.load(path) for path in wanted}, {})
+    tree = Tree({path: elf_object.load(path) for path in wanted}, {})
     for path, sections in tree.sections.items():
         tree.home |= {name: path for section in sections for name in section.symbols}
     return tree
 
 
 def is_assembly(path: Path) -> bool:
+    """Whether an object was built of an assembly source."""
     return path.is_relative_to(BUILD / "obj" / "asm")
 
 
-def command_line(*words: str | Path) -> None:
+def run_tool(*words: str | Path) -> None:
     """Runs a tool; UserError with what it said where that fails."""
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", cwd=ROOT)
@@ -136,9 +138,9 @@ def command_line(*words: str | Path) -> None:
         raise UserError(f"{Path(words[0]).name} failed: {done.stdout.strip()}")
 
 
-def units(path: Path) -> dict[str, bytes]:
+def hunk_units(path: Path) -> dict[str, bytes]:
     """An ELF object as hunk objects, by linker."""
-    sections = objects.load(path)
+    sections = elf_object.load(path)
     return {kind: hunk_object.unit(path.name, sections, names)
             for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
 
@@ -152,18 +154,18 @@ def write_libraries(out: Path, groups: list[list[Path]]) -> None:
     for group in groups:
         name = f"{group[0].parent.name}_{group[0].name}"
         merged = folders["elf"] / "objects" / name
-        command_line("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, *group)
-        for kind, unit in units(merged).items():
+        run_tool("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, *group)
+        for kind, unit in hunk_units(merged).items():
             (folders[kind] / "objects" / name).write_bytes(unit)
             libraries[kind] += unit
     start = folders["elf"] / "start.o"
-    command_line(ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Felf", "-o", start,
+    run_tool(ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Felf", "-o", start,
                  FILES / "start.s")
-    for kind, unit in units(start).items():
+    for kind, unit in hunk_units(start).items():
         (folders[kind] / "start.o").write_bytes(unit)
     (folders["gcc"] / f"lib{ARCHIVE}.a").write_bytes(libraries["gcc"])
     (folders["vlink"] / f"{ARCHIVE}.lib").write_bytes(libraries["vlink"])
-    command_line("m68k-linux-gnu-ar", "rcsD", folders["elf"] / f"lib{ARCHIVE}.a",
+    run_tool("m68k-linux-gnu-ar", "rcsD", folders["elf"] / f"lib{ARCHIVE}.a",
                  *sorted((folders["elf"] / "objects").iterdir()))
 
 
@@ -194,8 +196,9 @@ def copy_files(out: Path) -> None:
     shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")
 
 
-def make(out: Path) -> None:
-    """Writes the SDK into ``out``, which holds nothing else afterwards."""
+def make(out: Path) -> int:
+    """Writes the SDK into ``out``, which holds nothing else afterwards; returns how many routines
+    it offers."""
     if out.exists() and not (out / "README.txt").exists() and any(out.iterdir()):
         raise UserError(f"{out} holds something else than an SDK: it is left as it is")
     shutil.rmtree(out, ignore_errors=True)
@@ -207,15 +210,15 @@ def make(out: Path) -> None:
     (out / "c" / "sources.mk").write_text(source_lists(tree))
     (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(offered(".h")))
     (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
+    return len(routines)
 
 
 def command(out: Path) -> int:
     """``tmap sdk``: the folder, and beside it an archive of it."""
-    make(out)
+    count = make(out)
     archive = out.with_name(f"{ARCHIVE}-sdk.tar.gz")
     with tarfile.open(archive, "w:gz") as tar:
         tar.add(out, f"{ARCHIVE}-sdk")
-    count = len(public())
     print(f"{out}: {count} routines; {out / 'README.txt'} says how to link them\n"
           f"{archive}: the same, packed")
     return 0

@@ -2,9 +2,10 @@
 
 from dataclasses import replace
 
-from .scene_file import SETTINGS, Material, Scene
+from .scene_file import Scene
+from .scene_materials import SETTINGS, Material
 from .scene_pipes import COLUMNS
-from .scene_textures import UNITS
+from .scene_textures import ON_PLANE, UNITS
 
 #: Edges, gradients and start of each step, from cheap to exact.
 ACCURACY = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "truncated"),
@@ -14,7 +15,7 @@ PERSPECTIVE = SETTINGS["perspective"]
 #: Pixels between two divides of Glide's units, by steps of perspective.
 SUBDIVISION = {"none": 16, "every16": 16, "every8": 8, "pixel": 0, "fine": 0}
 #: Mappers whose gradients and start are what they are.
-FIXED = ("lit_gouraud", "dithered", *UNITS)
+FIXED = (*ON_PLANE, *UNITS)
 
 
 def materials_of_polygons(scene: Scene) -> set[int]:

@@ -10,13 +10,14 @@ from pathlib import Path
 
 import numpy as np
 
-from . import ideal, model, run
+from . import ideal, markdown, model, run
 from .accuracy import Errors
+from .bounds import has_ideal
 from .errors import UserError
-from .fuzz_polygons import has_ideal
 from .ideal_perspective import Picture
 from .model import Settings
 from .model_mesh import polygons_at
+from .outputs import save_animation
 from .paths import SCENES
 from .scene import compile_scene
 from .scene_file import Scene
@@ -63,23 +64,23 @@ def show(name: str, machine: str, folder: Path) -> Shown:
     drawn = run.render(scene, machine, "addx")
     if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
         raise UserError(f"{name}: a frame of one colour")
-    first, *others = [run.picture_of(frame, scene) for frame in drawn.frames]
-    first.save(folder / f"{name}.gif", save_all=True, append_images=others,
-               duration=run.gif_frame_ms(scene.frames), loop=0)
+    pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
+    save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
     return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
 
 
 def table(shown: list[Shown], machine: str) -> str:
     """The figures in Markdown."""
-    lines = [f"| scene, {machine} | frames | polygons a frame | cycles a frame | cycles a pixel "
-             "| largest error, texels | rms | spans |", "|---|--:|--:|--:|--:|--:|--:|---|"]
+    rows = []
     for each in shown:
         t, e = each.totals, each.errors
-        errors = f"{e.worst:.4f} | {(e.squares / e.pixels) ** 0.5:.4f}" if e.pixels else " | "
-        lines.append(f"| {each.name} | {each.frames} | {t['polygons'] / each.frames:,.0f} "
-                     f"| {t['cycles'] / each.frames:,.0f} | {t['cycles_per_pixel']:.1f} "
-                     f"| {errors} | {', '.join(t['spans'])} |")
-    return "\n".join(lines)
+        errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
+        rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
+                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}",
+                     *errors, ", ".join(t["spans"])])
+    return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
+                           "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
+                          "lrrrrrrl")
 
 
 def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:

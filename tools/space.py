@@ -8,7 +8,12 @@ import math
 
 import numpy as np
 
-from .fields import fail
+from . import layout
+from .fields import REQUIRED, fail, integer, number, rows, table
+
+AWAY = 1e5  # units: how far from the origin things may be
+KEYS_MAX = 1000
+GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
 
 def about(axis, angle: float) -> np.ndarray:
@@ -34,6 +39,16 @@ def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
             return first
         axis = (way + np.eye(3))[:, int(np.argmax(np.diag(way)))]
     return about(axis, part * angle) @ first
+
+
+def camera_fields(limits: dict[str, int], target) -> dict:
+    """The fields of a camera or a projector; ``target``: the default, or REQUIRED."""
+    place = rows(number(-AWAY, AWAY), 3, 3)
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
+                 "eye": (place, None), "target": (place, None)})
+    return {"eye": (place, REQUIRED), "target": (place, target), "up": (place, [0.0, 1.0, 0.0]),
+            "fov": (number(1, 170), 60.0),  # degrees, across the picture's width
+            "keys": (rows(key, 1, KEYS_MAX), None)}
 
 
 def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
@@ -91,6 +106,7 @@ def focal_length(width: int, degrees: float) -> float:
 
 
 def guard_bits(width: int, height: int, focal: float) -> int:
-    """log2 of the smallest guard band that holds the frame, 16 pixels more and the focal
-    length, so that a view's factors are 1 at most."""
-    return max(6, math.ceil(math.log2(max(focal, width / 2 + 16, height / 2 + 16))))
+    """log2 of the smallest guard band that holds the frame with its edge, and the focal length, so
+    that a view's factors are 1 at most."""
+    reach = max(focal, width / 2 + GUARD_EDGE, height / 2 + GUARD_EDGE)
+    return max(layout.load().constants["GUARD_MIN"], math.ceil(math.log2(reach)))

@@ -12,13 +12,13 @@ import numpy as np
 
 from . import model
 from .bench_modes import FIRST, HEIGHT, WIDTH, scene_of
-from .planes import spans
+from .ideal_texels import Error, error
 from .scene_pipes import units_of
 from .tmu import ideal
 from .tmu.ideal import Corner, Surface
 from .tmu.state import Unit
 from .tmu_modes import Mode
-from .tx.ideal import Error, error
+from .unit_planes import spans
 
 ONE = 1 << 16 + ideal.TO_WHOLE  # of 1/w, where s/w is s in 16.16 over w
 

@@ -11,7 +11,7 @@ from . import tmu_examples_combine as combine
 from . import tmu_examples_depth as depth
 from . import tmu_examples_sample as sample
 from . import tmu_examples_tiles as tiles
-from .tx_example import Example
+from .pass_example import Example
 
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
@@ -29,7 +29,8 @@ MAKERS: dict[str, Callable[..., Example]] = {
     "tmu_details": depth.details, "tmu_interleave": sample.interleave,
     "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
     "tmu_modulate_rgb": combine.modulate_rgb, "tmu_add": combine.add, "tmu_alpha": combine.alpha,
-    "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line, "tmu_quads": sample.quads,
+    "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line,
+    "tmu_quads": sample.quads,
 } | tiles.MAKERS
 #: Tables, and what chooses passes: C alone.
 IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")

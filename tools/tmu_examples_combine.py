@@ -5,24 +5,21 @@ from dataclasses import astuple, fields, replace
 import numpy as np
 
 from . import layout
+from .pass_example import BENCH, Example, any_texels, pixels, some_step
 from .tmu.combine import combined, detail_factor
 from .tmu.functions import FACTORS, FUNCTIONS, combination
 from .tmu.state import Combination, Modes
-from .tx_example import Example, any_texels, pixels
-
-BENCH = 256  # pixels of what is measured
 
 
 class Mix:
     """A random struct tmu_mix for ``count`` texels."""
 
     def __init__(self, rng, count: int) -> None:
-        is_plain = count == BENCH
         n = np.arange(count)
         self.others = any_texels(rng, count)
-        other_step = 0 if rng.random() < 0.2 and not is_plain else 4
+        other_step = some_step(rng, count, 4, 0.2)
         self.other = self.others[n * other_step // 4]
-        step = 2 if is_plain else int(rng.choice((0, 1, 2, 4)))
+        step = 2 if count == BENCH else int(rng.choice((0, 1, 2, 4)))
         factors = rng.integers(0, 256, 4 * count)
         factors = np.where(rng.random(4 * count) < 0.2, rng.choice((0, 255), 4 * count), factors)
         flip = 255 * int(rng.integers(2))
@@ -35,6 +32,7 @@ class Mix:
         self.blocks = {"other": pixels(self.others), "factors": factors.astype(np.uint8).tobytes()}
 
     def example(self, kernel: str, texels: np.ndarray, mixed: np.ndarray) -> Example:
+        """A call that makes ``mixed`` of texels, [count][4] both."""
         return Example(kernel, pixels(texels), pixels(mixed), len(texels), "tmu_mix", self.values,
                        self.blocks)
 
@@ -68,7 +66,7 @@ def add(rng, count: int) -> Example:
 
 def alpha(rng, count: int) -> Example:
     texels, alphas = any_texels(rng, count), any_texels(rng, count)
-    step = 0 if rng.random() < 0.3 and count != BENCH else 4
+    step = some_step(rng, count, 4)
     found = texels.copy()
     found[:, 3] = alphas[np.arange(count) * step // 4, 0]
     inverted = rng.choice((0, 255), 4)
@@ -82,7 +80,7 @@ def combine(rng, count: int) -> Example:
     steps, blocks, used = {}, {}, []
     for name in ("other", "local", "factor", "added"):
         numbers = any_texels(rng, count)
-        step = 0 if rng.random() < 0.3 and count != BENCH else 4
+        step = some_step(rng, count, 4)
         if rng.random() < 0.2 and count != BENCH:
             numbers = 0 * numbers
         steps[f"{name}_step"], blocks[name] = step, pixels(numbers)

@@ -5,8 +5,9 @@ from math import isqrt
 
 import numpy as np
 
-from .tmu_examples_sample import BENCH, WRAPPED, Axes, axes, numbered
-from .tx_example import Example, longs, pairs, signed, words
+from .fixed import signed
+from .pass_example import BENCH, Example, longs, pairs, walked, words
+from .tmu_examples_sample import WRAPPED, Axes, axes
 
 ONE = 1 << 30  # of w
 
@@ -42,12 +43,12 @@ def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
     start, step = between(*ends, count)
     if rng.random() < 0.1:
         step[:2] = step[:2] * rng.choice((-1, 1 << 6))
-    return signed(start, 32), signed(step, 32)
+    return signed(start), signed(step)
 
 
 def found(start, step, count: int, ground: Axes) -> Example:
     """The coordinates of a line."""
-    points = signed(numbered(start, step, count), 32)
+    points = walked(start, step, count)
     divided = np.array([[quotient(int(c), int(w), ground.behind) for c in (s, t)]
                         for s, t, w in points])
     return Example("tmu_divide", longs(start), pairs(ground.coordinates(divided)), count,
@@ -64,13 +65,13 @@ def divide(rng, count: int) -> Example:
     return found(*iterators(rng, count), count, ground)
 
 
-def divide_clamp(rng, count: int) -> Example:
+def divide_clamp(_, count: int) -> Example:
     ground = Axes(14, 8, (255 * 16, 255 * 16))
     line = between([-9 << 18, 50 << 18, ONE], [300 << 16, 200 << 16, ONE >> 2], count)
     return found(*line, count, ground)
 
 
-def divide_each(rng, count: int) -> Example:
+def divide_each(_, count: int) -> Example:
     """A line that has to be divided pixel by pixel, for its w."""
     ground = Axes(14, 8, (WRAPPED, WRAPPED))
     line = between([40 << 18, 50 << 18, ONE + count], [300 << 16, 200 << 16, ONE >> 2], count)
@@ -80,16 +81,16 @@ def divide_each(rng, count: int) -> Example:
 def line_of_pieces(start, step, ground: Axes) -> np.ndarray:
     """s and t, [left][2], of a line that is divided at the ends of pieces: numbers without a limit
     are cut to 32 bits where the rules say so."""
-    points = signed(numbered(start, step, ground.left), 32).tolist()
+    points = walked(start, step, ground.left).tolist()
     divided = [[quotient(c, w, ground.behind) for c in (s, t)] for s, t, w in points]
     values = []
     for n in range(ground.left):
         first = n >> ground.bits << ground.bits
         last = min(first + (1 << ground.bits), ground.left - 1)
-        steps = [int(signed(b - a, 32)) // max(last - first, 1)
+        steps = [signed(b - a) // max(last - first, 1)
                  for a, b in zip(divided[first], divided[last])]
         values.append([a + (n - first) * way for a, way in zip(divided[first], steps)])
-    return signed(values, 32)
+    return signed(np.array(values))
 
 
 def some_pieces(start, step, count: int, ground: Axes) -> Example:
@@ -158,7 +159,7 @@ def logarithms() -> bytes:
     return longs(rows)
 
 
-def logarithm_table(rng, count: int) -> Example:
+def logarithm_table(_, count: int) -> Example:
     return Example("tmu_logarithms", longs(limits()), logarithms(), count)
 
 
@@ -172,7 +173,7 @@ def lod(rng, count: int) -> Example:
         lods = rng.integers(-32000, 5000, 4)
     if count == BENCH:
         least, most, lods = 0, 2048, np.full(4, 300)
-    w = signed(numbered(start, step, count), 32)[:, 2]
+    w = walked(start, step, count)[:, 2]
     found = [min(max(int(lods[n % 4]) + 31 * 256 - logarithm(abs(int(z))), least), most) if z
              else most for n, z in enumerate(w)]
     return Example("tmu_lod", longs(start), words(found), count, "tmu_lods",
@@ -188,5 +189,6 @@ def details(rng, count: int) -> Example:
     first = max(end - ((256 << 8 - scale) - 1), 0)
     lods = rng.integers(first, end + 1, count)
     lods[rng.random(count) < 0.1] = first
-    return Example("tmu_details", words(lods), ((end - lods) >> 8 - scale).astype(np.uint8).tobytes(),
-                   count, "tmu_nearness", {"end": end, "shift": 8 - scale})
+    factors = (end - lods >> 8 - scale).astype(np.uint8)
+    return Example("tmu_details", words(lods), factors.tobytes(), count, "tmu_nearness",
+                   {"end": end, "shift": 8 - scale})

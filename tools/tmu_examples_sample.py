@@ -4,10 +4,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .tx_example import Example, any_texels, longs, pairs, pixels, signed, words
+from .pass_example import (BENCH, Example, any_texels, longs, numbered, pair, pairs, pixels,
+                           some_coordinates, walked, words)
 
-BENCH = 256  # pixels of what is measured
 WRAPPED = 0xFFFF
+EDGES = (0, 1, 15, 16, 0x7FFF, 0x8000, 0xFFFF, 0xFFF0)  # of s and t, 12.4
 
 
 @dataclass
@@ -44,11 +45,6 @@ def axes(rng, level: int, is_clamped=(False, False), bits: int = 4) -> Axes:
                       for side, clamped in zip(sides, is_clamped)))
 
 
-def numbered(start, step, count: int) -> np.ndarray:
-    """Iterators at each pixel without a limit, [count][len(start)]."""
-    return np.asarray(start, np.int64) + np.arange(count)[:, None] * np.asarray(step, np.int64)
-
-
 def walk(rng, count: int, levels=(0, 3)) -> Example:
     bits = int(rng.choice((4, 8)))
     level = int(rng.integers(*levels)) + (0 if bits == 4 else int(rng.integers(0, 5)))
@@ -79,7 +75,7 @@ def walk_clamp(rng, count: int) -> Example:
     if count == BENCH:
         ground = Axes(14, 8, (255 * 16, 255 * 16))
         start, step = [-40 << 18, 50 << 18], [1 << 18, 1 << 18]
-    found = ground.coordinates(signed(numbered(start, step, count), 32))
+    found = ground.coordinates(walked(start, step, count))
     return Example("tmu_walk_clamp", longs([*start, 0]), pairs(found), count, "tmu_steps",
                    ground.values([*step, 0]))
 
@@ -95,24 +91,22 @@ def walk_inside(rng, count: int) -> Example:
                    ground.values([*step, 0]))
 
 
+def halves(coefficients: tuple[np.ndarray, ...]) -> bytes:
+    """Coefficients [n][4] of each quad: all of R and B, then all of G and A."""
+    return longs(np.stack([pair(channels, high, low) for high, low in ((0, 2), (1, 3))
+                           for channels in coefficients], 1))
+
+
 def quad_bytes(corners: np.ndarray) -> bytes:
     """struct tmu_quad of texels (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): [n][4][4]."""
     c00, c10, c01, c11 = (corners[:, k].astype(np.int64) for k in range(4))
-    rows = []
-    for high, low in ((0, 2), (1, 3)):
-        for channels in (c00 - c10 - c01 + c11, 16 * (c10 - c00), 16 * (c01 - c00), 256 * c00):
-            rows.append(channels[:, high] * 65536 + channels[:, low])
-    return longs(np.stack(rows, 1))
+    return halves((c00 - c10 - c01 + c11, 16 * (c10 - c00), 16 * (c01 - c00), 256 * c00))
 
 
 def quad_8_bytes(corners: np.ndarray) -> bytes:
     """struct tmu_quad_8 of the same."""
     c00, c10, c01, c11 = (corners[:, k].astype(np.int64) for k in range(4))
-    rows = []
-    for high, low in ((0, 2), (1, 3)):
-        for channels in (c10 - c00, 256 * c00, c11 - c01, 256 * c01):
-            rows.append(channels[:, high] * 65536 + channels[:, low])
-    return longs(np.stack(rows, 1))
+    return halves((c10 - c00, 256 * c00, c11 - c01, 256 * c01))
 
 
 def row_of_quads(rng, count: int) -> tuple[bytes, np.ndarray]:
@@ -157,6 +151,7 @@ class Level:
 
 
 def level(rng) -> Level:
+    """Of any size, some a column or a row alone."""
     columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
     if rng.random() < 0.1:
         columns, rows = (256, 1) if rng.random() < 0.5 else (1, 256)
@@ -164,10 +159,8 @@ def level(rng) -> Level:
 
 
 def coordinates(rng, count: int) -> np.ndarray:
-    """s and t, [count][2], 0 to 65,535: edges and any."""
-    some = rng.integers(0, 1 << 16, (count, 2))
-    edge = rng.choice((0, 1, 15, 16, 0x7FFF, 0x8000, 0xFFFF, 0xFFF0), (count, 2))
-    return np.where(rng.random((count, 2)) < 0.1, edge, some)
+    """s and t of a level, 12.4, [count][2]."""
+    return some_coordinates(rng, count, EDGES, 0.1)
 
 
 def filtered(st: np.ndarray, ground: Level, bits: int) -> np.ndarray:

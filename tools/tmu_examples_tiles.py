@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .tmu_examples_sample import BENCH, Level, numbered, packed
-from .tx_example import Example, any_texels, longs, pixels, signed, words
+from .fixed import signed
+from .pass_example import BENCH, Example, any_texels, longs, pixels, walked, words
+from .tmu_examples_sample import Level, filtered, packed
 
 SIDE, ROWS = 256, 16  # of a page; rows of it that there are
 SHIFT, SHIFTS = 14, 5  # from 14.18 to a page of level 0; and how many levels have one of their own
@@ -21,10 +22,11 @@ def line(rng, count: int, shift: int, first: int) -> tuple[np.ndarray, np.ndarra
     if count == BENCH:
         ds = one // 3
     start = [int(rng.integers(-1 << 31, 1 << 31)), int(t[0]) + tile]
-    return signed(start, 32), np.array([ds, int(t[1] - t[0]) // count])
+    return signed(np.array(start)), np.array([ds, int(t[1] - t[0]) // count])
 
 
-def example(start, step, count: int, shift: int, first: int, page: bytes, expected: bytes) -> Example:
+def example(start, step, count: int, shift: int, first: int, page: bytes,
+            expected: bytes) -> Example:
     """A line over a page of which the rows from ``first`` on are there."""
     bits = len(page) // (SIDE * ROWS) * 8
     return Example(f"tmu_tile_{bits}", longs([*start, 0]), expected, count, "tmu_paging",
@@ -34,7 +36,7 @@ def example(start, step, count: int, shift: int, first: int, page: bytes, expect
 
 def places(start, step, count: int, shift: int) -> np.ndarray:
     """Columns and rows of the whole map at each pixel, [count][2]."""
-    return signed(numbered(start, step, count), 32) >> shift
+    return walked(start, step, count) >> shift
 
 
 def any_page(bits: int) -> Callable[..., Example]:
@@ -52,10 +54,7 @@ def any_page(bits: int) -> Callable[..., Example]:
 
 def bilinear(level: Level, places_: np.ndarray) -> np.ndarray:
     """The filter's result in a level at places [n][2] of the map that is 16 times as fine."""
-    st = places_ - 8
-    fs, ft = (st & 15).T
-    weights = np.stack([(16 - fs) * (16 - ft), fs * (16 - ft), (16 - fs) * ft, fs * ft], 1)
-    return (weights[:, :, None] * level.corners(*(st >> 4).T)).sum(1) >> 8
+    return filtered(places_ - 8, level, 4)
 
 
 def some_level(rng, side: int) -> Level:

@@ -5,9 +5,9 @@ rounded down. It is the 512th root of 2^(512 * 31 + 2 k + 1), a square root nine
 of them rounded down is the root rounded down, and no root is a whole number.
 """
 
-import sys
 from math import isqrt
-from pathlib import Path
+
+from .generated import write
 
 STEPS = 256  # of a power of two
 ROOTS = 9  # 2^ROOTS = 2 * STEPS
@@ -35,6 +35,4 @@ def text() -> str:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: python -m tools.tmu_logarithms OUT.s")
-    Path(sys.argv[1]).write_text(text())
+    write(text())

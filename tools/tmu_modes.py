@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import modes, scene_glide, scene_glide_build
-from .modes import FINE, LEVEL, OTHER, PICTURE, SHEER, SIDE, TRIANGLE, fixed
+from .fixed import fix
+from .modes import FINE, LEVEL, OTHER, PICTURE, SHEER, SIDE, TRIANGLE
 from .tmu.state import SIDE as UNITS  # s and t along a map's longer side
 from .tmu.words import FORMATS as TEXELS
 
@@ -48,7 +49,7 @@ class Mode(modes.Mode):
         found = [(texels, depths)]
         if self.table["units"][-1].get("own"):
             found.append(PROJECTED)
-        return [fixed(*point, s * TEXEL, t * TEXEL, 0, w) for texels, depths in found
+        return [tuple(map(fix, (*point, s * TEXEL, t * TEXEL, 0, w))) for texels, depths in found
                 for point, (s, t), w in zip(points, texels, depths)]
 
     def check(self, made: dict, where: str) -> dict:

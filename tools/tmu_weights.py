@@ -8,9 +8,7 @@ A part is passed once a pixel, hardly ever found in the instruction cache: it ha
 ``tmu_weights_table`` has a word for each [fs << 4 | ft]: its part from the table's start.
 """
 
-import sys
-from pathlib import Path
-
+from .generated import write
 from .weights import forms, horner, in_place, shortest
 
 UNIT = 16
@@ -80,6 +78,4 @@ def text() -> str:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: python -m tools.tmu_weights OUT.s")
-    Path(sys.argv[1]).write_text(text())
+    write(text())

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import model
 from .bench_modes import FIRST, HEIGHT, WIDTH, scene_of
+from .ideal_texels import Error, error
 from .scene_units import state_at
 from .tx import ideal
 from .tx.pixels import picture
@@ -48,9 +49,9 @@ def shades(on: Pixels) -> np.ndarray:
 
 
 @cache
-def error_of(mode: Mode, kind: str) -> ideal.Error:
+def error_of(mode: Mode, kind: str) -> Error:
     """What a mode is off on a picture, R, G and B as the frame has them."""
     on = pixels_of(mode, kind)
     drawn = picture(model.render(scene_of(mode, kind), FIRST))[on.y, on.x]
     found = ideal.texels(on.state, on.surface, on.x, on.y, mode.filter)
-    return ideal.error(drawn, ideal.combined(on.state, found, shades(on)))
+    return error(drawn, ideal.combined(on.state, found, shades(on)))

@@ -12,7 +12,9 @@ import numpy as np
 from . import tx_examples_divide as depth
 from . import tx_examples_sample as sample
 from . import tx_examples_yuv as yuv
-from .tx_example import Example, any_texels, longs, pixels, signed, walked, words
+from .fixed import signed
+from .pass_example import (BENCH, Example, any_texels, longs, pixels, some_step, walked,
+                           words)
 
 
 def combined(a, b, c, d) -> np.ndarray:
@@ -39,8 +41,8 @@ def shade(rng, count: int) -> Example:
 
 def lerp(rng, count: int) -> Example:
     first, second = any_texels(rng, count), any_texels(rng, count)
-    fractions = rng.integers(-256 if rng.random() < 0.7 and count != 256 else 0, 256, count)
-    step = 0 if rng.random() < 0.3 and count != 256 else 2
+    fractions = rng.integers(-256 if rng.random() < 0.7 and count != BENCH else 0, 256, count)
+    step = some_step(rng, count, 2)
     fractions = np.where(rng.random(count) < 0.2, 0, fractions)
     used = fractions[np.arange(count) * step // 2][:, None]
     return Example("tx_lerp", pixels(first), pixels(combined(second, first, used, first)), count,
@@ -50,7 +52,7 @@ def lerp(rng, count: int) -> Example:
 
 def modulate(rng, count: int) -> Example:
     first, other = any_texels(rng, count), any_texels(rng, count)
-    step = 0 if rng.random() < 0.3 and count != 256 else 4
+    step = some_step(rng, count, 4)
     found = first * other[np.arange(count) * step // 4] + 128 >> 8
     return Example("tx_modulate", pixels(first), pixels(found), count, "tx_modulation",
                    {"step": step}, {"other": pixels(other)})
@@ -79,7 +81,7 @@ def combine(rng, count: int) -> Example:
         numbers = rng.integers(-128, 384, (count, 4))
         if rng.random() < 0.3:
             numbers = rng.integers(-256, 256, (count, 4))
-        step = 0 if rng.random() < 0.3 and count != 256 else 8
+        step = some_step(rng, count, 8)
         inputs[name], steps[f"{name}_step"] = words(numbers), step
         used.append(numbers[np.arange(count) * step // 8, 0])
     a, b, c, d = used

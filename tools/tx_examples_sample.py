@@ -5,8 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import layout
-from .tx_example import (Example, any_texels, coordinates, longs, packed, pairs,
-                         pixels, signed, walked)
+from .fixed import signed
+from .pass_example import (BENCH, Example, any_texels, longs, packed, pair, pairs, pixels,
+                           some_coordinates, walked)
+
+EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
+
+
+def coordinates(rng, count: int) -> np.ndarray:
+    """s and t, s10.5 modulo 2^16, [count][2]."""
+    return some_coordinates(rng, count, EDGES, 0.2)
 
 
 def walk(rng, count: int) -> Example:
@@ -21,10 +29,6 @@ def quad_bytes(corners: np.ndarray) -> bytes:
     """struct tx_quad of the corners c00, c10, c01, c11: [n][4][4]."""
     corners = corners.astype(np.int64)
     c00, c10, c01, c11 = (corners[:, k] for k in range(4))
-
-    def pair(channels, high: int, low: int) -> np.ndarray:
-        return channels[:, high] * 65536 + channels[:, low]
-
     rows = []
     for corner, in_s, in_t in ((c00, c10, c01), (c11, c01, c10)):
         for high, low in ((0, 2), (1, 3)):
@@ -36,7 +40,7 @@ def quad_bytes(corners: np.ndarray) -> bytes:
 
 
 def quads(rng, count: int) -> Example:
-    step = int(rng.integers(1, 4)) if count != 256 else 1
+    step = int(rng.integers(1, 4)) if count != BENCH else 1
     rows = any_texels(rng, 2 * (count + 1) * step).reshape(2, count + 1, step, 4)
     above, below = rows[:, :, 0]
     made = quad_bytes(np.stack([above[:-1], above[1:], below[:-1], below[1:]], 1))
@@ -64,6 +68,7 @@ class Tile:
 
     @property
     def bits(self) -> tuple[int, int]:
+        """log2 of columns and rows."""
         rows, columns = self.texels.shape[:2]
         return columns.bit_length() - 1, rows.bit_length() - 1
 
@@ -88,6 +93,7 @@ class Tile:
 
 
 def tile(rng, has_quads: bool) -> Tile:
+    """Of any size, some a column or a row alone."""
     columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
     if rng.random() < 0.1:
         columns, rows = (512, 1) if rng.random() < 0.5 else (1, 256)
@@ -138,7 +144,7 @@ def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
 
 def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
     """The coordinate c (16 bits signed) relative to the tile, modulo 2^16."""
-    c = c >> shift if shift <= 10 else int(signed(c << 16 - shift, 16))
+    c = c >> shift if shift <= 10 else signed(c << 16 - shift, 16)
     is_over = c >> 3 >= high
     c -= 8 * low
     if clamp and is_over:
@@ -156,7 +162,7 @@ def axis_bytes(clamp: int, shift: int, low: int, high: int) -> list[int]:
 def tiled(rng, count: int, kernel: str = "tx_tile") -> Example:
     st = coordinates(rng, count)
     axes = [axis(rng, kernel == "tx_tile_plain") for _ in "st"]
-    for k, (_, shift, low, high) in enumerate(axes):  # what stands on the borders
+    for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
         border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
         st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
     found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]

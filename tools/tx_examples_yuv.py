@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from .tx_example import Example, any_texels, coordinates, longs, pairs, pixels, words
+from .pass_example import Example, any_texels, longs, pairs, pixels, words
+from .tx_examples_sample import coordinates
 
 USUAL = 175, -43, -89, 222
 NEUTRAL = 128  # the byte that stands for 0 of U and V

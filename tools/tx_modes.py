@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import modes, scene_tx, scene_tx_build
-from .modes import OTHER, PICTURE, fixed
+from .fixed import fix
+from .modes import OTHER, PICTURE
 
 SHADES = (60.5, 140.2, 250.7, 120.1)
 
@@ -19,7 +20,7 @@ class Mode(modes.Mode):
     def vertices(self) -> list[tuple[int, ...]]:
         """x, y, s, t, shade, w; 16.16."""
         points, texels, depths = self.POLYGONS[self.polygon]
-        return [fixed(*point, *st, shade, w)
+        return [tuple(map(fix, (*point, *st, shade, w)))
                 for point, st, shade, w in zip(points, texels, SHADES, depths)]
 
     def check(self, made: dict, where: str) -> dict:

@@ -11,9 +11,7 @@ lower one, stands before the part.
 ``tx_weights_mean_table`` the same, but the mean of four texels where both are 16.
 """
 
-import sys
-from pathlib import Path
-
+from .generated import write
 from .weights import forms, horner, in_place, shortest
 
 UNIT = 32
@@ -72,6 +70,4 @@ def text() -> str:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit("usage: python -m tools.tx_weights OUT.s")
-    Path(sys.argv[1]).write_text(text())
+    write(text())

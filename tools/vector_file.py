@@ -7,8 +7,7 @@ import numpy as np
 
 from . import emulator, layout
 from .errors import UserError
-
-M32 = (1 << 32) - 1
+from .fixed import M32
 
 
 class Operations:
@@ -39,6 +38,22 @@ class Operations:
         return header.pack(**values) + body
 
 
+def ask_all(several: list[Operations], machine: str = "a1200-fast",
+            on_output=None) -> list[np.ndarray]:
+    """Runs each of several lists of operations with the engines as new, all in one boot; returns
+    their answers, int32."""
+    commands = [f"vectors {n}.questions {n}.answers" for n in range(len(several))]
+    files = {f"{n}.questions": operations.file() for n, operations in enumerate(several)}
+    with emulator.workspace() as directory:
+        results = emulator.run_many(commands, files, machine, directory, on_output)
+        for done in results:
+            fault = emulator.explain_fault(emulator.PROGRAMS / "vectors", done.output)
+            if fault or done.code:
+                raise UserError(fault or f"vectors: {emulator.last_words(done.output)}")
+        return [np.fromfile(results[n].directory / f"{n}.answers", ">i4").astype(np.int32)
+                for n in range(len(several))]
+
+
 def ask(operations: Operations, machine: str = "a1200-fast", on_operation=None) -> np.ndarray:
     """Runs the operations in one boot; returns all answers, int32. ``on_operation`` is told
     how many operations were begun."""
@@ -47,9 +62,5 @@ def ask(operations: Operations, machine: str = "a1200-fast", on_operation=None) 
         if on_operation and lines and lines[-1].split()[1].isdecimal():
             on_operation(int(lines[-1].split()[1]))
 
-    with emulator.workspace() as directory:
-        done = emulator.run("vectors", "in.questions out.answers",
-                            {"in.questions": operations.file()}, machine, directory, progress)
-        if done.code:
-            raise UserError(f"vectors: {emulator.last_words(done.output)}")
-        return np.frombuffer((done.directory / "out.answers").read_bytes(), ">i4").astype(np.int32)
+    answers, = ask_all([operations], machine, progress)
+    return answers

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from .errors import UserError
+from .fixed import M32
 
 DECIMAL, HEX = 10, 16
 
@@ -119,9 +120,9 @@ def check_longs(values: Iterable[int], place: str) -> None:
 
 def xorshift_step(x: int) -> int:
     """The next number of xorshift32."""
-    x ^= x << 13 & 0xFFFFFFFF
+    x ^= x << 13 & M32
     x ^= x >> 17
-    return x ^ x << 5 & 0xFFFFFFFF
+    return x ^ x << 5 & M32
 
 
 def after(basis: list[int], x: int) -> int:
@@ -142,12 +143,20 @@ def doublings(times: int) -> list[int]:
     return [after(half, becomes) for becomes in half]
 
 
+@cache
+def jumps(times: int) -> np.ndarray:
+    """What each value of each byte of a number, the lowest first, becomes by 2^times steps; uint32
+    [4][256]. Steps are linear: a number becomes the exclusive or of what its bytes become."""
+    basis = doublings(times)
+    return np.array([[after(basis[8 * n:8 * n + 8], value) for value in range(256)]
+                     for n in range(4)], np.uint32)
+
+
 def xorshift(seed: int, count: int) -> np.ndarray:
     """The ``count`` numbers that follow a seed, uint32: what the ``rand`` commands fill with."""
     values = np.array([xorshift_step(seed)], np.uint32)
     for times in range((count - 1).bit_length()):
-        ahead = np.zeros_like(values)
-        for bit, becomes in enumerate(doublings(times)):
-            ahead ^= (values >> np.uint32(bit) & np.uint32(1)) * np.uint32(becomes)
-        values = np.concatenate([values, ahead])
+        parts = (jump[values >> np.uint32(8 * n) & np.uint32(255)]
+                 for n, jump in enumerate(jumps(times)))
+        values = np.concatenate([values, np.bitwise_xor.reduce(list(parts))])
     return values[:count]

@@ -14,9 +14,10 @@ import numpy as np
 
 from . import vector_text
 from .errors import UserError
+from .fixed import M32
 from .tmu.vector_text import TmuLines
 from .tx.vector_text import TxLines
-from .vector_file import M32, Operations, ask
+from .vector_file import Operations, ask
 from .vector_text import Line, Shape
 
 #: Bytes of operations that fit the machine's memory beside what else is in it.

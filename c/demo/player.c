@@ -3,8 +3,6 @@
 
 #include "system/system.h"
 
-#define KEY_ESCAPE 0x45
-#define KEY_SPACE 0x40
 #define FIELDS_SECOND 50
 #define GROUND 0x000000         /* colours of the picture and of figures */
 #define INK 0xffffff

@@ -127,6 +127,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
     scene_reserve(&scene);
+    settings_forget();
     return 1;
 }
 

@@ -56,10 +56,11 @@ static const char *processor(uint32 attention)
          : attention & CPU_68030 ? "68030" : "68020";
 }
 
+/* To the nearest: exec's own list takes some bytes of each memory. */
 static void add_kilobytes(const char *before, uint32 bytes, const char *after)
 {
     text_add(before);
-    text_number((int32)(bytes >> 10));
+    text_number((int32)((bytes + 512) >> 10));
     text_add(after);
 }
 

@@ -17,34 +17,17 @@
      drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
      one now and then while it runs, so that no more than a fifth of the time goes there; the figures
      of all that were since the last change of a step are added up. */
-#include "scene/scene_counts.h"
 #include "scene/settings.h"
 #include "screen/screen.h"
+#include "show/figures.h"
 #include "system/arguments.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
-#define FIELDS 50               /* a second */
 #define NO_LIMIT 65535          /* of the clock: no watchdog is on */
 #define MEASURE_REST 4          /* times as long as measuring took it is not done again */
 #define READ_BEYOND 32          /* the conversion reads up to so many bytes behind a frame */
-
-enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
-           KEY_LEFT };
-
-/* Sums over the frames that were measured under the steps of now. */
-struct measured {
-    uint32 pixels, ticks;       /* of the polygons */
-    uint32 different, compared; /* of the picture */
-};
-
-/* Frames since a field. */
-struct rate {
-    uint32 since, frames;
-    uint32 spent;               /* fields that do not count */
-    uint32 tenths;              /* frames in 10 seconds: the last result */
-};
 
 struct show {
     struct scene scene;
@@ -80,10 +63,8 @@ static int32 make_frame(struct frame *frame, const struct scene_header *header)
 
 static void set(struct show *s)
 {
-    struct measured *m = &s->measured;
-
     s->has_tables = settings_set(&s->scene, &s->settings);
-    m->pixels = m->ticks = m->different = m->compared = 0;
+    measured_clear(&s->measured);
     s->next_measuring = 0;
 }
 
@@ -98,31 +79,6 @@ static void draw(struct show *s)
         s->refused = result;
 }
 
-/* Pixels of a longword in which two frames differ. */
-static uint32 pixels_in(uint32 differs, int32 pixel_bytes)
-{
-    const uint32 bits = 8 * (uint32)pixel_bytes, mask = 0xffffffffu >> (32 - bits);
-    uint32 pixels = 0;
-
-    for (uint32 at = 0; at < 32; at += bits)
-        pixels += (differs >> at & mask) != 0;
-    return pixels;
-}
-
-static uint32 different(const struct frame *a, const struct frame *b)
-{
-    const uint32 *one = (const uint32 *)a->pixels, *other = (const uint32 *)b->pixels;
-    uint32 pixels = 0;
-
-    for (int32 i = a->pitch * a->height / 4; i > 0; i--) {
-        const uint32 differs = *one++ ^ *other++;
-
-        if (differs)
-            pixels += pixels_in(differs, a->pixel_bytes);
-    }
-    return pixels;
-}
-
 static void compare(struct show *s)
 {
     static const struct settings best = {ACCURACY_STEPS - 1, PERSPECTIVE_KINDS - 1};
@@ -130,31 +86,18 @@ static void compare(struct show *s)
     settings_set(&s->scene, &best);
     scene_draw(&s->scene, &s->exact, s->number, &s->drawing);
     settings_set(&s->scene, &s->settings);
-    s->measured.different += different(&s->frame, &s->exact);
-    s->measured.compared += (uint32)(s->frame.width * s->frame.height);
-}
-
-static uint32 counted_pixels(const struct scene_counts *counts)
-{
-    uint32 pixels = 0;
-
-    for (uint32 i = 0; i < counts->materials; i++)
-        for (uint32 kind = 0; kind < SPAN_KINDS; kind++)
-            pixels += counts->frame[i].pixels[kind];
-    return pixels;
+    measured_compare(&s->measured, &s->frame, &s->exact);
 }
 
 /* Of the frame that was just drawn. */
 static void measure(struct show *s)
 {
     const uint32 began = screen_fields(&s->screen);
-    struct measured *m = &s->measured;
     uint32 took;
 
-    if (m->pixels < 0x10000000u && m->ticks < 0x10000000u && m->compared < 0x10000000u) {
+    if (measured_has_room(&s->measured)) {
         counts_frame(&s->counts, &s->scene, &s->frame, s->number, &s->drawing);
-        m->pixels += counted_pixels(&s->counts);
-        m->ticks += s->ticks;
+        measured_add(&s->measured, &s->counts, s->ticks);
         if (s->exact.pixels)
             compare(s);
     }
@@ -163,84 +106,22 @@ static void measure(struct show *s)
     s->next_measuring = began + took + FIELDS / 2 + MEASURE_REST * took;
 }
 
-/* part / whole * scale, rounded down: whole is below 2^28.7, scale a power of ten. */
-static uint32 ratio(uint32 part, uint32 whole, uint32 scale)
-{
-    uint32 result = part / whole;
-
-    for (part %= whole; scale > 1; scale /= 10) {
-        part *= 10;
-        result = result * 10 + part / whole;
-        part %= whole;
-    }
-    return result;
-}
-
-/* A number of tenths or hundredths: a power of ten, 10 or 100. */
-static void add_decimal(uint32 value, uint32 power)
-{
-    text_number((int32)(value / power));
-    text_add(".");
-    for (power /= 10; power; power /= 10)
-        text_number((int32)(value / power % 10));
-}
-
-static void count_rate(struct show *s)
-{
-    struct rate *rate = &s->rate;
-    const uint32 now = screen_fields(&s->screen), fields = now - rate->since - rate->spent;
-
-    rate->frames++;
-    if (fields < FIELDS)
-        return;
-    rate->tenths = rate->frames * FIELDS * 10 / fields;
-    rate->since = now;
-    rate->frames = rate->spent = 0;
-}
-
-static void begin_rate(struct show *s)
-{
-    s->rate.since = screen_fields(&s->screen);
-    s->rate.frames = s->rate.spent = s->rate.tenths = 0;
-}
-
-static void add_speed(const struct show *s)
-{
-    if (s->paused) {
-        text_add("paused, frame ");
-        text_number(s->number);
-    } else if (s->rate.tenths) {
-        add_decimal(s->rate.tenths, 10);
-        text_add(" fps");
-    } else {
-        text_add("... fps");
-    }
-}
-
-static void add_figures(const struct show *s)
-{
-    const struct measured *m = &s->measured;
-
-    text_add("   ");
-    if (m->pixels) {
-        add_decimal(ratio(m->ticks * 4, m->pixels, 10), 10);
-        text_add(" cycles/pixel");
-    }
-    text_add("   ");
-    if (!s->exact.pixels)
-        text_add("error: no memory");
-    else if (m->compared) {
-        add_decimal(ratio(m->different, m->compared, 10000), 100);
-        text_add(" % of pixels off");
-    }
-}
-
 static void describe(struct show *s)
 {
     char text[2 * STATUS_COLUMNS];
 
-    add_speed(s);
-    add_figures(s);
+    if (s->paused) {
+        text_add("paused, frame ");
+        text_number(s->number);
+    } else
+        figures_rate(&s->rate);
+    text_add("   ");
+    figures_cost(&s->measured);
+    text_add("   ");
+    if (s->exact.pixels)
+        figures_error(&s->measured);
+    else
+        text_add("error: no memory");
     text_take(text);
     screen_text(&s->screen, 0, text);
     text_add(settings_accuracy(s->settings.accuracy));
@@ -303,7 +184,7 @@ static int32 follow(struct show *s, uint32 key)
     default:
         return 1;
     }
-    begin_rate(s);
+    rate_begin(&s->rate, screen_fields(&s->screen));
     return 1;
 }
 
@@ -330,13 +211,13 @@ static int32 follow_keys(struct show *s)
 
 static int32 play(struct show *s)
 {
-    begin_rate(s);
+    rate_begin(&s->rate, screen_fields(&s->screen));
     present(s);
     while (follow_keys(s)) {
         if (!s->paused && ++s->number == s->scene.header->frames)
             s->number = 0;
         present(s);
-        count_rate(s);
+        rate_count(&s->rate, screen_fields(&s->screen));
     }
     screen_close(&s->screen);
     if (s->refused == POLYGON_DRAWN)

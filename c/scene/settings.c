@@ -114,10 +114,16 @@ static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct ma
     return 0;
 }
 
-/* Tried once each: what memory was short for then it stays short for. */
+/* Once each: what memory was short for then it stays short for. */
+static int32 reciprocals_tried, logarithms_tried;
+
+void settings_forget(void)
+{
+    reciprocals_tried = logarithms_tried = 0;
+}
+
 static int32 set_tables(struct scene *scene)
 {
-    static int32 reciprocals_tried, logarithms_tried;
     const int32 reciprocals = is_needed(scene, needs_reciprocals);
     const int32 logarithms = is_needed(scene, needs_logarithms);
 

@@ -30,6 +30,10 @@ struct settings {
    divided exactly instead: within the same bounds, but slower and not the same pixels. */
 int32 settings_set(struct scene *scene, const struct settings *settings);
 
+/* Another scene was loaded. For one scene a table is tried once: where memory was short for it, it
+   stays so. */
+void settings_forget(void);
+
 /* A step's name, as "exact, plane, subtexel" or "every16"; "settings of the scene", "of the scene". */
 const char *settings_accuracy(int32 step);
 const char *settings_perspective(int32 step);

@@ -11,6 +11,10 @@ enum font_constants {
 
 #define NO_KEY 0xffffffffu
 
+/* Codes of keys by their places. */
+enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
+           KEY_LEFT };
+
 int32 display_has_aga(void);
 int32 display_open(const uint16 *list);
 void display_show(const uint16 *list);

@@ -8,7 +8,7 @@ struct machine {
     uint32 exec_version, exec_revision;
     uint32 attention;           /* enum processor */
     uint32 e_clock;             /* Hz: a twentieth of an A1200's processor clock */
-    uint32 chip, fast;          /* bytes of RAM in all */
+    uint32 chip, fast;          /* bytes of RAM in all; fast: what exec gives before chip RAM */
     uint32 agnus;               /* bits 14 to 8 of VPOSR: bit 4 NTSC's, bit 1 Alice's of AGA */
 };
 

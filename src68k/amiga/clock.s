@@ -9,7 +9,8 @@
 
         xdef    ciab_base
 
-BEAM_LINES              equ     $1ff00  ; of vposr and vhposr
+LINE_BIT                equ     15      ; of vposr and vhposr together, from the highest bit on:
+LINE_BITS               equ     9       ; the raster line
 BEAM_PLACE              equ     $40     ; colour clocks
 LINE                    equ     227     ; colour clocks in a raster line
 E_CLOCK                 equ     5       ; in an E-clock
@@ -89,7 +90,8 @@ ciab_name       dc.b    'ciab.resource',0
 
 ;==============================================================================
 ; clock_wait - empties the instruction cache and waits for one place of the raster line
-;              after the field's first, at the same time in the E-clock
+;              after the field's first, at the same time in the E-clock; on NTSC machines, where
+;              that place may not come, for line 128 at most
 ;
 ; in:      -
 ; out:     -
@@ -98,12 +100,13 @@ ciab_name       dc.b    'ciab.resource',0
 ; writes:  -
 ; formats: -
 ; error:   -
-; cost:    1 to 23 ms
+; cost:    1 to 25 ms
 ;==============================================================================
 ; Chip RAM is refreshed at fixed places of each raster line: what starts anywhere else in
 ; it takes some ticks more or less. An E-clock is 5 of its 227 colour clocks, a prime, so
 ; that each place meets each. Twice: the second time the loop is in the cache. Counted from
 ; the field's first line, so that equal times hold equally many vertical blanks.
+; NTSC's lines have 227 and 228 by turns, two of them 91 E-clocks: a place meets few.
 
         routine clock_wait
         move.l  a6,-(sp)
@@ -112,15 +115,17 @@ ciab_name       dc.b    'ciab.resource',0
         movea.l (sp)+,a6
         lea     custom,a0
 .field  move.l  vposr(a0),d0
-        and.l   #BEAM_LINES,d0
+        bftst   d0{LINE_BIT:LINE_BITS}
         bne.s   .field
         lea     ciab,a1
+        moveq   #BEAM_PLACE,d0
         moveq   #2-1,d1
 .again  tst.b   ciatalo(a1)             ; ends with an E-clock
-        move.b  vhposr+1(a0),d0
-        cmp.b   #BEAM_PLACE,d0
-        bne.s   .again
-        dbra    d1,.again
+        cmp.b   vhposr+1(a0),d0
+        beq.s   .there
+        tst.b   vhposr(a0)              ; lines 128 to 255
+        bpl.s   .again
+.there  dbra    d1,.again
         rts
 
 ;==============================================================================

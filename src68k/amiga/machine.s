@@ -36,14 +36,31 @@ AGNUS_BITS              equ     $7f
         move.l  #MEMF_CHIP|MEMF_TOTAL,d1
         lvo     AvailMem
         move.l  d0,machine_chip(a2)
-        move.l  #MEMF_FAST|MEMF_TOTAL,d1
-        lvo     AvailMem
+        bsr.s   fast_bytes
         move.l  d0,machine_fast(a2)
         moveq   #AGNUS_BITS,d0
         and.b   custom+vposr,d0
         move.l  d0,machine_agnus(a2)
         movem.l (sp)+,a2/a6
         rts
+
+; Fast RAM that exec gives before chip RAM: its list goes by priority. Behind chip RAM is what a
+; Kickstart keeps for itself.
+fast_bytes
+        lvo     Forbid
+        moveq   #0,d0
+        movea.l MemList(a6),a0
+        bra.s   .test
+.memory btst    #MEMB_CHIP,mh_Attributes+1(a0)
+        bne.s   .done
+        btst    #MEMB_FAST,mh_Attributes+1(a0)
+        beq.s   .next
+        add.l   mh_Upper(a0),d0
+        sub.l   mh_Lower(a0),d0
+.next   movea.l (a0),a0
+.test   tst.l   (a0)                    ; its successor: the last one's is 0
+        bne.s   .memory
+.done   jmp     _LVOPermit(a6)          ; keeps all registers
 
 ;==============================================================================
 ; memory_is_chip - whether an address is in chip RAM

@@ -36,6 +36,7 @@ _LVODeleteMsgPort       equ     -672
 lib_Version             equ     20
 lib_Revision            equ     22
 AttnFlags               equ     296
+MemList                 equ     322
 ex_EClockFrequency      equ     568
 AFB_68020               equ     1
 tc_TrapCode             equ     50
@@ -50,11 +51,16 @@ wa_Lock                 equ     0
 
 SIGBREAKF_CTRL_C        equ     $1000
 
+MEMB_CHIP               equ     1
+MEMB_FAST               equ     2
 MEMF_CHIP               equ     2
 MEMF_FAST               equ     4
 MEMF_CLEAR              equ     $10000
 MEMF_LARGEST            equ     $20000
 MEMF_TOTAL              equ     $80000
+mh_Attributes           equ     14
+mh_Lower                equ     20
+mh_Upper                equ     24
 
 ; dos.library
 _LVOOpen                equ     -30

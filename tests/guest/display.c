@@ -10,14 +10,16 @@
 
 /* tests/guest/events.s */
 void state(uint32 *found);
+uint32 field_lines(void);
 void send_event(uint32 class, uint32 code, uint32 qualifier);
 uint32 break_signal(void);
 void illegal(void);
 
 enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST };
-enum event { RAW_KEY = 1, RAW_MOUSE = 2, KEY_UP = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
+enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
-#define STATES 6
+#define STATES 7
+#define DUMPED 7
 #define FRAMES 3
 /* The part of the last frame that is converted. */
 #define BOX_X 32
@@ -42,7 +44,7 @@ static void print_numbers(const uint32 *from, int32 count)
 static int32 dump(const char *name, int32 number)
 {
     char file[64];
-    uint32 found[6];
+    uint32 found[DUMPED];
 
     found[0] = (uint32)screen.chip;
     found[1] = display_shown();
@@ -50,7 +52,8 @@ static int32 dump(const char *name, int32 number)
     found[3] = (uint32)screen.list[1];
     found[4] = (uint32)screen.hidden;
     found[5] = screen_fields(&screen);
-    print_numbers(found, 6);
+    found[6] = field_lines();
+    print_numbers(found, DUMPED);
     text_add(name);
     text_add(".");
     text_number(number);
@@ -88,7 +91,7 @@ static int32 keys(void)
     send_event(RAW_KEY, 0x45, 0);
     send_event(RAW_KEY, 0x45, REPEAT);
     send_event(RAW_MOUSE, 0x68, 0);
-    send_event(RAW_KEY, 0x45 | KEY_UP, 0);
+    send_event(RAW_KEY, 0x45 | RELEASED, 0);
     send_event(RAW_KEY, C_KEY, 0);
     text_number((int32)break_signal());
     send_event(RAW_KEY, C_KEY, CONTROL);
@@ -189,6 +192,7 @@ int main(void)
         uint32 found[STATES];
 
         state(found);
+        found[6] = field_lines();
         print_numbers(found, STATES);
         return RETURN_OK;
     }

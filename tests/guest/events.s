@@ -37,6 +37,24 @@ VECTOR_LEVEL_3          equ     $6c
         dc.b    'graphics.library',0
         even
 
+        routine field_lines             ; d0 = the beam's highest line in some fields
+        movem.l d2/d3,-(sp)
+        moveq   #0,d0
+        moveq   #0,d2
+        moveq   #4-1,d1
+.read   move.l  custom+vposr,d3
+        lsr.l   #8,d3
+        and.w   #$1ff,d3
+        cmp.w   d0,d3
+        bls.s   .lower
+        move.w  d3,d0
+.lower  exg     d2,d3
+        cmp.w   d3,d2
+        bhs.s   .read
+        dbra    d1,.read
+        movem.l (sp)+,d2/d3
+        rts
+
         routine send_event,d0,d1,a0     ; class, code, qualifier, as if a device did
         movem.l d2/a2/a3/a6,-(sp)
         lea     event,a2

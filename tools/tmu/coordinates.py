@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fixed import signed
 from .state import COORDINATE_BITS, LEVELS, ONE_W, Modes
 from .texels import level_size
 
@@ -53,12 +54,7 @@ def within_pieces(divided: np.ndarray, size: int, before: np.ndarray,
     first = here - place
     pixels = np.minimum(place + behind, size)
     start, end = divided.ravel()[first], divided.ravel()[first + pixels]
-    return to_32(start + place * (to_32(end - start) // np.maximum(pixels, 1)))
-
-
-def to_32(values: np.ndarray) -> np.ndarray:
-    """Numbers modulo 2^32 as signed ones."""
-    return (values + (1 << 31) & 0xFFFFFFFF) - (1 << 31)
+    return signed(start + place * (signed(end - start) // np.maximum(pixels, 1)))
 
 
 def coordinates(modes: Modes, s: np.ndarray, t: np.ndarray, w: np.ndarray,

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .. import model
+from ..model_polygon import set_up
 from ..model_spans import coordinates
+from ..model_texturing import Line, Settings
 from .combine import combined
 from .filters import filters_linearly
 from .lod import ONE, QUARTER, chosen, within_limits
@@ -32,7 +33,7 @@ def corners_of(modes: Modes, vertices, level: int) -> list[tuple[int, int, int, 
     return corners
 
 
-def lines(units, frame: np.ndarray, vertices, settings: model.Settings):
+def lines(units, frame: np.ndarray, vertices, settings: Settings):
     """(polygon, colours of its pixels, [n, 4], line by line), or None where the filter is drawn;
     a polygon of None covers nothing."""
     modes = units[0].modes
@@ -46,13 +47,15 @@ def lines(units, frame: np.ndarray, vertices, settings: model.Settings):
     if corners is None:
         return None
     height, width = frame.shape
-    polygon = model.set_up(corners, width, height, True, replace(settings, mapper="dithered"),
-                           level_size(modes, level))
-    return polygon, [colours(units[0], level, lod, line, y) for y, line in
-                     enumerate(polygon.lines, polygon.top)] if polygon else []
+    polygon = set_up(corners, width, height, True, replace(settings, mapper="dithered"),
+                     level_size(modes, level))
+    if polygon is None:
+        return None, []
+    return polygon, [colours(units[0], level, lod, line, y)
+                     for y, line in enumerate(polygon.lines, polygon.top)]
 
 
-def colours(unit: Unit, level: int, lod: int, line: model.Line, y: int) -> np.ndarray:
+def colours(unit: Unit, level: int, lod: int, line: Line, y: int) -> np.ndarray:
     """Of a line's pixels."""
     u, v = (c >> 16 for c in coordinates(line, "dithered", y))
     width, height = level_size(unit.modes, level)

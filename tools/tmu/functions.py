@@ -1,33 +1,15 @@
-"""Combine functions and factors by Glide's names, and what trilinear filtering asks of units."""
+"""Combine functions and factors by the names of tools.tmu.words, and what trilinear filtering asks
+of units."""
 
 from dataclasses import replace
 
 from ..errors import UserError
-from .state import (DETAIL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, OTHER_ALPHA, ZERO, Combination,
-                    Modes)
+from .state import Combination, Modes
+from .words import FACTORS
+from .words import FUNCTIONS as TERMS
 
-#: Name to what a function sets. Other names of Glide's: "blend" is
-#: scale_other_minus_local_add_local, "blend_local" scale_minus_local_add_local.
-FUNCTIONS = {
-    "zero": Combination(zero_other=1),
-    "local": Combination(zero_other=1, add_local=1),
-    "local_alpha": Combination(zero_other=1, add_alpha_local=1),
-    "scale_other": Combination(),
-    "scale_other_add_local": Combination(add_local=1),
-    "scale_other_add_local_alpha": Combination(add_alpha_local=1),
-    "scale_other_minus_local": Combination(sub_local=1),
-    "blend": Combination(sub_local=1, add_local=1),
-    "scale_other_minus_local_add_local_alpha": Combination(sub_local=1, add_alpha_local=1),
-    "blend_local": Combination(zero_other=1, sub_local=1, add_local=1),
-    "scale_minus_local_add_local_alpha": Combination(zero_other=1, sub_local=1,
-                                                     add_alpha_local=1),
-}
-SELECTED = {"zero": ZERO, "local": LOCAL, "other_alpha": OTHER_ALPHA,
-            "local_alpha": LOCAL_ALPHA, "detail_factor": DETAIL, "lod_fraction": LOD_FRACTION}
-#: Name to what a factor sets; one minus zero is "one".
-FACTORS = ({name: {"mselect": m, "reverse": 1} for name, m in SELECTED.items()}
-           | {f"one_minus_{name}" if m else "one": {"mselect": m, "reverse": 0}
-              for name, m in SELECTED.items()})
+#: Name to what a function sets.
+FUNCTIONS = {name: Combination(**dict.fromkeys(terms, 1)) for name, terms in TERMS.items()}
 
 
 def combination(function: str, factor: str = "zero", invert: int = 0) -> Combination:
@@ -35,7 +17,8 @@ def combination(function: str, factor: str = "zero", invert: int = 0) -> Combina
     for kind, name, names in (("function", function, FUNCTIONS), ("factor", factor, FACTORS)):
         if name not in names:
             raise UserError(f"combine: {kind} {name!r} is none of {', '.join(names)}")
-    return replace(FUNCTIONS[function], **FACTORS[factor], invert=invert)
+    mselect, reverse = FACTORS[factor]
+    return replace(FUNCTIONS[function], mselect=mselect, reverse=reverse, invert=invert)
 
 
 def combine(modes: Modes, function: str, factor: str = "zero", invert: int = 0) -> Modes:

@@ -14,15 +14,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..fixed import ONE
 from ..ideal import Plane, corners
-from ..tx.ideal import Coordinate, bilinear, scaled
+from ..ideal_texels import Coordinate, bilinear, scaled
 from .combine import ALPHA
 from .coordinates import sides, within
 from .state import (DETAIL, LAST_LEVEL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, ONE_W, OTHER_ALPHA,
                     Combination, Modes, Unit)
 from .texels import fetch, owns
 
-UNIT = 65536  # of 16.16
 TO_WHOLE = 12  # s/w of 14.18 over 1/w of 2.30 is s over 2^12
 FILTERS = ("point", "bilinear", "trilinear")
 
@@ -53,8 +53,8 @@ class Surface:
         """s/w, t/w and 1/w at pixels [n] in the same proportion to their units, objects."""
         found = []
         for plane in (*self.over, self.inverse):
-            rise = (np.asarray(x).astype(object) * UNIT - plane.x0) * plane.nx
-            rise = rise + (np.asarray(y).astype(object) * UNIT - plane.y0) * plane.ny
+            rise = (np.asarray(x).astype(object) * ONE - plane.x0) * plane.nx
+            rise = rise + (np.asarray(y).astype(object) * ONE - plane.y0) * plane.ny
             found.append((rise + plane.value0 * plane.d) * (1 if plane.d > 0 else -1))
         if (found[-1] <= 0).any():
             raise UserError("ideal: a pixel lies behind the viewer")
@@ -76,7 +76,7 @@ class Surface:
         *overs, inverse = self.terms(x, y)
         lengths = []
         for name in ("nx", "ny"):
-            steps = [getattr(plane, name) * UNIT * (1 if plane.d > 0 else -1)
+            steps = [getattr(plane, name) * ONE * (1 if plane.d > 0 else -1)
                      for plane in (*self.over, self.inverse)]
             slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / inverse ** 2)
                       for step, over in zip(steps[:2], overs)]

@@ -1,8 +1,8 @@
 """Polygons as texture units draw them, bit for bit.
 
-What is iterated are planes over the screen (tools.planes): S = 4 s is 14.18 where w does not count,
-W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the others
-share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
+What is iterated are planes over the screen (tools.unit_planes): S = 4 s is 14.18 where w does not
+count, W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the
+others share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
 subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
 
@@ -11,20 +11,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import model
 from ..errors import UserError
-from ..fixed import signed
-from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..fixed import ONE, signed
+from ..model_polygon import Polygon
+from ..model_texturing import Settings
+from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .chain import Point, chain_pixel
-from .coordinates import to_32
 from .dithered import lines
 from .lod import base
-from .state import ONE_W, Unit
+from .state import ONE_W, REACH, W_MAX, Unit
 from .texels import five, six
 
-REACH = 8192 << 16  # of s and t
-W_MOST = 1 << 30
-SCALE = Scale(2, ONE_W, REACH)
+SCALE = Scale(2, ONE_W, REACH << 16)
 
 
 class Vertex(NamedTuple):
@@ -35,18 +33,18 @@ class Vertex(NamedTuple):
     y: int
     s: int = 0
     t: int = 0
-    w: int = 65536
+    w: int = ONE
     own: tuple[int, int, int] | None = None
 
 
 def check(corners: list[tuple[int, int, int]], perspective: bool) -> None:
     """Refuses coordinates (s, t, w) that units do not draw."""
-    if not all(abs(c) < REACH for s, t, _ in corners for c in (s, t)):
-        raise UserError("polygon: s or t is 8,192 or more away from 0")
+    if not all(abs(c) < REACH << 16 for s, t, _ in corners for c in (s, t)):
+        raise UserError(f"polygon: s or t is {REACH:,} or more away from 0")
     if not is_narrow(corners, SCALE):
-        raise UserError("polygon: s or t of two vertices are 8,192 or more apart")
-    if perspective and not all(0 < abs(w) <= W_MOST for *_, w in corners):
-        raise UserError("polygon: a vertex's w is 0 or above 16,384")
+        raise UserError(f"polygon: s or t of two vertices are {REACH:,} or more apart")
+    if perspective and not all(0 < abs(w) <= W_MAX << 16 for *_, w in corners):
+        raise UserError(f"polygon: a vertex's w is 0 or above {W_MAX:,}")
 
 
 def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
@@ -58,7 +56,7 @@ def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
 
 
 def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
-           frame: np.ndarray, settings: model.Settings) -> tuple[Spans, Point] | None:
+           frame: np.ndarray, settings: Settings) -> tuple[Spans, Point] | None:
     """A polygon's pixels and what is iterated for them; None where there are none.
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
@@ -70,7 +68,7 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     st = enlarged(st, bits)
     steps = [signed(c) for c in (*st.ddx, *st.ddy)]
     is_one = not w.ddx[0] and not w.ddy[0] and bool((w.values[0] == ONE_W).all())
-    return at, Point(*(to_32(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
+    return at, Point(*(signed(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,
                      *((0, 0) if is_one else sides(at)))  # w of 1.0 divides nothing
 
 
@@ -83,7 +81,8 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
 
 
 def widened(pixels: np.ndarray) -> np.ndarray:
-    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without alpha."""
+    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without
+    alpha."""
     value = pixels.astype(np.int64)
     if pixels.dtype != np.uint16:
         return np.stack([value >> shift & 255 for shift in (24, 16, 8, 0)], -1)
@@ -95,7 +94,7 @@ def blended(pixels: np.ndarray, colours: np.ndarray, adds: bool) -> np.ndarray:
     return stored(pixels, np.minimum(widened(pixels) + colours, 255) if adds else colours)
 
 
-def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) -> int:
+def draw_lines(frame: np.ndarray, polygon: Polygon | None, colours: list) -> int:
     """Draws the colours of a polygon's lines; gives the number of pixels."""
     if polygon is None:
         return 0
@@ -106,7 +105,7 @@ def draw_lines(frame: np.ndarray, polygon: model.Polygon | None, colours: list) 
 
 
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
-         settings: model.Settings, adds: bool = False) -> int:
+         settings: Settings, adds: bool = False) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
     [height, width], by one or two units, the first nearest the frame; gives the number of its
     pixels. The second unit goes by its own corners where the vertices have them. ``adds``: to what

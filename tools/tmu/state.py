@@ -25,6 +25,8 @@ LAST_LEVEL = SIDE_BITS
 LEVELS = LAST_LEVEL + 1
 LAST_ASPECT = 3  # 8:1
 UNIT_MEMORY = 1 << 18
+REACH = 8192  # s and t of vertices: below, and above -REACH; and how far two may be apart
+W_MAX = 16384  # the most that w of a vertex may be away from 0
 VOODOO_BITS, VOODOO2_BITS = 4, 8  # of fraction in filter weights
 SUBDIVISIONS = (0, 8, 16)  # pixels; 0: each
 

@@ -7,7 +7,7 @@ from .state import (A8, AI44, AI88, AP88, ARGB1555, ARGB4444, ARGB8332, AYIQ8422
                     LEVELS, P8, RGB332, RGB565, SIDE, YIQ422, Modes, Ncc, Unit)
 
 LEAST_TEXELS = 4  # that a level takes in memory
-OPAQUE = 255
+FULL = 255  # alpha of formats that have none
 
 
 def level_size(modes: Modes, level: int) -> tuple[int, int]:
@@ -92,7 +92,7 @@ def decoded(form: int, value: np.ndarray, palette: np.ndarray | None = None,
     elif form == ARGB4444:
         alpha = (value >> 12) * 17
     else:
-        alpha = np.full_like(value, OPAQUE)
+        alpha = np.full_like(value, FULL)
     return np.stack([*channels, alpha], -1)
 
 

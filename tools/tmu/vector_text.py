@@ -7,7 +7,8 @@ import numpy as np
 
 from .. import vector_text
 from ..errors import UserError
-from ..vector_file import M32, Operations
+from ..fixed import M32
+from ..vector_file import Operations
 from ..vector_text import DECIMAL, HEX, Line, Shape, check_longs, xorshift
 from .registers import NCC_REGISTERS, ncc_of
 from .state import UNIT_MEMORY, Ncc

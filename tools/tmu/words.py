@@ -6,6 +6,8 @@ program. Where a map lies follows from the same arguments.
 
 from fractions import Fraction
 
+from .state import SIDE, UNIT_MEMORY
+
 MODE, LOD, DETAIL, BASE = range(4)
 
 #: Field to (register, lowest bit, bits).
@@ -22,12 +24,21 @@ FIELDS = {
 #: The combine unit's fields, from the lowest bit on, which is 12 of textureMode for colour, 21 for
 #: alpha.
 COMBINE_FIELDS = (("zero_other", 1), ("sub_local", 1), ("mselect", 3), ("reverse", 1),
-                  ("add_local", 1), ("add_local_alpha", 1), ("invert", 1))
+                  ("add_local", 1), ("add_alpha_local", 1), ("invert", 1))
 COMBINE_SHIFTS = {"rgb": 12, "alpha": 21}
-for _part, _shift in COMBINE_SHIFTS.items():
-    for _name, _bits in COMBINE_FIELDS:
-        FIELDS[f"{_part}_{_name}"] = (MODE, _shift, _bits)
-        _shift += _bits
+
+
+def combine_fields(part: str, lowest: int) -> dict[str, tuple[int, int, int]]:
+    """The fields of a half of the combine unit, as FIELDS has them."""
+    found = {}
+    for name, bits in COMBINE_FIELDS:
+        found[f"{part}_{name}"] = MODE, lowest, bits
+        lowest += bits
+    return found
+
+
+for _part, _lowest in COMBINE_SHIFTS.items():
+    FIELDS |= combine_fields(_part, _lowest)
 
 ASPECTS = ("8x1", "4x1", "2x1", "1x1", "1x2", "1x4", "1x8")  # columns x rows
 FORMATS = {"rgb332": 0, "yiq422": 1, "a8": 2, "i8": 3, "ai44": 4, "p8": 5, "argb8332": 8,
@@ -41,15 +52,15 @@ LEVELS = {"even": (0,), "odd": (1,), "both": (0, 1)}  # which parities are there
 FUNCTIONS = {
     "zero": ("zero_other",),
     "local": ("zero_other", "add_local"),
-    "local_alpha": ("zero_other", "add_local_alpha"),
+    "local_alpha": ("zero_other", "add_alpha_local"),
     "scale_other": (),
     "scale_other_add_local": ("add_local",),
-    "scale_other_add_local_alpha": ("add_local_alpha",),
+    "scale_other_add_local_alpha": ("add_alpha_local",),
     "scale_other_minus_local": ("sub_local",),
     "blend": ("sub_local", "add_local"),
-    "blend_add_local_alpha": ("sub_local", "add_local_alpha"),
+    "blend_add_local_alpha": ("sub_local", "add_alpha_local"),
     "blend_local": ("zero_other", "sub_local", "add_local"),
-    "blend_local_add_local_alpha": ("zero_other", "sub_local", "add_local_alpha"),
+    "blend_local_add_local_alpha": ("zero_other", "sub_local", "add_alpha_local"),
 }
 _SELECTED = ("zero", "local", "other_alpha", "local_alpha", "detail", "lod_fraction")
 #: Factor to (mselect, reverse).
@@ -63,7 +74,7 @@ def level_size(aspect: str, level: int) -> tuple[int, int]:
     """(columns, rows)."""
     columns, rows = (int(side) for side in aspect.split("x"))
     longest = max(columns, rows)
-    return (max(columns * (256 >> level) // longest, 1), max(rows * (256 >> level) // longest, 1))
+    return tuple(max(side * (SIDE >> level) // longest, 1) for side in (columns, rows))
 
 
 def texel_bytes(form: str) -> int:
@@ -102,7 +113,7 @@ def memory_required(levels: str, largest: int, smallest: int, aspect: str, form:
 class Words:
     """The registers of a unit; as new: texels as they are, points, one level, 256 texels wide."""
 
-    def __init__(self, memory_bytes: int = 1 << 18) -> None:
+    def __init__(self, memory_bytes: int = UNIT_MEMORY) -> None:
         self.memory_bytes = memory_bytes
         self.fields = dict.fromkeys(FIELDS, 0) | {"s_wider": 1}
         self.largest = self.smallest = 0

@@ -4,7 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..fixed import signed
 from .misuse import Misuse
+from .opcodes import bits
 from .state import TWO_CYCLES, Combine, Inputs, State
 
 RGB, ALPHA = slice(0, 3), slice(3, 4)
@@ -37,6 +39,15 @@ class Sources:
     texel1: np.ndarray
     shade: np.ndarray | None
     fraction: np.ndarray
+
+
+def inputs_of(hi: int, lo: int) -> dict[str, tuple[Inputs, Inputs]]:
+    """The codes in a set combine word, of cycle 0 and 1: the fields of Combine."""
+    return {
+        "rgb": (Inputs(bits(hi, 23, 20), bits(lo, 31, 28), bits(hi, 19, 15), bits(lo, 17, 15)),
+                Inputs(bits(hi, 8, 5), bits(lo, 27, 24), bits(hi, 4, 0), bits(lo, 8, 6))),
+        "alpha": (Inputs(bits(hi, 14, 12), bits(lo, 14, 12), bits(hi, 11, 9), bits(lo, 11, 9)),
+                  Inputs(bits(lo, 23, 21), bits(lo, 5, 3), bits(lo, 20, 18), bits(lo, 2, 0)))}
 
 
 def names(inputs: Inputs, table) -> list[str | None]:
@@ -79,14 +90,9 @@ def check(combine: Combine) -> None:
 
 
 def extended(value: np.ndarray) -> np.ndarray:
-    """9 bits as A, B and D read them: negative only from 384 on."""
+    """9 bits as A, B and D read them: negative only from 384 on; C's are signed."""
     value = value & 511
     return np.where(value >= 384, value - 512, value)
-
-
-def plain(value: np.ndarray) -> np.ndarray:
-    """9 bits as C reads them: signed."""
-    return (value + 256 & 511) - 256
 
 
 def clamp(value: np.ndarray) -> np.ndarray:
@@ -125,7 +131,7 @@ def cycle_of(state: State, sources: Sources, combined: np.ndarray, cycle: int,
                                     (state.combine.alpha[cycle], ALPHA_NAMES, ALPHA)):
         a, b, c, d = (value_of(name, channels, state, sources, combined, second)
                       for name in names(inputs, table))
-        sums = (extended(a) - extended(b)) * plain(c) + (extended(d) << 8) + 128
+        sums = (extended(a) - extended(b)) * signed(c, 9) + (extended(d) << 8) + 128
         shape = (*sources.fraction.shape, channels.stop - channels.start)
         results.append(np.broadcast_to(sums >> 8 & 511, shape))
     return np.concatenate(results, -1)

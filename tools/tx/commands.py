@@ -4,7 +4,8 @@ from collections.abc import Callable, Iterable
 
 from ..fixed import signed
 from .combiner import check as check_combine
-from .disassemble import inputs, line
+from .combiner import inputs_of
+from .disassemble import line
 from .loads import load_block, load_tile, load_tlut
 from .misuse import Misuse
 from .opcodes import (FULL_SYNC, LOAD_BLOCK, LOAD_SYNC, LOAD_TILE, LOAD_TLUT, PIPE_SYNC,
@@ -13,6 +14,7 @@ from .opcodes import (FULL_SYNC, LOAD_BLOCK, LOAD_SYNC, LOAD_TILE, LOAD_TLUT, PI
                       TILE_SYNC, Word, bits)
 from .state import (PENDING_LOAD, PENDING_PIPE, PENDING_TILE, Axis, Combine, Image, Modes, State,
                     Tile)
+
 
 def set_texture_image(state: State, hi: int, lo: int) -> None:
     """Where loads read: format, size, width and address."""
@@ -76,7 +78,7 @@ def set_other_modes(state: State, hi: int, lo: int) -> None:
 def set_combine(state: State, hi: int, lo: int) -> None:
     """The combiner's inputs."""
     state.changes(PENDING_PIPE, "set combine")
-    combine = Combine(**inputs(hi, lo))
+    combine = Combine(**inputs_of(hi, lo))
     if state.checked:
         check_combine(combine)
     state.combine = combine

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fixed import signed
 from .state import Axis
 
 MASK_MAX = 10  # bits; a larger mask acts as this
@@ -18,15 +19,10 @@ class Position(NamedTuple):
     step: np.ndarray
 
 
-def s16(value: np.ndarray) -> np.ndarray:
-    """The low 16 bits as signed numbers."""
-    return (value + 0x8000 & 0xFFFF) - 0x8000
-
-
 def shifted(axis: Axis, c: np.ndarray) -> np.ndarray:
     """The tile's shift: right by 0..10, or left by 5..1 bits; s10.5."""
-    c = s16(np.asarray(c, np.int64))
-    return c >> axis.shift if axis.shift <= 10 else s16(c << 16 - axis.shift)
+    c = signed(np.asarray(c, np.int64), 16)
+    return c >> axis.shift if axis.shift <= 10 else signed(c << 16 - axis.shift, 16)
 
 
 def masked(axis: Axis, index: np.ndarray, is_t: bool) -> tuple[np.ndarray, np.ndarray]:

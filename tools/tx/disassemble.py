@@ -1,7 +1,7 @@
 """Command words as readable lines."""
 
 from ..fixed import signed
-from .combiner import ALPHA_NAMES, RGB_NAMES, names
+from .combiner import ALPHA_NAMES, RGB_NAMES, inputs_of, names
 from .opcodes import (LOAD_BLOCK, LOAD_TILE, LOAD_TLUT, NAMES, SET_COMBINE, SET_CONVERT,
                       SET_ENVIRONMENT_COLOUR, SET_OTHER_MODES, SET_PRIMITIVE_COLOUR,
                       SET_TEXTURE_IMAGE, SET_TILE, SET_TILE_SIZE, TEXTURE, Word, bits)
@@ -42,15 +42,6 @@ def formula(inputs: Inputs, table) -> str:
     return f"({a} - {b}) * {c} + {d}"
 
 
-def inputs(hi: int, lo: int) -> dict[str, tuple[Inputs, Inputs]]:
-    """The codes in a set combine, of cycle 0 and 1."""
-    return {
-        "rgb": (Inputs(bits(hi, 23, 20), bits(lo, 31, 28), bits(hi, 19, 15), bits(lo, 17, 15)),
-                Inputs(bits(hi, 8, 5), bits(lo, 27, 24), bits(hi, 4, 0), bits(lo, 8, 6))),
-        "alpha": (Inputs(bits(hi, 14, 12), bits(lo, 14, 12), bits(hi, 11, 9), bits(lo, 11, 9)),
-                  Inputs(bits(lo, 23, 21), bits(lo, 5, 3), bits(lo, 20, 18), bits(lo, 2, 0)))}
-
-
 def details(operation: int, hi: int, lo: int) -> str:
     """What a command says besides its name."""
     tile = bits(lo, 26, 24)
@@ -71,7 +62,7 @@ def details(operation: int, hi: int, lo: int) -> str:
         on = [name for name, bit in zip(MODE_BITS, range(19, 8, -1)) if hi >> bit & 1]
         return ", ".join([CYCLES[bits(hi, 21, 20)], *on])
     if operation == SET_COMBINE:
-        codes = inputs(hi, lo)
+        codes = inputs_of(hi, lo)
         return "; ".join(formula(codes[which][cycle], table) for cycle in range(2)
                          for which, table in (("rgb", RGB_NAMES), ("alpha", ALPHA_NAMES)))
     if operation == SET_PRIMITIVE_COLOUR:

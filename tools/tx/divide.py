@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .coordinates import s16
+from ..fixed import signed
 
 #: Reciprocals of 64/64 .. 128/64 of a normalised w, 2^14 / (1 + i/64); one entry is one low.
 TABLE = np.array([((1 << 21) // (64 + i) + 1) >> 1 for i in range(65)], np.int64)
@@ -35,7 +35,7 @@ def reciprocal(w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def divide(s: np.ndarray, t: np.ndarray, w: np.ndarray, perspective: bool) -> Divided:
     """Coordinates of pixels from the upper 16 bits of their iterators; without perspective
     they are the coordinates."""
-    s, t, w = (s16(np.asarray(c, np.int64)) for c in (s, t, w))
+    s, t, w = (signed(np.asarray(c, np.int64), 16) for c in (s, t, w))
     if not perspective:
         return Divided(s, t, s, t, np.zeros(s.shape, bool))
     bad = w <= 0
@@ -45,7 +45,7 @@ def divide(s: np.ndarray, t: np.ndarray, w: np.ndarray, perspective: bool) -> Di
         product = c * r
         v = np.where(shift == 14, product << 1, product >> np.maximum(13 - shift, 0))
         over = bad | (v < -0x10000) | (v > 0xFFFF)
-        raw = (v + 0x10000 & 0x1FFFF) - 0x10000
+        raw = signed(v, 17)
         limit = np.where(bad | (c >= 0), 32767, -32768)
         clamped.append(np.where(over, limit, np.clip(raw, -32768, 32767)))
         raws.append(raw)

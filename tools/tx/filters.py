@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..fixed import signed
 from .coordinates import Position, position
 from .state import YUV, State, Tile
 from .texels import chroma, fetch
@@ -16,11 +17,6 @@ class Quad(NamedTuple):
     c10: np.ndarray
     c01: np.ndarray
     c11: np.ndarray
-
-
-def s9(value: np.ndarray) -> np.ndarray:
-    """The low 9 bits as signed numbers."""
-    return (value + 256 & 511) - 256
 
 
 def quad(state: State, tile: Tile, s: Position, t: Position) -> Quad:
@@ -46,7 +42,7 @@ def weighed(q: Quad, fs: np.ndarray, ft: np.ndarray, previous: np.ndarray,
     """Interpolation with the last sample's channels as fractions of 1/256: filter and
     convert-one together, which no manual describes. In the middle a quarter of the fourth
     texel is added."""
-    u, v, y = (s9(previous[..., k])[..., None] for k in range(3))
+    u, v, y = (signed(previous[..., k], 9)[..., None] for k in range(3))
     lower = u * (q.c10 - q.c00) + v * (q.c01 - q.c00)
     upper = u * (q.c01 - q.c11) + v * (q.c10 - q.c11) + np.where(middle, 64 * (q.c00 - q.c11), 0)
     return y + (np.where((fs + ft >= 32)[..., None], upper, lower) + 128 >> 8)
@@ -68,7 +64,7 @@ def nearest(q: Quad, fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
 
 def convert(k: list[int], texel: np.ndarray) -> np.ndarray:
     """Colour conversion of (U, V, Y, any), 9-bit signed, to (R, G, B, Y), 9 bits, [..., 4]."""
-    u, v, y = (s9(texel[..., n]) for n in range(3))
+    u, v, y = (signed(texel[..., n], 9) for n in range(3))
     k0, k1, k2, k3 = (2 * c + 1 for c in k[:4])
     return np.stack([y + (k0 * v + 128 >> 8), y + (k1 * u + k2 * v + 128 >> 8),
                      y + (k3 * u + 128 >> 8), y], -1) & 511

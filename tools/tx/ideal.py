@@ -11,27 +11,16 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..fixed import ONE
 from ..ideal import corners
 from ..ideal_perspective import Curve
+from ..ideal_texels import Coordinate, bilinear, scaled
 from .combiner import ALPHA, ALPHA_NAMES, RGB, RGB_NAMES, names
 from .polygon import Vertex
 from .state import TWO_CYCLES, YUV, Axis, State
 from .texels import fetch
 
-UNIT = 65536
 FILTERS = ("point", "three-point", "bilinear")
-
-
-class Coordinate(NamedTuple):
-    """Of pixels [n]: ``index``: whole texels, int64, exact; ``fraction``: float64, 0 <= f < 1."""
-
-    index: np.ndarray
-    fraction: np.ndarray
-
-    @property
-    def value(self) -> np.ndarray:
-        """Texels, float64."""
-        return self.index + self.fraction
 
 
 class Surface:
@@ -40,15 +29,15 @@ class Surface:
     def __init__(self, vertices: list[Vertex], perspective: bool):
         three = [vertices[k] for k in corners(vertices)]
         points = [v[:2] for v in three]
-        depths = [v.w if perspective else UNIT for v in three]
+        depths = [v.w if perspective else ONE for v in three]
         self.curves = [Curve(points, [v[k] for v in three], depths) for k in (2, 3)]
 
     def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
         """s and t in texels at pixels [n], exact."""
         found = []
         for curve in self.curves:
-            over, inverse = curve.terms(*(np.asarray(c).astype(object) * UNIT for c in (x, y)))
-            below = np.broadcast_to(inverse * UNIT, over.shape)
+            over, inverse = curve.terms(*(np.asarray(c).astype(object) * ONE for c in (x, y)))
+            below = np.broadcast_to(inverse * ONE, over.shape)
             if (below <= 0).any():
                 raise UserError("ideal: a pixel lies behind the viewer")
             index = over // below
@@ -65,18 +54,6 @@ class Surface:
                 moved = (b.index - a.index) + (b.fraction - a.fraction)
                 most = np.maximum(most, np.abs(moved))
         return most
-
-
-def scaled(c: Coordinate, shift: int) -> Coordinate:
-    """A coordinate after a tile's shift."""
-    if shift <= 10:
-        whole = c.index >> shift
-        rest = (c.index - (whole << shift) + c.fraction) / (1 << shift)
-    else:
-        more = (c.fraction * (1 << 16 - shift))
-        whole = (c.index << 16 - shift) + np.floor(more).astype(np.int64)
-        rest = more % 1
-    return Coordinate(whole, rest)
 
 
 def placed(axis: Axis, c: Coordinate) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -111,13 +88,6 @@ def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarr
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
                     c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
-
-
-def bilinear(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """The same by fractions of the square."""
-    (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
-    upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
-    return upper + ft * (lower - upper)
 
 
 def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) -> np.ndarray:
@@ -226,18 +196,3 @@ def combined(state: State, found: Texels, shade: np.ndarray) -> np.ndarray:
             parts.append(np.broadcast_to(made, (len(shade), channels.stop - channels.start)))
         result = np.concatenate(parts, -1)
     return np.clip(result, 0, 255)
-
-
-class Error(NamedTuple):
-    """How far colours are off, in 1/255 of the brightest."""
-
-    most: float
-    rms: float
-
-
-def error(drawn: np.ndarray, ideal: np.ndarray, channels: int = 3) -> Error:
-    """Colours [n, 4], drawn and ideal, compared in their first channels."""
-    off = np.abs(drawn[..., :channels].astype(np.float64) - ideal[..., :channels])
-    if not off.size:
-        return Error(0.0, 0.0)
-    return Error(float(off.max()), float(np.sqrt((off * off).mean())))

@@ -4,19 +4,19 @@ from collections.abc import Sequence
 
 from ..errors import UserError
 from .images import Texture
-from .state import CI, TMEM_WORDS, YUV
+from .state import CI, TILES, TMEM_WORDS, YUV
 from .words import List, Wrap, line_of
 
-TILES = 7  # the eighth is the loads'
+LEVELS = TILES - 1  # the last tile is the loads'
 
 
 def load_chain(words: List, textures: Sequence[Texture], addresses: Sequence[int],
                first: int = 0, palette: int = 0, mirror: bool = False, clamp: bool = False) -> None:
     """Commands that load levels, finest first, into tiles ``first`` on, one after another in
     TMEM; level n's coordinates are shifted by n. Sides are powers of two."""
-    if not 1 <= len(textures) <= TILES - first:
+    if not 1 <= len(textures) <= LEVELS - first:
         raise UserError(f"mip map: {len(textures)} levels from tile {first} on; there are "
-                        f"{TILES} tiles")
+                        f"{LEVELS} tiles")
     tmem = 0
     for level, (texture, address) in enumerate(zip(textures, addresses, strict=True)):
         axes = []

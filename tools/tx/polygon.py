@@ -1,10 +1,10 @@
 """Polygons and rectangles as the texture unit draws them, bit for bit.
 
-A polygon's iterators are planes over the screen, found a pair at a time (tools.planes): (S, T),
-(W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+A polygon's iterators are planes over the screen, found a pair at a time (tools.unit_planes):
+(S, T), (W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
 
-- s, t and w as tools.planes has them: S = 32 s is s15.16 of s10.5, exact, and W is 0x7fff0000
-  where w does not count;
+- s, t and w as tools.unit_planes has them: S = 32 s is s15.16 of s10.5, exact, and W is
+  0x7fff0000 where w does not count;
 - a colour 0..255 is the whole part of 16.16, exact;
 - the iterators' upper 16 bits are s, t and w;
 - shade is the whole part of the iterator, clamped to 0..255.
@@ -14,20 +14,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import model
 from ..errors import UserError
-from ..fixed import M32
-from ..planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..fixed import M32, ONE, signed
+from ..model_texturing import Settings
+from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
 from .combiner import uses_shade
 from .copy import check as check_copy
 from .copy import copy
 from .lod import Gradients
 from .misuse import Misuse
 from .pixels import pixels, store
-from .state import COPY, State
+from .state import COPY, REACH, State
 
-SETTINGS = model.Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
-SCALE = Scale(5, 0x7FFF0000, 1024 << 16)
+SETTINGS = Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
+SCALE = Scale(5, 0x7FFF0000, REACH << 16)
 
 
 class Vertex(NamedTuple):
@@ -38,7 +38,7 @@ class Vertex(NamedTuple):
     y: int
     s: int = 0
     t: int = 0
-    w: int = 65536
+    w: int = ONE
     colour: tuple[int, int, int, int] = (255, 255, 255, 255)
     shade: int | None = None
 
@@ -52,7 +52,7 @@ class Vertex(NamedTuple):
 
 def whole(iterator: np.ndarray) -> np.ndarray:
     """A colour's iterator as 0..255."""
-    return np.clip((iterator + (1 << 31) & M32) - (1 << 31) >> 16, 0, 255)
+    return np.clip(signed(iterator) >> 16, 0, 255)
 
 
 class Prepared(NamedTuple):
@@ -67,7 +67,7 @@ class Prepared(NamedTuple):
 
 
 def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
-            settings: model.Settings = SETTINGS) -> Prepared | None:
+            settings: Settings = SETTINGS) -> Prepared | None:
     """Sets a convex polygon up; None where nothing is drawn."""
     corners = [(v.s, v.t, v.w) for v in vertices]
     if not is_narrow(corners, SCALE):
@@ -94,7 +94,7 @@ def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
 
 
 def draw(state: State, frame: np.ndarray, vertices: list[Vertex],
-         settings: model.Settings = SETTINGS) -> int:
+         settings: Settings = SETTINGS) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (5551) or uint32
     (8888) [height, width]; gives the number of its pixels.
 

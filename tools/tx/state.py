@@ -11,6 +11,8 @@ FORMATS = ("RGBA", "YUV", "CI", "IA", "I")
 ONE_CYCLE, TWO_CYCLES, COPY, FILL = range(4)
 TMEM_BYTES = 4096
 TMEM_WORDS = 512  # of 64 bits
+TILES = 8
+REACH = 1024  # texels: s and t of vertices, and how far apart those of two may be
 
 #: What drawing leaves pending until a sync, in strict mode.
 PENDING_LOAD, PENDING_TILE, PENDING_PIPE = 1, 2, 4
@@ -106,7 +108,7 @@ class State:
 
     dram: np.ndarray = field(default_factory=lambda: np.zeros(0, np.uint8))
     tmem: np.ndarray = field(default_factory=lambda: np.zeros(TMEM_BYTES, np.uint8))
-    tiles: list[Tile] = field(default_factory=lambda: [Tile() for _ in range(8)])
+    tiles: list[Tile] = field(default_factory=lambda: [Tile() for _ in range(TILES)])
     modes: Modes = field(default_factory=Modes)
     combine: Combine = field(default_factory=Combine)
     image: Image = field(default_factory=Image)

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from .. import layout, vector_text
 from ..errors import UserError
-from ..vector_file import M32, Operations
+from ..fixed import M32
+from ..vector_file import Operations
 from ..vector_text import DECIMAL, HEX, Line, Shape, check_longs, check_range
 
 NINE_BITS = 0x1FF

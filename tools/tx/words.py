@@ -74,6 +74,13 @@ def dxt(words: int) -> int:
     return -(-DXT_ONE // max(words, 1))
 
 
+def drifts(words: int, height: int) -> bool:
+    """Whether rows of so many 64-bit words, counted by dxt, begin a word too soon somewhere. The
+    count only runs ahead, most at a row's last word."""
+    step = dxt(words)
+    return any(c * step // DXT_ONE != c // words for c in range(words - 1, words * height, words))
+
+
 def check_texels(name: str, form: int, size: int) -> None:
     """Whether a format has the size."""
     if (form, size) not in LEGAL:
@@ -266,8 +273,7 @@ class List:
         if width < 1 or height < 1 or row % unit:
             raise UserError(f"load texture block: {width} x {height} texels: rows of {row} bytes, "
                             f"which must be a positive multiple of {unit}")
-        step = dxt(words)
-        if any(c * step >> 11 != c // words for c in range(words - 1, words * height, words)):
+        if drifts(words, height):
             raise UserError(f"load texture block: {width} x {height} texels: rows of {words} "
                             "words drift; load it as a tile")
         load_size = max(size, 2)
@@ -275,7 +281,7 @@ class List:
         self.set_texture_image(form, load_size, 1, address)
         self.set_tile(LOAD_NUMBER, form, load_size, 0, tmem, 0, s, t)
         self.load_sync()
-        self.load_block(LOAD_NUMBER, 0, 0, count - 1, step)
+        self.load_block(LOAD_NUMBER, 0, 0, count - 1, dxt(words))
         self.pipe_sync()
         self.set_tile(tile, form, size, line_of(form, size, width), tmem, palette, s, t)
         self.set_tile_size(tile, 0, 0, width - 1 << 2, height - 1 << 2)

@@ -9,7 +9,7 @@ import math
 import random
 from dataclasses import dataclass
 
-from .random_polygons import fix
+from .fixed import fix
 
 #: Units that points lie on: any, 1/256 pixel, half and whole pixels; and how many units
 #: they are off those: just beside a pixel's centre, rounded edges cross each other.

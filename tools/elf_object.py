@@ -7,11 +7,14 @@ from pathlib import Path
 import numpy as np
 from elftools.elf.constants import SH_FLAGS
 from elftools.elf.elffile import ELFFile
+from elftools.elf.enums import ENUM_ST_SHNDX
+
+from .errors import UserError
 
 #: R_68K_32, PC32, PC16, PC8: bytes and whether relative to their own place.
 RELOCATIONS = {1: (4, False), 4: (4, True), 5: (2, True), 6: (1, True)}
 
-COMMON = 0xFFF2  # no section of its own
+COMMON = ENUM_ST_SHNDX["SHN_COMMON"]  # no section of its own
 SYMBOL = np.dtype([("name", ">u4"), ("value", ">u4"), ("size", ">u4"), ("info", "u1"),
                    ("other", "u1"), ("section", ">u2")])
 RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
@@ -67,6 +70,11 @@ class Relocation:
     addend: int
 
 
+def string_at(table: bytes, offset: int) -> str:
+    """A name in a table of strings that end with 0."""
+    return table[offset:table.index(b"\0", offset)].decode()
+
+
 def load(path: Path) -> list[Section]:
     """The sections of an object that go into memory."""
     with path.open("rb") as stream:
@@ -88,16 +96,19 @@ def load(path: Path) -> list[Section]:
         names = elf.get_section_by_name(".strtab").data()
         symbols = np.frombuffer(elf.get_section_by_name(".symtab").data(), SYMBOL).tolist()
     for name, value, _, info, _, index in symbols:
-        text = names[name:names.index(b"\0", name)].decode()
+        text = string_at(names, name)
         if index == COMMON:
-            raise SystemExit(f"{path}: {text} is common: give it a section")
+            raise UserError(f"{path}: {text} is common: give it a section")
         if info >> 4 and index in found:
             found[index].symbols[text] = value
     for index, section in found.items():
         for offset, info, addend in tables.get(index, ()):
             name, value, _, _, _, home = symbols[info >> 8]
+            if info & 255 not in RELOCATIONS:
+                raise UserError(f"{path}: {section.name}: a relocation of type {info & 255}, which "
+                                "nothing here can make")
             size, relative = RELOCATIONS[info & 255]
-            target = names[name:names.index(b"\0", name)].decode()
+            target = string_at(names, name)
             if home in strings:
                 target, addend = part_at(strings[home], addend + value)
             elif home in found:

@@ -1,10 +1,16 @@
-"""What the examples of the texture engine's passes are made of: numbers as bytes, random input."""
+"""What the examples of texture units' passes are made of: numbers as bytes, random input.
+
+A maker of examples is a function of a numpy Generator and a count of pixels; of BENCH pixels it
+makes what the bench measures, usual rather than any input.
+"""
 
 from dataclasses import dataclass, field
 
 import numpy as np
 
-EDGES_16 = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)
+from .fixed import signed
+
+BENCH = 256  # pixels of what is measured
 
 
 @dataclass
@@ -12,8 +18,8 @@ class Example:
     """One call: bytes in and out, and the struct of constants, or a table that is them.
 
     ``blocks`` are what its fields point at, ``more`` what they point at and is written.
-    ``align``: of the blocks; ``within``: how far behind a block's first byte its field points. ``stride``: bytes from pixel to pixel where the first ones of each
-    alone are written.
+    ``align``: of the blocks; ``within``: how far behind a block's first byte its field points.
+    ``stride``: bytes from pixel to pixel where the first ones of each alone are written.
     """
 
     kernel: str
@@ -54,22 +60,27 @@ def words(values) -> bytes:
     return (np.asarray(values).astype(np.int64) & 0xFFFF).astype(">u2").tobytes()
 
 
-def signed(values, bits: int) -> np.ndarray:
-    """The low bits as a signed number."""
-    values = np.asarray(values, np.int64) & (1 << bits) - 1
-    return values - (values >> bits - 1 << bits)
-
-
 def pixels(channels: np.ndarray) -> bytes:
     """Channels [n][4] as R G B A bytes."""
     return channels.astype(np.uint8).tobytes()
 
 
-def coordinates(rng, count: int) -> np.ndarray:
-    """s and t, [count][2], 0 to 65,535: edges and any."""
+def pair(channels: np.ndarray, high: int, low: int) -> np.ndarray:
+    """Two of the channels [n][4] as halves of a long."""
+    return channels[:, high] * 65536 + channels[:, low]
+
+
+def some_coordinates(rng, count: int, edges: tuple[int, ...], part: float) -> np.ndarray:
+    """s and t, [count][2], 0 to 65,535: any, and a part of them on edges."""
     some = rng.integers(0, 1 << 16, (count, 2))
-    edge = rng.choice(EDGES_16, (count, 2))
-    return np.where(rng.random((count, 2)) < 0.2, edge, some)
+    edge = rng.choice(edges, (count, 2))
+    return np.where(rng.random((count, 2)) < part, edge, some)
+
+
+def some_step(rng, count: int, size: int, part: float = 0.3) -> int:
+    """Bytes from a pixel's input to the next one's: ``size``, of a part of examples 0, one for
+    all."""
+    return 0 if rng.random() < part and count != BENCH else size
 
 
 def pairs(st: np.ndarray) -> bytes:
@@ -77,10 +88,14 @@ def pairs(st: np.ndarray) -> bytes:
     return longs((st[:, 0] & 0xFFFF) << 16 | st[:, 1] & 0xFFFF)
 
 
+def numbered(start, step, count: int) -> np.ndarray:
+    """Iterators at each pixel without a limit, [count][len(start)]."""
+    return np.asarray(start, np.int64) + np.arange(count)[:, None] * np.asarray(step, np.int64)
+
+
 def walked(start, step, count: int) -> np.ndarray:
-    """Iterators at each pixel, modulo 2^32 as signed numbers, [count][len(start)]."""
-    n = np.arange(count, dtype=np.int64)[:, None]
-    return signed(np.asarray(start, np.int64) + n * np.asarray(step, np.int64), 32)
+    """The same modulo 2^32 as signed numbers."""
+    return signed(numbered(start, step, count))
 
 
 def any_texels(rng, count: int) -> np.ndarray:

@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from . import instructions
+from .elf_object import Relocation, Section
 from .errors import UserError
-from .objects import Relocation, Section
 
 ILLEGAL = bytes.fromhex("4afc")
 #: Rooms of build/obj whose sections are whole.

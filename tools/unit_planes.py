@@ -1,6 +1,6 @@
 """Planes over the screen that texture units iterate, a pair at a time.
 
-A pair is set up as the renderer's polygons are (tools.model.set_up: plane gradients, sub-texel
+A pair is set up as the renderer's polygons are (tools.model_polygon: plane gradients, sub-texel
 starts, exact edges or subpixel ones). Every rounding:
 
 - without perspective, or where all w are the same and above 0, planes of s and t are found in
@@ -18,9 +18,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import model
 from .errors import UserError
 from .fixed import M32, mul_div
+from .model_polygon import Polygon, set_up
+from .model_texturing import Settings
 
 
 class Scale(NamedTuple):
@@ -47,7 +48,7 @@ class Spans(NamedTuple):
     x: np.ndarray
 
 
-def spans(polygon: model.Polygon) -> Spans:
+def spans(polygon: Polygon) -> Spans:
     """The pixels of a set-up polygon."""
     counts = [max(0, line.right - line.left) for line in polygon.lines]
     y = np.repeat(np.arange(polygon.top, polygon.top + len(counts)), counts)
@@ -56,14 +57,14 @@ def spans(polygon: model.Polygon) -> Spans:
 
 
 def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int]],
-                frame: np.ndarray, settings: model.Settings) -> tuple[Spans, Pair] | None:
+                frame: np.ndarray, settings: Settings) -> tuple[Spans, Pair] | None:
     """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
     differ by 2^31 or more. ``points``: x, y of the corners, 16.16; ``pair``: their values."""
     height, width = frame.shape
     bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
     moved = [(*point, *(value - base for value, base in zip(values, bases)))
              for point, values in zip(points, pair)]
-    polygon = model.set_up(moved, width, height, True, settings)
+    polygon = set_up(moved, width, height, True, settings)
     if polygon is None:
         return None
     at, t = spans(polygon), polygon.texturing

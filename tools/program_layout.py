@@ -11,9 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
+from .elf_object import Section
+from .errors import UserError
 from .hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
-from .objects import Section
-from .parts import Part, Program
+from .program_parts import Part, Program
 
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
 CACHE = 256  # bytes
@@ -50,9 +51,10 @@ def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]
 
 
 def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
-    """The branch in place of a jump to an address, whose first two bytes are given, with a target so
-    far behind these; None: it stays. What is timed once has a 68020's, without a nop; what is not,
-    a 68000's, which runs what looks for a 68020; what is timed again and again keeps its time."""
+    """The branch in place of a jump to an address, whose first two bytes are given, with a target
+    so far behind these; None: it stays. What is timed once has a 68020's, without a nop; what is
+    not, a 68000's, which runs what looks for a 68020; what is timed again and again keeps its time.
+    """
     if jump not in BRANCHES or timed > 1:
         return None
     if timed:
@@ -71,34 +73,49 @@ class Layout:
         A program that is whole keeps the linker's order, in which relative addresses fit."""
         self.program = program
         self.at: dict[Section, int] = {}
-        parts = list(program.parts.values())
-        room = 4 * sum(p.section.size + CACHE for p in parts if not p.section.bss) + CACHE
+        self.bss = 0
+        parts = [p for p in program.parts.values() if not p.section.bss]
+        room = 4 * sum(p.section.size + CACHE for p in parts) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
         self.full = 0  # up to here there is no hole
         entry = program.parts[program.symbols["start"][0]]
-        rest = [p for p in parts if not p.section.bss and p is not entry]
-        held = [p for p in rest if p.section in fixed]
         self.put([entry], [0], 0, CACHE)
-        groups = neighbours(held, fixed)
+        rest = [p for p in parts if p is not entry]
+        self.put_fixed([p for p in rest if p.section in fixed], fixed, order)
+        self.put_others([p for p in rest if p.section not in fixed])
+        self.put_cleared()
+        self.size = int(np.flatnonzero(self.used)[-1]) + 1
+        self.size += -self.size % 4
+
+    def put_fixed(self, parts: list[Part], fixed: dict[Section, int], order: int) -> None:
+        """Places parts where the full renderer has them modulo CACHE, neighbours together."""
+        groups = neighbours(parts, fixed)
         if order:
             random.Random(order).shuffle(groups)
         for group in groups:
             first = fixed[group[0].section]
             self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
-        rest = [p for p in rest if p not in held]
-        linked = {section: n for n, section in enumerate(program.sections)}
-        for part in sorted(rest, key=lambda p: (p.section.name == LAST, -p.bytes if program.trace
-                                                else linked.get(p.section, 0))):
+
+    def put_others(self, parts: list[Part]) -> None:
+        """Places parts wherever there is room: the largest first, or in the linker's order; the
+        scene is the last."""
+        linked = {section: n for n, section in enumerate(self.program.sections)}
+
+        def rank(part: Part) -> tuple[bool, int]:
+            is_last = part.section.name == LAST
+            return is_last, -part.bytes if self.program.trace else linked.get(part.section, 0)
+
+        for part in sorted(parts, key=rank):
             step = 2 if part.section.code and not part.timed else part.section.align
             self.put([part], [0], 0, step)
-        self.bss = 0
-        for part in parts:
+
+    def put_cleared(self) -> None:
+        """Places cleared memory in its own hunk."""
+        for part in self.program.parts.values():
             if part.section.bss:
                 self.bss += -self.bss % part.section.align
                 self.at[part.section] = self.bss
                 self.bss += part.section.size
-        self.size = int(np.flatnonzero(self.used)[-1]) + 1
-        self.size += -self.size % 4
 
     def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
             apart: bool = False) -> None:
@@ -153,7 +170,9 @@ class Layout:
                 else:
                     (bss if target.bss else code).append(place)
                 limit = 1 << 8 * relocation.size
-                assert -limit // 2 <= value < limit // 2, (part.section.name, target.name)
+                if not -limit // 2 <= value < limit // 2:
+                    raise UserError(f"{part.section.file}: {part.section.name}: {target.name} is "
+                                    f"{value} bytes away, which {relocation.size} bytes cannot say")
                 image[place:place + relocation.size] = (value % limit).to_bytes(
                     relocation.size, "big")
         return bytes(image), code, bss

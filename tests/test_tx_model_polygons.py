@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from arrays import check_equal, check_within
 from tx_scene import (COMBINED, N, TEXEL0, TEXEL0_SHADE, TRILINEAR, floor, memory, noise, smooth,
                       square, unit)
 
 from tools.errors import UserError
+from tools.ideal_texels import Coordinate, error
 from tools.tx import commands, ideal, images
 from tools.tx.filters import sample
 from tools.tx.mipmap import load_chain
@@ -40,16 +42,17 @@ def test_a_magnified_square_is_point_sampled(kind, perspective):
     corners = [v._replace(s=v.s + N // 16, t=v.t + N // 16) for v in corners]
     assert draw(state, found, corners) == 64 * 64
     want = np.kron(images.decode(shown), np.ones((4, 4, 1), np.uint8))
-    assert (picture(found)[:, 8:72] == want).all()
+    check_equal(picture(found)[:, 8:72], want, "row, column - 8, channel")
     assert not found[:, :8].any() and not found[:, 72:].any()
 
 
 def test_parts_beyond_the_frame_are_cut():
+    """What is left is the same part of the whole."""
     shown = texture()
     state, whole, part = unit(shown), np.zeros((128, 128), np.uint32), frame()
     draw(state, whole, square(32, 32, 64, 16, 16))
     assert draw(state, part, square(-16, -20, 64, 16, 16)) == 48 * 44
-    assert (part[:44, :48] == whole[52:96, 48:96]).all()
+    check_equal(part[:44, :48], whole[52:96, 48:96], "row, column")
 
 
 def test_values_far_from_zero_wrap():
@@ -58,10 +61,11 @@ def test_values_far_from_zero_wrap():
     corners = square(0, 0, 64, 16, 16)
     draw(state, one, corners)
     draw(state, other, [v._replace(s=v.s + 2048 * N, t=v.t - 2048 * N) for v in corners])
-    assert (one == other).all()
+    check_equal(other, one, "row, column")
 
 
 def test_shade_is_interpolated_and_cut():
+    """Of each pixel, and by it texels are multiplied; there is none where none is read."""
     state, found = unit(texture(), cycle=TEXEL0_SHADE), frame()
     corners = square(0, 0, 64, 16, 16)
     colours = [(0, 255, 10, 255), (255, 255, 10, 255), (255, 0, 10, 255), (0, 0, 10, 255)]
@@ -69,16 +73,17 @@ def test_shade_is_interpolated_and_cut():
     shade = prepare(state, found, corners).shade.reshape(64, 64, 4)
     step = np.arange(64)
     # a gradient rounded to 1/65536 may lower what is whole by one
-    assert np.abs(shade[..., 0] - (255 * step // 64)).max() <= 1
-    assert np.abs(shade[..., 1] - (255 - 255 * step[:, None] / 64)).max() <= 1
+    check_within(shade[..., 0], 255 * step // 64, 1, "red: row, column")
+    check_within(shade[..., 1], 255 - 255 * step[:, None] / 64, 1, "green: row, column")
     assert set(np.unique(shade[..., 2])) <= {9, 10}
     draw(state, found, corners)
     texel = np.kron(images.decode(texture()), np.ones((4, 4, 1), np.uint8)).astype(int)
-    assert (picture(found)[:, :64] == texel * shade + 128 >> 8).all()
+    check_equal(picture(found)[:, :64], texel * shade + 128 >> 8, "row, column, channel")
     assert prepare(unit(texture()), found, corners).shade is None
 
 
 def test_polygons_that_draw_nothing():
+    """Too few corners, no area, beyond the frame, texels too far apart; a w of 0 is refused."""
     state, found = unit(texture()), frame()
     corners = square(0, 0, 64, 16, 16)
     assert draw(state, found, corners[:2]) == 0
@@ -92,6 +97,7 @@ def test_polygons_that_draw_nothing():
 
 
 def test_modes_that_draw_no_polygons():
+    """Copy and fill mode; palette's texels without a palette."""
     for cycle in (2, 3):
         state = unit(texture(), "point", cycle=TEXEL0)
         state.modes.cycle = cycle
@@ -104,6 +110,7 @@ def test_modes_that_draw_no_polygons():
 
 
 def test_drawing_leaves_syncs_pending():
+    """Where the unit is strict the next load has to begin with its syncs."""
     state = unit(texture())
     state.strict = True
     draw(state, frame(), square(0, 0, 8, 8, 8))
@@ -119,17 +126,19 @@ def test_drawing_leaves_syncs_pending():
 
 @pytest.mark.parametrize("flip", [False, True])
 def test_rectangles(flip):
+    """Half a texel a pixel across and one down; flipped, s goes down; cut at the left and upper
+    border."""
     shown = texture()
     state, found = unit(shown), frame()
     rectangle(state, found, (4, 8, 36, 24), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
     y, x = np.mgrid[:16, :32]
     s, t = (2 + y / 2, 3 + x) if flip else (2 + x / 2, 3 + y)
     want = images.decode(shown)[t.astype(int) % 16, s.astype(int) % 16]
-    assert (picture(found)[8:24, 4:36] == want).all()
+    check_equal(picture(found)[8:24, 4:36], want, "row - 8, column - 4, channel")
     assert np.count_nonzero(found) == 16 * 32
     cut = frame()
     rectangle(state, cut, (-4, 0, 28, 16), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
-    assert (cut[:16, :28] == found[8:24, 8:36]).all()
+    check_equal(cut[:16, :28], found[8:24, 8:36], "cut: row, column")
 
 
 def test_an_aligned_rectangle_averages():
@@ -137,23 +146,26 @@ def test_an_aligned_rectangle_averages():
     shown = texture(3, 8, 8)
     state, found = unit(shown, "average"), frame()
     rectangle(state, found, (0, 0, 4, 4), 0, 16, 16, 0x800, 0x800)
-    assert (picture(found)[:4, :4] == images.chain(noise(8, 8), 2)[1]).all()
+    check_equal(picture(found)[:4, :4], images.chain(noise(8, 8), 2)[1], "row, column, channel")
 
 
 @pytest.mark.parametrize("form, size", [(RGBA, 2), (CI, 0), (CI, 1)])
 def test_copied_rectangles(form, size):
+    """Texels go to 16-bit frames as they are; cut at the left border."""
     shown = images.encode(noise(16, 16), form, size)
     state, found = unit(shown), frame(np.uint16)
     state.modes.cycle = COPY
     rectangle(state, found, (3, 2, 33, 20), 0, 0, 0, 0x1000, 0x400)
     y, x = np.mgrid[:18, :30]
-    assert (picture(found)[2:20, 3:33] == images.decode(shown)[y % 16, x % 16]).all()
+    check_equal(picture(found)[2:20, 3:33], images.decode(shown)[y % 16, x % 16],
+                "row - 2, column - 3, channel")
     cut = frame(np.uint16)
     rectangle(state, cut, (-2, 2, 28, 20), 0, 0, 0, 0x1000, 0x400)
-    assert (cut[2:20, :28] == found[2:20, 5:33]).all()
+    check_equal(cut[2:20, :28], found[2:20, 5:33], "cut: row - 2, column")
 
 
 def test_rectangles_that_cannot_be():
+    """Copies into 32 bits or of wide texels, perspective, shade."""
     state = unit(texture(3))
     state.modes.cycle = COPY
     with pytest.raises(Misuse, match="frames of 16 bits"):
@@ -223,13 +235,13 @@ def test_three_point_filter_is_as_near_as_coordinates_are(perspective):
     corners = floor(WIDTH, HEIGHT, 2, 6, 60) if perspective else square(0, 0, 64, 30, 30)
     x, y, colours = drawn(state, corners)
     s, t = ideal.Surface(corners, bool(perspective)).at(x, y)
-    error = ideal.error(colours, ideal.sample(state, 0, s, t, "three-point"))
+    error = error(colours, ideal.sample(state, 0, s, t, "three-point"))
     bound = 2 * units(corners, bool(perspective)) / 32 * steepest(state) + 0.5
     assert 0 < error.rms <= error.most <= bound, f"at most {bound} expected, {error} found"
 
 
-def test_point_sampling_shows_the_exact_texel_or_its_neighbour():
-    """Where the exact coordinate lies far enough from a texel's edge, it is that texel."""
+def test_point_sampling_shows_the_exact_texel():
+    """Wherever the exact coordinate lies far enough from a texel's edge."""
     state = unit(images.encode(noise(32, 32), RGBA, 3), perspective=1)
     corners = floor(WIDTH, HEIGHT, 2, 6, 60)
     x, y, colours = drawn(state, corners)
@@ -240,7 +252,7 @@ def test_point_sampling_shows_the_exact_texel_or_its_neighbour():
         inside &= (c.fraction > margin) & (c.fraction < 1 - margin)
     assert inside.sum() > 1000
     wanted = ideal.sample(state, 0, s, t, "point")
-    assert (colours[inside] == wanted[inside]).all()
+    check_equal(colours[inside], wanted[inside], "pixel among those, channel")
 
 
 def test_levels_of_detail_are_near_the_ideal():
@@ -253,7 +265,7 @@ def test_levels_of_detail_are_near_the_ideal():
     wanted = ideal.levels(state, surface, x, y, "three-point")
     assert np.unique(np.floor(np.log2(surface.distance(x, y)))).size >= 3
     finest = ideal.sample(state, 0, *surface.at(x, y), "point")
-    assert ideal.error(colours, wanted).rms < ideal.error(finest, wanted).rms / 4
+    assert error(colours, wanted).rms < error(finest, wanted).rms / 4
 
 
 def test_ideal_coordinates():
@@ -271,16 +283,18 @@ def test_ideal_coordinates():
 @pytest.mark.parametrize("wrap", [Wrap(mask=4), Wrap(mask=4, mirror=1), Wrap(clamp=1),
                                   Wrap(mask=4, shift=2), Wrap(mask=4, shift=14)])
 def test_ideal_samples_are_the_hardwares_at_whole_coordinates(how, wrap):
+    """Of every fourth texel far beyond the tile: nothing is between texels there."""
     state = unit(texture(3), "point" if how == "point" else "bilerp", s=wrap, t=wrap)
     s, t = np.mgrid[-40:41, -40:41].reshape(2, -1)
     found = sample(state, 0, s * 128, t * 128)
-    at = [ideal.Coordinate(c * 4, np.zeros(c.size)) for c in (s, t)]
-    assert (ideal.sample(state, 0, *at, how) == found).all()
+    at = [Coordinate(c * 4, np.zeros(c.size)) for c in (s, t)]
+    check_equal(found, ideal.sample(state, 0, *at, how), "place, channel")
 
 
 def test_ideal_refuses():
+    """Unknown filters, and what lies behind the viewer."""
     with pytest.raises(UserError, match="filter 'cubic'"):
-        ideal.sample(unit(texture()), 0, *[ideal.Coordinate(np.zeros(1, int), np.zeros(1))] * 2,
+        ideal.sample(unit(texture()), 0, *[Coordinate(np.zeros(1, int), np.zeros(1))] * 2,
                      "cubic")
     corners = [Vertex(0, 0, 0, 0, N), Vertex(64 * N, 0, N, 0, 9 * N), Vertex(0, 64 * N, 0, N, N)]
     with pytest.raises(UserError, match="behind the viewer"):

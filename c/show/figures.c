@@ -1,0 +1,115 @@
+#include "show/figures.h"
+
+#include "system/text.h"
+
+#define SUM_LIMIT 0x10000000u   /* so that 4 ticks, and what a frame adds, have 32 bits */
+#define CYCLES 4                /* of the CPU in a tick */
+
+void rate_begin(struct rate *rate, uint32 field)
+{
+    rate->since = field;
+    rate->frames = rate->spent = rate->tenths = 0;
+}
+
+void rate_count(struct rate *rate, uint32 field)
+{
+    const uint32 fields = field - rate->since - rate->spent;
+
+    rate->frames++;
+    if (fields < FIELDS)
+        return;
+    rate->tenths = rate->frames * FIELDS * 10 / fields;
+    rate->since = field;
+    rate->frames = rate->spent = 0;
+}
+
+void measured_clear(struct measured *measured)
+{
+    measured->pixels = measured->ticks = measured->different = measured->compared = 0;
+}
+
+int32 measured_has_room(const struct measured *measured)
+{
+    return measured->pixels < SUM_LIMIT && measured->ticks < SUM_LIMIT
+        && measured->compared < SUM_LIMIT;
+}
+
+void measured_add(struct measured *measured, const struct scene_counts *counts, uint32 ticks)
+{
+    for (uint32 i = 0; i < counts->materials; i++)
+        for (uint32 kind = 0; kind < SPAN_KINDS; kind++)
+            measured->pixels += counts->frame[i].pixels[kind];
+    measured->ticks += ticks;
+}
+
+/* Pixels of a longword in which two frames differ. */
+static uint32 pixels_in(uint32 differs, int32 pixel_bytes)
+{
+    const uint32 bits = 8 * (uint32)pixel_bytes, mask = 0xffffffffu >> (32 - bits);
+    uint32 pixels = 0;
+
+    for (uint32 at = 0; at < 32; at += bits)
+        pixels += (differs >> at & mask) != 0;
+    return pixels;
+}
+
+void measured_compare(struct measured *measured, const struct frame *frame,
+                      const struct frame *exact)
+{
+    const uint32 *one = (const uint32 *)frame->pixels, *other = (const uint32 *)exact->pixels;
+
+    for (int32 i = frame->pitch * frame->height / 4; i > 0; i--) {
+        const uint32 differs = *one++ ^ *other++;
+
+        if (differs)
+            measured->different += pixels_in(differs, frame->pixel_bytes);
+    }
+    measured->compared += (uint32)(frame->width * frame->height);
+}
+
+/* part / whole * scale, rounded down: whole is below 2^28.7, scale a power of ten. */
+static uint32 ratio(uint32 part, uint32 whole, uint32 scale)
+{
+    uint32 result = part / whole;
+
+    for (part %= whole; scale > 1; scale /= 10) {
+        part *= 10;
+        result = result * 10 + part / whole;
+        part %= whole;
+    }
+    return result;
+}
+
+/* A number of tenths or hundredths: a power of ten, 10 or 100. */
+static void add_decimal(uint32 value, uint32 power)
+{
+    text_number((int32)(value / power));
+    text_add(".");
+    for (power /= 10; power; power /= 10)
+        text_number((int32)(value / power % 10));
+}
+
+void figures_rate(const struct rate *rate)
+{
+    if (rate->tenths)
+        add_decimal(rate->tenths, 10);
+    else
+        text_add("...");
+    text_add(" fps");
+}
+
+void figures_cost(const struct measured *measured)
+{
+    if (!measured->pixels)
+        return;
+    add_decimal(ratio(measured->ticks * CYCLES, measured->pixels, 10), 10);
+    text_add(" cycles/pixel");
+}
+
+void figures_error(const struct measured *measured)
+{
+    if (!measured->compared)
+        return;
+    add_decimal(ratio(measured->different, measured->compared, 10000), 100);
+    text_add(" % of pixels off");
+}

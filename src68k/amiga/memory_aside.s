@@ -1,0 +1,97 @@
+; Memory set aside, so that taking some takes always the same time.
+
+        include "routine.i"
+
+        xref    mem_largest
+        xref    mem_needed
+        xref    mem_uncleared
+        xref    mem_aside
+        xref    mem_aside_bytes
+
+ALIGN                   equ     8       ; of what is taken, as exec does
+
+; Returns with what is set aside, or goes on. That is of any kind.
+take    macro
+        move.l  a0,-(sp)
+        bne.s   .exec\@
+        addq.l  #ALIGN-1,d1
+        and.w   #-ALIGN,d1
+        sub.l   d1,mem_aside_bytes
+        blo.s   .back\@
+        movea.l d0,a0
+        move.l  mem_aside,(a0)
+        add.l   d1,mem_aside
+        moveq   #1,d0
+        addq.l  #4,sp
+        rts
+.back\@ add.l   d1,mem_aside_bytes
+.exec\@ movea.l (sp)+,a0
+        endm
+
+;==============================================================================
+; mem_reserve - sets memory aside for mem_take: half of the largest block
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   none is set aside where there is none
+; cost:    -
+;==============================================================================
+        routine mem_reserve
+        moveq   #0,d0
+        jsr     mem_largest
+        lsr.l   #1,d0
+        and.w   #-ALIGN,d0
+        move.l  d0,d1
+        suba.l  a0,a0
+        move.l  d1,-(sp)
+        move.l  #mem_aside,d0
+        jsr     mem_take
+        move.l  (sp)+,d1
+        tst.l   d0
+        beq.s   .none
+        move.l  d1,mem_aside_bytes
+.none   rts
+
+;==============================================================================
+; mem_take - allocates memory, freed at the program's end, in a time that does not depend on
+;            what else is allocated, as long as what mem_reserve set aside lasts
+;
+; in:      d0  void**  where the address goes
+;          d1  int32   bytes
+;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; out:     d0  int32   1 allocated, 0 not
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *d0
+; formats: -
+; error:   *d0 is left alone where memory is short
+; cost:    -
+;==============================================================================
+        routine mem_take,d0,d1,a0
+        take
+        jmp     mem_uncleared
+
+;==============================================================================
+; mem_need_take - mem_take, but ends the program with a line where memory is short
+;
+; in:      d0  void**  where the address goes
+;          d1  int32   bytes
+;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; out:     d0  int32   1: it returns only then
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *d0
+; formats: -
+; error:   memory is short: prints so, return code 20
+; cost:    -
+;==============================================================================
+; Programs of one scene call it wherever others call mem_take.
+
+        routine mem_need_take,d0,d1,a0
+        take
+        jsr     mem_uncleared
+        jmp     mem_needed

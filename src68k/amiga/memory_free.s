@@ -1,0 +1,82 @@
+; Memory given back: from a mark on, and all of it.
+
+        include "amiga.i"
+        include "memory.i"
+        include "routine.i"
+
+        xref    mem_aside_bytes
+        xref    mem_blocks
+        xdef    mem_free_all
+
+;==============================================================================
+; mem_mark - what is allocated from now on can be given back by mem_release
+;
+; in:      -
+; out:     d0  uint32  the mark
+; trashes: d0-d1/a0-a1
+; reads:   the list of blocks
+; writes:  -
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_mark
+        move.l  mem_blocks,d0
+        rts
+
+;==============================================================================
+; mem_release - frees what was allocated since mem_mark, and forgets what is set aside
+;
+; in:      d0  uint32  the mark; none is older that was released
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the list of blocks
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        routine mem_release,d0
+        movem.l a2/a3/a6,-(sp)
+        movea.l d0,a2
+        movea.l sys_base,a6
+        clr.l   mem_aside_bytes
+.block  movea.l mem_blocks,a1
+        cmpa.l  a1,a2
+        beq.s   .done
+        movea.l (a1),a3
+        move.l  BLOCK_SIZE(a1),d0
+        lvo     FreeMem
+        move.l  a3,mem_blocks
+        bra.s   .block
+.done   movem.l (sp)+,a2/a3/a6
+        rts
+
+;==============================================================================
+; mem_free_all - frees every block of mem_alloc
+;
+; in:      -
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  the list of blocks
+; formats: -
+; error:   -
+; cost:    -
+;==============================================================================
+        section .text.mem_end,code
+mem_free_all:
+        movem.l a2/a6,-(sp)
+        movea.l sys_base,a6
+        move.l  mem_blocks,d0
+        bra.s   .test
+.block  movea.l d0,a1
+        move.l  BLOCK_SIZE(a1),d0
+        movea.l (a1),a2
+        lvo     FreeMem
+        move.l  a2,d0
+.test   tst.l   d0
+        bne.s   .block
+        clr.l   mem_blocks
+        movem.l (sp)+,a2/a6
+        rts

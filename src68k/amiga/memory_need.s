@@ -1,0 +1,53 @@
+; Memory that a program cannot do without.
+
+        include "layout.i"
+        include "routine.i"
+
+        xref    mem_cleared
+        xref    _print
+        xref    program_end
+        xref    quiet_leave
+        xdef    mem_needed
+
+;==============================================================================
+; mem_need - allocates cleared memory, or ends the program with a line
+;
+; in:      d0  void**  where the address goes
+;          d1  int32   bytes
+;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; out:     d0  int32   1: it returns only then
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  *d0
+; formats: -
+; error:   memory is short: prints so, return code 20
+; cost:    -
+;==============================================================================
+; Programs of one scene call it wherever others call mem_alloc.
+
+        routine mem_need,d0,d1,a0
+        jsr     mem_cleared
+
+;==============================================================================
+; mem_needed - ends the program with a line where memory is short
+;
+; in:      d0  int32  1 there was enough, 0 not
+; out:     d0  int32  1: it returns only then
+; trashes: d0-d1/a0-a1
+; reads:   -
+; writes:  -
+; formats: -
+; error:   memory is short: prints so, return code 20
+; cost:    -
+;==============================================================================
+mem_needed
+        tst.l   d0
+        beq.s   .short
+        rts
+.short  jsr     quiet_leave             ; some ask while they draw
+        pea     .text(pc)
+        jsr     _print
+        moveq   #RETURN_FAIL,d0
+        jmp     program_end
+.text   dc.b    'not enough memory',10,0
+        even

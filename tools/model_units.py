@@ -1,0 +1,57 @@
+"""The integer model of what a scene's texture units draw."""
+
+import numpy as np
+
+from .fixed import M32
+from .model_polygon import FAR
+from .model_texturing import Settings
+from .scene_pipes import has_own, units_of
+from .scene_units import RECTANGLES, check_range, rectangle_ends
+from .tmu import polygon as tmu_polygon
+from .tx import polygon as tx_polygon
+from .tx.state import COPY, State
+
+
+def settings_of(material) -> Settings:
+    """How units' polygons are set up (tools.unit_planes)."""
+    return Settings(edges=material.edges, clip=material.clip, mapper="tiled")
+
+
+def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip: bool) -> None:
+    """Draws a rectangle of two vertices as a scene has them."""
+    (left, top, s, t, *_), (right, bottom, dsdx, dtdy, *_) = vertices
+    box = left >> 16, top >> 16, right >> 16, bottom >> 16
+    if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side << 16 < FAR for side in box)):
+        return
+    check_range(rectangle_ends(box, (s, t), (dsdx, dtdy), state.modes.cycle == COPY, flip),
+                "rectangle")
+    tx_polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
+
+
+def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+    """Draws an object, vertices (x, y, s, t, shade, w), by the N64's texture engine."""
+    if material.primitive in RECTANGLES:
+        draw_rectangle(state, frame, vertices, material.primitive == "flipped")
+        return
+    check_range(vertices, "polygon")
+    if material.primitive == "coloured":
+        corners = [tx_polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
+                   for x, y, s, t, shade, w in vertices]
+    else:
+        corners = [tx_polygon.Vertex(x, y, s, t, w, shade=shade)
+                   for x, y, s, t, shade, w in vertices]
+    tx_polygon.draw(state, frame, corners, settings_of(material))
+
+
+def draw_by_pipe(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of Glide's units; where the
+    second unit has coordinates of its own they are the vertices' second half."""
+    owns = [None] * len(vertices)
+    if has_own(scene, material):
+        half = len(vertices) // 2
+        owns = [(s, t, w) for _, _, s, t, _, w in vertices[half:]]
+        vertices = vertices[:half]
+    corners = [tmu_polygon.Vertex(x, y, s, t, w, own)
+               for (x, y, s, t, _, w), own in zip(vertices, owns)]
+    tmu_polygon.draw(units_of(scene, material.unit), frame, corners, settings_of(material),
+                     bool(scene.pipes[material.unit][4]))
