@@ -100,6 +100,22 @@ def test_frames_come_in_time(played):
             f"{machine}, part {number}, from {settled} on: fields {fields}")
 
 
+def test_steps_have_equal_times(played):
+    """Where frames come as they can: each step's begin is the first frame after its share's."""
+    machine, parts, _ = played
+    for number in (OCEAN, FLOOR):
+        each = parts[number].each
+        steps = [step for step, *_ in each]
+        assert steps == sorted(steps) and set(steps) == {1, 2, 3}, (
+            f"{machine}, part {number}: {steps}")
+        for step in (2, 3):
+            first = steps.index(step)
+            before = sum(fields for _, fields, *_ in each[:first - 1])
+            share = FRAMES * FIELDS * (step - 1) / 3
+            assert before >= share > before - each[first - 2][1], (
+                f"{machine}, part {number}, step {step}: {each}")
+
+
 def test_governor_is_the_models(played, data):
     """Bit for bit, from the times in the log."""
     machine, parts, _ = played
