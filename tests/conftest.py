@@ -9,12 +9,12 @@ import tools  # noqa: F401  before NumPy, whose threads it limits
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tx_polygons", "lowering",
-           "wide", "fuzz", "show", "tx_vectors", "meshes", "tx_scenes", "run", "hard_meshes",
-           "scene_program", "accuracy", "mappers", "disk", "demo", "showcase", "tx_modes", "bounds",
-           "pages", "readme",
-           "properties", "tx_core", "methods", "kernel_checker", "report", "tmu_modes", "emulator",
-           "ntsc", "still_steps", "citizen")
+LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tmu_tiles", "tmu_polygons",
+           "tx_polygons", "lowering", "wide", "tmu_scenes", "fuzz", "show", "tx_vectors", "meshes",
+           "tx_scenes", "run", "hard_meshes", "scene_program", "accuracy", "mappers", "disk", "demo",
+           "showcase", "tx_modes", "tmu_adds", "bounds", "pages", "readme", "properties", "methods",
+           "kernel_checker", "report", "tmu_modes", "polys", "tx_decode", "tmu_downloads", "tx_model",
+           "tx_core", "emulator", "ntsc", "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
 
 

@@ -15,7 +15,7 @@ from tools import guest_frames, model, run
 from tools.scene_file import ONE, Scene
 
 MOST = 100  # polygons of a scene: what engines keep decoded fills memory
-FEW = 3
+FEW = 3  # polygons that are counted where every pixel takes its time
 NAMES = ("x", "y", "s", "t", "shade", "w")
 
 
@@ -23,16 +23,6 @@ def vertex_lines(vertices, raw=()) -> list[str]:
     """Vertices of 16.16; the fields ``raw`` as they are."""
     return ["  " + ", ".join(f"{name} {value}" if name in raw else f"{name} {value / ONE:.6f}"
                              for name, value in zip(NAMES, vertex)) for vertex in vertices]
-
-
-@dataclass(frozen=True)
-class Part:
-    """Some polygons of a format of pixels in one scene, and what the guest made of it."""
-
-    numbers: list[int]
-    cases: list
-    asked: Asked
-    drawn: Drawn
 
 
 @dataclass(frozen=True)
@@ -77,41 +67,49 @@ class Polygons:
             f"  again: {self.engine}_SEED={self.seed} {self.engine}_CASE={number} "
             f".deps/venv/bin/python -m pytest tests/test_{self.engine.lower()}_polygons.py -k {pixels}"])
 
-    def draw(self, kinds: list[tuple[str, str | None]]) -> dict[tuple[str, str | None], list[Part]]:
-        """Polygons of several (pixels, rules that are off), all in one boot. What is counted takes
-        twice as long besides: without rules, when every pixel takes its time, only FEW are."""
-        made = []
-        for pixels, off in kinds:
-            numbers = self.numbers(off)
-            for k in range(0, len(numbers), self.scene_size):
-                made.append(self.ask(pixels, off, numbers[k:k + self.scene_size], off is None))
-            if off:
-                made.append(self.ask(pixels, off, numbers[:FEW], True))
-        found = {kind: [] for kind in kinds}
-        for (kind, *rest), drawn in zip(made, guest_runs.draw([asked for *_, asked in made])):
-            found[kind].append(Part(*rest, drawn))
-        return found
-
-    def ask(self, pixels: str, off: str | None, numbers: list[int], counted: bool) -> tuple:
-        """Pixels and rules, numbers, cases, what is asked of the guest."""
+    def made(self, pixels: str, numbers: list[int]) -> tuple[list, Scene]:
+        """Cases and their scene."""
         cases = [self.case(self.seed, number, pixels) for number in numbers]
-        asked = Asked(self.scene(cases, self.seed, pixels), off, counted=counted)
-        return (pixels, off), numbers, cases, asked
+        return cases, self.scene(cases, self.seed, pixels)
 
-    def check(self, parts: list[Part], pixels: str) -> tuple[set[str], set[str]]:
-        """Compares all frames; the rules and the spans that drew them."""
-        wrong, count = [], sum(len(part.numbers) for part in parts)
-        for part in parts:
-            for frame, digest in enumerate(part.drawn.digests):
-                if not guest_frames.is_models(model.render(part.asked.scene, frame), digest):
-                    wrong.append((part, frame))
+    def check(self, pixels: str) -> tuple[set[str], set[str]]:
+        """Compares all frames by all rules, many in a boot; the rules and the spans that drew them."""
+        numbers = self.numbers(None)
+        wrong, rules, spans = [], set(), set()
+        for k in range(0, len(numbers), self.scene_size):
+            some = numbers[k:k + self.scene_size]
+            cases, made = self.made(pixels, some)
+            done = run.render(made, "a1200-fast", "addx")
+            rules |= {rule for material in done.executed for rule in material["rules"]}
+            spans |= set(run.total(done.figures)["spans"])
+            for frame, (number, each, found) in enumerate(zip(some, cases, done.frames, strict=True)):
+                expected = model.render(made, frame)
+                if not np.array_equal(found, expected):
+                    wrong.append(self.explain(number, pixels, each, expected, found))
+        assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
+        return rules, spans
+
+    def draw_without_rules(self, formats: tuple[str, ...]) -> dict[str, list[Drawn]]:
+        """By format of pixels the polygons when every pixel takes its time, all in one boot: digests
+        of all, figures, for which they are drawn twice more, of FEW."""
+        numbers, asked = self.numbers("all"), []
+        for pixels in formats:
+            asked += [Asked(self.made(pixels, some)[1], "all", counted=some is not numbers)
+                      for some in (numbers, numbers[:FEW])]
+        found = guest_runs.draw(asked)
+        return dict(zip(formats, zip(found[::2], found[1::2])))
+
+    def check_without_rules(self, pixels: str, drawn: list[Drawn]) -> set[str]:
+        """Compares all of ``draw_without_rules``; the spans that drew a few."""
+        numbers = self.numbers("all")
+        cases, made = self.made(pixels, numbers)
+        expected = [model.render(made, frame) for frame in range(made.frames)]
+        wrong = [frame for frame, (right, digest) in enumerate(
+            zip(expected, drawn[0].digests, strict=True)) if not guest_frames.is_models(right, digest)]
         if wrong:
-            part, frame = wrong[0]
-            found = run.render(part.asked.scene, "a1200-fast", "addx", part.asked.off).frames[frame]
+            first = wrong[0]
+            found = run.render(made, "a1200-fast", "addx", "all").frames[first]
             raise AssertionError(
-                f"{len(wrong)} of {count} polygons are wrong; the first:\n" + self.explain(
-                    part.numbers[frame], pixels, part.cases[frame],
-                    model.render(part.asked.scene, frame), found))
-        counted = [part.drawn for part in parts if part.asked.counted]
-        return (set().union(*(drawn.rules for drawn in counted)),
-                set().union(*(drawn.spans for drawn in counted)))
+                f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n" + self.explain(
+                    numbers[first], pixels, cases[first], expected[first], found))
+        return drawn[1].spans

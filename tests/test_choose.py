@@ -100,8 +100,12 @@ WORDS = {
     ("--error", 9): ("No setting is cheaper.",),
     ("--error", 0.1): (
         "tmap: choose: no setting has a largest error of at most 0.1 texels on a1200; the most exact has "
-        "1 (affine, exact, plane, subtexel, none), 0 wrong pixels in a million, at 20.00 cycles "
-        "a pixel",)}
+        "0.125 (affine, exact, plane, subtexel, none), 1 wrong pixels in a million, at 30.00 cycles "
+        "a pixel",),
+    ("--error", 0.1, "--wrong", 0): (
+        "tmap: choose: no setting has a largest error of at most 0.1 texels and 0 wrong pixels in a "
+        "million on a1200; the most exact has 1 (affine, exact, plane, subtexel, none), 0 wrong pixels "
+        "in a million, at 20.00 cycles a pixel",)}
 
 
 @pytest.mark.parametrize("arguments", WORDS)

@@ -87,6 +87,7 @@ def test_empty_field(parse, field):
     ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
     ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
     ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
+    ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
     ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
     ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
     ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),

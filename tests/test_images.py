@@ -113,9 +113,12 @@ def test_picture_is_cut_to_the_shape_of_its_map(tmp_path, width, height, dark):
     pixels = np.full((10, 30, 3), 255, np.uint8)
     pixels[:, 10:20] = 0
     Image.fromarray(pixels).save(tmp_path / "wide.png")
+    Image.fromarray(pixels.transpose(1, 0, 2)).save(tmp_path / "high.png")
     found = images.load("wide.png", tmp_path, WHERE, width, height)
     assert found.shape == (height, width, 3) and found.dtype == np.uint8
     assert abs((found < 128).mean() - dark) < 0.01
+    turned = images.load("high.png", tmp_path, WHERE, height, width)
+    assert np.array_equal(turned.transpose(1, 0, 2), found)
 
 
 def test_picture_in_a_package():

@@ -53,6 +53,17 @@ def test_rgb565_to_rgb888_and_back() -> None:
     assert np.array_equal(maps.to_rgb565(colours), pixels)
 
 
+def test_rgba5551_to_rgba8888_and_back() -> None:
+    """The same; alpha is all or nothing, the lowest bit."""
+    pixels = np.arange(65536).astype(np.uint16)
+    colours = maps.from_rgba5551(pixels)
+    assert colours.dtype == np.uint8
+    for value in (0x0000, 0xFFFF, 0xF800, 0xF801, 0x8421, 0x1234):
+        r, g, b = value >> 11, value >> 6 & 31, value >> 1 & 31
+        assert colours[value].tolist() == [*(c << 3 | c >> 2 for c in (r, g, b)), 255 * (value & 1)]
+    assert np.array_equal(maps.to_rgba5551(colours), pixels)
+
+
 def test_rgb888_to_rgb565_is_the_nearest() -> None:
     """No other 16-bit colour is nearer, in any part; big-endian in memory."""
     grey = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)

@@ -137,7 +137,7 @@ PLACE = "objects[0].vertices"
 @pytest.mark.parametrize("material, vertices, message", [
     (MATERIAL, VERTICES.replace(", 4.5]", "]"), PLACE + "[2]: must be [x, y, s, t, w]"),
     (MATERIAL, VERTICES.replace("4.5", "0.001"), PLACE + "[2][4]: must be from 0.0039"),
-    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from 0.0039"),
+    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from -16383 to 16383"),
     ('{texture = "map"}', VERTICES, PLACE + "[0]: must be [x, y, s, t]"),
     ('{texture = "map", perspective = "hyper"}', VERTICES,
      "materials.far.perspective: 'hyper' is not one of none"),

@@ -18,7 +18,6 @@ from tools.tmu.words import ASPECTS, FORMATS, MIPMAPS
 
 BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
 PIXELS = tuple(BITS)
-WAYS = (None, "all")  # rules of lowering that are off
 MOST = 15  # polygons of a scene: each one's levels, decoded for the passes, stay in memory
 
 
@@ -120,21 +119,26 @@ def test_pieces_are_seen() -> None:
     assert len(found["filters"]) > 2 and found["own"] == {False, True}, found
 
 
-@pytest.fixture(scope="module")
-def drawn() -> dict:
-    """By format of pixels and rules that are off: all polygons, of one boot."""
-    return POLYGONS.draw([(pixels, off) for off in WAYS for pixels in PIXELS])
-
-
 @pytest.mark.parametrize("pixels", PIXELS)
-@pytest.mark.parametrize("off", WAYS)
-def test_frames_are_the_models(pixels: str, off: str | None, drawn) -> None:
-    """Each polygon in a frame of its own: with the rules of lowering, without."""
-    rules, spans = POLYGONS.check(drawn[pixels, off], pixels)
-    assert off or "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
-    if off is None and not POLYGONS.asked("CASE"):
+def test_frames_are_the_models(pixels: str) -> None:
+    """Each polygon in a frame of its own, many in a boot, by the rules of lowering."""
+    rules, spans = POLYGONS.check(pixels)
+    assert "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
+    if not POLYGONS.asked("CASE"):
         assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
         assert spans & {f"dithered_{BITS[pixels]}{end}" for end in ("", "_wrap")}, spans
         assert "tmu_passes" in spans, spans
-    if off and not POLYGONS.asked("CASE"):
+
+
+@pytest.fixture(scope="module")
+def pixel_by_pixel() -> dict:
+    """By format of pixels, of one boot."""
+    return POLYGONS.draw_without_rules(PIXELS)
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_frames_are_the_models_without_rules(pixels: str, pixel_by_pixel) -> None:
+    """Fewer polygons, and other ones."""
+    spans = POLYGONS.check_without_rules(pixels, pixel_by_pixel[pixels])
+    if not POLYGONS.asked("CASE"):
         assert "tmu_pixels" in spans and "tmu_passes" not in spans, spans

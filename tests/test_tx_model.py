@@ -147,7 +147,7 @@ def test_levels(lod, modes, want):
     assert tuple(int(x) for x in chosen) == want
 
 
-ONE, ZERO = 6, 7
+ZERO = 7
 
 
 def combined(state, texel0=(0,) * 4, texel1=(0,) * 4, shade=None, fraction=0) -> list[int]:

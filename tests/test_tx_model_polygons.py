@@ -235,9 +235,9 @@ def test_three_point_filter_is_as_near_as_coordinates_are(perspective):
     corners = floor(WIDTH, HEIGHT, 2, 6, 60) if perspective else square(0, 0, 64, 30, 30)
     x, y, colours = drawn(state, corners)
     s, t = ideal.Surface(corners, bool(perspective)).at(x, y)
-    error = error(colours, ideal.sample(state, 0, s, t, "three-point"))
+    off = error(colours, ideal.sample(state, 0, s, t, "three-point"))
     bound = 2 * units(corners, bool(perspective)) / 32 * steepest(state) + 0.5
-    assert 0 < error.rms <= error.most <= bound, f"at most {bound} expected, {error} found"
+    assert 0 < off.rms <= off.most <= bound, f"at most {bound} expected, {off} found"
 
 
 def test_point_sampling_shows_the_exact_texel():

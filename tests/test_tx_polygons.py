@@ -17,7 +17,6 @@ from tools.scene_units import PRIMITIVES, RECTANGLES, state_at
 from tools.tx.combiner import samples
 
 PIXELS = ("rgba5551", "rgba8888")
-WAYS = (None, "all")  # rules of lowering that are off
 
 
 def lines(each: Case) -> list[str]:
@@ -68,18 +67,25 @@ def check_rectangles(cases: list[Case]) -> None:
     assert {each.modes["tlut"] for each in copies} == {False, True}
 
 
-@pytest.fixture(scope="module")
-def drawn() -> dict:
-    """By format of pixels and rules that are off: all polygons, of one boot."""
-    return POLYGONS.draw([(pixels, off) for off in WAYS for pixels in PIXELS])
-
-
 @pytest.mark.parametrize("pixels", PIXELS)
-@pytest.mark.parametrize("off", WAYS)
-def test_frames_are_the_models(pixels: str, off: str | None, drawn) -> None:
-    """Each polygon in a frame of its own: with the rules of lowering, without."""
-    rules, spans = POLYGONS.check(drawn[pixels, off], pixels)
-    if off is None and not POLYGONS.asked("CASE"):
+def test_frames_are_the_models(pixels: str) -> None:
+    """Each polygon in a frame of its own, by the rules of lowering."""
+    rules, spans = POLYGONS.check(pixels)
+    if not POLYGONS.asked("CASE"):
         assert rules >= {"tx_flat", "tx_plain", "tx_passes", "equal_shades", "constant_w"}, rules
         assert {"tx_pixels", "tx_passes"} < spans, spans
         assert pixels != "rgba5551" or "affine_16_copy" in spans, spans
+
+
+@pytest.fixture(scope="module")
+def pixel_by_pixel() -> dict:
+    """By format of pixels, of one boot."""
+    return POLYGONS.draw_without_rules(PIXELS)
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_frames_are_the_models_without_rules(pixels: str, pixel_by_pixel) -> None:
+    """Fewer polygons, and other ones."""
+    spans = POLYGONS.check_without_rules(pixels, pixel_by_pixel[pixels])
+    if not POLYGONS.asked("CASE"):
+        assert "tx_pixels" in spans and "tx_passes" not in spans, spans
