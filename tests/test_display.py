@@ -57,8 +57,8 @@ def command(mode: str, rest: str = "0 320 256") -> str:
 
 #: How programs end, and what they return.
 ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64"): 0,
-           command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20, command("REFUSED", "0 324 256"): 10,
-           command("REFUSED", "0 320 257"): 10}
+           command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20,
+           command("REFUSED", "0 324 256"): 10, command("REFUSED", "0 320 257"): 10}
 
 
 @pytest.fixture(scope="module")
