@@ -96,7 +96,8 @@ def read(path: str | Path, shapes: dict[str, Shape]) -> Iterator[Line]:
         data = path.read_bytes()
         text = (gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data).decode("ascii")
     except (OSError, EOFError, zlib.error) as error:
-        raise UserError(f"{path}: cannot be read: {error}") from None
+        reason = getattr(error, "strerror", None) or error
+        raise UserError(f"{path}: cannot be read: {reason}") from None
     except UnicodeDecodeError:
         raise UserError(f"{path}: not ASCII text") from None
     for number, line in enumerate(text.splitlines(), 1):
