@@ -13,7 +13,7 @@ from tools import emulator, layout, maps, planar
 from tools.paths import ROOT
 
 GUEST = ROOT / "tests" / "guest"
-MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST")
+MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and places of the beam: where pictures may be

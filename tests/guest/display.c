@@ -13,14 +13,17 @@ void state(uint32 *found);
 uint32 field_lines(void);
 void send_event(uint32 class, uint32 code, uint32 qualifier);
 uint32 break_signal(void);
+void spin(void);
 void illegal(void);
 
-enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST };
+enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define STATES 7
 #define DUMPED 7
 #define FRAMES 3
+#define SPINS 400               /* some 230 fields */
+#define NO_LIMIT 65535          /* of the clock */
 /* The part of the last frame that is converted. */
 #define BOX_X 32
 #define BOX_Y 3
@@ -147,6 +150,31 @@ static int32 post(void)
     return screen_waits(&screen) ? RETURN_FAIL : RETURN_OK;
 }
 
+static uint32 spin_ticks(void)
+{
+    clock_start(NO_LIMIT);
+    spin();
+    return clock_stop();
+}
+
+/* How long the same work takes with the system off, and then, again and again, with it on. */
+static int32 busy(void)
+{
+    static uint32 ticks[1 + SPINS];
+
+    if (!clock_open())
+        return RETURN_FAIL;
+    quiet_enter();
+    spin();                             /* into the cache */
+    ticks[0] = spin_ticks();
+    quiet_leave();
+    for (int32 i = 1; i <= SPINS; i++)
+        ticks[i] = spin_ticks();
+    for (int32 i = 0; i <= SPINS; i++)
+        print_numbers(ticks + i, 1);
+    return RETURN_OK;
+}
+
 /* Takes chip RAM until there is less than LEFT_OVER. */
 static void take_chip(void)
 {
@@ -163,6 +191,7 @@ static int32 opened(enum mode mode, struct frame *frame, const char *name)
     case KEYS: return keys();
     case AGAIN: return again();
     case POST: return post();
+    case BUSY: return busy();
     case QUIET_CRASH:
         clock_open();
         quiet_enter();

@@ -55,6 +55,11 @@ VECTOR_LEVEL_3          equ     $6c
         movem.l (sp)+,d2/d3
         rts
 
+        routine spin                    ; a few milliseconds in the cache, without data
+        move.w  #20000-1,d0
+.again  dbra    d0,.again
+        rts
+
         routine send_event,d0,d1,a0     ; class, code, qualifier, as if a device did
         movem.l d2/a2/a3/a6,-(sp)
         lea     event,a2
