@@ -6,16 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import guest_runs
 import numpy as np
 from arrays import first_wrong
-from guest_runs import Asked, Drawn
 
-from tools import guest_frames, model, run
+from tools import model, run
 from tools.scene_file import ONE, Scene
 
 MOST = 100  # polygons of a scene: what engines keep decoded fills memory
-FEW = 3  # polygons that are counted where every pixel takes its time
 NAMES = ("x", "y", "s", "t", "shade", "w")
 
 
@@ -67,19 +64,15 @@ class Polygons:
             f"  again: {self.engine}_SEED={self.seed} {self.engine}_CASE={number} "
             f".deps/venv/bin/python -m pytest tests/test_{self.engine.lower()}_polygons.py -k {pixels}"])
 
-    def made(self, pixels: str, numbers: list[int]) -> tuple[list, Scene]:
-        """Cases and their scene."""
-        cases = [self.case(self.seed, number, pixels) for number in numbers]
-        return cases, self.scene(cases, self.seed, pixels)
-
-    def check(self, pixels: str) -> tuple[set[str], set[str]]:
-        """Compares all frames by all rules, many in a boot; the rules and the spans that drew them."""
-        numbers = self.numbers(None)
+    def check(self, pixels: str, off: str | None = None) -> tuple[set[str], set[str]]:
+        """Compares all frames, many in a boot; the rules and the spans that drew them."""
+        numbers = self.numbers(off)
         wrong, rules, spans = [], set(), set()
         for k in range(0, len(numbers), self.scene_size):
             some = numbers[k:k + self.scene_size]
-            cases, made = self.made(pixels, some)
-            done = run.render(made, "a1200-fast", "addx")
+            cases = [self.case(self.seed, number, pixels) for number in some]
+            made = self.scene(cases, self.seed, pixels)
+            done = run.render(made, "a1200-fast", "addx", off)
             rules |= {rule for material in done.executed for rule in material["rules"]}
             spans |= set(run.total(done.figures)["spans"])
             for frame, (number, each, found) in enumerate(zip(some, cases, done.frames, strict=True)):
@@ -88,28 +81,3 @@ class Polygons:
                     wrong.append(self.explain(number, pixels, each, expected, found))
         assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
         return rules, spans
-
-    def draw_without_rules(self, formats: tuple[str, ...]) -> dict[str, list[Drawn]]:
-        """By format of pixels the polygons when every pixel takes its time, all in one boot: digests
-        of all, figures, for which they are drawn twice more, of FEW."""
-        numbers, asked = self.numbers("all"), []
-        for pixels in formats:
-            asked += [Asked(self.made(pixels, some)[1], "all", counted=some is not numbers)
-                      for some in (numbers, numbers[:FEW])]
-        found = guest_runs.draw(asked)
-        return dict(zip(formats, zip(found[::2], found[1::2])))
-
-    def check_without_rules(self, pixels: str, drawn: list[Drawn]) -> set[str]:
-        """Compares all of ``draw_without_rules``; the spans that drew a few."""
-        numbers = self.numbers("all")
-        cases, made = self.made(pixels, numbers)
-        expected = [model.render(made, frame) for frame in range(made.frames)]
-        wrong = [frame for frame, (right, digest) in enumerate(
-            zip(expected, drawn[0].digests, strict=True)) if not guest_frames.is_models(right, digest)]
-        if wrong:
-            first = wrong[0]
-            found = run.render(made, "a1200-fast", "addx", "all").frames[first]
-            raise AssertionError(
-                f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n" + self.explain(
-                    numbers[first], pixels, cases[first], expected[first], found))
-        return drawn[1].spans

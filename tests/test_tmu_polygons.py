@@ -130,15 +130,9 @@ def test_frames_are_the_models(pixels: str) -> None:
         assert "tmu_passes" in spans, spans
 
 
-@pytest.fixture(scope="module")
-def pixel_by_pixel() -> dict:
-    """By format of pixels, of one boot."""
-    return POLYGONS.draw_without_rules(PIXELS)
-
-
 @pytest.mark.parametrize("pixels", PIXELS)
-def test_frames_are_the_models_without_rules(pixels: str, pixel_by_pixel) -> None:
+def test_frames_are_the_models_without_rules(pixels: str) -> None:
     """Fewer polygons, and other ones."""
-    spans = POLYGONS.check_without_rules(pixels, pixel_by_pixel[pixels])
+    _, spans = POLYGONS.check(pixels, "all")
     if not POLYGONS.asked("CASE"):
         assert "tmu_pixels" in spans and "tmu_passes" not in spans, spans
