@@ -13,22 +13,28 @@ from tools import layout, model, model_edges, model_texturing
 from tools.kernels import M32, Case, Result
 
 CHAINS = ("CHAIN_NONE", "CHAIN_ANYWHERE", "CHAIN_PLANE", "CHAIN_WHOLE")
-SETTINGS = (model.Settings(mapper="tiled"), model.Settings(start="truncated"), model.Settings())
+#: The chain of each, and how the model knows it: by a mapper.
+SETTINGS = (("CHAIN_NONE", model.Settings(mapper="generated")),
+            ("CHAIN_NONE", model.Settings(mapper="tiled")),
+            ("CHAIN_NONE", model.Settings(mapper="columns")),
+            ("CHAIN_ANYWHERE", model.Settings(start="truncated")),
+            ("CHAIN_PLANE", model.Settings()))
 
 
-def texturing_plane_trial(vertices, chain: int) -> Trial | None:
+def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Trial | None:
     """The plane of a polygon; None where nothing of it is in the frame."""
     wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
     if sides is None:
         return None
-    t = model_texturing.plane(vertices, sides.corners, sides.box, SETTINGS[chain])
+    t = model_texturing.plane(vertices, sides.corners, sides.box, settings)
     memory = Memory()
     at = vertex_block(memory, vertices)
     sides_at = sides_block(memory, at, vertices, wanted)
     box = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), sides.box)))
-    out = memory.room("texturing")
+    cuts = dict(zip(("u_cut", "v_cut"), model_texturing.CUT.get(settings.mapper, (0, 0))))
+    out = memory.struct("texturing", {}, **dict.fromkeys(layout.load().struct("texturing").fields, 7) | cuts)
     numbers = {name: int(getattr(t, name)) for name in
-               ("dudx", "dvdx", "wraps", "spare", "guard", "dudy", "dvdy", "u", "v", "i", "j")}
+               ("dudx", "dvdx", "wraps", "u_cut", "guard", "dudy", "dvdy", "u", "v", "i", "j")}
     writes, check = fields_check(out, "texturing", numbers, {})
     a, b, c = (vertices[k] for k in sides.corners)
     (x1, y1, s1, t1), (x2, y2, s2, t2) = ([p - q for p, q in zip(v, a)] for v in (b, c))
@@ -42,16 +48,16 @@ def texturing_plane_trial(vertices, chain: int) -> Trial | None:
             place = out + fields[name]["offset"]
             error = int.from_bytes(result.memory[place:place + 4], "big") - gradient * ONE
             error -= round(error / (1 << 32)) * (1 << 32)
-            half = Fraction(1 << (t.spare if name[1] == "u" else 0), 2)
+            half = Fraction(1 << t.cuts["uv".index(name[1])], 2)
             allowed = half + (abs(gradient) / 2**31 + Fraction(3, 2**32)) * ONE
             if abs(error) > allowed:
                 return (f"{name}: exact is {float(gradient):.9f} modulo 2^16: off by "
                         f"{float(error):.3f}/2^16, the block allows {float(allowed):.3f}/2^16")
         return None
 
-    return Trial(Case("texturing_plane", memory, {"d1": layout.load().constants[CHAINS[chain]]},
+    return Trial(Case("texturing_plane", memory, {"d1": layout.load().constants[chain]},
                       {"a0": out, "a1": sides_at, "d0": box}),
-                 f"{CHAINS[chain]}, box {sides.box}: {described(vertices)}", writes=writes,
+                 f"{chain}, {settings.mapper}, box {sides.box}: {described(vertices)}", writes=writes,
                  also=first_of([check, bound]))
 
 
@@ -63,7 +69,7 @@ def texturing_plane_trials(rng) -> list[Trial]:
         w, h = any_size(rng, 20), any_size(rng, 22)
         made.append([(x, y, any_size(rng, 30), any_size(rng, 30)), (x + w, y + h, 5, 7),
                      (x + 2 * w + int(rng.integers(-1, 2)), y + 2 * h, any_size(rng, 26), 9)])
-    trials = [texturing_plane_trial(p, chain) for p in made for chain in range(3)]
+    trials = [texturing_plane_trial(p, *each) for p in made for each in SETTINGS]
     return [trial for trial in trials if trial]
 
 
@@ -74,9 +80,9 @@ def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial
         model_texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
     memory = Memory()
     box_at = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
-    at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, spare=7, guard=7, dudy=0,
+    at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, u_cut=0, v_cut=0, guard=7, dudy=0,
                        dvdy=dvdy, u=0, v=v & M32, i=0, j=0)
-    writes, check = fields_check(at, "texturing", {"spare": spare, "guard": guard, "wraps": int(wraps)},
+    writes, check = fields_check(at, "texturing", {"u_cut": spare, "guard": guard, "wraps": int(wraps)},
                                  {})
 
     def sound(_: Result) -> str | None:
@@ -114,7 +120,7 @@ def texturing_starts_trials(rng) -> list[Trial]:
             plane |= {"u": any_size(rng) & M32, "v": any_size(rng) & M32}
             i, j = (int(n) for n in rng.integers(0, 1024, 2))
             memory = Memory()
-            at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, spare=0, guard=0)
+            at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, u_cut=0, v_cut=0, guard=0)
             shape, edges, parts = layout.load().struct("edge"), [], []
             for _ in range(count):
                 edges.append({"x": BIAS + int(rng.integers(-16384, 16384)),

@@ -71,6 +71,6 @@ def wide_mul(gradient: int, offset: int) -> int:
     return (gradient * offset + (1 << 31)) >> 32 & M32
 
 
-def step(gradient: int, spare: int) -> int:
-    """A 32.32 gradient as a 16.16 step modulo 2^32 whose ``spare`` low bits are 0."""
-    return ((gradient + (0x8000 << spare)) >> 16 & M32) >> spare << spare
+def step(gradient: int, cut: int) -> int:
+    """A 32.32 gradient as the nearest 16.16 step modulo 2^32 whose ``cut`` low bits are 0."""
+    return ((gradient + (0x8000 << cut)) >> 16 & M32) >> cut << cut

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .fixed import M32, signed
+from .fixed import signed
 from .model_texturing import Line, Settings, Texturing, plane
 
 LIT = ("lit", "lit_gouraud")  # mappers
@@ -28,9 +28,7 @@ class Shading:
 def shading(vertices, corners, box) -> Shading:
     """The light of vertices whose last number is their level, 16.16."""
     levels = [v[-1] for v in vertices]
-    t = plane([(*v[:2], v[-1], 0) for v in vertices], corners, box, Settings(mapper="lit_gouraud"))
-    t.u &= ~FREE_BITS
-    t.dudx, t.dudy = ((step + 2) & ~FREE_BITS & M32 for step in (t.dudx, t.dudy))
+    t = plane([(*v[:2], v[-1], 0) for v in vertices], corners, box, Settings(mapper="levels"))
     return Shading(t, min(levels) & ~0xFFFF, (max(levels) | 0xFFFF) - FREE_BITS)
 
 

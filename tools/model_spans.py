@@ -5,10 +5,7 @@ import numpy as np
 from .fixed import M32, signed
 from .model_dithered import moves
 from .model_shading import LIT, rows
-from .model_texturing import Line
-
-#: Bits that a mapper cuts off the fractions of u and v, of starts and of steps.
-CUT = {"tiled": (0, 1), "columns": (3, 3)}
+from .model_texturing import CUT, Line
 
 
 def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndarray, np.ndarray]:

@@ -8,6 +8,10 @@ from .model_edges import Edge
 
 #: Mappers whose u and v share an addx chain.
 CHAINED = ("affine", "lit")
+#: Texels a pixel from which on what a step without a plane may fall short by is not made up.
+STEEP = 256
+#: Low bits of u and v that a mapper's spans do not keep; of levels of light.
+CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
 
 @dataclass(frozen=True)
@@ -21,6 +25,11 @@ class Settings:
     perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
     tolerance: int = 0  # 1/65536 texel that less perspective may cost
+
+
+def raised(value: int, cut: int) -> int:
+    """A number modulo 2^32, raised to a multiple of 2^cut."""
+    return value + (1 << cut) - 1 >> cut << cut & M32
 
 
 @dataclass
@@ -43,15 +52,22 @@ class Texturing:
 
     dudx: int
     dvdx: int
-    spare: int  # 1: u's lowest bit is kept free ...
-    guard: int  # ... and holds this
+    u_cut: int  # low bits of u that the spans do not keep ...
+    guard: int  # ... and what they hold: 1 where v falls in a chain
     wraps: bool
+    v_cut: int = 0
     dudy: int = 0
     dvdy: int = 0
     u: int = 0
     v: int = 0
     i: int = 0
     j: int = 0
+    box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the pixels that (i, j) is the middle of
+
+    @property
+    def cuts(self) -> tuple[int, int]:
+        """Low bits that the spans do not keep, of u and of v."""
+        return self.u_cut, self.v_cut
 
 
 def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
@@ -65,11 +81,29 @@ def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
 
 
 def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
-    """spare, guard and wraps of struct texturing, where v may wrap in a chain."""
+    """u_cut, guard and wraps of struct texturing, where v may wrap in a chain."""
     speed = signed(dvdx, 24)
     once = ((abs(speed) >> 8) + 1) * width <= 0x10000
     spare = int(wraps and once)
     return spare, spare & (speed < 0), wraps and not once
+
+
+def whole_texels(gradient: int) -> int:
+    """A 32.32 gradient's magnitude in whole texels, rounded down, or one less."""
+    return (gradient ^ gradient >> 63) >> 32
+
+
+def shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, int], way: int) -> int:
+    """Units that a coordinate may fall short of its plane at any pixel of a box, rounded up.
+
+    ``found``: the gradients, 32.32; ``steps``: what they were rounded to, 16.16; ``ways``: pixels from
+    the middle of the box to its sides; ``way``: pixels from the first corner to the farthest, x and
+    y in all. Steps that were rounded by r units a pixel make r a pixel. The gradients themselves
+    are off by |g| / 2^31 + 3 / 2^32 texels a pixel, the value in the middle by a unit.
+    """
+    rounded = sum(abs(signed((s << 16) - g, 40)) * w for g, s, w in zip(found, steps, ways))
+    cut = (sum(whole_texels(g) for g in found) + 5 & M32) * 2 * way
+    return (rounded >> 16) + (cut >> 16) + 3
 
 
 def gradients(corners, key: int) -> tuple[int, int] | None:
@@ -89,19 +123,27 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     found = [gradients(three, key) for key in (2, 3)]
     if None in found:
         return None
-    (dsdx, dsdy), (dtdx, dtdy) = found
     left, top, right, bottom = box
     i, j = (left + right) >> 1, (top + bottom) >> 1
-    x0, y0, u0, v0 = three[0][:4]
-    x, y = signed((i << 16) - x0), signed((j << 16) - y0)
-    u = u0 + wide_mul(dsdx, x) + wide_mul(dsdy, y) & M32
-    v = v0 + wide_mul(dtdx, x) + wide_mul(dtdy, y) & M32
-    dvdx, dvdy = step(dtdx, 0), step(dtdy, 0)
+    away = [signed((at << 16) - first) for at, first in zip((i, j), three[0])]
+    ways = i - left, j - top
+    way = sum(abs(a) >> 16 for a in away) + sum(ways) + 2
+
+    def coordinate(key: int, cut: int) -> tuple[int, int, int]:
+        both = found[key]
+        steps = [step(g, cut) for g in both]
+        at = three[0][2 + key] + sum(wide_mul(g, a) for g, a in zip(both, away))
+        at += shortfall(both, steps, ways, way)
+        return *steps, raised(at, cut)
+
+    u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
+    dvdx, dvdy, v = coordinate(1, v_cut)
     chained = settings.mapper in CHAINED  # only their u and v share a chain
     inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
     spare, guard, wraps = guarded(dvdx, right - left, chained and not inside)
-    return Texturing(step(dsdx, spare), dvdx, spare, guard, wraps, step(dsdy, spare), dvdy,
-                     u & ~spare | guard, v, i, j)
+    dudx, dudy, u = coordinate(0, u_cut or spare)
+    return Texturing(dudx, dvdx, u_cut or spare, guard, wraps, v_cut, dudy, dvdy, u | guard, v, i, j,
+                     box)
 
 
 def saturated_step(part: int, whole: int) -> int:
@@ -120,7 +162,20 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
         part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
     dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
     spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper in CHAINED)
-    return Texturing(dudx & ~spare & M32, dvdx & M32, spare, guard, wraps)
+    u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
+    u_cut = u_cut or spare
+    dudx, dvdx = (step + (1 << cut >> 1) >> cut << cut & M32
+                  for step, cut in ((dudx, u_cut), (dvdx, v_cut)))
+    return Texturing(dudx, dvdx, u_cut, guard, wraps, v_cut, box=box)
+
+
+def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> int:
+    """Units that u may fall short by along a left edge of so many lines, and along the lines that begin
+    there, without a plane: see ``shortfall`` in c/polygon/texturing.c."""
+    whole = (abs(signed(step)) >> 16) + 2
+    coarse = (1 << cut) + 1 if cut else 1
+    line = 3 + whole if start == "subtexel" else 1
+    return 0 if whole > STEEP else (lines * line + (width + 1) * coarse >> 1) + 2 * whole + 2
 
 
 def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
@@ -158,8 +213,11 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         if settings.start == "subtexel":
             first = [f + mul(m, prestep) for f, m in zip(first, moves)]
             steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
-    first[0] = first[0] & ~t.spare | t.guard
-    steps[0] &= ~t.spare
+        first = [f + edge_shortfall(m, cut, edge.end - edge.top, t.box[2] - t.box[0], settings.start)
+                 for f, m, cut in zip(first, moves, t.cuts)]
+    first = [raised(f, cut) for f, cut in zip(first, t.cuts)]
+    first[0] |= t.guard
+    steps = [raised(s, cut) for s, cut in zip(steps, t.cuts)]
     starts = []
     for n, column in enumerate(columns):
         more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0

@@ -14,7 +14,7 @@ from .tx.state import COPY, State
 
 def settings_of(material) -> Settings:
     """How units' polygons are set up (tools.unit_planes)."""
-    return Settings(edges=material.edges, clip=material.clip, mapper="tiled")
+    return Settings(edges=material.edges, clip=material.clip, mapper="none")
 
 
 def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip: bool) -> None:

@@ -109,19 +109,28 @@ static enum chain chain_of(const struct setup *s)
     return m->whole ? CHAIN_WHOLE : CHAIN_PLANE;
 }
 
+/* What the mapper's spans do not keep of u and v. */
+static void set_cuts(struct texturing *t, enum mapper mapper)
+{
+    t->u_cut = mapper == MAPPER_COLUMNS ? CUT_COLUMNS : 0;
+    t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
+}
+
 /* Steps of the whole polygon, and starts on its left edges. */
 static enum polygon_result set_texturing(struct setup *s)
 {
     const struct material *m = s->material;
     struct texturing *t = &s->texturing;
 
+    set_cuts(t, m->mapper);
     if (m->gradients == GRADIENTS_PLANE)
         texturing_plane(t, &s->sides, &s->box, chain_of(s));
     else if (s->count == 3)
         texturing_longest(t, &s->sides, &s->box, chain_of(s));
     else
         return POLYGON_NO_TRIANGLE;
-    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start);
+    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start,
+                    s->box.right - s->box.left);
     s->span.dudx = t->dudx;
     s->span.dvdx = t->dvdx;
     s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;

@@ -19,6 +19,7 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
     struct plane *a = &planes->of[first], *b = a + 1;
     struct texturing t;
 
+    t.u_cut = t.v_cut = 0;
     texturing_plane(&t, &s->sides, &s->box, CHAIN_NONE);
     planes->i = t.i;
     planes->j = t.j;

@@ -3,10 +3,10 @@
 #include "polygon/math.h"
 #include "polygon/texturing.h"
 
-/* A level is a quarter of a shade. Spans keep the two lowest bits of its fraction for
-   wraps of v: all levels are multiples of 4 units. */
+/* A level is a quarter of a shade. Spans keep the lowest bits of its fraction for wraps of
+   v. */
 #define LEVEL_OF(shade) ((shade) >> (LEVEL_BITS - 16))
-#define FREE_BITS 3
+#define FREE_BITS ((1 << CUT_LEVEL) - 1)
 
 /* What a pixel may have beyond the vertices, as the plane is stepped: the pixel is within
    1/64 pixel of the polygon, and as far by cut vertices, times a level at most. */
@@ -30,11 +30,6 @@ static const struct vertex *lit(struct vertex *to, const struct vertex *from)
     to->s = LEVEL_OF(from->shade);
     to->t = 0;
     return to;
-}
-
-static fix16 rounded(fix16 step)
-{
-    return (fix16)(((uint32)step + 2) & ~(uint32)FREE_BITS);
 }
 
 /* Whether no pixel leaves the range, as the stepped plane has it at the vertices: in
@@ -70,13 +65,15 @@ void shading_lines(struct span_plan *span, const struct sides *sides,
     shaded.apex = lit(&corners[2], sides->apex);
     shaded.area = sides->area;
     shaded.apex_right = sides->apex_right;
+    t.u_cut = CUT_LEVEL;
+    t.v_cut = 0;
     texturing_plane(&t, &shaded, box, CHAIN_NONE);
     plan.lines = span->lines;
     plan.count = span->count;
     plan.shades = shades;
-    plan.dcdx = rounded(t.dudx);
-    plan.dcdy = rounded(t.dudy);
-    plan.shade = (t.u & ~(uint32)FREE_BITS)
+    plan.dcdx = t.dudx;
+    plan.dcdy = t.dudy;
+    plan.shade = t.u
                + (uint32)plan.dcdy * (uint32)(box->top - t.j)
                - (uint32)plan.dcdx * (uint32)(EDGE_BIAS + t.i);
     plan.low = plan.high = LEVEL_OF(vertices->shade);

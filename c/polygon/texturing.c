@@ -2,6 +2,9 @@
 
 #include "polygon/math.h"
 
+/* Where a step reaches so many texels, what it may fall short by is not made up. */
+#define STEEP 256
+
 /* The difference a - b of x, y, s and t. */
 static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {
@@ -19,6 +22,18 @@ static fix16 saturated_step(fix16 part, fix16 whole)
     if (fix_magnitude(part) >> 15 >= fix_magnitude(whole))
         return (part < 0) == (whole < 0) ? largest : -largest;
     return whole < 0 ? mul_div(-part, 65536, -whole) : mul_div(part, 65536, whole);
+}
+
+/* The nearest multiple of 2^cut. */
+static fix16 nearest(fix16 step, uint32 cut)
+{
+    return (fix16)((((uint32)step + (1u << cut >> 1)) >> cut) << cut);
+}
+
+/* The next multiple of 2^cut. */
+static uint32 raised(uint32 value, uint32 cut)
+{
+    return ((value + (1u << cut) - 1) >> cut) << cut;
 }
 
 void texturing_longest(struct texturing *t, const struct sides *sides,
@@ -40,7 +55,8 @@ void texturing_longest(struct texturing *t, const struct sides *sides,
         t->dvdx = saturated_step(part.t, part.x);
     }
     texturing_wrap(t, box, chain);
-    t->dudx &= (fix16)~t->spare;
+    t->dudx = nearest(t->dudx, t->u_cut);
+    t->dvdx = nearest(t->dvdx, t->v_cut);
 }
 
 void texturing_along(struct edge *edge)
@@ -57,6 +73,21 @@ void texturing_along(struct edge *edge)
         edge->du = mul_div(whole.s, 65536, whole.y);
         edge->dv = mul_div(whole.t, 65536, whole.y);
     }
+}
+
+/* Units by which u may fall short along a left edge and the lines that begin there. g is
+   below `whole`, the longest line a pixel or wider. Along the edge u is half a unit off a
+   line; moves to pixels are cut, and x, half a unit off a line, makes g times that. The
+   step is off by half of `coarse` a pixel and by (1 + g) / 2 units over the longest line. */
+static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width, enum start start)
+{
+    const int32 whole = (int32)(fix_magnitude(step) >> 16) + 2;
+    const int32 coarse = cut ? (1 << cut) + 1 : 1;
+    const int32 line = start == START_SUBTEXEL ? 3 + whole : 1;
+
+    if (whole > STEEP)
+        return 0;
+    return (uint32)((lines * line + (width + 1) * coarse) >> 1) + 2 * (uint32)whole + 2;
 }
 
 /* Moves u and v from where the edge crosses the lines to the first pixels. */
@@ -84,7 +115,7 @@ static void to_crossing(const struct texturing *t, struct edge *edge)
 }
 
 void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
-                     enum gradients gradients, enum start start)
+                     enum gradients gradients, enum start start, int32 width)
 {
     if (gradients == GRADIENTS_PLANE) {
         texturing_starts(t, edges, count);
@@ -98,8 +129,12 @@ void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
             texturing_along(edges);
             if (start == START_SUBTEXEL)
                 to_pixels(t, edges);
+            edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width, start);
+            edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width, start);
         }
-        edges->u = (edges->u & ~t->spare) | t->guard;
-        edges->du &= (fix16)~t->spare;
+        edges->u = raised(edges->u, t->u_cut) | t->guard;
+        edges->v = raised(edges->v, t->v_cut);
+        edges->du = (fix16)raised((uint32)edges->du, t->u_cut);
+        edges->dv = (fix16)raised((uint32)edges->dv, t->v_cut);
     }
 }

@@ -10,7 +10,8 @@
 struct texturing {
     fix16 dudx, dvdx;           /* texels a pixel */
     int32 wraps;                /* v may wrap more than once in a span */
-    uint32 spare;               /* 1: u's lowest bit is kept free for v's wrap ... */
+    uint32 u_cut, v_cut;        /* so many low bits are 0 in u, v and steps: the span does not
+                                   keep them, or u's lowest is free for v's wrap ... */
     uint32 guard;               /* ... and holds this */
 
     /* GRADIENTS_PLANE: */
@@ -27,6 +28,13 @@ enum chain {
     CHAIN_WHOLE                 /* the same, and u keeps all bits: any wrap is one too many */
 };
 
+/* Low bits that spans of tiles, of columns and of light do not keep. */
+enum cuts {
+    CUT_TILED_V = 1,
+    CUT_COLUMNS = 3,
+    CUT_LEVEL = 2
+};
+
 /* src68k/polygon: contracts there. */
 void texturing_plane(struct texturing *t, const struct sides *sides,
                      const struct rectangle *box, enum chain chain);
@@ -40,8 +48,9 @@ void texturing_longest(struct texturing *t, const struct sides *sides,
 /* u, v and their steps a line between an edge's ends, where it crosses the lines. */
 void texturing_along(struct edge *edge);
 
-/* u, v and their steps on left edges, GRADIENTS_PLANE or GRADIENTS_POLYGON. */
+/* u, v and their steps on left edges, GRADIENTS_PLANE or GRADIENTS_POLYGON. No line is wider
+   than so many pixels. */
 void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
-                     enum gradients gradients, enum start start);
+                     enum gradients gradients, enum start start, int32 width);
 
 #endif

@@ -48,47 +48,123 @@ rise    macro
         add.l   d0,texturing_\2(a6)
         endm
 
-; Puts the gradient d1:d2 into the field \2 as a step, rounded to the nearest multiple
-; of 1 << \1 units. Uses d0.
+; Pushes the ways of the box a0, for step and raise. Uses d0-d3.
+ways    macro
+        move.l  texturing_i(a6),d2
+        sub.l   rectangle_left(a0),d2
+        move.l  texturing_j(a6),d3
+        sub.l   rectangle_top(a0),d3
+        move.l  a4,d0
+        bpl.s   .right
+        neg.l   d0
+.right  clr.w   d0
+        swap    d0
+        move.l  a5,d1
+        bpl.s   .below
+        neg.l   d1
+.below  clr.w   d1
+        swap    d1
+        add.l   d1,d0
+        add.l   d2,d0
+        add.l   d3,d0
+        addq.l  #2,d0
+        add.l   d0,d0
+        movem.l d0/d2-d3,-(sp)
+        endm
+
+; Puts the gradient d1:d2 into the field \1 as a step, rounded to the nearest multiple of
+; 1 << d3 units. Adds to a0 what that takes or gives over \2 pixels, in 1/65536 unit, and
+; to a1 the gradient's whole texels. Uses d0-d2/d4.
 step    macro
+        move.l  d1,d0
+        bpl.s   .magnitude\@
+        not.l   d0
+.magnitude\@
+        adda.l  d0,a1
         move.l  #$8000,d0
-        lsl.l   \1,d0
+        lsl.l   d3,d0
         add.l   d0,d2
         bcc.s   .carried\@
         addq.l  #1,d1
 .carried\@
+        move.l  d0,d4
+        add.l   d4,d4
+        subq.l  #1,d4
+        and.l   d2,d4
+        sub.l   d4,d0
+        bpl.s   .added\@
+        neg.l   d0
+.added\@
+        mulu.l  \2(sp),d0
+        adda.l  d0,a0
         move.w  d1,d2
         swap    d2
-        lsr.l   \1,d2
-        lsl.l   \1,d2
-        move.l  d2,texturing_\2(a6)
+        lsr.l   d3,d2
+        lsl.l   d3,d2
+        move.l  d2,texturing_\1(a6)
         endm
+
+; Raises \1 (u or v) by what it may fall short of the plane anywhere in the box, and to a
+; multiple of 1 << d3 units. Uses d0-d1.
+raise   macro
+        moveq   #5,d0
+        add.l   a1,d0
+        mulu.l  ways_all(sp),d1:d0
+        move.w  d1,d0
+        swap    d0
+        move.l  a0,d1
+        clr.w   d1
+        swap    d1
+        add.l   d1,d0
+        addq.l  #3,d0
+        add.l   texturing_\1(a6),d0
+        moveq   #-1,d1
+        lsl.l   d3,d1
+        sub.l   d1,d0
+        subq.l  #1,d0
+        and.l   d1,d0
+        move.l  d0,texturing_\1(a6)
+        endm
+
+; On the stack:
+ways_all        equ     0               ; twice the pixels from the first vertex to the
+                                        ; farthest pixel, x and y in all
+ways_x          equ     4               ; pixels from the middle to the box's sides
+ways_y          equ     8
+vectors         equ     12
+box             equ     vectors+2*16
+chain           equ     box+4
 
 ;==============================================================================
 ; texturing_plane - how s and t run over the plane of a polygon
 ;
-; in:      a0  texturing*  what is filled in
+; in:      a0  texturing*  what is filled in, with its cuts: 0 to 8; 0 for a chain
 ;          a1  sides*      the polygon, its area not 0
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
 ; out:     -
 ; trashes: d0-d1/a0-a1
-; reads:   *sides, top, bottom and apex vertex, the rectangle
-; writes:  *texturing
+; reads:   u_cut, v_cut; *sides, top, bottom and apex vertex, the rectangle
+; writes:  *texturing but for v_cut; u_cut where the chain needs a bit
 ; formats: with vectors from the top vertex to the bottom (1) and the apex (2), D =
 ;          x1 y2 - x2 y1 = +-area:
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
-;          in 32.32 modulo 2^64; rounded to the nearest 16.16 (for u: to a multiple of
-;          1 + spare units) they are the steps. i, j: the box's middle; u = s + (i - x)
-;          dsdx + (j - y) dsdy there, each product rounded to the nearest unit
-; error:   of a gradient g: |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
-;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
-; cost:    about 2,100 cycles, with a cold cache 2,600
+;          in 32.32 modulo 2^64; rounded to the nearest multiple of 1 << cut units of
+;          16.16 they are the steps. i, j: the box's middle; u = s + (i - x) dsdx +
+;          (j - y) dsdy there, each product rounded to the nearest unit; then raised by
+;          what it may fall short of the plane at any pixel of the box, so that a texel's
+;          border shows the texel that begins there, and to a multiple of 1 << cut units
+; error:   of a gradient g: e(g) = |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
+;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut. In
+;          the box u is never below the plane where gradients are below 2^30 texels a
+;          pixel: raised by |step - dsdx| over half the box, by e over the way from the
+;          first vertex to the farthest pixel, and by 1 for the two products
+; cost:    about 2,700 cycles, with a cold cache 3,200
 ;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
         save_all
-        move.l  d1,-(sp)                ; chain
-        move.l  d0,-(sp)                ; box
+        move.l  d1,-(sp)
+        move.l  d0,-(sp)
         movea.l a0,a6
         movea.l d0,a0
 
@@ -104,37 +180,40 @@ step    macro
 .turned
         middle  left,right,i,d4,a4      ; from the first vertex to (i, j)
         middle  top,bottom,j,d5,a5
-
+        ways
         move.l  sides_area+number64_hi(a1),d0
         move.l  sides_area+number64_lo(a1),d7
         divisor
+        suba.l  a0,a0
+        suba.l  a1,a1
 
         gradient vertex_t,vertex_y
         rise    a4,v
-        moveq   #0,d3
-        step    d3,dvdx
+        move.l  texturing_v_cut(a6),d3
+        step    dvdx,ways_x
         gradient vertex_x,vertex_t
         rise    a5,v
-        moveq   #0,d3
-        step    d3,dvdy
+        move.l  texturing_v_cut(a6),d3
+        step    dvdy,ways_y
+        raise   v
 
         movea.l a6,a0
-        movea.l 32(sp),a1
-        move.l  36(sp),d0
+        movea.l box(sp),a1
+        move.l  chain(sp),d0
         bsr     texturing_wrap
+        suba.l  a0,a0
+        suba.l  a1,a1
 
         gradient vertex_s,vertex_y
         rise    a4,u
-        move.l  texturing_spare(a6),d3
-        step    d3,dudx
+        move.l  texturing_u_cut(a6),d3
+        step    dudx,ways_x
         gradient vertex_x,vertex_s
         rise    a5,u
-        move.l  texturing_spare(a6),d3
-        step    d3,dudy
-        move.l  texturing_u(a6),d0
-        lsr.l   d3,d0
-        lsl.l   d3,d0
-        or.l    texturing_guard(a6),d0
-        move.l  d0,texturing_u(a6)
-        lea     40(sp),sp
+        move.l  texturing_u_cut(a6),d3
+        step    dudy,ways_y
+        raise   u
+        move.l  texturing_guard(a6),d0
+        or.l    d0,texturing_u(a6)
+        lea     chain+4(sp),sp
         return_all

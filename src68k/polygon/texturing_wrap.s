@@ -30,18 +30,18 @@ travel  macro
 ; out:     -
 ; trashes: d0-d1/a0-a1
 ; reads:   v, dvdx, dvdy; the rectangle
-; writes:  wraps, spare, guard
+; writes:  wraps, guard; u_cut where u's lowest bit is kept free
 ; formats: a wrap of v in a span carries into the lowest bit of u. Where v stays
 ;          between two multiples of 256 all over the box, or shares no chain with u,
-;          there is none. One wrap is caught by keeping that bit spare (1), with guard
-;          in it: 1 where v falls. Where there may be more, or u keeps all bits
+;          there is none. One wrap is caught by keeping that bit free (u_cut 1), with
+;          guard in it: 1 where v falls. Where there may be more, or u keeps all bits
 ;          (CHAIN_WHOLE), wraps is 1
 ; error:   none: where there is a doubt, it assumes a wrap
 ; cost:    about 190 cycles, 170 to 380; less without a chain
 ;==============================================================================
         routine texturing_wrap,a0,a1,d0
         movem.l d2-d5,-(sp)
-        moveq   #0,d2                   ; spare
+        moveq   #0,d2                   ; u_cut
         moveq   #0,d3                   ; wraps
         moveq   #0,d4                   ; guard
         move.l  d0,d5
@@ -84,7 +84,7 @@ travel  macro
         bra.s   .done
 .wraps  moveq   #1,d3
         moveq   #0,d4
-.done   move.l  d2,texturing_spare(a0)
+.done   or.l    d2,texturing_u_cut(a0)
         move.l  d3,texturing_wraps(a0)
         move.l  d4,texturing_guard(a0)
         movem.l (sp)+,d2-d5

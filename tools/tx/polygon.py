@@ -26,7 +26,7 @@ from .misuse import Misuse
 from .pixels import pixels, store
 from .state import COPY, REACH, State
 
-SETTINGS = Settings(edges="exact", gradients="plane", start="subtexel", mapper="tiled")
+SETTINGS = Settings(edges="exact", gradients="plane", start="subtexel", mapper="none")
 SCALE = Scale(5, 0x7FFF0000, REACH << 16)
 
 
