@@ -191,10 +191,10 @@ def within(case: Case) -> list[str]:
         slack = max((c.slack(case.settings, case.width, case.height)
                      for c in ideal.crossings(vertices, y)), default=0)
         stepped = model.coordinates(line, case.settings.mapper)
-        for exact, values, ends, spare in zip(coordinates, stepped, ranges, (plane.spare, 0)):
+        for exact, values, ends, cut in zip(coordinates, stepped, ranges, plane.cuts):
             low, high = min(ends), max(ends)
             for k, i in ((0, line.left), (-1, line.right - 1)):
-                room = exact.bound(i, y, plane.i, plane.j, spare) / UNIT
+                room = exact.bound(i, y, plane, cut) / UNIT
                 room += float(slack) * abs(exact.nx / exact.d)
                 value = float(low) + model.signed(int(values[k]) - int(low))
                 if not low - room <= value <= high + room:
@@ -259,7 +259,7 @@ def wrapping(case: Case, s: int, t: int) -> list[str]:
 
 def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
     """u and v of two polygons with one texture plane, at pixels of both: where both are
-    seen from the same pixel the same, elsewhere off by both bounds together at most.
+    seen from the same pixel the same, elsewhere apart by the larger bound at most.
 
     Along a line the difference is linear, so the ends of the common part show the worst.
     """
@@ -276,8 +276,7 @@ def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
                 away = abs(model.signed(found[1] - found[0]))
                 room = 0.0
                 if planes[0] != planes[1]:
-                    room = sum(plane.bound(i, y, p.i, p.j, 0 if k else p.spare)
-                               for p in planes) / UNIT
+                    room = max(plane.bound(i, y, p, p.cuts[k]) for p in planes) / UNIT
                 if away > room:
                     return [case.complaint(f"{what}: {'uv'[k]}", (i, y),
                                            f"{found[0]}, {room} at most away", found[1])]

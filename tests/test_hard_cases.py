@@ -101,7 +101,7 @@ def test_pictures_differ_at_texel_borders_alone() -> None:
             for k, key in ((2, "u"), (3, "v")):
                 if t:
                     curve = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
-                    bound = curve.bound(x, y, t.i, t.j, t.spare if key == "u" else 0)
+                    bound = curve.bound(x, y, t, t.cuts[k - 2])
                 else:
                     curve, bound = made[k - 2], allowed[key, y]
                 u = curve.at(x << 16, y << 16) / 65536

@@ -7,11 +7,12 @@ drawn, and E(j), what the edge on line j is off: tools/bounds_coverage.py.
 
 **Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
 
-* `plane`: d = r + e(g), e from tools/ideal.py, r = U/2, or U for u where its lowest bit is
-  kept spare (spare = 1).
-* `polygon`: the longest line's width w and rise have U/2 each, their quotient U/2:
-  d = (1 + |g|) U/2 / (w - U/2) + U/2 + spare U. It saturates at 32,768 texels a pixel: with
-  g near that, or w below U, d = |g| + 32,768.
+* `plane`: d = r/2 + e(g), e and r from tools/ideal.py: r is U, or 2^cut U where the spans do not
+  keep so many low bits.
+* `polygon`: the longest line's width w and rise have U/2 each, their quotient U/2, and where cut is
+  not 0 its multiple of 2^cut U half of that: d = (1 + |g|) U/2 / (w - U/2) + R, R = U/2 or
+  (1 + 2^cut) U/2. It saturates at 32,768 texels a pixel: with g near that, or w below U,
+  d = |g| + 32,768.
 
 **Start of line j**, whose edge crosses at x and has its first pixel at c; n lines below
 the edge's first line in the frame:
@@ -20,32 +21,41 @@ the edge's first line in the frame:
 * `plane`, `truncated`: the plane's value at the first line's pixel, moved back to the crossing
   by a product cut to U and a prestep that is off by E, then n steps of dudy + slope *
   dudx, each with the plane's rounding in y, a product cut to U, a slope rounded to U/2:
-  p + U + |g| E(j0) + d + n (d_y + U + |g| U/2 + |slope| d) + (n + 1) spare U, p the plane's bound
-  there. It is the value of the crossing, not of the pixel: |g| (c - x) more.
+  p + U + |g| E(j0) + d + n (d_y + U + |g| U/2 + |slope| d) + (n + 1) (2^cut - 1) U, p the plane's
+  bound there. It is the value of the crossing, not of the pixel: |g| (c - x) more.
 * `polygon`: along the edge, nearest unit at the start and in each step: (n + 1) U/2. `truncated`:
   |g| (c - x) more. `subtexel`: a product at the start and in each step, cut, which move by
   c - x' in all, x' being the rounded crossing: (n + 1) U + |g| E(j) + |c - x'| d.
+  Start and steps are raised to multiples of 2^cut: (n + 1) (2^cut - 1) U.
 
 From there i - c steps: (i - c) d.
+
+**One side.** Values of `plane`, `subtexel` are never below the exact ones (tools/ideal.py). So are
+those of `polygon`, `subtexel` where the longest line is a pixel wide or more and |g| below 250: with N
+lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 2 g' + 2 units, g' between
+|g| and |g| + 2.5, which is what the sums above can be: along the edge N/2, in moves N, by x N |g| / 2, and
+d over W + 1 pixels, w + 1 of them by the quotient. `truncated` is raised by as much as does not come
+from moves. Where a texel's border lies exactly on a pixel's centre, the texel that begins there is shown.
 
 **Two divides a line** (`scanline`): the ideal is linear along both exact edges and between
 them. u at a crossing has a = (n + 1) U/2, x has E(j); an end is off by b = a + |g| E. Between
 the ends no more than the larger b, at a distance of i - x' a step cut to U: max(b0, b1) (1 + 2E) +
 (|i - x'| + 1) U, and where a line is under one pixel wide, |u1 - u0| + a0 + a1 + U at most.
 `truncated` has rise / whole pixels P from the crossing on: g ((i - c)(w / P - 1) - (c - x))
-by its nature, and 2 a0 + a1 + (i - c) U.
+by its nature, and 2 a0 + a1 + (i - c) U. Both ends are raised by N/2 + 2 units, N being their edge's
+lines, and steps are rounded up: where edges cross lines at whole units, values are never below the
+exact ones. Low bits that the spans do not keep are raised: (|i - c| + 1) (2^cut - 1) U.
 
-**Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
-bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. Dithered points
+**Mappers.** Generated code drops the start's fraction: 1 texel. Dithered points
 are moved by 3/8 texel at most, exactly: moves are whole units. What is held
 in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
 the range at a vertex, a step shrinks by 2B over the
 longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
-6B + 2U.
+6B + 2U. Steps that fall are 2 units slower then: a line whose first pixel lies on the map's far border
+starts a unit before that, and is above the exact values from its next pixel on. 2U a pixel more.
 
-**Light** (`lit_gouraud`): levels are on a plane as u is; that plane is cut to multiples of 4U
-(3U), its steps rounded to such (2U each): with x, y from where it is seen, p + (2 |x| + 2 |y| + 3) U.
-Every line is held: 6B + 8U.
+**Light** (`lit_gouraud`): levels are on a plane as u is, in multiples of 4U. Every line is held:
+6B + 8U.
 """
 
 from dataclasses import dataclass
@@ -58,8 +68,7 @@ from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
 from .model_dithered import moves
 from .model_edges import Edge
-from .model_spans import CUT
-from .model_texturing import Line, Settings
+from .model_texturing import CUT, STEEP, Line, Settings
 from .random_polygons import is_convex
 
 
@@ -115,7 +124,7 @@ class Coordinate:
     """u or v of a polygon: the exact plane and the bounds of what does not change."""
 
     plane: ideal.Plane
-    spare: int
+    cut: int  # low bits that are 0
     g: float  # texels a pixel, a line
     h: float
     step: float  # d, of a pixel
@@ -126,33 +135,39 @@ def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: S
     """The plane of ``vertices`` [key] through the corners ``three`` and its steps' bounds."""
     points = [vertices[k] for k in three]
     plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
-    spare = t.spare if t and key == 2 else 0
+    cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
     g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
     if settings.gradients == "plane":
-        rounding = UNIT / 2 * (1 << spare)
-        return Coordinate(plane, spare, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
+        rounding = UNIT / 2 * (1 << cut)
+        return Coordinate(plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
     top, bottom, middle = points
     height = bottom[1] - top[1]
     width = abs(plane.d / height) * UNIT if height else 0.0
     step = g + LARGEST
     if width > UNIT:
-        rounded = (1 + g) * UNIT / 2 / (width - UNIT / 2) + UNIT / 2 + spare * UNIT
+        rounded = (1 + g) * UNIT / 2 / (width - UNIT / 2) + coarse(cut) * UNIT / 2
         if g + rounded < LARGEST - 1:
             step = rounded
-    return Coordinate(plane, spare, g, h, step, 0.0)
+    return Coordinate(plane, cut, g, h, step, 0.0)
+
+
+def coarse(cut: int) -> int:
+    """Twice what a step that is no plane's is rounded by, its quotient's rounding included; units."""
+    return 1 + (1 << cut) if cut else 1
 
 
 def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column: int,
                 settings: Settings) -> float:
     """The bound of u at the first pixel ``column`` of a line, uncut (not plane + subtexel)."""
     n, off = line - edge.top, abs(column - crossing(edge, line))
+    zeros = (1 << c.cut) * UNIT  # the free bit's value included
     if settings.gradients == "plane":
-        first = c.plane.bound(edge.column(edge.top), edge.top, t.i, t.j, c.spare)
+        first = c.plane.bound(edge.column(edge.top), edge.top, t, c.cut)
         slope = abs(edge.slope) * UNIT
         return (first + UNIT + c.g * edge_bound(edge, edge.top) + c.step
                 + n * (c.down + UNIT + c.g * UNIT / 2 + slope * c.step)
-                + (n + 1) * c.spare * UNIT + c.g * off)
-    along = (n + 1) * (UNIT / 2 + c.spare * UNIT)
+                + (n + 1) * zeros + c.g * off)
+    along = (n + 1) * (UNIT / 2 + zeros)
     if settings.start == "truncated":
         return along + c.g * off
     rounded = edge_bound(edge, line)
@@ -161,22 +176,37 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
 
 def found_at(line: Line, key: str, mapper: str, i: int, y: int) -> int:
     """u or v of pixel i of line y as the mapper steps it, 16.16 modulo 2^32."""
-    start, cut = getattr(line, key), CUT.get(mapper, (0, 0))["uv".index(key)]
+    start = getattr(line, key)
     if mapper == "generated":
         start &= ~0xFFFF
-    step = signed(getattr(line, f"d{key}dx")) >> cut
     if mapper == "dithered":
         start += int(moves(i, i + 1, y)["uv".index(key)][0])
-    return (start >> cut) + (i - line.left) * step << cut
+    return start + (i - line.left) * signed(getattr(line, f"d{key}dx"))
+
+
+def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
+    """What starts of `polygon` are raised by at most, in texels."""
+    lines, whole = edge.end - edge.top, c.g + c.step + 2
+    if whole > STEEP + 2:
+        return 0.0
+    line = 3 + whole if settings.start == "subtexel" else 1
+    return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 2 * whole + 2) * UNIT
 
 
 def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
-                settings: Settings) -> float:
-    """Of u at a pixel, one step over the whole polygon."""
-    if settings.gradients == "plane" and settings.start == "subtexel":
-        return c.plane.bound(i, y, t.i, t.j, c.spare)
+                settings: Settings) -> tuple[float, float]:
+    """How far below and above u may be at a pixel, one step over the whole polygon."""
+    exact = settings.start == "subtexel"
+    if settings.gradients == "plane" and exact:
+        high = c.plane.bound(i, y, t, c.cut)
+        return high if c.plane.below() else 0.0, high
     column = edge.column(y)
-    return start_bound(c, t, edge, y, column, settings) + abs(i - column) * c.step
+    off = start_bound(c, t, edge, y, column, settings) + abs(i - column) * c.step
+    if settings.gradients == "plane":
+        return off, off
+    # narrower than a pixel, the quotient of the longest line leaves more than half a texel open
+    wide = exact and c.g < STEEP - 6 and c.step < (1 + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
+    return 0.0 if wide else off, off + raised_starts(c, edge, t.box[2] - t.box[0], settings)
 
 
 def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
@@ -188,7 +218,7 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
         part = ((y << 16) - edge.upper[1]) / (edge.lower[1] - edge.upper[1])
         x.append(crossing(edge, y))
         u.append((edge.upper[index] + (edge.lower[index] - edge.upper[index]) * part) * UNIT)
-        a.append((y - edge.top + 1) * UNIT / 2)
+        a.append((y - edge.top + 1) * UNIT / 2 + ((edge.end - edge.top) / 2 + 2) * UNIT)
         off.append(edge_bound(edge, y))
     width, rise = x[1] - x[0], u[1] - u[0]
     g = rise / width if width > 0 else 0.0
@@ -206,21 +236,21 @@ def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
     return exact, bound
 
 
-def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) -> None:
-    """Adds one pixel's error to a verdict."""
-    out.note(error, bound)
-    if bound < LARGEST and error / bound > out.texel_ratio:
-        out.texel_ratio = error / bound
-        if error > bound * FLOAT:
+def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple, out: Verdict) -> None:
+    """Adds one pixel's error to a verdict; ``bounds``: how far it may be below and above."""
+    bound = bounds[error >= 0]
+    out.note(abs(error), max(bounds))
+    if max(bounds) < LARGEST and error:
+        ratio = abs(error) / bound if bound else 2.0
+        out.texel_ratio = max(out.texel_ratio, ratio)
+        if ratio > FLOAT:
             out.complain(f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
-                         f"{bound:.9f} are allowed")
+                         f"{-bounds[0]:.9f} to {bounds[1]:.9f} are allowed")
 
 
-def mapper_bound(mapper: str, key: str, away: int) -> float:
-    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first."""
-    cut = CUT.get(mapper, (0, 0))["uv".index(key)]
-    return ((away + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
-            + DITHERED * (mapper == "dithered"))
+def mapper_bounds(mapper: str) -> tuple[float, float]:
+    """What a mapper adds to how far u or v may be below and above."""
+    return (mapper == "generated") + DITHERED * (mapper == "dithered"), DITHERED * (mapper == "dithered")
 
 
 def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
@@ -231,7 +261,8 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, three, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found, extent = [], ideal.extents(vertices)  # error, bound, coordinate, pixel
+    found, extent = [], ideal.extents(vertices)  # error, bounds, coordinate, pixel
+    more = mapper_bounds(mapper)
     for y, line in enumerate(polygon.lines, polygon.top):
         ends = [-(-n // (d << 16)) for n, d in extent(y)]
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
@@ -240,17 +271,20 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: f
                 value = found_at(line, key, mapper, i, y)
                 if settings.gradients == "scanline":
                     exact, bound = scanline_ideal(key, y, (sides[0][y], sides[1][y]), i, settings)
-                    error = abs((value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST)
+                    error = (value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST
+                    bound += (abs(i - line.left) + 1) * ((1 << c.cut) - 1) * UNIT
+                    both = bound, bound
                 else:
-                    error = abs(c.plane.error(value, i, y))
-                    bound = plane_bound(c, t, sides[0][y], i, y, settings)
-                bound += mapper_bound(mapper, key, i - line.left)
-                found.append((error, bound, key, (i, y)))
+                    error = c.plane.error(value, i, y)
+                    both = plane_bound(c, t, sides[0][y], i, y, settings)
+                found.append((error, tuple(map(sum, zip(both, more))), key, (i, y)))
     if beyond is not None:
-        most = max((bound for _, bound, *_ in found), default=0.0) + beyond
-        found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
-    for error, bound, key, pixel in found:
-        add_error(error, bound, key, pixel, out)
+        most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
+        longest = max(line.right - line.left for line in polygon.lines)
+        held = 6 * most + 2 * (longest + 1) * UNIT
+        found = [(error, (held, held), *rest) for error, _, *rest in found]
+    for error, both, key, pixel in found:
+        add_error(error, both, key, pixel, out)
 
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
@@ -264,12 +298,11 @@ def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
         left, right = (-(-n // (d << 16)) for n, d in extent(y))
         left, right = max(line.left, left), min(line.right, right)
         for i in {left, right - 1} if left < right else ():
-            cut = 2 * (abs(i - t.i) + abs(y - t.j)) + 3
-            found.append((abs(plane.error(line.c + (i - line.left) * line.dcdx, i, y)),
-                          plane.bound(i, y, t.i, t.j, 0) + cut * UNIT, (i, y)))
+            found.append((plane.error(line.c + (i - line.left) * line.dcdx, i, y),
+                          plane.bound(i, y, t, t.u_cut), (i, y)))
     bound = 6 * (max((b for _, b, _ in found), default=0.0) + beyond) + 8 * UNIT
     for error, _, pixel in found:
-        add_error(error, bound, "level", pixel, out)
+        add_error(error, (bound, bound), "level", pixel, out)
 
 
 def held_beyond(vertices, polygon: model.Polygon, settings: Settings,

@@ -242,9 +242,9 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
     for y, line, _, left, right in inner_lines(vertices, polygon):
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
         for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
-            values, spare = [v[key] for v in vertices], t.spare if key == 2 else 0
+            values = [v[key] for v in vertices]
             plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
-            bound = max(plane.bound(i, y, t.i, t.j, spare) for i in (left, right - 1)) + (
+            bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = abs(curve.errors(found[seen], columns, y))
             k = int(error.argmax())

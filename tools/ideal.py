@@ -15,19 +15,26 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 * Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
   many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
   1/2^32: e(g) = |g| / 2^31 + 3/2^32.
-* Step: the gradient rounded to a multiple of r: r/2 + e(g) a pixel, r = 1/2^16, or
-  1/2^15 for u where its lowest bit is kept spare for a wrap of v.
-* Reference pixel, (x, y) away from the first vertex: two products, each rounded to
-  half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy);
-  where u's bit is spare, it is forced to a value: 1/2^16 more.
-* So at pixel (i, j): that of the reference, and |i - i_ref| steps in x and
+* Step: the gradient rounded to a multiple of r: r/2 + e(g) a pixel, r = 1/2^16 texel, or as many
+  units as the spans do not keep: 2 for u where its lowest bit is free for a wrap of v, 2 for v
+  of tiles, 8 for columns, 4 for levels of light.
+* Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each rounded
+  to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
+* So at pixel (i, j), before u is raised: that of the reference, and |i - i_ref| steps in x and
   |j - j_ref| steps in y.
+* u is raised by what these are at most anywhere in the box: with w and h the ways from the reference
+  to the box's sides and a = |x| + |y| + w + h + 2, by (w + h) r/2 + 3/2^16 + (|gx| + |gy| + 5) a
+  2/2^32 at most, then to a multiple of r: r - 1/2^16, and by 1/2^16 where the free bit is set.
+
+So a drawn value is never below the exact one, and above it by the sum of the last two points at most.
+Where a gradient is 2^30 texels a pixel or more it may be below as well.
 """
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache, partial
+from math import inf
 
 import numpy as np
 
@@ -215,13 +222,24 @@ class Plane:
         """e(g): how far a gradient may be off before it is rounded to a step."""
         return abs(gradient) / 2**31 + 3 / 2**32
 
-    def bound(self, i: int, j: int, i_ref: int, j_ref: int, spare: int) -> float:
-        """The derived bound at pixel (i, j), in texels."""
+    def raised(self, t: model.Texturing, cut: int) -> float:
+        """What a set-up raises the values by at most, in texels; ``cut``: low bits that are 0."""
+        ways = t.i - t.box[0] + t.j - t.box[1]
+        away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + ways + 2
+        steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
+        return UNIT * (ways * (1 << cut) / 2 + 3 + (1 << cut)) + steep * away * 2 / 2**32
+
+    def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
+        """How far above the exact value a set-up's may be at pixel (i, j), in texels."""
         ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
-        away = abs(i_ref - self.x0 * UNIT) * ex + abs(j_ref - self.y0 * UNIT) * ey
-        rounding = UNIT / 2 * (1 << spare)
-        return (UNIT + spare * UNIT + away
-                + abs(i - i_ref) * (rounding + ex) + abs(j - j_ref) * (rounding + ey))
+        away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
+        rounding = UNIT / 2 * (1 << cut)
+        return (self.raised(t, cut) + UNIT + away
+                + abs(i - t.i) * (rounding + ex) + abs(j - t.j) * (rounding + ey))
+
+    def below(self) -> bool:
+        """Whether a set-up's value may be below the exact one as well."""
+        return max(abs(self.nx), abs(self.ny)) >= abs(self.d) << 30
 
 
 class Picture:
@@ -255,7 +273,7 @@ def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, f
 
 def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, float, float]]:
     """(coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
-    line, in texels: along a line both are linear, so the ends show the worst."""
+    line, in texels, an error below 0 being none that is allowed: along a line both are linear, so the ends show the worst."""
     plane = polygon.texturing
     three = [vertices[k] for k in corners(vertices)]
     points = [v[:2] for v in three]
@@ -263,11 +281,10 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
-        for name, coordinate, found, spare in zip("uv", exact, model.coordinates(line),
-                                                  (plane.spare, 0)):
+        for name, coordinate, found, cut in zip("uv", exact, model.coordinates(line), plane.cuts):
             for k, i in ((0, line.left), (-1, line.right - 1)):
-                yield (name, i, y, abs(coordinate.error(int(found[k]), i, y)),
-                       coordinate.bound(i, y, plane.i, plane.j, spare))
+                yield (name, i, y, coordinate.error(int(found[k]), i, y),
+                       coordinate.bound(i, y, plane, cut))
 
 
 def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
@@ -289,5 +306,6 @@ def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
             out.edge, out.edge_ratio = max(out.edge, error), max(out.edge_ratio, error / bound)
     if polygon.texturing:
         for *_, error, bound in texel_errors(vertices, polygon):
-            out.texel, out.texel_ratio = max(out.texel, error), max(out.texel_ratio, error / bound)
+            out.texel = max(out.texel, abs(error))
+            out.texel_ratio = max(out.texel_ratio, error / bound if error >= 0 else inf)
     return out

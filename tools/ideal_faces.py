@@ -256,8 +256,7 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
     for y, line in enumerate(polygon.lines, polygon.top):
         columns = np.arange(line.left, line.right)
         for key, plane, found in zip((2, 3), planes, model.coordinates(line)) if len(columns) else ():
-            spare = t.spare if key == 2 else 0
-            bound = np.array([plane.bound(i, y, t.i, t.j, spare) for i in columns.tolist()])
+            bound = np.array([plane.bound(i, y, t, t.cuts[key - 2]) for i in columns.tolist()])
             first = float(plane.at(line.left << 16, y << 16)) * UNIT
             yield (key, y, columns, plane.errors(found, columns, y), 0 * bound, bound,
                    first + (columns - line.left) * (plane.nx / plane.d))

@@ -15,8 +15,8 @@ from .model_perspective import PIECES, Perspective, ends, is_level, level, persp
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates
-from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
-                              scanline_line)
+from .model_texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest, plane,
+                              raised, ramp_point, scanline_line)
 from .model_tolerance import coarser, is_flat
 
 CORNERS_MAX = 64
@@ -106,12 +106,14 @@ def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Te
 
 
 def hold(lines: list[Line], ranges) -> None:
-    """Moves the lines, all of the same steps, so that no pixel leaves the ranges."""
+    """Moves the lines, all of the same steps, so that no pixel leaves the ranges. Steps that fall are
+    slower by two units: a start moved below the far border is above the exact value a pixel on."""
     counts = [line.right - line.left for line in lines]
     longest_line = max(*counts, 1) - 1
     for line, count in zip(lines, counts):
         for coordinate, (low, high) in zip("uv", ranges):
             step = signed(getattr(line, f"d{coordinate}dx"))
+            step = min(step + 2, 0) if step < 0 else step
             if longest_line:
                 most = (high - low) // longest_line
                 step = min(max(step, -most), most)
@@ -125,10 +127,15 @@ def hold(lines: list[Line], ranges) -> None:
 def scanline_lines(left: list[Edge], right: list[Edge], lines: list[Line],
                    settings: Settings) -> None:
     """Sets u, v and steps of each line by two divides."""
-    sides = ([point for edge in edges for point in along(edge)] for edges in (left, right))
+    sides = ([ramp_point(edge, point) for edge in edges for point in along(edge)]
+             for edges in (left, right))
+    cuts = CUT.get(settings.mapper, (0, 0))
     for line, a, b in zip(lines, *sides):
         if line.right > line.left:
             scanline_line(line, a, b, settings.start == "truncated")
+            for name, cut in zip("uv", cuts):
+                for field in (name, f"d{name}dx"):
+                    setattr(line, field, raised(getattr(line, field), cut))
 
 
 @dataclass

@@ -195,6 +195,14 @@ def along(edge: Edge) -> list[tuple[int, int, int]]:
             for n, line in enumerate(range(edge.top, edge.end))]
 
 
+def ramp_point(edge: Edge, point: tuple[int, int, int]) -> tuple[int, int, int]:
+    """x, u and v of an edge's crossing as lines with two divides take them: raised by what u and v may
+    fall short along the edge, half a unit a line, and by two units for what is cut afterwards."""
+    x, u, v = point
+    more = (edge.end - edge.top + 1) // 2 + 2
+    return x, u + more, v + more
+
+
 def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
     """u and v of an edge's lines at their first pixels, modulo 2^32."""
     columns = [edge.column(line) for line in range(edge.top, edge.end)]
@@ -231,12 +239,12 @@ def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> Non
     if truncated:
         first = ceil16(left[0])
         pixels = ceil16(right[0]) - first
-        steps = [cut_quotient(r, pixels) if pixels > 0 else 0 for r in rise]
+        steps = [-(-r // pixels) if pixels > 0 else 0 for r in rise]
         moves = [(line.left - first) * s for s in steps]
     else:
         width, prestep = min(right[0] - left[0], 0x7FFFFFFF), (line.left << 16) - left[0]
         if width >= ONE:
-            steps = [cut_quotient(r << 16, width) for r in rise]
+            steps = [-(-(r << 16) // width) for r in rise]
             moves = [mul(s, prestep) for s in steps]
         else:
             prestep = min(max(prestep, 0), width)

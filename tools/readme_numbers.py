@@ -4,7 +4,7 @@ derive."""
 from dataclasses import dataclass, replace
 from functools import cache
 
-from . import bounds, bounds_perspective, ideal, ideal_mesh, polygon_sets
+from . import bounds, bounds_perspective, ideal, ideal_mesh, model, polygon_sets
 from .markdown import table
 from .model_dithered import MOST
 from .model_edges import Edge
@@ -110,7 +110,7 @@ JUDGED = (
     ("dithered points", replace(EXACT, mapper="dithered")))
 DEEP = (("perspective `every16`", "every16"), ("`every8`", "every8"),
         ("`pixel`", "pixel"), ("`fine`", "fine"))
-SIZE = polygon_sets.WIDTH, polygon_sets.HEIGHT
+SIZE, LARGE = (polygon_sets.WIDTH, polygon_sets.HEIGHT), (1024, 1024)
 
 
 def judged(settings: Settings, name: str) -> bounds.Verdict:
@@ -145,10 +145,16 @@ def pixels(x: float) -> str:
     return f"{x:.2g} (1/{1 / x:,.0f})" if x < 0.1 else f"{x:g}"
 
 
+def seen(size: tuple[int, int]) -> model.Texturing:
+    """Where the plane of a polygon as large as a frame is seen from."""
+    width, height = size
+    return model.Texturing(0, 0, 0, 0, False, i=width // 2, j=height // 2, box=(0, 0, width, height))
+
+
 def bounds_table() -> str:
     """Markdown: the derived bounds by what they depend on, evaluated."""
     plane = ideal.Plane([(0, 0), (1 << 24, 0), (0, 1 << 24)], [0, 3 << 23, 5 << 22])
-    corner = [plane.bound(*SIZE, SIZE[0] // 2, SIZE[1] // 2, spare) for spare in (0, 1)]
+    corner, large = ([plane.bound(*size, seen(size), cut) for cut in (0, 1)] for size in (SIZE, LARGE))
     rows = [
         ("a rounded edge, pixels: its first line", edge_off(1), "bounds.edge_bound"),
         ("... 256 lines below", edge_off(257), "bounds.edge_bound"),
@@ -156,9 +162,10 @@ def bounds_table() -> str:
         ("an exact edge: the rational result", None, "bounds.judge_coverage"),
         ("a gradient of 1 texel a pixel before it is rounded", ideal.Plane.cut(1), "ideal.Plane.cut"),
         ("... of 256", ideal.Plane.cut(256), "ideal.Plane.cut"),
-        ("u in a frame's corner, 160 pixels and 128 lines from where the plane is seen", corner[0],
-         "ideal.Plane.bound"),
-        ("... where u's lowest bit is kept spare", corner[1], "ideal.Plane.bound"),
+        ("u in the corner of a polygon of 320x256 pixels", corner[0], "ideal.Plane.bound"),
+        ("... where u's lowest bit is kept free", corner[1], "ideal.Plane.bound"),
+        ("u in the corner of a polygon of 1,024x1,024 pixels", large[0], "ideal.Plane.bound"),
+        ("... where u's lowest bit is kept free", large[1], "ideal.Plane.bound"),
         ("dithered points: what they are moved by", MOST, "model_dithered.MOST"),
         ("lines by reciprocals or logarithms, texels", bounds_perspective.RECIPROCALS,
          "bounds_perspective.RECIPROCALS"),

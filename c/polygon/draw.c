@@ -168,22 +168,45 @@ static void set_ramps(struct setup *s)
     s->span.steps = steps;
 }
 
+/* A step that falls, slower by two units: the start of a line may be moved below the far
+   border by one, and u is above the exact value again a pixel on. */
+static fix16 slower(fix16 step)
+{
+    return step >= 0 ? step : step < -2 ? step + 2 : 0;
+}
+
 /* Keeps u and v of every pixel where the mapper needs them. */
 static void hold_lines(struct setup *s)
 {
     struct hold_plan hold;
+    int32 leaves;
 
     if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
-        || is_flat(s) || lower_to_no_hold(s))
+        || is_flat(s))
+        return;
+    leaves = material_leaves_range(s);
+    if (lower_to_no_hold(s, leaves))
         return;
     material_range(&hold, s);
     hold.lines = (struct scanline *)s->span.lines;
     hold.count = s->span.count;
-    hold.dudx = s->span.dudx;
-    hold.dvdx = s->span.dvdx;
+    hold.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
+    hold.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
     edge_hold(&hold);
     s->span.dudx = hold.dudx;
     s->span.dvdx = hold.dvdx;
+}
+
+/* Raises what a line has in bits that its span does not keep. */
+static void raise_line(struct scanline *line, struct span_plan *span, const struct texturing *t)
+{
+    uint32 u = texturing_raised((uint32)line->start1 << 16 | line->start0, t->u_cut);
+
+    line->start1 = (uint16)(u >> 16);
+    line->start0 = (uint16)u;
+    line->start2 = texturing_raised(line->start2, t->v_cut);
+    span->dudx = (fix16)texturing_raised((uint32)span->dudx, t->u_cut);
+    span->dvdx = (fix16)texturing_raised((uint32)span->dvdx, t->v_cut);
 }
 
 /* Line by line, for mappers whose spans have one pair of steps only. */
@@ -192,12 +215,14 @@ static void draw_each_line(struct setup *s)
     struct span_plan *line = &s->span;
     int32 count = line->count;
 
+    set_cuts(&s->texturing, s->material->mapper);
     line->count = 1;
     for (int32 i = 0; i < count; i++) {
         line->lines = &s->edges.lines[i];
         line->dudx = line->steps[i].dudx;
         line->dvdx = line->steps[i].dvdx;
         if (line->lines->last >= line->lines->left) {
+            raise_line(&s->edges.lines[i], line, &s->texturing);
             hold_lines(s);
             kind_spans[s->kind](line);
         }

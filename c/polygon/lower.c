@@ -202,7 +202,7 @@ int32 lower_to_no_scissor(struct setup *s)
                    && s->outline_sides->x_high + EDGE_ERROR <= s->frame->width << 16);
 }
 
-int32 lower_to_no_hold(struct setup *s)
+int32 lower_to_no_hold(struct setup *s, int32 leaves_range)
 {
-    return APPLIES(INSIDE_RANGE, !material_leaves_range(s));
+    return APPLIES(INSIDE_RANGE, !leaves_range);
 }

@@ -30,8 +30,7 @@ static fix16 nearest(fix16 step, uint32 cut)
     return (fix16)((((uint32)step + (1u << cut >> 1)) >> cut) << cut);
 }
 
-/* The next multiple of 2^cut. */
-static uint32 raised(uint32 value, uint32 cut)
+uint32 texturing_raised(uint32 value, uint32 cut)
 {
     return ((value + (1u << cut) - 1) >> cut) << cut;
 }
@@ -132,9 +131,9 @@ void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
             edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width, start);
             edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width, start);
         }
-        edges->u = raised(edges->u, t->u_cut) | t->guard;
-        edges->v = raised(edges->v, t->v_cut);
-        edges->du = (fix16)raised((uint32)edges->du, t->u_cut);
-        edges->dv = (fix16)raised((uint32)edges->dv, t->v_cut);
+        edges->u = texturing_raised(edges->u, t->u_cut) | t->guard;
+        edges->v = texturing_raised(edges->v, t->v_cut);
+        edges->du = (fix16)texturing_raised((uint32)edges->du, t->u_cut);
+        edges->dv = (fix16)texturing_raised((uint32)edges->dv, t->v_cut);
     }
 }

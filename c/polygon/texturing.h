@@ -41,6 +41,9 @@ void texturing_plane(struct texturing *t, const struct sides *sides,
 void texturing_wrap(struct texturing *t, const struct rectangle *box, enum chain chain);
 void texturing_starts(const struct texturing *t, struct edge *edges, int32 count);
 
+/* The next multiple of 2^cut. */
+uint32 texturing_raised(uint32 value, uint32 cut);
+
 /* A triangle's steps from its longest scanline, the one through the middle vertex. */
 void texturing_longest(struct texturing *t, const struct sides *sides,
                        const struct rectangle *box, enum chain chain);

@@ -15,9 +15,17 @@
 ;          truncated: u where the left side crosses the line, steps (u1 - u0) / whole
 ;          pixels. Otherwise u at the first pixel, steps (u1 - u0) / (x1 - x0); on a
 ;          line under one pixel wide the steps are 0 and u lies between u0 and u1.
-; error:   quotients are cut towards zero: 1/65536 a pixel
+; error:   steps are rounded up: less than 1/65536 a pixel; products are cut
 ; cost:    bench row edge_ramp
 ;==============================================================================
+; Rounds the quotient \1 up, its remainder being d4.
+up      macro
+        tst.l   d4
+        ble.s   .up\@
+        addq.l  #1,\1
+.up\@
+        endm
+
 ; The table is cut to the frame already: what its first pixel is beyond the left side
 ; is made up by a product, as the way to a pixel's centre is.
 
@@ -99,8 +107,10 @@
         ext.l   d2
         sub.l   d5,d2                   ; pixels of the whole line, up to 32,769
         ble.s   .no_pixels
-        divs.l  d2,d0
-        divs.l  d2,d1
+        divsl.l d2,d4:d0
+        up      d0
+        divsl.l d2,d4:d1
+        up      d1
         bra.s   .cut
 .no_pixels
         moveq   #0,d0
@@ -155,4 +165,5 @@
         ext.l   d4
         clr.w   d0
         divs.l  d2,d4:d0
+        up      d0
         rts
