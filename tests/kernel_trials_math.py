@@ -16,11 +16,19 @@ def any_size(rng: np.random.Generator, bits: int = 31) -> int:
     return -value if rng.integers(2) else value
 
 
-def mul_fix_trials(rng) -> list[Trial]:
+def product_trials(rng, name: str, added: int) -> list[Trial]:
     pairs = [(a, b) for a in CORNERS for b in CORNERS]
     pairs += [(any_size(rng), any_size(rng)) for _ in range(60)]
-    return [Trial(Case("mul_fix", registers={"d0": a, "d1": b}), values(a=a, b=b),
-                  {"d0": (a * b >> 16) & M32}) for a, b in pairs]
+    return [Trial(Case(name, registers={"d0": a, "d1": b}), values(a=a, b=b),
+                  {"d0": (a * b + added >> 16) & M32}) for a, b in pairs]
+
+
+def mul_fix_trials(rng) -> list[Trial]:
+    return product_trials(rng, "mul_fix", 0)
+
+
+def mul_round_trials(rng) -> list[Trial]:
+    return product_trials(rng, "mul_round", 0x8000)
 
 
 def mul_div_trials(rng) -> list[Trial]:
@@ -63,6 +71,6 @@ def mul_wide_trials(rng) -> list[Trial]:
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    makers = mul_fix_trials, mul_div_trials, mul_shift_trials, mul_wide_trials
+    makers = mul_fix_trials, mul_div_trials, mul_shift_trials, mul_wide_trials, mul_round_trials
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed))]

@@ -262,7 +262,7 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str):
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
-    s and t in texels of a map whose longer side is given, rounded down, w, and a lit mapper's
+    s and t in texels of a map whose longer side is given, the nearest, w, and a lit mapper's
     level; or the shade as u, kept INSET inside the range of the pixels it may become."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
@@ -272,6 +272,6 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
         return [(x, y, min(max(shade, low), high), 0, *w)
                 for x, y, _, _, shade, *w in vertices]
     is_lit = settings.mapper in LIT
-    return [(x, y, signed(s * longer >> 8), signed(t * longer >> 8), *w,
+    return [(x, y, signed(s * longer + 128 >> 8), signed(t * longer + 128 >> 8), *w,
              *([level_of(shade)] if is_lit else []))
             for x, y, s, t, shade, *w in vertices]

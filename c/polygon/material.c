@@ -41,8 +41,8 @@ const struct vertex *material_vertices(const struct vertex *from, int32 count,
             to[i].s = from[i].shade < low ? low : from[i].shade > high ? high : from[i].shade;
             to[i].t = 0;
         } else if (scale != 65536) {
-            to[i].s = mul_fix(from[i].s, scale);
-            to[i].t = mul_fix(from[i].t, scale);
+            to[i].s = mul_round(from[i].s, scale);
+            to[i].t = mul_round(from[i].t, scale);
         }
     }
     return to;

@@ -16,6 +16,7 @@ static inline uint32 fix_magnitude(int32 value)
 }
 
 fix16 mul_fix(fix16 a, fix16 b);
+fix16 mul_round(fix16 a, fix16 b);
 int32 mul_div(int32 a, int32 b, int32 c);
 int32 mul_shift(int32 a, int32 b, int32 bits);
 int32 mul_wide(const struct number64 *gradient, fix16 offset);

@@ -1,0 +1,25 @@
+        include "routine.i"
+
+;==============================================================================
+; mul_round - product of two 16.16 numbers, rounded to the nearest
+;
+; in:      d0  int32  a, 16.16
+;          d1  int32  b, 16.16
+; out:     d0  int32  floor(a * b / 65536 + 1/2), its low 32 bits
+; trashes: d0-d1
+; reads:   -
+; writes:  -
+; formats: 16.16 signed; the product must be within 16.16 to be meaningful
+; error:   half of 1/65536
+; cost:    46 cycles with the cache warm, call and arguments besides
+;==============================================================================
+        routine mul_round,d0,d1
+        muls.l  d0,d0:d1
+        add.l   #$8000,d1
+        bcc.s   .carried
+        addq.l  #1,d0
+.carried
+        move.w  d0,d1                   ; hh:HH ll:LL -> HH:ll
+        swap    d1
+        move.l  d1,d0
+        rts
