@@ -48,7 +48,7 @@ def lines_trial(deep, width: int, lines) -> Trial | None:
             del wanted["spare"]
             if k % 4 == 0:
                 worst = worst or error(deep, line, {0, line.n // 3, line.n}, *model.coordinates(line),
-                                       each[2], model.bound(line))
+                                       each[2], model.bound(line), constants.raised)
         parts.append(fields_check(out + k * shape.size, "logarithm_line", wanted, {}, f"line {k}"))
     blank = bytes(shape.size * len(lines))
     return Trial(Case("logarithm_lines", memory, pointers={"a0": plan, "a1": tables, "d0": out}),

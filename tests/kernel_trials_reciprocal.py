@@ -67,7 +67,8 @@ def find_trial(deep, width: int, lines) -> Trial:
         return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
                      f"{deep}, pixel {x}, {y}", {"d0": int(taken)},
                      writes=[Write(at + first, bytes(last - first), bytes(last - first))])
-    numbers = {"ku": (found.k[0] - deep.base[0], 4), "kv": (found.k[1] - deep.base[1], 4)}
+    numbers = {name: (k - base - raised, 4) for name, k, base, raised
+               in zip(("ku", "kv"), found.k, deep.base, found.raised)}
     numbers |= {name: (n, 8) for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)}
     writes = [Write(at + fields[f]["offset"], (n % (1 << 8 * size)).to_bytes(size, "big"))
               for f, (n, size) in numbers.items()]
@@ -75,13 +76,14 @@ def find_trial(deep, width: int, lines) -> Trial:
                  f"{deep}, pixel {x}, {y}", {"d0": 1}, writes=writes)
 
 
-def error(deep, line, pixels, u, v, y: int, bound: int) -> str | None:
-    """Some pixels against the planes themselves: as far as ``bound`` and what is stated."""
+def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> str | None:
+    """Some pixels against the planes themselves: as far as ``bound`` and what is stated, from where they
+    are ``raised`` to."""
     for x in pixels:
         at = line.left + x - deep.i, y - deep.j
         q = Fraction(deep.q.value(*at), 1 << 32)
-        for found, plane, base in ((u[x], deep.s, deep.base[0]), (v[x], deep.t, deep.base[1])):
-            off = signed(int(found) - base - int(plane.value(*at) / q), 32)
+        for found, plane, base, more in zip((u[x], v[x]), (deep.s, deep.t), deep.base, raised):
+            off = signed(int(found) - base - more - int(plane.value(*at) / q), 32)
             if abs(off) > min(bound, STATED):
                 return f"line {y}, pixel {x}: the model is {off} units off"
     return None
@@ -120,7 +122,7 @@ def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
                 del wanted["dq"]
             ends = {*range(0, line.n + 1, 1 << piece), line.n}  # of pieces
             worst = worst or error(deep, line, ends, *model.coordinates(line), each[2],
-                                   model.bound(line))
+                                   model.bound(line), constants.raised)
         parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
     return Trial(Case("reciprocal_lines", memory, pointers={"a0": at}),
                  f"{deep}, pieces of 2^{piece}, {len(lines)} lines, {others} left",

@@ -141,6 +141,51 @@ def test_other_gradients_do_too(mapper: str) -> None:
         check(mapper, figure, [vertices], Settings(edges, "scanline", start, mapper=mapper))
 
 
+PERSPECTIVES = ("every16", "every8", "pixel", "fine")
+
+
+def deep_shown(vertices: list[tuple], setting: str) -> np.ndarray:
+    """``shown`` of a polygon in perspective."""
+    return shown("affine", [vertices], Settings("exact", perspective=setting))
+
+
+@pytest.mark.parametrize("setting", PERSPECTIVES)
+def test_floors_show_the_texel_that_begins_on_a_border(setting: str) -> None:
+    """Depth is the same along lines: w of line j is 128 / (128 - j), u is w (i - 160) / n and v is w j / 2
+    texels at every pixel, exactly."""
+    j, i = np.mgrid[:64, 64:256]
+    for n in (1, 2, 3, 4, 6, 8, 12, 16):
+        corners = []
+        for x, y in ((64, 0), (256, 0), (256, 64), (64, 64)):
+            w = Fraction(128, 128 - y)
+            corners.append((x << 16, y << 16, fix(w * (x - 160) / n), fix(w * y / 2), 0, fix(w)))
+        found = deep_shown(corners, setting)[:, :64, 64:256]
+        u = (i - 160) * 128 // (n * (128 - j)) % 256
+        v = 64 * j // (128 - j) % 256
+        wrong = (found != np.stack([u, v])).any(axis=0)
+        assert not wrong.any(), f"{setting}: 1/{n} texel a pixel: {wrong.sum()} pixels, first {np.argwhere(wrong)[0]}"
+
+
+@pytest.mark.parametrize("setting", PERSPECTIVES)
+def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: str) -> None:
+    """Depth changes along lines: w of column i, from 64 on, is 128 / (128 - near (i - 64)), u is half a
+    texel a pixel there, v w (j - 60) / n texels: exactly in the first column, and all along line 60,
+    whichever kind of line draws it. Turned round, the deep end is on the left."""
+    j = np.arange(20, 100)
+    for n, near, turned in itertools.product((1, 2, 3, 4, 8), (Fraction(1, 4), Fraction(1, 2), Fraction(15, 16)),
+                                             (False, True)):
+        corners = []
+        for x, y in ((64, 20), (192, 20), (192, 100), (64, 100)):
+            way = 192 - x if turned else x - 64
+            w = 128 / (128 - near * way)
+            corners.append((x << 16, y << 16, fix(w * way / 2), fix(w * (y - 60) / n), 0, fix(w)))
+        found = deep_shown(corners, setting)
+        assert (found[1, 60, 64:192] == 0).all(), (setting, n, near, turned)
+        if not turned:
+            assert (found[0, 20:100, 64] == 0).all(), (setting, n, near)
+            assert np.array_equal(found[1, 20:100, 64], (j - 60) // n % 256), (setting, n, near)
+
+
 def test_a_plane_that_is_not_raised_is_caught(monkeypatch) -> None:
     """Steps to the nearest unit alone fall short: a figure three times as large shows it."""
     figure = Figure(16, 16, 192, 192, (0, 0), Fraction(1, 3), (False, False, False))

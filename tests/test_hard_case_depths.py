@@ -101,7 +101,8 @@ def test_pictures_have_the_perspective() -> None:
 
 
 def test_what_is_drawn_affine_for_want_of_precision() -> None:
-    """One triangle of a unit, whose only pixel is right all the same: it is judged against the curve."""
+    """One triangle of a unit, whose only pixel is right but for what its plane is raised by, 2 (gx + gy)
+    way / 2^32 of 2^24 texels a pixel and a way of 2 pixels: it is judged against the curve."""
     settings, unsure = model.Settings("exact", perspective="fine"), {}
     for case in CASES:
         if ideal_perspective.in_front(adapted(case)):
@@ -109,7 +110,7 @@ def test_what_is_drawn_affine_for_want_of_precision() -> None:
             assert not verdict.complaint, case.name
             if verdict.unsure:
                 unsure[case.name] = verdict.texel_error
-    assert unsure == {"deep_triangle_1_unit_1_to_16384": 0.0}
+    assert unsure.keys() == {"deep_triangle_1_unit_1_to_16384"} and max(unsure.values()) < 1 / 64
 
 
 def test_a_line_may_end_at_the_tables_last_entry() -> None:

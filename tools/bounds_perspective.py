@@ -18,6 +18,10 @@
   three vertices beside the planes: there the exact value's way into the range, and what q is
   raised by, come on top.
 
+* S is raised by what it and q times u may be off there, and the base by a unit, so that u of
+  a line's first pixel is never below the exact value: by as much again, S's errors being taken
+  as ``model_perspective.error_part`` rounds them up, 2^scale / Q units each.
+
 That is b0 and b1.
 
 **Between them** u = u0 + du * part. The weights are off by the errors of q and, n steps long,
@@ -27,15 +31,20 @@ is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
 
     b = max(b0, b1) + |du| (sqrt(m) - 1) / (sqrt(m) + 1) + 3 U
 
+Lines are raised by those 3 units, and in pieces by what their ends are cut by, so that u which is the
+same all along a line is never below the exact value.
+
 **Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
 more: from the chords of the exact curve.
 
-**Level lines**: b, what the setting lets them be off for their change of q (half or a quarter of
-its tolerance), and half a unit a step.
+**Level lines**: b, what the setting lets them be off for their change of q (almost half or a
+quarter of its tolerance), and a unit a step: steps are rounded up. Where q does not change they are never below
+the exact value.
 
 Lines by tables are off from their planes' quotients by what ``model_reciprocal.bound`` and
 ``model_logarithm.bound`` say, which is kept within 1/32 texel, by logarithms all of the setting's; that
-comes on top.
+comes on top, and what they are raised by for it: never below the exact value at a line's first pixel
+and, by logarithms, at all.
 
 Where the planes are not sure enough (c/polygon/perspective.h) the polygon is drawn affine: both the
 exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
@@ -56,10 +65,10 @@ from . import ideal, model_reciprocal
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
-from .model_perspective import PIECES, Ends, Perspective, ends
+from .model_perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
-LEVEL = {"pixel": TOLERANCE["pixel"] / 2, "fine": TOLERANCE["fine"] / 4}  # of straight pieces 0
+LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # of straight pieces 0
 RECIPROCALS = 1 / 32  # texels: what lines by reciprocals may be off from their planes
 FLOAT = 2.0**-32  # tools/ideal_perspective.py's own rounding, texels
 BOUNDLESS = 32768.0  # texels: all is modulo twice that
@@ -96,8 +105,9 @@ class Bound:
         off_q = plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2
         off_s = plane_error(self.plane, scale, x, down) + self.spread
         largest = max(abs(self.low - self.base), abs(self.high - self.base))
-        bound = ((self.spread / 2 * (self.high - self.low) + off_s * 2**scale
-                  + off_q * largest) / big + 1)
+        raised = self.p.raised[0 if self.plane is self.p.s else 1]
+        bound = ((self.spread / 2 * (self.high - self.low) + (off_s + raised) * 2**scale
+                  + off_q * largest) / big + 2)
         off = off_q / big
         if not inside or self.spread > 1:
             bound += max(0.0, exact - self.high, self.low - exact)
@@ -137,7 +147,7 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
 
 def level_bound(b: float, setting: str, n: int) -> float:
     """Of a level line of n steps, from the exact value, in texels."""
-    return b + LEVEL.get(setting, 0) + (n / 2 + 1) * UNIT + FLOAT
+    return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
 
 
 def bend(setting: str, piece: int) -> float:
@@ -164,6 +174,7 @@ def reach(piece: int, width: int) -> float:
 
 def line_bound(b: float, setting: str) -> float:
     """What pixels may be off from what is intended, in texels."""
+    b += way(setting).raised * UNIT
     if setting in PIECES:
         return b + 2 * PIECES[setting] * UNIT + FLOAT
     return 1.25 * b + TOLERANCE[setting] + FLOAT
@@ -194,7 +205,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
         record = polygon.record(line, y)
-        more = polygon.tables.bound(record) * UNIT if record else 0
+        more = (polygon.tables.bound(record) + max(polygon.constants.raised)) * UNIT if record else 0
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -212,6 +223,19 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             yield key, y, columns, error, wanted, allowed
 
 
+def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
+    """Whether a triangle's line is below the exact value where it must not be: at its first pixel, and
+    all along where depth does not change or logarithms draw it."""
+    line = polygon.lines[y - polygon.top]
+    if polygon.is_level:
+        sure = len(error) if not polygon.perspective.q.dx else 0
+    elif polygon.setting == "pixel" and polygon.record(line, y):
+        sure = len(error)
+    else:
+        sure = int(columns[0] == line.left)
+    return bool((error[:sure] < -FLOAT).any())
+
+
 def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
     """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; ``asked``: the
     material's setting, ``tolerance`` its texels."""
@@ -224,6 +248,8 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
         out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
         if allowed >= BOUNDLESS:
             continue
+        if len(vertices) == 3 and falls_short(polygon, y, columns, error):
+            out.complain(f"{key} on line {y} is {-error.min():.9f} below the exact value")
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))

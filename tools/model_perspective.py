@@ -39,6 +39,7 @@ class Way:
     bend: int  # of curves; else 0
     off: int  # what a line may be off for being level, in 1/65536 texel
     width: int  # how wide a polygon with such lines may be
+    raised: int  # units that lines are raised by
 
 
 @cache
@@ -51,7 +52,7 @@ def way(setting: str) -> Way:
 
     widest = found["SCENE_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest)
+               widest, number("RAISE"))
 
 
 @dataclass
@@ -80,12 +81,13 @@ class Perspective:
     t: Plane
     i: int
     j: int
-    base: tuple[int, int]
+    base: tuple[int, int]  # a unit above a texel
     scale: int  # log2 of what S and T are multiplied by
     least: int  # of q
     low: tuple[int, int]  # u and v less their bases
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 bits of integer
+    raised: tuple[int, int] = (0, 0)  # units that S and T are raised by
 
     @property
     def farthest(self) -> int:
@@ -161,20 +163,23 @@ def perspective(vertices, corners, box) -> Perspective | None:
     left, top, right, bottom = box
     x, y = signed((left << 16) - three[0][0]), signed((top << 16) - three[0][1])
     ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom - top + 1
-    planes = []
+    planes, shares = [], 1 if len(vertices) == 3 else 3
     for key in (2, 3, 4):
         gx, gy = gradients(three, key)
         planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
     q, *st = planes
     least = min(signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
                        + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices)
-    error = max(2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1])
-                for plane in planes)
-    if error >= TOO_STEEP or least < Q_SURE * error:
+    errors = [2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1]) for plane in planes]
+    if max(errors) >= TOO_STEEP or least < Q_SURE * max(errors):
         return None
+    raised = tuple(error + errors[0] + 2 * shares + 2 for error in errors[1:])
+    for plane, units in zip(st, raised):  # s / q is never below u
+        plane.at += units << 16
+    base = tuple(b + 1 for b in base)  # quotients are cut
     gentle = all(abs(signed(g, 64)) >> 32 < STEEP for g in (q.dx, q.dy, *(p.dx for p in st)))
     return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
-                       shift, least, low, high, gentle)
+                       shift, least, low, high, gentle, raised)
 
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:
@@ -195,8 +200,8 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
 
 
 def level_step(gradient: int, q: int) -> int:
-    """gradient / q to the nearest; 0 where that does not fit 32 bits."""
-    n = gradient + (q >> 1)
+    """gradient / q rounded up; 0 where that does not fit 32 bits."""
+    n = gradient + q - 1
     magnitude = n >> 32 if n >= 0 else ~(n >> 32)
     if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
         return 0
@@ -217,10 +222,10 @@ def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
     return max((q0 << up) // n, 1), (q1 << up) // n & ~1
 
 
-def ends(p: Perspective, left: int, right: int, y: int) -> Ends:
-    """The line's ends; right is excluded."""
+def ends(p: Perspective, left: int, right: int, y: int, raised: int = 0) -> Ends:
+    """The line's ends; right is excluded. ``raised``: units that u and v begin above."""
     (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
-    line = Ends(left, right - 1 - left, u & M32, v & M32)
+    line = Ends(left, right - 1 - left, u + raised & M32, v + raised & M32)
     if line.n:
         line.du, line.dv = signed(u1 - u), signed(v1 - v)
         line.first, line.last = weights(q0, q1, line.n)

@@ -11,7 +11,7 @@ from . import model_logarithm, model_reciprocal
 from .clip import clip, frame_window
 from .fixed import M32, ONE, mul, signed
 from .model_edges import Edge, Sides, measure, side
-from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective
+from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective, way
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
 from .model_spans import coordinates
@@ -63,8 +63,8 @@ class Polygon:
         record = self.record(line, y)
         if record:
             return self.tables.coordinates(record)
-        return perspective_coordinates(ends(self.perspective, line.left, line.right, y),
-                                       self.setting)
+        return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
+                                            way(self.setting).raised), self.setting)
 
     @property
     def pixels(self) -> int:

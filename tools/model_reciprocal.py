@@ -33,6 +33,7 @@ class Constants:
     dc: tuple[int, int]
     limit: int | None
     piece: int | None
+    raised: list[int]  # units that u and v are raised by, in k
 
 
 @dataclass
@@ -76,6 +77,15 @@ def asymptote(q, plane) -> int | None:
     return sign * ((top << up + 32) // (bottom << up >> 32))
 
 
+def raised(piece: int | None, width: int, k: int, low: int, high: int) -> int:
+    """Units that lines are raised by, as they may be off by so much; derived in the C headers."""
+    found = layout.load().constants
+    if piece is None:
+        return found["LOGARITHM_OFF"]
+    far = (max(high - k, k - low) >> 16) + 1
+    return found[f"RECIPROCAL_OFF_{1 << piece}"] + width // 2 + (far * found["RECIPROCAL_OFF_PART"] >> 2)
+
+
 def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
     """The constants of a tools.model_perspective.Perspective: (x, y) is a pixel of the
     polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried. By
@@ -96,8 +106,9 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
     far = FAR if piece is None else reach(piece, width) << 16
     if any(max(low - n, n - high) > far for n, high, low in zip(k, p.high, p.low)):
         return None
-    return Constants(tuple(b + n & M32 for b, n in zip(p.base, k)), tuple(c), tuple(dc),
-                     piece and reach(piece, width) << 24 - piece, piece)
+    more = [raised(piece, width, *each) for each in zip(k, p.low, p.high)]
+    return Constants(tuple(b + n + m & M32 for b, n, m in zip(p.base, k, more)), tuple(c), tuple(dc),
+                     piece and reach(piece, width) << 24 - piece, piece, more)
 
 
 def near_ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int] | None:

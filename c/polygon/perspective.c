@@ -102,12 +102,25 @@ static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32
     return least;
 }
 
-/* Whether the least q is large beside a plane's error after so many pixels and lines. */
-static int32 is_sure(const struct screen_plane *plane, int32 right, int32 down, int32 least)
+/* What a plane may be off after so many pixels and lines, two units more. */
+static int32 plane_error(const struct screen_plane *plane, int32 right, int32 down)
 {
-    int32 error = 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
+    return 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
+}
 
+/* Whether the least q is large beside a plane's error. */
+static int32 is_sure(int32 error, int32 least)
+{
     return error < TOO_STEEP && least >= SURE * error;
+}
+
+/* Raises a plane by so many units, below 2^30. */
+static void raise(struct screen_plane *plane, int32 units)
+{
+    const uint32 low = (uint32)units << 16;
+
+    plane->at.lo += low;
+    plane->at.hi += ((uint32)units >> 16) + (plane->at.lo < low);
 }
 
 int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
@@ -115,7 +128,7 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
 {
     struct plane_corners corners;
     struct found_planes planes;
-    int32 right, down, least;
+    int32 right, down, least, off_q, off_s, off_t, shares;
     fix16 nearest = vertices->w;
     int32 farthest = 0, scale = 16;
 
@@ -138,9 +151,19 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     least = least_q(&planes.q, vertices, count, box);
     right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
     down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
-    if (!is_sure(&planes.q, right, down, least) || !is_sure(&planes.s, right, down, least)
-        || !is_sure(&planes.t, right, down, least))
+    off_q = plane_error(&planes.q, right, down);
+    off_s = plane_error(&planes.s, right, down);
+    off_t = plane_error(&planes.t, right, down);
+    if (!is_sure(off_q, least) || !is_sure(off_s, least) || !is_sure(off_t, least))
         return 0;
+    /* So that s / q is never below u: q's error makes less than itself of s, as u less its base
+       is below 2^scale; each corner's rounding less than half and one, by the shares that a
+       pixel has of the corners. */
+    shares = count == 3 ? 1 : 3;
+    raise(&planes.s, off_s + off_q + 2 * shares + 2);
+    raise(&planes.t, off_t + off_q + 2 * shares + 2);
+    plan->u += 1;               /* quotients are cut */
+    plan->v += 1;
     scale_plane(&plan->q, &planes.q, 32);
     scale_plane(&plan->s, &planes.s, scale);
     scale_plane(&plan->t, &planes.t, scale);

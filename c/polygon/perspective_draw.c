@@ -5,14 +5,18 @@
 /* What each setting's lines are drawn by. */
 static const struct {
     int32 piece, bend;
+    int32 raise;                /* units, of u and v */
     int32 off, width;           /* as level lines: by so much at most, up to so wide */
 } ways[PERSPECTIVE_KINDS] = {
-    [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, 0, SCENE_SIDE_MAX},
-    [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, 0, SCENE_SIDE_MAX},
+    [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
+                             SCENE_SIDE_MAX},
+    [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
+                            SCENE_SIDE_MAX},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
-                           PERSPECTIVE_LEVEL_PIXEL, SCENE_SIDE_MAX},
+                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, SCENE_SIDE_MAX},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
-                          PERSPECTIVE_LEVEL_FINE, PERSPECTIVE_LEVEL_WIDTH}
+                          PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
+                          PERSPECTIVE_LEVEL_WIDTH}
 };
 
 /* What is made of all lines before they are drawn: one kind at a time. */
@@ -36,8 +40,18 @@ static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
         && low - value <= reach && value - high <= reach;
 }
 
-/* 0: no line is to be tried. reach: texels from K, 16.16, beyond which lines are not drawn. */
-static int32 find_constants(struct reciprocal_plan *plan, fix16 reach)
+/* Whole texels from K to the farther end of a range, rounded up. */
+static int32 farthest(fix16 k, fix16 low, fix16 high)
+{
+    const fix16 above = high - k, below = k - low;
+
+    return ((above > below ? above : below) >> 16) + 1;
+}
+
+/* 0: no line is to be tried. reach: texels from K, 16.16, beyond which lines are not drawn.
+   Lines may be off by less than `off` units and `part` quarters of one for each texel from K:
+   they are raised by that. */
+static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 off, int32 part)
 {
     const struct perspective_plan *planes = plan->planes;
     int32 y = 0;
@@ -50,8 +64,10 @@ static int32 find_constants(struct reciprocal_plan *plan, fix16 reach)
         || !is_near(plan->ku, planes->u_low, planes->u_high, reach)
         || !is_near(plan->kv, planes->v_low, planes->v_high, reach))
         return 0;
-    plan->ku += planes->u;
-    plan->kv += planes->v;
+    plan->ku += planes->u + off
+              + (farthest(plan->ku, planes->u_low, planes->u_high) * part >> 2);
+    plan->kv += planes->v + off
+              + (farthest(plan->kv, planes->v_low, planes->v_high) * part >> 2);
     return 1;
 }
 
@@ -69,7 +85,9 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
     plan.to = made->reciprocals;
     reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
           - width / RECIPROCAL_REACH_WIDTH;
-    if (!find_constants(&plan, reach << 16))
+    if (!find_constants(&plan, reach << 16, width / 2 + (plan.piece == PERSPECTIVE_PIECE_EVERY16
+                                                         ? RECIPROCAL_OFF_16 : RECIPROCAL_OFF_8),
+                        RECIPROCAL_OFF_PART))
         return planes->count;
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
@@ -95,7 +113,7 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     int32 left;
 
     plan.planes = planes;
-    if (!find_constants(&plan, FAR))
+    if (!find_constants(&plan, FAR, LOGARITHM_OFF, 0))
         return planes->count;
     left = logarithm_lines(&plan, tables, made->logarithms);
     lines.lines = made->logarithms;
@@ -109,11 +127,14 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     return left;
 }
 
+/* Raises the plan's u and v. */
 static void draw_exactly(struct perspective_plan *plan, enum perspective setting,
                          const struct span_plan *span)
 {
     struct perspective_span lines;
 
+    plan->u += ways[setting].raise;
+    plan->v += ways[setting].raise;
     plan->bend = ways[setting].bend;
     plan->to = made->exact;
     perspective_lines(plan);

@@ -21,7 +21,8 @@ enum logarithm_constants {
     LOGARITHM_LEAST = 3 * LOGARITHM_OCTAVE,
     LOGARITHM_OCTAVES = 17,
     LOGARITHM_POWERS = LOGARITHM_OCTAVES * LOGARITHM_OCTAVE,
-    LOGARITHM_PARTS = 256
+    LOGARITHM_PARTS = 256,
+    LOGARITHM_OFF = 2048        /* units that lines are raised by: the most they may be off */
 };
 
 struct logarithm_tables {

@@ -16,11 +16,17 @@ enum perspective_constants {
     PERSPECTIVE_BEND_PIXEL = -785,
     PERSPECTIVE_BEND_FINE = -656,
     /* What a line may be off for being level, in 1/65536 texel, and the widest polygon with
-       such lines: their steps take half a unit a pixel besides, and both together stay
+       such lines: their steps take a unit a pixel as well, and both together stay
        inside 1/32 or 1/128 texel. Straight pieces: level is what changes by nothing. */
-    PERSPECTIVE_LEVEL_PIXEL = 1024,
+    PERSPECTIVE_LEVEL_PIXEL = 1020,
     PERSPECTIVE_LEVEL_FINE = 128,
-    PERSPECTIVE_LEVEL_WIDTH = 640           /* of the latter; of others any frame's */
+    PERSPECTIVE_LEVEL_WIDTH = 380,          /* of the latter; of others any frame's */
+    /* Units that lines are raised by: a part of the way cuts 3, of pieces of m pixels ends
+       are cut by m - 1 and the last one's steps by m; curves round by longest^2 / 8 + 8. */
+    PERSPECTIVE_RAISE_EVERY16 = 34,
+    PERSPECTIVE_RAISE_EVERY8 = 18,
+    PERSPECTIVE_RAISE_PIXEL = 139,
+    PERSPECTIVE_RAISE_FINE = 43
 };
 
 /* A value over the screen: at pixel (i, j), and what it grows by a pixel and a line. */
@@ -38,7 +44,7 @@ struct perspective_plan {
     int32 left;                         /* no pixel of the table lies before it */
     int32 q_low;                        /* of q.hi; above 0 */
     int32 gentle;                       /* q.dx, q.dy, s.dx and t.dx: no 2^30 of q.hi's units */
-    fix16 u, u_low, u_high;             /* the base, a whole texel; u less the base */
+    fix16 u, u_low, u_high;             /* the base, a unit above a texel; u less the base */
     fix16 v, v_low, v_high;
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;

@@ -20,7 +20,12 @@ enum reciprocal_constants {
        690 or 370; or with q all along at its largest: 4.5 E + 50. */
     RECIPROCAL_REACH_16 = 369,
     RECIPROCAL_REACH_8 = 440,
-    RECIPROCAL_REACH_WIDTH = 7      /* pixels a texel less: each one takes half a unit */
+    RECIPROCAL_REACH_WIDTH = 7,     /* pixels a texel less: each one takes half a unit */
+    /* Units that such lines are raised by: E quarters of 18, and as much as does not depend
+       on E, in pieces of 16 and of 8 pixels, and half a unit a pixel. */
+    RECIPROCAL_OFF_PART = 18,
+    RECIPROCAL_OFF_16 = 690,
+    RECIPROCAL_OFF_8 = 370
 };
 
 /* Everything reciprocal_lines needs. */

@@ -4,12 +4,12 @@
         include "number.i"
         include "perspective.i"
 
-; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, to the nearest.
+; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, rounded up.
 ; Uses d0-d2.
 step    macro
         movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
         move.l  d3,d2
-        lsr.l   #1,d2
+        subq.l  #1,d2
         add.l   d2,d1
         bcc.s   .rounded\@
         addq.l  #1,d0
@@ -44,9 +44,9 @@ step    macro
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines
 ; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
-;          kept within the plan's limits; its step the nearest of ds / q.hi; 16.16
-; error:   where q is the same all along the line: of u a unit at the first pixel, half
-;          a unit more at each other one
+;          kept within the plan's limits; its step ds / q.hi rounded up; 16.16
+; error:   where q is the same all along the line: u a unit too low at the first pixel, a
+;          unit higher at each other one
 ; cost:    bench row level_lines
 ;==============================================================================
 ; A floor or a ceiling before an upright camera is such a polygon.
