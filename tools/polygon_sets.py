@@ -6,8 +6,11 @@ the same in every run. A vertex is (x, y, s, t, shade, w).
 
 import math
 import random
+from collections.abc import Iterator
 
+from .elementary import cos, log, power, sin
 from .fixed import fix
+from .linear import length
 
 WIDTH, HEIGHT = 320, 256
 COUNT = 20  # polygons a set
@@ -53,7 +56,7 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
     nearer together where they would.
     """
     angle = rng.uniform(0, math.tau)
-    c, s = step * math.cos(angle), step * math.sin(angle)
+    c, s = step * cos(angle), step * sin(angle)
     x0, y0 = points[0]
     turned = [(c * (x - x0) - s * (y - y0), s * (x - x0) + c * (y - y0)) for x, y in points]
     base = rng.uniform(-100, 400), rng.uniform(-100, 400)
@@ -68,25 +71,35 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
     return [(u + base[0], v + base[1]) for u, v in turned]
 
 
+def normal_numbers(rng: random.Random) -> Iterator[float]:
+    """Those of rng.gauss, but for last bits, which are those of the C library's functions there."""
+    while True:
+        angle = math.tau * rng.random()
+        reach = math.sqrt(-2 * log(1 - rng.random()))
+        yield reach * cos(angle)
+        yield reach * sin(angle)
+
+
 def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple]:
     """s, t and w of the corners: a map on a random plane in space, so many texels a pixel on the
     whole, one corner ``most`` / 2 to ``most`` times as deep as another."""
+    numbers = normal_numbers(rng)
     rays = [((x - WIDTH / 2) / FOCUS, (y - HEIGHT / 2) / FOCUS, 1.0) for x, y in points]
     while True:
-        normal = [rng.gauss(0, 1) for _ in range(3)]
+        normal = [next(numbers) for _ in range(3)]
         near = [sum(map(math.prod, zip(normal, ray))) for ray in rays]
         if min(near) <= 0 or not most / 2 <= max(near) / min(near) <= most:
             continue
         depths = [max(near) / n for n in near]
         places = [[c * w for c in ray] for ray, w in zip(rays, depths)]
         a, b = ([p - q for p, q in zip(place, places[0])] for place in places[1:])
-        length = math.hypot(*a)  # the first corner is texel (0, 0), the second on the s axis
-        along = sum(map(math.prod, zip(a, b))) / length
-        aside = math.sqrt(max(math.hypot(*b) ** 2 - along ** 2, 0.0))
-        flat = [(0.0, 0.0), (length, 0.0), (along, aside)]
+        far = length(a)  # the first corner is texel (0, 0), the second on the s axis
+        along = sum(map(math.prod, zip(a, b))) / far
+        aside = math.sqrt(max(sum(c * c for c in b) - along * along, 0.0))
+        flat = [(0.0, 0.0), (far, 0.0), (along, aside)]
         scale, angle = step * math.sqrt(area(points) / area(flat)), rng.uniform(0, math.tau)
-        c, s = scale * math.cos(angle), scale * math.sin(angle)
-        base, deeper = [rng.uniform(-100, 400) for _ in "st"], 2 ** rng.uniform(-2, 4)
+        c, s = scale * cos(angle), scale * sin(angle)
+        base, deeper = [rng.uniform(-100, 400) for _ in "st"], power(2, rng.uniform(-2, 4))
         texels = [(base[0] + c * p - s * q, base[1] + s * p + c * q) for p, q in flat]
         if max(abs(c) for pair in texels for c in pair) < LARGEST:
             return [(*pair, w * deeper) for pair, w in zip(texels, depths)]
