@@ -74,13 +74,8 @@ def exp(x: float) -> float:
     return float(DIGITS.exp(Decimal(x)))
 
 
-def log(x: float) -> float:
-    """The natural one, of x above 0."""
-    return float(DIGITS.ln(Decimal(x)))
-
-
 def power(x: float, y: float) -> float:
-    """x to the y; x is not below 0, and y above."""
+    """x to the y; x is above 0, or 0 and y above."""
     return float(DIGITS.exp(DIGITS.multiply(DIGITS.ln(Decimal(x)), Decimal(y)))) if x else 0.0
 
 

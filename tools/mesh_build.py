@@ -91,12 +91,13 @@ def check_face(ring: np.ndarray, where: str) -> np.ndarray:
         fail(where, "has no area")
     normal /= length(normal)
     sides = np.roll(ring, -1, axis=0) - ring
-    around = 0.0
-    for before, after in zip(np.roll(sides, 1, axis=0), sides):
-        turn = float(product(np.cross(before, after), normal))
-        if turn < -max(FLAT * size, SMALL) * (length(before + after) or 1.0):
+    before, around = np.roll(sides, 1, axis=0), 0.0
+    turns = product(np.cross(before, sides), normal)
+    along = (before * sides).sum(axis=1)
+    for turn, ahead, both in zip(turns.tolist(), along.tolist(), (before + sides).tolist()):
+        if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
             fail(where, "is not convex")
-        around += math.atan2(abs(turn), product(before, after))
+        around += math.atan2(abs(turn), ahead)
     if around > 3 * math.pi:  # it is 2 pi or 4 pi and more: last bits do not matter
         fail(where, "crosses itself")
     return normal

@@ -79,6 +79,7 @@ def rounded(picture: np.ndarray) -> np.ndarray:
     return np.floor(np.clip(picture, 0, 255) + 0.5).astype(np.uint8)
 
 
+@cache
 def light_of(number: float) -> float:
     """The amount of light 0..1 of sRGB's number 0..1."""
     return number / 12.92 if number <= LINEAR_UNTIL else power((number + 0.055) / 1.055, 2.4)

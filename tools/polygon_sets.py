@@ -6,9 +6,8 @@ the same in every run. A vertex is (x, y, s, t, shade, w).
 
 import math
 import random
-from collections.abc import Iterator
 
-from .elementary import cos, log, power, sin
+from .elementary import cos, power, sin
 from .fixed import fix
 from .linear import length
 
@@ -71,22 +70,12 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
     return [(u + base[0], v + base[1]) for u, v in turned]
 
 
-def normal_numbers(rng: random.Random) -> Iterator[float]:
-    """Those of rng.gauss, but for last bits, which are those of the C library's functions there."""
-    while True:
-        angle = math.tau * rng.random()
-        reach = math.sqrt(-2 * log(1 - rng.random()))
-        yield reach * cos(angle)
-        yield reach * sin(angle)
-
-
 def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple]:
     """s, t and w of the corners: a map on a random plane in space, so many texels a pixel on the
     whole, one corner ``most`` / 2 to ``most`` times as deep as another."""
-    numbers = normal_numbers(rng)
     rays = [((x - WIDTH / 2) / FOCUS, (y - HEIGHT / 2) / FOCUS, 1.0) for x, y in points]
     while True:
-        normal = [next(numbers) for _ in range(3)]
+        normal = [rng.gauss(0, 1) for _ in range(3)]
         near = [sum(map(math.prod, zip(normal, ray))) for ray in rays]
         if min(near) <= 0 or not most / 2 <= max(near) / min(near) <= most:
             continue
