@@ -16,7 +16,8 @@ ANGLES = [RNG.uniform(-10, 10) for _ in range(300)] + [RNG.uniform(-1e6, 1e6) fo
 ABOVE_0 = [RNG.uniform(0, 4) for _ in range(300)] + [2.0 ** n for n in range(-40, 41, 8)]
 POINTS = [(RNG.uniform(-1, 1), RNG.uniform(-1, 1) * 10 ** RNG.uniform(-9, 9)) for _ in range(300)]
 #: A function, the C library's, which is off by 1 unit of its last place, and questions.
-BESIDE = [(elementary.sin, math.sin, [(x,) for x in ANGLES]), (elementary.cos, math.cos, [(x,) for x in ANGLES]),
+BESIDE = [(elementary.sin, math.sin, [(x,) for x in ANGLES]),
+          (elementary.cos, math.cos, [(x,) for x in ANGLES]),
           (elementary.tan, math.tan, [(x,) for x in ANGLES]),
           (elementary.exp, math.exp, [(x,) for x in ANGLES if abs(x) <= 10]),
           (elementary.power, math.pow, [(x, y) for x, (_, y) in zip(ABOVE_0, POINTS) if 0 < y < 10]),

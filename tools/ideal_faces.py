@@ -204,7 +204,7 @@ def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
     places = [np.array(v[:2], float) * UNIT for v in vertices]
     for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):
         side = length(b - a)
-        part = float(product(here - a, b - a)) / side**2 if side else 0.0
+        part = float(product(here - a, b - a)) / (side * side) if side else 0.0
         part = min(max(part, 0.0), 1.0)
         most = max(off_a, off_b)
         # The exact edge's place beside this one is as far along it but for the ends' own errors.

@@ -28,10 +28,10 @@ def sinc(x: float) -> float:
 
 def kaiser(x: Fraction) -> float:
     """The window at -1 < x < 1: I0(alpha sqrt(1 - x^2)) by its series, which has the square alone."""
-    square = (1 - x * x) * (KAISER_SHAPE / 2) ** 2
+    square = (1 - x * x) * KAISER_SHAPE * KAISER_SHAPE / 4
     term = total = Fraction(1)
     for n in range(1, KAISER_TERMS):
-        term = term * square / n ** 2
+        term = term * square / (n * n)
         total += term
     return float(total)
 

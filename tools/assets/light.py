@@ -47,12 +47,12 @@ def light(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
     made = np.zeros(points.shape) + AMBIENT
     for torch in TORCHES:
         cosine, distance = normals(way, points, torch)
-        near = 1.55 * (0.25 + 0.75 * np.clip(cosine, 0, 1)) / (0.35 + distance ** 2)
+        near = 1.55 * (0.25 + 0.75 * np.clip(cosine, 0, 1)) / (0.35 + distance * distance)
         made += near[..., None] * WARM
     if way[0] != -1:
         made += sunlight(points, way)[..., None] * COOL
     cosine, distance = normals(way, points, SUNNY)
-    thrown = 0.45 * np.clip(0.6 * cosine + 0.4, 0, 1) / (0.8 + distance ** 2)
+    thrown = 0.45 * np.clip(0.6 * cosine + 0.4, 0, 1) / (0.8 + distance * distance)
     return made + thrown[..., None] * COOL
 
 

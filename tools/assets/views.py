@@ -34,9 +34,9 @@ def sunset() -> np.ndarray:
     picture[(y > hills) & (y < 0.52)] = (36, 20, 40)
     from_sun = np.hypot(x - 0.68, y - 0.22)
     picture += 255 * np.clip(1.25 - from_sun / 0.09, 0, 1)[..., None]
-    picture += tinted((1, 0.9, 0.6), 120 * each(exp, -(from_sun / 0.16) ** 2))
+    picture += tinted((1, 0.9, 0.6), 120 * each(exp, -np.square(from_sun / 0.16)))
     for k in range(3):
-        cloud = each(exp, -((y - 0.13 - 0.09 * k) / 0.02) ** 2) * (each(sin, 7 * x + 2 * k) > 0.1)
+        cloud = each(exp, -np.square((y - 0.13 - 0.09 * k) / 0.02)) * (each(sin, 7 * x + 2 * k) > 0.1)
         picture += 90 * cloud[..., None]
     plain = y > 0.54
     across = abs((x - 0.5) / (0.25 + depth) % 0.25 - 0.125) < 0.012

@@ -79,7 +79,7 @@ class Surface:
         for name in ("nx", "ny"):
             steps = [getattr(plane, name) * ONE * (1 if plane.d > 0 else -1)
                      for plane in (*self.over, self.inverse)]
-            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / inverse ** 2)
+            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / (inverse * inverse))
                       for step, over in zip(steps[:2], overs)]
             across, down = (slope.astype(np.float64) for slope in slopes)
             lengths.append(np.sqrt(across * across + down * down))
