@@ -5,6 +5,7 @@ frame must be the model's, byte for byte, so the model's u and v are the rendere
 are compared with the exact rational ideal (tools/ideal.py) pixel by pixel.
 """
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -127,7 +128,7 @@ class Errors:
     @property
     def rms(self) -> float:
         """Root of the mean square over all pixels, of the larger of u's and v's errors, texels."""
-        return (self.squares / max(self.pixels, 1)) ** 0.5
+        return math.sqrt(self.squares / max(self.pixels, 1))
 
     def figures(self) -> dict:
         """The error columns of a row."""

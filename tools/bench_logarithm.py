@@ -1,6 +1,6 @@
 """Bench rows of perspective by logarithms: the lines of tools.bench_perspective."""
 
-import math
+import numpy as np
 
 from . import layout
 from . import model_logarithm as logarithms
@@ -8,6 +8,7 @@ from . import model_reciprocal as reciprocals
 from .bench_perspective import (LINES, RATIO, add_perspective_plan, case_of_lines, first_wrong_line,
                                 polygon_lines)
 from .bench_reciprocal import constants_fields, lines_left
+from .elementary import log2
 from .fixed import M32, ONE
 from .kernels import Arena, Case, Result
 from .model_reciprocal import swap
@@ -36,7 +37,8 @@ def line(k: int, length: int, rng) -> logarithms.Logarithmic:
     q0, q1 = (NEAREST, NEAREST // RATIO)[::1 if k % 2 else -1]
     # u = K + C / q, from the first to the last pixel
     c = [max(way * length, 1) / abs(1 / q0 - 1 / q1) for way in (1, 0.7)]
-    power = tuple(round(logarithms.OCTAVE * math.log2(256 * d / ONE)) - logarithms.MIDDLE for d in c)
+    logs = np.rint(logarithms.OCTAVE * log2(256 * np.array(c) / ONE)).astype(int).tolist()
+    power = tuple(log - logarithms.MIDDLE for log in logs)
     return logarithms.Logarithmic(
         k % 4, n, swap(q0 - (logarithms.ORIGIN << 16) & M32), swap(((q1 - q0) // max(n, 1)) & M32),
         tuple(int(x) for x in rng.integers(0, 1 << 16, 2)), power, 3 if q0 < q1 else 0)

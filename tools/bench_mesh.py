@@ -7,6 +7,7 @@ import numpy as np
 from . import layout, model_mesh
 from .fixed import M32, mul_div
 from .kernels import Arena, Case, Result
+from .linear import length, product
 from .scene_file import records
 
 COUNT = 64
@@ -20,7 +21,11 @@ def table(arena: Arena, struct: str, rows) -> int:
 
 def view(depth: int) -> list[int]:
     """A turned view from ``depth`` units away, in 16.16."""
-    turn = np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
+    axes: list[np.ndarray] = []
+    for sign, column in zip((-1, 1, -1), np.random.default_rng(3).normal(size=(3, 3)).T):
+        rest = column - sum(product(axis, column) * axis for axis in axes)
+        axes.append(sign * rest / length(rest))
+    turn = np.array(axes).T
     return [*np.rint(turn * (1 << 30)).astype(int).ravel().tolist(), 0, 0, depth, *([0] * 13)]
 
 

@@ -10,6 +10,8 @@ within E(j) of its centre, and none where E is 0. Polygons cut to the window hav
 most, so it moves by 2U across its direction at most, besides.
 """
 
+from math import sqrt
+
 from . import ideal, model
 from .fixed import ceil16
 from .ideal import UNIT
@@ -40,7 +42,7 @@ def across(vertices, i: int, j: int) -> float:
     best = LARGEST
     for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
         dx, dy = x1 - x0, y1 - y0
-        length = (dx * dx + dy * dy) ** 0.5
+        length = sqrt(dx * dx + dy * dy)
         if length:
             best = min(best, abs(dx * ((j << 16) - y0) - ((i << 16) - x0) * dy) / length * UNIT)
     return best

@@ -5,9 +5,12 @@ exact bilinear filter of the same map at the same places: pixel by pixel, and as
 pixels, which the eye blends them to; of the filter's colours the same means are taken.
 """
 
+import math
+
 import numpy as np
 
 from . import markdown, model
+from .elementary import cos, each, sin
 from .fixed import ONE
 from .model_spans import coordinates, pixels
 
@@ -20,8 +23,8 @@ MAPPERS = {"points": "affine", "dithered": "dithered"}
 
 def maps() -> dict[str, np.ndarray]:
     """Greys from 0 to 255: waves of 32 texels and less, and noise."""
-    y, x = np.indices((MAP, MAP)) * (2 * np.pi / MAP)
-    waves = np.cos(2 * x + 1) + np.cos(3 * y) + np.cos(4 * x + 5 * y)
+    (y, x), turn = np.indices((MAP, MAP)), 2 * math.pi / MAP
+    waves = each(cos, 2 * x * turn + 1) + each(cos, 3 * y * turn) + each(cos, (4 * x + 5 * y) * turn)
     return {"smooth": np.rint(127.5 + 42.5 * waves).astype(np.uint8),
             "noise": np.random.default_rng(5).integers(0, 256, (MAP, MAP), dtype=np.uint8)}
 
@@ -29,8 +32,8 @@ def maps() -> dict[str, np.ndarray]:
 def square(scale: int) -> model.Polygon:
     """The frame, filled with the map; a texel is ``scale`` pixels long."""
     def texel(x: int, y: int) -> list[int]:
-        turned = complex(x - 91, y - 77) * np.exp(1j * TURN) / scale
-        return [round(part * ONE) for part in (turned.real, turned.imag)]
+        c, s, x, y = cos(TURN), sin(TURN), x - 91, y - 77
+        return [round((x * c - y * s) / scale * ONE), round((x * s + y * c) / scale * ONE)]
 
     corners = [(x << 16, y << 16, *texel(x, y)) for x, y in
                ((0, 0), (SIDE, 0), (SIDE, SIDE), (0, SIDE))]

@@ -7,12 +7,12 @@ says where. Points are exact in 16.16 and every face lies exactly on a plane, so
 are rounded are the camera's: turns are by Pythagorean triples, exact as fractions.
 """
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
-import numpy as np
-
+from .elementary import cos, sin
 from .fixed import ONE
 from .hard_case import UNIT, label
 
@@ -103,8 +103,8 @@ def box(low, high, inward: bool = False) -> list[list[tuple]]:
 
 def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
     """Ground of so many corners around a place, s and t flat on it; radius a multiple of 1/16."""
-    angles = 2 * np.pi * np.arange(count) / count
-    corners = [(round(float(radius) * 4096 * np.cos(a)), round(float(radius) * 4096 * np.sin(a)))
+    angles = [math.tau * k / count for k in range(count)]
+    corners = [(round(float(radius) * 4096 * cos(a)), round(float(radius) * 4096 * sin(a)))
                for a in angles]
     return [(middle[0] + Fraction(x, 4096), Fraction(height), middle[1] + Fraction(z, 4096),
              Fraction(x, 64), Fraction(z, 64)) for x, z in corners]
@@ -115,8 +115,8 @@ def ball(radius, middle, around: int, inward: bool = False) -> list[list[tuple]]
     down = 8
 
     def place(k: int, n: int) -> tuple:
-        a, b = 2 * np.pi * (k % around) / around, np.pi * n / down
-        way = np.cos(a) * np.sin(b), -np.cos(b), np.sin(a) * np.sin(b)
+        a, b = math.tau * (k % around) / around, math.pi * n / down
+        way = cos(a) * sin(b), -cos(b), sin(a) * sin(b)
         return (*(m + Fraction(round(float(radius) * ONE * c), ONE) for m, c in zip(middle, way)),
                 Fraction(256 * k, around), Fraction(256 * n, down))
 

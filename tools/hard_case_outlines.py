@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 
+from .elementary import cos, sin
 from .hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, label, make
 
 MIDDLE = (WIDTH // 2, HEIGHT // 2)
@@ -23,7 +24,7 @@ def box(left, top, right, bottom) -> list[tuple]:
 def ring(count: int, radius, centre=MIDDLE, turn: float = 0.3) -> list[tuple]:
     """A regular polygon, clockwise on the screen."""
     angles = [turn + math.tau * k / count for k in range(count)]
-    return [(centre[0] + float(radius) * math.cos(a), centre[1] + float(radius) * math.sin(a))
+    return [(centre[0] + float(radius) * cos(a), centre[1] + float(radius) * sin(a))
             for a in angles]
 
 

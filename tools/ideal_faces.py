@@ -34,6 +34,7 @@ import numpy as np
 
 from . import bounds, bounds_perspective, ideal, ideal_mesh, ideal_perspective, model, model_mesh
 from .ideal import UNIT
+from .linear import length, product
 from .model_texturing import Settings
 from .scene_meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
 from .scene_space import RADIUS
@@ -176,8 +177,8 @@ def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) ->
         ways = [[a - b for a, b in zip(p, ring[0])] for p in ring]
         normal = [sum(part) for part in zip(*(cross(p, q) for p, q in zip(ways[1:], ways[2:])))]
         over = dot(normal, [Fraction(e) - p for e, p in zip(camera.eye, ring[0])])
-        length = math.sqrt(float(dot(normal, normal)))
-        made.append(Face(camera, corners, float(over) / length if any(row[:3]) else math.inf))
+        size = math.sqrt(float(dot(normal, normal)))
+        made.append(Face(camera, corners, float(over) / size if any(row[:3]) else math.inf))
     return made
 
 
@@ -202,14 +203,14 @@ def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
     here = np.array(pixel, float)
     places = [np.array(v[:2], float) * UNIT for v in vertices]
     for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):
-        length = float(np.linalg.norm(b - a))
-        part = float(np.dot(here - a, b - a)) / length**2 if length else 0.0
+        side = length(b - a)
+        part = float(product(here - a, b - a)) / (side * side) if side else 0.0
         part = min(max(part, 0.0), 1.0)
         most = max(off_a, off_b)
         # The exact edge's place beside this one is as far along it but for the ends' own errors.
-        doubt = min(2 * most / (length - 2 * most), 1.0) if length > 2 * most else 1.0
+        doubt = min(2 * most / (side - 2 * most), 1.0) if side > 2 * most else 1.0
         allowed = min(part * off_b + (1 - part) * off_a + doubt * abs(off_a - off_b), most)
-        if np.linalg.norm(a + part * (b - a) - here) <= math.sqrt(2) * allowed * FLOAT:
+        if length(a + part * (b - a) - here) <= math.sqrt(2) * allowed * FLOAT:
             return True
     return False
 

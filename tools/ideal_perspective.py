@@ -125,7 +125,8 @@ class Curve:
         j on, at any point between, in texels."""
         (n0, q0), (n1, q1) = (self.terms(k << 16, j << 16) for k in (i, i + n))
         rise, flatter = Fraction(n1, q1) - Fraction(n0, q0), Fraction(min(q0, q1), max(q0, q1))
-        return float(abs(rise) * (1 - flatter)) * UNIT / (1 + sqrt(flatter)) ** 2
+        root = 1 + sqrt(flatter)
+        return float(abs(rise) * (1 - flatter)) * UNIT / (root * root)
 
     def chord_errors(self, i: int, n: int, j: int) -> list[Fraction]:
         """The curve less its chord over n pixels at each of them and at the end, exact; texels."""

@@ -4,6 +4,7 @@ Faces keep their corners unless something needs triangles: a bent face, the mate
 gradients "polygon", or gradients "plane" with s and t or shades that lie on no plane.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from . import layout
 from .fields import fail
 from .fixed import ONE, fix
+from .linear import length, off_plane, product
 from .mesh_file import Shape, check_counts
 from .scene_meshes import UNIT_14, UNIT_30
 
@@ -85,18 +87,18 @@ def size_of(ring: np.ndarray) -> float:
 def check_face(ring: np.ndarray, where: str) -> np.ndarray:
     """The unit normal of a convex polygon; refuses others."""
     normal, size = newell(ring), size_of(ring)
-    length = float(np.linalg.norm(normal))
-    if length <= 2 * size * SMALL:
+    if length(normal) <= 2 * size * SMALL:
         fail(where, "has no area")
-    normal /= length
+    normal /= length(normal)
     sides = np.roll(ring, -1, axis=0) - ring
-    around = 0.0
-    for before, after in zip(np.roll(sides, 1, axis=0), sides):
-        turn = float(np.dot(np.cross(before, after), normal))
-        if turn < -max(FLAT * size, SMALL) * (np.linalg.norm(before + after) or 1.0):
+    before, around = np.roll(sides, 1, axis=0), 0.0
+    turns = product(np.cross(before, sides), normal)
+    along = (before * sides).sum(axis=1)
+    for turn, ahead, both in zip(turns.tolist(), along.tolist(), (before + sides).tolist()):
+        if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
             fail(where, "is not convex")
-        around += np.arctan2(abs(turn), np.dot(before, after))
-    if around > 3 * np.pi:
+        around += math.atan2(abs(turn), ahead)
+    if around > 3 * math.pi:  # it is 2 pi or 4 pi and more: last bits do not matter
         fail(where, "crosses itself")
     return normal
 
@@ -120,14 +122,13 @@ def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
 
 def is_bent(ring: np.ndarray, normal: np.ndarray) -> bool:
     """Whether corners lie off the polygon's plane."""
-    return float(np.ptp(ring @ normal)) > max(FLAT * size_of(ring), 2 * SMALL)
+    return float(np.ptp(product(ring, normal))) > max(FLAT * size_of(ring), 2 * SMALL)
 
 
-def is_even(ring: np.ndarray, values: np.ndarray) -> bool:
-    """Whether values of a polygon's corners are those of planes."""
-    basis = np.column_stack([ring - ring[0], np.ones(len(ring))])
-    found = np.linalg.lstsq(basis, values, rcond=None)[0]
-    return float(abs(basis @ found - values).max()) <= UNEVEN
+def is_even(ring: np.ndarray, normal: np.ndarray, values: np.ndarray) -> bool:
+    """Whether values of a polygon's corners are those of planes: over the two axes on which the
+    polygon has its largest shadow."""
+    return off_plane(np.delete(ring, int(abs(normal).argmax()), 1), values) <= UNEVEN
 
 
 def smooth(faces: list[Face], places: np.ndarray) -> None:
@@ -140,7 +141,7 @@ def smooth(faces: list[Face], places: np.ndarray) -> None:
             sums[keys[point]] = sums.get(keys[point], 0) + area
     for face, area in zip(faces, areas):
         mean = [sums[keys[point]] for point in face.points]
-        face.normals = [tuple(n if np.linalg.norm(n) > 1e-6 * np.linalg.norm(area) else area)
+        face.normals = [tuple(n if length(n) > 1e-6 * length(area) else area)
                         for n in mean]
 
 
@@ -153,7 +154,7 @@ def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: 
         smooth(faces, places)
     for face in faces:
         for normal in face.normals:
-            if not 0 < np.linalg.norm(normal) < np.inf:
+            if not 0 < length(normal) < math.inf:
                 fail(where, f"face {face.number} has a normal without direction")
 
 
@@ -165,7 +166,7 @@ def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> 
         return True
     if not wishes.planes:
         return False
-    if wishes.mapping == "uv" and not is_even(ring, np.array(face.texels)):
+    if wishes.mapping == "uv" and not is_even(ring, normal, np.array(face.texels)):
         return True
     return wishes.turns_normals and len(set(face.normals)) > 1
 
@@ -181,7 +182,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
         [(0.0, 0.0, 1.0)] * len(point_of)  # nobody looks at them
-    unit = [np.rint(np.array(n) / np.linalg.norm(n) * UNIT_14).astype(int) for n in turned]
+    unit = [np.rint(np.array(n) / length(n) * UNIT_14).astype(int) for n in turned]
     normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
@@ -191,7 +192,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     for face in faces:
         ring = places[face.points]
         normal = newell(ring / ONE)
-        fixed = np.rint(normal / np.linalg.norm(normal) * UNIT_30).astype(np.int64).tolist()
+        fixed = np.rint(normal / length(normal) * UNIT_30).astype(np.int64).tolist()
         away = sum(n * int(p) for point in ring for n, p in zip(fixed, point))
         plane = [0, 0, 0, -1] if wishes.two_sided else \
             [*fixed, round(away / len(ring) / UNIT_30)]

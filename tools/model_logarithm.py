@@ -45,6 +45,7 @@ def limit(bucket: int) -> int:
     units, further."""
     smallest = 2 ** ((MIDDLE - (bucket - 23) * 1024) / OCTAVE) - 1.5
     far = (2048 - REST) / 65536 / (OFF_INDEX / smallest + OFF_LOG * log(2) / OCTAVE)
+    # No value is within 1/1000 of an integer: the logarithm's last bits do not matter.
     return min(floor(OCTAVE * log2(256 * far)), POWERS - 4)
 
 

@@ -9,7 +9,7 @@ happens, so no pixel ever leaves the range of its line's ends.
 
 from dataclasses import dataclass
 from functools import cache
-from math import ceil, floor, log2
+from math import isqrt
 
 import numpy as np
 
@@ -24,10 +24,21 @@ STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
 PIECES = {"every16": 16, "every8": 8}
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
-LG_UP = [ceil(OCTAVE * log2(1 + (i + 1) / OCTAVE)) for i in range(OCTAVE)]
-LG_DOWN = [floor(OCTAVE * log2(1 + i / OCTAVE)) for i in range(OCTAVE)]
-#: 2^(15 + i / OCTAVE), rounded up
-EXP_UP = [ceil(2 ** (15 + i / OCTAVE)) for i in range(OCTAVE)]
+#: OCTAVE log2(1 + (i + 1) / OCTAVE) rounded up, and OCTAVE log2(1 + i / OCTAVE) rounded down: the
+#: bits of the OCTAVEth power of OCTAVE + i, less those of OCTAVE's.
+LG_UP = [((OCTAVE + i + 1) ** OCTAVE - 1).bit_length() - 6 * OCTAVE for i in range(OCTAVE)]
+LG_DOWN = [((OCTAVE + i) ** OCTAVE).bit_length() - 1 - 6 * OCTAVE for i in range(OCTAVE)]
+
+
+def root_up(power: int) -> int:
+    """2^(power / OCTAVE), rounded up: a square root six times over."""
+    value = (1 << power) - 1
+    for _ in range(6):
+        value = isqrt(value)
+    return value + 1
+
+
+EXP_UP = [root_up(15 * OCTAVE + i) for i in range(OCTAVE)]
 NEVER = (1 << 31) - 1  # above all weights
 
 

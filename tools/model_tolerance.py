@@ -37,6 +37,6 @@ def coarser(p: Perspective, width: int, setting: str, tolerance: int) -> tuple[s
     for longer in ("every16", "every8"):
         if setting == longer:
             break
-        if pixel is not None and pixel * PIECES[longer] ** 2 // 4 <= tolerance:
+        if pixel is not None and pixel * PIECES[longer] * PIECES[longer] // 4 <= tolerance:
             return longer, False
     return setting, False

@@ -3,6 +3,7 @@
 Materials are what a scene's TOML says of them; tools.tx_modes and tools.tmu_modes list them.
 """
 
+import math
 from abc import ABC, abstractmethod
 from copy import deepcopy
 from dataclasses import dataclass, field
@@ -11,6 +12,8 @@ from typing import ClassVar
 
 import numpy as np
 from PIL import Image
+
+from .elementary import cos, each, sin
 
 KINDS = ("smooth", "noise")
 SIDE, FINE_SIDE = 32, 128  # texels of pictures
@@ -42,9 +45,10 @@ def picture(kind: str, seed: int, side: int = SIDE, sheer: bool = False) -> np.n
     """A picture, uint8 [side, side, 4]: periodic, neighbours differing by at most 20 * 32 / side,
     or random colours; opaque unless it is ``sheer``."""
     if kind == "smooth":
-        y, x = np.mgrid[:side, :side] * (2 * np.pi / side)
-        alpha = np.sin(x - y) if sheer else np.ones_like(x)
-        waves = np.stack([np.sin(x), np.cos(y + seed), np.sin(x + y), alpha], -1)
+        y, x = np.mgrid[:side, :side]
+        turn = 2 * math.pi / side
+        waves = np.stack([each(sin, x * turn), each(cos, y * turn + seed), each(sin, (x + y) * turn),
+                          each(sin, (x - y) * turn) if sheer else np.ones(x.shape)], -1)
         return np.rint(waves * [100, 100, 100, 100 if sheer else 127] + 128).astype(np.uint8)
     made = np.random.default_rng(seed).integers(0, 256, (side, side, 4), np.uint8)
     if not sheer:

@@ -7,7 +7,9 @@ the same in every run. A vertex is (x, y, s, t, shade, w).
 import math
 import random
 
+from .elementary import cos, power, sin
 from .fixed import fix
+from .linear import length
 
 WIDTH, HEIGHT = 320, 256
 COUNT = 20  # polygons a set
@@ -53,7 +55,7 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
     nearer together where they would.
     """
     angle = rng.uniform(0, math.tau)
-    c, s = step * math.cos(angle), step * math.sin(angle)
+    c, s = step * cos(angle), step * sin(angle)
     x0, y0 = points[0]
     turned = [(c * (x - x0) - s * (y - y0), s * (x - x0) + c * (y - y0)) for x, y in points]
     base = rng.uniform(-100, 400), rng.uniform(-100, 400)
@@ -80,13 +82,13 @@ def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple
         depths = [max(near) / n for n in near]
         places = [[c * w for c in ray] for ray, w in zip(rays, depths)]
         a, b = ([p - q for p, q in zip(place, places[0])] for place in places[1:])
-        length = math.hypot(*a)  # the first corner is texel (0, 0), the second on the s axis
-        along = sum(map(math.prod, zip(a, b))) / length
-        aside = math.sqrt(max(math.hypot(*b) ** 2 - along ** 2, 0.0))
-        flat = [(0.0, 0.0), (length, 0.0), (along, aside)]
+        far = length(a)  # the first corner is texel (0, 0), the second on the s axis
+        along = sum(map(math.prod, zip(a, b))) / far
+        aside = math.sqrt(max(sum(c * c for c in b) - along * along, 0.0))
+        flat = [(0.0, 0.0), (far, 0.0), (along, aside)]
         scale, angle = step * math.sqrt(area(points) / area(flat)), rng.uniform(0, math.tau)
-        c, s = scale * math.cos(angle), scale * math.sin(angle)
-        base, deeper = [rng.uniform(-100, 400) for _ in "st"], 2 ** rng.uniform(-2, 4)
+        c, s = scale * cos(angle), scale * sin(angle)
+        base, deeper = [rng.uniform(-100, 400) for _ in "st"], power(2, rng.uniform(-2, 4))
         texels = [(base[0] + c * p - s * q, base[1] + s * p + c * q) for p, q in flat]
         if max(abs(c) for pair in texels for c in pair) < LARGEST:
             return [(*pair, w * deeper) for pair, w in zip(texels, depths)]

@@ -4,7 +4,7 @@ derive."""
 from dataclasses import dataclass, replace
 from functools import cache
 
-from . import bounds, bounds_perspective, ideal, ideal_mesh, model, polygon_sets
+from . import bounds, bounds_perspective, elementary, ideal, ideal_mesh, model, polygon_sets
 from .markdown import table
 from .model_dithered import MOST
 from .model_edges import Edge
@@ -173,7 +173,8 @@ def bounds_table() -> str:
          "bounds_perspective.TOLERANCE"),
         ("`fine`, between exact points", bounds_perspective.TOLERANCE["fine"],
          "bounds_perspective.TOLERANCE"),
-        ("a unit of a logarithm, part of the number", 2 ** (1 / OCTAVE) - 1, "model_logarithm.OCTAVE"),
+        ("a unit of a logarithm, part of the number", elementary.power(2, 1 / OCTAVE) - 1,
+         "model_logarithm.OCTAVE"),
         ("a reciprocal of the table, part of the number", 0.5 / TABLE[-1],
          "model_reciprocal.TABLE"),
         ("half the width of its least index, the same", 0.5 / LOWEST, "model_reciprocal.LOWEST"),

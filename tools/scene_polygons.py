@@ -8,8 +8,10 @@ import math
 import numpy as np
 
 from . import layout, materials, scene_glide, scene_primitives, scene_tx
+from .elementary import cos, sin
 from .fields import fail, number
 from .fixed import ONE, fix_all
+from .linear import length, off_plane
 from .map_range import MAP_CENTRE, check_corners, inside_map, map_of
 from .model_shading import LIT
 from .scene_textures import UNITS
@@ -32,10 +34,10 @@ def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
     for i in range(spec["sides"]):
         angle = math.tau * i / spec["sides"]
         on_map = angle - math.radians(spec["map_turn"])
-        shade = (materials.SHADES - 1) * (1 - math.cos(angle)) / 2  # down the polygon
-        out.append([spec["radius"] * math.sin(angle), -spec["radius"] * math.cos(angle),
-                    wide * (MAP_CENTRE + spec["map_radius"] * math.sin(on_map)),
-                    high * (MAP_CENTRE - spec["map_radius"] * math.cos(on_map)),
+        shade = (materials.SHADES - 1) * (1 - cos(angle)) / 2  # down the polygon
+        out.append([spec["radius"] * sin(angle), -spec["radius"] * cos(angle),
+                    wide * (MAP_CENTRE + spec["map_radius"] * sin(on_map)),
+                    high * (MAP_CENTRE - spec["map_radius"] * cos(on_map)),
                     shades[i % len(shades)] if shades else shade, 1.0])
     return out
 
@@ -49,11 +51,12 @@ def check_convex(corners: list[list[float]], where: str) -> None:
     around = 0.0
     for i, side in enumerate(sides):
         turn = sides[i - 1].conjugate() * side  # real: dot product, imaginary: cross product
-        dent = turn.imag / (abs(sides[i - 1] + side) or 1.0) * math.copysign(1, area)
+        across = sides[i - 1] + side
+        dent = turn.imag / (length((across.real, across.imag)) or 1.0) * math.copysign(1, area)
         if dent < -CONCAVE:
             fail(where, "the polygon is not convex")
         around += math.atan2(abs(turn.imag), turn.real)
-    if around > 1.5 * math.tau:
+    if around > 1.5 * math.tau:  # it is tau or twice that and more: last bits do not matter
         fail(where, "the polygon crosses itself")
 
 
@@ -95,9 +98,7 @@ def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
 def check_even(corners: list[list[float]], columns: list[int], most: float, where: str) -> None:
     """Refuses corners whose values in these columns do not lie on one plane."""
     points = np.array(corners)
-    basis = np.column_stack([points[:, :2], np.ones(len(points))])
-    found = np.linalg.lstsq(basis, points[:, columns], rcond=None)[0]
-    if abs(basis @ found - points[:, columns]).max() > most:
+    if off_plane(points[:, :2], points[:, columns]) > most:
         noun = {1: "shades", 2: "s and t"}.get(len(columns), "colours")
         fail(where, f"{noun} of more than three corners must lie on one plane")
 
@@ -159,14 +160,14 @@ def pose_at(spec: dict, age: int, loop: int) -> list[float]:
     """xx, xy, yx, yy, x0, y0 of an object ``age`` frames after it appeared."""
     life = age / loop
     low, high = spec["scale"]
-    scale = low + (high - low) * (1 - math.cos(math.tau * life)) / 2
+    scale = low + (high - low) * (1 - cos(math.tau * life)) / 2
     angle = math.radians(spec["angle"]) + math.tau * spec["turns"] * life
     orbit = spec["orbit"]
     swing = math.tau * (orbit["turns"] * life + orbit["phase"])
     x, y = (c + m * age for c, m in zip(spec["centre"], spec["move"]))
-    cos, sin = scale * math.cos(angle), scale * math.sin(angle)
-    return [cos, -sin, sin, cos, x + orbit["radius"][0] * math.cos(swing),
-            y + orbit["radius"][1] * math.sin(swing)]
+    across, down = scale * cos(angle), scale * sin(angle)
+    return [across, -down, down, across, x + orbit["radius"][0] * cos(swing),
+            y + orbit["radius"][1] * sin(swing)]
 
 
 def check_reach(corners: np.ndarray, poses: np.ndarray, first: int, far: int, where: str) -> None:

@@ -16,8 +16,10 @@ from types import SimpleNamespace
 import numpy as np
 
 from . import model_mesh, space
+from .elementary import tan
 from .fields import REQUIRED, fail, table
 from .fixed import ONE, fix, fix_all
+from .linear import product
 from .map_range import extent_of
 from .scene_glide import LEAST_W, has_own
 from .tmu.state import REACH, W_MAX
@@ -107,10 +109,10 @@ class Faces:
         name, spec = self.obj["projector"], self.space.spec
         turn, position = space.placed_at(self.obj, age, spec["frames"])
         axes, eye = space.camera_at(self.projector, frame, f"{self.space.where}projectors.{name}")
-        places = self.first.points[:, :3] / ONE @ turn.T + position
-        x, y, depth = axes @ (places - eye).T
+        places = product(self.first.points[:, :3] / ONE, turn.T) + position
+        x, y, depth = product(axes, (places - eye).T)
         wide, high = self.extent
-        scale = wide / 2 / math.tan(math.radians(self.projector["fov"]) / 2)
+        scale = wide / 2 / tan(math.radians(self.projector["fov"]) / 2)
         return np.column_stack([wide / 2 * depth + scale * x, high / 2 * depth + scale * y, depth])
 
     def corners(self, points: list[model_mesh.Point], frame: int, age: int) -> list[tuple]:

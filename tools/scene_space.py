@@ -11,6 +11,7 @@ import numpy as np
 from . import layout, materials, mesh_build, mesh_file, scene_projectors, space
 from .fields import REQUIRED, fail, flag, integer, join, named, number, one_of, rows, table, text
 from .fixed import ONE, fix
+from .linear import length, product
 from .map_range import Map, check_corners, inside_map, map_of
 from .mesh_build import Wishes
 from .scene_meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
@@ -211,11 +212,11 @@ class Space:
         axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])
         lens = np.array([self.focal / guard, self.focal / guard, 1.0])
-        seen = axes @ turn
+        seen = product(axes, turn)
         light = -np.array(spec["light"]["direction"])
-        light = turn.T @ (light / np.linalg.norm(light)) * shades
-        return (lens[:, None] * seen, lens * (axes @ (position - eye)), turn.T @ (eye - position),
-                np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
+        light = product(turn.T, light / length(light)) * shades
+        return (lens[:, None] * seen, lens * product(axes, position - eye),
+                product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 
     def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
         """An object's row of the views."""

@@ -9,7 +9,9 @@ import math
 import numpy as np
 
 from . import layout
+from .elementary import atan2, cos, sin, tan
 from .fields import REQUIRED, fail, integer, number, rows, table
+from .linear import length, product
 
 AWAY = 1e5  # units: how far from the origin things may be
 KEYS_MAX = 1000
@@ -18,27 +20,27 @@ GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
 def about(axis, angle: float) -> np.ndarray:
     """The rotation by an angle (radians) about an axis of any length."""
-    x, y, z = np.array(axis, float) / np.linalg.norm(axis)
+    x, y, z = np.array(axis, float) / length(axis)
     across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + math.sin(angle) * across + (1 - math.cos(angle)) * across @ across
+    return np.eye(3) + sin(angle) * across + (1 - cos(angle)) * product(across, across)
 
 
 def rotated(degrees) -> np.ndarray:
     """The rotation about x, then y, then z."""
     x, y, z = (about(axis, math.radians(angle)) for axis, angle in zip(np.eye(3), degrees))
-    return z @ y @ x
+    return product(product(z, y), x)
 
 
 def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
     """A rotation on the shortest way from one to another."""
-    way = second @ first.T
-    angle = math.acos(min(max((np.trace(way) - 1) / 2, -1.0), 1.0))
+    way = product(second, first.T)
     axis = np.array([way[2, 1] - way[1, 2], way[0, 2] - way[2, 0], way[1, 0] - way[0, 1]])
-    if np.linalg.norm(axis) < 1e-9:  # none, or a half turn: the column that does not vanish
+    angle = atan2(length(axis), float(np.trace(way)) - 1)  # 2 sin and 2 cos
+    if length(axis) < 1e-9:  # none, or a half turn: the column that does not vanish
         if angle < 1:
             return first
         axis = (way + np.eye(3))[:, int(np.argmax(np.diag(way)))]
-    return about(axis, part * angle) @ first
+    return product(about(axis, part * angle), first)
 
 
 def camera_fields(limits: dict[str, int], target) -> dict:
@@ -82,10 +84,10 @@ def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarra
         eye, target = (mixed(a, b, name, part) for name in ("eye", "target"))
     forward = target - eye
     right = np.cross(forward, spec["up"])
-    if np.linalg.norm(forward) < 1e-6 or np.linalg.norm(right) < 1e-6 * np.linalg.norm(forward):
+    if length(forward) < 1e-6 or length(right) < 1e-6 * length(forward):
         fail(where, f"eye, target and up are on one line in frame {frame}")
-    forward /= np.linalg.norm(forward)
-    right /= np.linalg.norm(right)
+    forward /= length(forward)
+    right /= length(right)
     return np.array([right, np.cross(forward, right), forward]), eye
 
 
@@ -97,16 +99,16 @@ def placed_at(spec: dict, age: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
         position = mixed(a, b, "position", part)
         turn = between(rotated(a["rotation"]), rotated(b["rotation"]), part)
     spin = about(spec["axis"], math.tau * spec["turns"] * age / loop)
-    return spin @ turn, position
+    return product(spin, turn), position
 
 
 def focal_length(width: int, degrees: float) -> float:
     """Pixels from the eye to the screen for a horizontal field of view."""
-    return width / 2 / math.tan(math.radians(degrees) / 2)
+    return width / 2 / tan(math.radians(degrees) / 2)
 
 
 def guard_bits(width: int, height: int, focal: float) -> int:
     """log2 of the smallest guard band that holds the frame with its edge, and the focal length, so
     that a view's factors are 1 at most."""
     reach = max(focal, width / 2 + GUARD_EDGE, height / 2 + GUARD_EDGE)
-    return max(layout.load().constants["GUARD_MIN"], math.ceil(math.log2(reach)))
+    return max(layout.load().constants["GUARD_MIN"], (math.ceil(reach) - 1).bit_length())

@@ -5,6 +5,7 @@ from math import isqrt
 
 import numpy as np
 
+from .elementary import power
 from .fixed import signed
 from .pass_example import BENCH, Example, longs, pairs, walked, words
 from .tmu_examples_sample import WRAPPED, Axes, axes
@@ -30,7 +31,7 @@ def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
     if rng.random() < 0.2:
         return rng.integers(-1 << 31, 1 << 31, 3), rng.integers(-1 << 31, 1 << 31, 3)
     ratio = float(rng.choice((1.001, 1.2, 2, 4, 20)))
-    near = int(ONE * 2.0 ** -rng.uniform(-0.3, 14))
+    near = int(ONE * power(2, -rng.uniform(-0.3, 14)))
     w = [near, int(near / ratio)][::int(rng.choice((1, -1)))]
     if rng.random() < 0.1:
         w = [near, near]

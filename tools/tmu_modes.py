@@ -1,10 +1,10 @@
 """Modes and formats of Glide's texture unit that are priced (tools.modes)."""
 
-from cmath import rect
 from dataclasses import dataclass
 from pathlib import Path
 
 from . import modes, scene_glide, scene_glide_build
+from .elementary import cos, power, sin
 from .fixed import fix
 from .modes import FINE, LEVEL, OTHER, PICTURE, SHEER, SIDE, TRIANGLE
 from .tmu.state import SIDE as UNITS  # s and t along a map's longer side
@@ -16,15 +16,15 @@ TURN = 0.5  # radians
 
 def turned(texels: float) -> tuple:
     """A triangle of a map that is turned and so many texels a pixel large."""
-    found = [complex(*point) * rect(texels, TURN) for point in TRIANGLE]
-    return TRIANGLE, tuple((c.real, c.imag) for c in found), LEVEL
+    c, s = texels * cos(TURN), texels * sin(TURN)
+    return TRIANGLE, tuple((x * c - y * s, x * s + y * c) for x, y in TRIANGLE), LEVEL
 
 
 #: Besides those of every engine, or instead: maps magnified 2 and 8 times, or between two levels; all
 #: as deep; three levels of a map of SIDE, from the first on; near enough for all of a detail's
 #: factor, and too far for any.
 MORE = {
-    "double": turned(1 / 2), "eightfold": turned(1 / 8), "between_levels": turned(2**1.4),
+    "double": turned(1 / 2), "eightfold": turned(1 / 8), "between_levels": turned(power(2, 1.4)),
     "level": (*modes.POLYGONS["turned"][:2], (2.5, 2.5, 2.5)),
     "far": (TRIANGLE, ((3.2, 4.1), (355, 60), (36, 296)), (1, 6.2, 8.1)),
     "close": (TRIANGLE, ((3.2, 4.1), (8.9, 5.2), (4.3, 9.3)), (1, 2.2, 3.1)),

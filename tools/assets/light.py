@@ -4,6 +4,8 @@ one."""
 
 import numpy as np
 
+from ..elementary import each, exp
+from ..linear import length
 from .views import averaged
 
 NEAR, LENGTH, HEIGHT = 2, 12, 2.5
@@ -19,7 +21,7 @@ def normals(way: tuple[int, int, int], points: np.ndarray, to: np.ndarray
             ) -> tuple[np.ndarray, np.ndarray]:
     """The cosine of the angle between a surface and the way to a point, and the distance."""
     ways = to - points
-    distance = np.linalg.norm(ways, axis=-1)
+    distance = np.sqrt((ways * ways).sum(-1))
     return (ways * np.array(way)).sum(-1) / distance, distance
 
 
@@ -30,7 +32,7 @@ def soft(values: np.ndarray, low: float, high: float) -> np.ndarray:
 
 def sunlight(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
     """Where the sun falls through the windows, each of which has a bar in its middle."""
-    slope = max(0, -(SUN * way).sum()) / np.linalg.norm(SUN)
+    slope = max(0, -(SUN * way).sum()) / length(SUN)
     back = 2 - points[..., 0]  # to the wall with the windows, at x = 2
     y, z = points[..., 1] + 0.8 * back, points[..., 2] + 0.3 * back
     light = np.zeros(y.shape)
@@ -45,12 +47,12 @@ def light(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
     made = np.zeros(points.shape) + AMBIENT
     for torch in TORCHES:
         cosine, distance = normals(way, points, torch)
-        near = 1.55 * (0.25 + 0.75 * np.clip(cosine, 0, 1)) / (0.35 + distance ** 2)
+        near = 1.55 * (0.25 + 0.75 * np.clip(cosine, 0, 1)) / (0.35 + distance * distance)
         made += near[..., None] * WARM
     if way[0] != -1:
         made += sunlight(points, way)[..., None] * COOL
     cosine, distance = normals(way, points, SUNNY)
-    thrown = 0.45 * np.clip(0.6 * cosine + 0.4, 0, 1) / (0.8 + distance ** 2)
+    thrown = 0.45 * np.clip(0.6 * cosine + 0.4, 0, 1) / (0.8 + distance * distance)
     return made + thrown[..., None] * COOL
 
 
@@ -65,7 +67,7 @@ def surface(origin: tuple, right: tuple, down: tuple, way: tuple, width: int = 6
 
 def shown(levels: np.ndarray) -> np.ndarray:
     """Bright light saturates."""
-    return 255 * (1 - np.exp(-2.1 * levels))
+    return 255 * (1 - each(exp, -2.1 * levels))
 
 
 def hall() -> np.ndarray:

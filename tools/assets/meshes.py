@@ -5,6 +5,9 @@ import math
 
 import numpy as np
 
+from ..elementary import cos, sin
+from ..linear import length, product
+
 Point = np.ndarray | tuple[float, float, float]
 
 
@@ -37,21 +40,21 @@ def knot() -> bytes:
 
 def line(angle: float) -> np.ndarray:
     """A point of the knot's line, for 0 to 2 pi."""
-    reach = 2 + math.cos(3 * angle)
-    return np.array([reach * math.cos(2 * angle), reach * math.sin(2 * angle), math.sin(3 * angle)])
+    reach = 2 + cos(3 * angle)
+    return np.array([reach * cos(2 * angle), reach * sin(2 * angle), sin(3 * angle)])
 
 
 def section(angle: float, around: int, thick: float) -> list[np.ndarray]:
     """The corners of a section of the knot, counterclockwise seen against the knot's way; the
     first one points away from the knot's axis."""
     along = line(angle + 1e-4) - line(angle - 1e-4)
-    along /= np.linalg.norm(along)
+    along /= length(along)
     out = line(angle) * (1, 1, 0)
-    out -= along * (out @ along)
-    out /= np.linalg.norm(out)
+    out -= along * product(out, along)
+    out /= length(out)
     side = np.cross(along, out)
     turns = (math.tau * k / around for k in range(around))
-    return [line(angle) + thick * (math.cos(t) * out + math.sin(t) * side) for t in turns]
+    return [line(angle) + thick * (cos(t) * out + sin(t) * side) for t in turns]
 
 
 def ring(along: int, around: int, thick: float) -> bytes:
@@ -61,8 +64,8 @@ def ring(along: int, around: int, thick: float) -> bytes:
         way = math.tau * i / along
         for k in range(around):
             turn = math.tau * (k + 0.5) / around
-            reach = 1 + thick * math.cos(turn)
-            points.append((reach * math.cos(way), thick * math.sin(turn), reach * math.sin(way)))
+            reach = 1 + thick * cos(turn)
+            points.append((reach * cos(way), thick * sin(turn), reach * sin(way)))
     return obj(f"A ring of {along} x {around} faces: radius 1, thickness {thick:g}", points,
                tube(along, around))
 
@@ -71,7 +74,7 @@ def crystal() -> bytes:
     """Two pyramids, each 1.45 high, on one hexagon of radius 1.15."""
     turns = [math.tau * k / 6 for k in range(6)]
     points = [(0, 1.45, 0), (0, -1.45, 0),
-              *((1.15 * math.cos(t), 0, 1.15 * math.sin(t)) for t in turns)]
+              *((1.15 * cos(t), 0, 1.15 * sin(t)) for t in turns)]
     faces = []
     for k in range(6):
         here, there = 3 + k, 3 + (k + 1) % 6

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from ..elementary import each
+from ..elementary import power as power_of
+
 
 def noise(height: int, width: int, power: float, seed: int, lowest: int = 0) -> np.ndarray:
     """White noise whose waves of n periods along the longer side are weakened to n^-power, and
@@ -10,7 +13,7 @@ def noise(height: int, width: int, power: float, seed: int, lowest: int = 0) -> 
     periods = max(height, width) * np.hypot(np.fft.fftfreq(height)[:, None],
                                             np.fft.rfftfreq(width)[None])
     periods[0, 0] = 1
-    waves = np.fft.rfft2(white) * periods ** -power * (periods >= lowest)
+    waves = np.fft.rfft2(white) * each(power_of, periods, -power) * (periods >= lowest)
     made = np.fft.irfft2(waves, (height, width))
     made -= made.mean()
     return made / made.std()

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from ..elementary import each, power, sin
 from .noise import grain, noise, smeared, tinted
 
 
@@ -69,10 +70,10 @@ def speckles() -> np.ndarray:
 def waves() -> np.ndarray:
     """Ripples on water: bright where six waves cancel."""
     y, x = np.mgrid[:32, :32] * math.tau / 32
-    field = abs(sum(height * np.sin(kx * x + ky * y + phase) for kx, ky, height, phase in (
+    field = abs(sum(height * each(sin, kx * x + ky * y + phase) for kx, ky, height, phase in (
         (1, 2, 1, 0), (2, -1, 1, 1), (3, 1, 0.6, 2.3), (-1, 3, 0.6, 4), (2, 3, 0.4, 0.7),
         (4, -1, 0.35, 3))))
-    return grey(30 + 225 * (1 - field / field.max()) ** 2.2)
+    return grey(30 + 225 * each(power, 1 - field / field.max(), 2.2))
 
 
 def stones() -> np.ndarray:

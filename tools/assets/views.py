@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from ..elementary import each, exp, log2, power, sin
 from .noise import grain, tinted
 from .signs import flat
 
@@ -23,22 +24,23 @@ def gradient(places: np.ndarray, start: tuple, end: tuple) -> np.ndarray:
 def sunset() -> np.ndarray:
     """What the demo's chrome mirrors: a low sun, clouds, hills, a tiled plain."""
     y, x = np.mgrid[:128, :128] / 127
-    sky = np.stack([20 + 200 * (2 * y) ** 2.2, 50 + 185 * (2 * y) ** 1.6, 120 + 260 * y], -1)
+    sky = np.stack([20 + 200 * each(power, 2 * y, 2.2), 50 + 185 * each(power, 2 * y, 1.6),
+                    120 + 260 * y], -1)
     depth = 2 * y - 1
     near = np.clip(depth, 0, 1)
-    ground = np.stack([70 + 150 * near ** 0.7, 30 + 95 * depth, 12 + 30 * depth], -1)
+    ground = np.stack([70 + 150 * each(power, near, 0.7), 30 + 95 * depth, 12 + 30 * depth], -1)
     picture = np.where((y < 0.5)[..., None], sky, ground)
-    hills = 0.5 - 0.035 * abs(np.sin(9 * x)) - 0.03 * abs(np.sin(23 * x + 1))
+    hills = 0.5 - 0.035 * abs(each(sin, 9 * x)) - 0.03 * abs(each(sin, 23 * x + 1))
     picture[(y > hills) & (y < 0.52)] = (36, 20, 40)
     from_sun = np.hypot(x - 0.68, y - 0.22)
     picture += 255 * np.clip(1.25 - from_sun / 0.09, 0, 1)[..., None]
-    picture += tinted((1, 0.9, 0.6), 120 * np.exp(-(from_sun / 0.16) ** 2))
+    picture += tinted((1, 0.9, 0.6), 120 * each(exp, -np.square(from_sun / 0.16)))
     for k in range(3):
-        cloud = np.exp(-((y - 0.13 - 0.09 * k) / 0.02) ** 2) * (np.sin(7 * x + 2 * k) > 0.1)
+        cloud = each(exp, -np.square((y - 0.13 - 0.09 * k) / 0.02)) * (each(sin, 7 * x + 2 * k) > 0.1)
         picture += 90 * cloud[..., None]
     plain = y > 0.54
     across = abs((x - 0.5) / (0.25 + depth) % 0.25 - 0.125) < 0.012
-    rows = (3 * np.log2(np.clip(depth, 0.02, 1))).astype(int) % 2 == 1
+    rows = (3 * log2(np.clip(depth, 0.02, 1))).astype(int) % 2 == 1
     picture[plain & across] *= 0.45
     picture[plain & rows] *= 0.8
     return picture
@@ -57,7 +59,7 @@ def landscape() -> np.ndarray:
     for line, height, step, phase, tint in ((17, 3, 0.13, 0, (110, 70, 110)),
                                             (21, 2.5, 0.2, 2, (60, 60, 90)),
                                             (26, 2, 0.3, 1, (36, 70, 48))):
-        below = y - (line + height * np.sin(step * x + phase) + np.sin(0.7 * x + phase))
+        below = y - (line + height * each(sin, step * x + phase) + each(sin, 0.7 * x + phase))
         picture = np.where((below > 0)[..., None], tinted(tint, 1 - 0.025 * below), picture)
     for k in range(4):
         picture[18 + k, 12 - k:14 + k] = (90, 30, 30)
@@ -71,9 +73,9 @@ def painting() -> np.ndarray:
     y, x = np.mgrid[:32, :32] / 31
     picture = gradient(y, (70, 110, 200), (240, 180, 140))
     picture[np.hypot(x - 0.65, y - 0.42) < 0.13] = (255, 232, 140)
-    far = y > 0.62 + 0.09 * np.sin(7 * x)
+    far = y > 0.62 + 0.09 * each(sin, 7 * x)
     picture[far] = gradient(x, (40, 90, 50), (70, 120, 60))[far]
-    picture[y > 0.80 + 0.06 * np.sin(9 * x + 2)] = (30, 62, 40)
+    picture[y > 0.80 + 0.06 * each(sin, 9 * x + 2)] = (30, 62, 40)
     framed = flat(32, 32, (190, 150, 60))
     framed[2:-2, 2:-2] = (90, 62, 20)
     framed[3:-3, 3:-3] = picture[3:-3, 3:-3]
@@ -92,8 +94,8 @@ def window() -> np.ndarray:
         lead = ((y - 1) % 8.5 < 1.2) | (((x - left) % 7 < 1.2) & (x > left + 2))
         picture[light] = np.array(glass)[panes][light]
         picture[light & lead] = dim
-    radius, way = np.hypot(x - 32, y - 13), np.arctan2(y - 13, x - 32)
-    petals = np.floor((way + math.pi) / (math.pi / 4) + 0.5).astype(int) % 2
+    radius, (low, high) = np.hypot(x - 32, y - 13), np.sort(abs(np.stack([x - 32, y - 13])), 0)
+    petals = (low >= (math.sqrt(2) - 1) * high).astype(int)  # of eight: the four on the diagonals
     rose = radius < 9.2
     picture[rose] = np.array(((245, 110, 70), (255, 240, 180)))[petals][rose]
     picture[rose & (abs(radius - 3.6) < 0.8)] = dim

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..elementary import log2
 from ..errors import UserError
 from ..fixed import ONE
 from ..ideal import Plane, corners
@@ -78,11 +79,11 @@ class Surface:
         for name in ("nx", "ny"):
             steps = [getattr(plane, name) * ONE * (1 if plane.d > 0 else -1)
                      for plane in (*self.over, self.inverse)]
-            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / inverse ** 2)
+            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / (inverse * inverse))
                       for step, over in zip(steps[:2], overs)]
-            lengths.append(np.hypot(*(slope.astype(np.float64) for slope in slopes)))
-        with np.errstate(divide="ignore"):
-            return np.log2(np.maximum(*lengths))
+            across, down = (slope.astype(np.float64) for slope in slopes)
+            lengths.append(np.sqrt(across * across + down * down))
+        return log2(np.maximum(*lengths))
 
 
 def limited(modes: Modes, level: np.ndarray) -> np.ndarray:

@@ -48,9 +48,8 @@ def levels(picture: np.ndarray, how: str = "kaiser", wrap: tuple[bool, bool] = (
         colours, alpha, weighed = np.split(state, [ALPHA, ALPHA + 1], -1)
         if by_alpha:
             colours = np.where(alpha < SEEN, colours, weighed / np.maximum(alpha, SEEN))
-        if gamma:
-            colours = from_light(colours)
-        found.append(rounded(np.concatenate([colours, alpha], -1) * 255))
+        shown = from_light(colours) if gamma else rounded(colours * 255)
+        found.append(np.concatenate([shown, rounded(alpha * 255)], -1))
         if state.shape[:2] == (1, 1):
             return found
         state = halved(state, how, wrap)

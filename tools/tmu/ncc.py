@@ -6,18 +6,25 @@ best for that choice are found by least squares, rounded. It ends when the error
 and is never worse than any of the tables that it starts from. Of photographs 256 x 256 channels
 are off by 3 to 5 in the root mean square, a third of what RGB332 makes of them; where all hues
 are at their strongest RGB332 is the better one.
+
+Choices and errors are integers; what lies between is added and multiplied in a stated order, so that
+every processor finds the same table.
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
+from .. import linear
+from ..linear import length, product
 from ..palette import nearest
 from .state import YIQ422, Ncc
 from .texels import decoded
 
 MOST_COLOURS = 1 << 13  # that a fit looks at
 PATIENCE = 4  # rounds without a smaller error after which a fit ends
+STILL = 2.0 ** -10  # of one colour, what an entry weighs that stays as it is
 FINE = (np.arange(4) - 1.5) / 4  # quarters of a step
 Y, I, Q = slice(0, 16), slice(16, 20), slice(20, 24)
 
@@ -34,10 +41,10 @@ def indices(table: Ncc, colours: np.ndarray) -> np.ndarray:
 
 def quantiles(values: np.ndarray, counts: np.ndarray, number: int) -> np.ndarray:
     """The middles of ``number`` parts of as many values each."""
-    order = np.argsort(values)
-    below = np.cumsum(counts[order]) / counts.sum()
-    at = np.searchsorted(below, (np.arange(number) + 0.5) / number)
-    return values[order][np.minimum(at, values.size - 1)]
+    order = np.argsort(values, kind="stable")
+    below = np.cumsum(counts[order]) * 2 * number
+    at = np.searchsorted(below, (2 * np.arange(number) + 1) * counts.sum())
+    return values[order][at]
 
 
 def fine_greys() -> Ncc:
@@ -46,55 +53,70 @@ def fine_greys() -> Ncc:
     return Ncc(np.arange(16) * 16, 4 * step, step)
 
 
+def axes(rest: np.ndarray, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The unit vectors along which colours less their greys, int64 [n, 3], differ most and least:
+    those of a matrix of two rows, in the plane at right angles to grey."""
+    r, g, b = rest.T
+    x, y = r - g, r + g - 2 * b  # times sqrt 2, sqrt 6
+    xx, xy, yy = (float((counts * p).sum()) for p in (x * x, x * y, y * y))
+    half, across = (xx - yy / 3) / 2, xy / math.sqrt(3)
+    far = math.sqrt(half * half + across * across)
+    u, v = (half + far, across) if half > 0 else (across, far - half)
+    u, v = (u / length((u, v)), v / length((u, v))) if far else (1.0, 0.0)
+    return tuple(a / math.sqrt(2) * np.array([1, -1, 0]) + b / math.sqrt(6) * np.array([1, 1, -2])
+                 for a, b in ((u, v), (-v, u)))
+
+
 def starts(colours: np.ndarray, counts: np.ndarray) -> list[Ncc]:
     """Tables to start from: all greys; and Y by the colours' means, I along the axis on which
     they differ most from grey, Q along the other one, or finer steps along the first or of
     grey."""
-    grey = colours.mean(1)
-    rest = colours - grey[:, None]
-    _, axes = np.linalg.eigh((rest * counts[:, None]).T @ rest)
-    y = np.rint(quantiles(grey, counts, 16)).astype(np.int64)
-    first, second = (quantiles(rest @ axis, counts, 4)[:, None] * axis
-                     for axis in (axes[:, 2], axes[:, 1]))
+    thrice = colours.sum(1, dtype=np.int64)  # grey, and the rest as well: integers
+    rest = 3 * colours.astype(np.int64) - thrice[:, None]
+    y = np.rint(quantiles(thrice, counts, 16) / 3).astype(np.int64)
+    most, least = axes(rest, counts)
+    first, second = (quantiles(product(rest, axis), counts, 4)[:, None] / 3 * axis
+                     for axis in (most, least))
     fine_y = np.ptp(y) / 15 * FINE[:, None] * np.ones(3)
-    fine = np.ptp(first, 0) / 3 * FINE[:, None] * np.sign(axes[:, 2])
+    fine = np.ptp(first, 0) / 3 * FINE[:, None] * np.sign(most)
     return [fine_greys(), *(Ncc(y, np.rint(first).astype(np.int64), np.rint(q).astype(np.int64))
                             for q in (second, fine, fine_y))]
 
 
 def solved(table: Ncc, chosen: np.ndarray, off: np.ndarray, counts: np.ndarray) -> Ncc:
-    """The table that suits the bytes chosen for colours best, but for rounding, and changes
-    least. ``off`` [n, 3]: by how much the colours are above what ``table`` shows; where a sum is
-    cut to 0..255 the change wanted is counted from there."""
-    one_of = np.zeros((len(chosen), 24))
-    rows = np.arange(len(chosen))
-    for part, index in ((Y, chosen >> 4), (I, chosen >> 2 & 3), (Q, chosen & 3)):
-        one_of[rows, part.start + index] = 1
-    weighed = one_of * counts[:, None]
-    pairs, sums = weighed.T @ one_of, weighed.T @ off
-    left, right = np.zeros((40, 40)), np.zeros(40)
-    left[Y, Y], right[Y] = 3 * pairs[Y, Y], sums[Y].sum(1)
+    """The table that suits the bytes chosen for colours best, but for rounding; what does not
+    matter for them changes least. ``off`` [n, 3]: by how much the colours are above what ``table``
+    shows; where a sum is cut to 0..255 the change wanted is counted from there."""
+    entries = [Y.start + (chosen >> 4), I.start + (chosen >> 2 & 3), Q.start + (chosen & 3)]
+    pairs = sum(np.bincount(24 * a + b, counts, 24 * 24) for a in entries for b in entries)
+    pairs = pairs.reshape(24, 24)  # floats that are integers, as sums are
+    sums = np.stack([sum(np.bincount(a, counts * channel, 24) for a in entries)
+                     for channel in off.T], -1)
+    left, right = STILL * np.eye(40), np.zeros(40)
+    left[Y, Y] += 3 * pairs[Y, Y]
+    right[Y] = sums[Y].sum(1)
     chroma = slice(16, 24)
     for channel in range(3):  # Y is all channels' alike, I and Q are each one's own
         own = slice(16 + 8 * channel, 24 + 8 * channel)
-        left[own, own], right[own] = pairs[chroma, chroma], sums[chroma, channel]
+        left[own, own] += pairs[chroma, chroma]
+        right[own] = sums[chroma, channel]
         left[Y, own], left[own, Y] = pairs[Y, chroma], pairs[chroma, Y]
-    change = np.linalg.lstsq(left, right)[0]
+    change = linear.solved(left, right)
     y, colours = np.rint(table.y + change[Y]), change[16:].reshape(3, 8).T
     i, q = (np.clip(np.rint(old + new), -256, 255).astype(np.int64)
             for old, new in ((table.i, colours[:4]), (table.q, colours[4:])))
     return Ncc(np.clip(y, 0, 255).astype(np.int64), i, q)
 
 
-def refined(table: Ncc, colours: np.ndarray, counts: np.ndarray) -> tuple[float, Ncc]:
-    """(mean square error, table): the best found from a table on."""
-    best, since = (np.inf, table), 0
+def refined(table: Ncc, colours: np.ndarray, counts: np.ndarray) -> tuple[int, Ncc]:
+    """(sum of all squares, table): the best found from a table on."""
+    best, since = (None, table), 0
     while since < PATIENCE:
         chosen = indices(table, colours)
         off = colours - colours_of(table)[chosen].astype(np.int64)
-        found = np.average((off * off).sum(1), weights=counts)
+        found = int((counts[:, None] * off * off).sum())
         since += 1
-        if found < best[0]:
+        if best[0] is None or found < best[0]:
             best, since = (found, table), 0
         table = solved(table, chosen, off, counts)
     return best

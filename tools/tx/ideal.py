@@ -132,7 +132,7 @@ def pairs(state: State, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, n
     level; with sharpening, the first level and the second, the fraction below 0."""
     modes, near = state.modes, distance < 1
     lod = np.maximum(distance, 1)
-    level = np.minimum(np.floor(np.log2(lod)).astype(np.int64), state.max_level)
+    level = np.minimum(np.frexp(lod)[1] - 1, state.max_level)  # whole doublings, exactly
     rest = np.where(level == state.max_level, 0, lod / (1 << level) - 1)
     close = np.maximum(distance, state.min_level / 32)
     if modes.detail:

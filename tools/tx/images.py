@@ -91,18 +91,26 @@ def palette_of(picture: np.ndarray, count: int, ia: bool) -> tuple[np.ndarray, n
     return indices, entries
 
 
+def nearest(number: np.ndarray, parts: int) -> np.ndarray:
+    """The integers nearest to integers / parts, halves up."""
+    return (2 * number + parts) // (2 * parts)
+
+
 def to_yuv(picture: np.ndarray) -> np.ndarray:
     """Bytes U0 Y0 V0 Y1 .. of a picture of even width, the inverse of what CONSTANTS make:
     colours lose contrast by K4 and K5, and two texels share their chroma."""
     k0, k1, k2, k3 = (2 * k + 1 for k in CONSTANTS[:4])
     k4, k5 = CONSTANTS[4:]
-    matrix = np.array([[256, 0, k0], [256, k1, k2], [256, k3, 0]]) / 256  # of Y, U, V
-    dull = (picture[..., :3] * 256.0 + k4 * k5) / (256 + k5)
-    yuv = dull @ np.linalg.inv(matrix).T
-    pairs = yuv.reshape(yuv.shape[0], -1, 2, 3)
-    chroma = pairs[..., 1:].mean(2) + 128
-    order = np.stack([chroma[..., 0], pairs[..., 0, 0], chroma[..., 1], pairs[..., 1, 0]], -1)
-    return np.clip(np.rint(order), 0, 255).astype(np.uint8)
+    # R = Y + k0 V / 256, G = Y + (k1 U + k2 V) / 256, B = Y + k3 U / 256, solved; all times ``scale``
+    scale = k0 * k3 - k0 * k1 - k2 * k3
+    r, g, b = (256 * picture[..., c].astype(np.int64) + k4 * k5 for c in range(3))  # 256 + k5 times
+    y = k0 * k3 * g - k0 * k1 * b - k2 * k3 * r
+    u, v = ((scale * channel - y) * 256 for channel in (b, r))  # k3, k0 times
+    u, v = (chroma[:, ::2] + chroma[:, 1::2] for chroma in (u, v))
+    y, u, v = (nearest(number, parts) for number, parts in (
+        (y, scale * (256 + k5)), (u, 2 * k3 * scale * (256 + k5)), (v, 2 * k0 * scale * (256 + k5))))
+    made = np.stack([u + 128, y[:, ::2], v + 128, y[:, 1::2]], -1)
+    return np.clip(made, 0, 255).astype(np.uint8)
 
 
 def encode(picture: np.ndarray, form: int, size: int, ia: bool = False) -> Texture:
