@@ -14,7 +14,7 @@ from .model_edges import Edge, Sides, measure, side
 from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
-from .model_spans import coordinates
+from .model_spans import coordinates, stays_in_row
 from .model_texturing import (Line, Settings, Texturing, along, edge_starts, longest, plane,
                               scanline_line)
 from .model_tolerance import coarser, is_flat
@@ -36,6 +36,7 @@ class Polygon:
     left_edges: list[Edge]
     right_edges: list[Edge]
     textured: bool
+    mapper: str = "affine"  # what draws it; affine where generated code cannot
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
     straight: bool = False  # the tolerance lets its lines be
@@ -54,10 +55,10 @@ class Polygon:
         return self.constants and self.tables.line(self.perspective, self.constants, line.left,
                                                    line.right, y)
 
-    def coordinates(self, line: Line, y: int, mapper: str = "affine"):
+    def coordinates(self, line: Line, y: int):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
-            return coordinates(line, mapper, y)
+            return coordinates(line, self.mapper, y)
         if self.is_level:
             return level(self.perspective, line.left, line.right, y)
         record = self.record(line, y)
@@ -236,6 +237,10 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return polygon
     if textured and not set_texturing(polygon, vertices, outline, settings, size):
         return None
+    polygon.mapper = settings.mapper
+    if settings.mapper == "generated" and (settings.gradients == "scanline"
+                                           or not all(map(stays_in_row, polygon.lines))):
+        polygon.mapper = "affine"
     if settings.mapper == "lit":
         polygon.level = vertices[0][-1] >> 16
     elif settings.mapper == "lit_gouraud":

@@ -7,6 +7,10 @@ from .model_dithered import moves
 from .model_shading import LIT, rows
 from .model_texturing import Line
 
+#: What u and v of generated code begin with, units: no step, rounded to the nearest, makes them late.
+BIAS = 520
+#: Steps of u from which on lines are not drawn by generated code: 8 of them leave the map's row.
+STEEP = 32 << 16
 #: Bits that a mapper cuts off the fractions of u and v, of starts and of steps.
 CUT = {"tiled": (0, 1), "columns": (3, 3)}
 
@@ -16,8 +20,8 @@ def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndar
     line counts where it moves points."""
     n = np.arange(line.right - line.left, dtype=np.int64)
     start, cuts = (line.u, line.v), CUT.get(mapper, (0, 0))
-    if mapper == "generated":  # only the texel of the start counts
-        start = [c & ~0xFFFF for c in start]
+    if mapper == "generated":  # of the start only the texel counts
+        start = [(c & ~0xFFFF) + BIAS for c in start]
     steps = (signed(line.dudx), signed(line.dvdx))
     u, v = (((c >> cut) + n * (step >> cut)) << cut & M32
             for c, step, cut in zip(start, steps, cuts))
@@ -29,8 +33,16 @@ def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndar
 def generated_offsets(dudx: int, dvdx: int, count: int) -> np.ndarray:
     """Bytes from a line's first texel to its others, as generated code has them."""
     n = np.arange(count, dtype=np.int64)
-    far = 256 * (n * signed(dvdx) >> 16) + (n * signed(dudx) >> 16)
+    far = 256 * (BIAS + n * signed(dvdx) >> 16) + (BIAS + n * signed(dudx) >> 16)
     return signed(far, 16)
+
+
+def stays_in_row(line: Line) -> bool:
+    """Whether generated code fetches all of a line's pixels in their own rows of the map: u's texels
+    rise or fall along the line, so the last one decides."""
+    steps, dudx = line.right - line.left - 1, signed(line.dudx)
+    last = (line.u >> 16 & 255) + (BIAS + steps * dudx >> 16)
+    return steps < 0 or (abs(dudx) < STEEP and 0 <= last <= 255)
 
 
 def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:

@@ -8,6 +8,7 @@
    polygons that share an edge leave no gap. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
+#include "polygon/generated.h"
 #include "polygon/kind.h"
 #include "polygon/lower.h"
 #include "polygon/material.h"
@@ -227,6 +228,8 @@ static void draw_affine(struct setup *s)
         lower_by_steps(s);
         make_lines(s, s->kind);
         hold_lines(s);
+        if (s->kind == SPAN_GENERATED)
+            generated_span(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
         shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);

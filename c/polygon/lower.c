@@ -131,6 +131,8 @@ int32 lower_asked(struct setup *s)
     s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes >> 1];
     if (s->kind == SPAN_AFFINE_ADDX_WRAP)
         s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
+    else if (s->kind == SPAN_GENERATED && m->gradients == GRADIENTS_SCANLINE)
+        s->kind = SPAN_AFFINE_SCANLINE; /* no two lines have the same steps to write code for */
     return m->perspective || asked[m->mapper].has_shade;
 }
 
