@@ -36,7 +36,10 @@ the ends no more than the larger b, at a distance of i - x' a step cut to U: max
 by its nature, and 2 a0 + a1 + (i - c) U.
 
 **Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
-bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction: 1 texel. Dithered points
+bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction, up to 65,535 U, and adds
+520 U in its place, which is above what 1,023 steps may fall short by, (U/2 + 256 / 2^31 + 3 / 2^32)
+each: from 65,015 U below to 520 U above. Where u leaves its row of the map in a line, affine spans
+draw the polygon. Dithered points
 are moved by 3/8 texel at most, exactly: moves are whole units. What is held
 in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
 the range at a vertex, a step shrinks by 2B over the
@@ -46,20 +49,24 @@ longest line and is cut (U), and a start moves no farther than its ends were out
 **Light** (`lit_gouraud`): levels are on a plane as u is; that plane is cut to multiples of 4U
 (3U), its steps rounded to such (2U each): with x, y from where it is seen, p + (2 |x| + 2 |y| + 3) U.
 Every line is held: 6B + 8U.
+
+The texels that are fetched have the bounds of u and v: tools/bounds_fetched.py.
 """
 
 from dataclasses import dataclass
 
-from . import bounds_perspective, ideal, model, model_tolerance
+import numpy as np
+
+from . import bounds_perspective, ideal, model, model_spans, model_tolerance
 from .bounds_coverage import FLOAT, LARGEST, crossing, edge_bound, edges_by_line, judge_coverage
-from .fixed import ceil16, signed
+from .bounds_fetched import beside
+from .fixed import ceil16
 from .ideal import UNIT
 from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
-from .model_dithered import moves
 from .model_edges import Edge
-from .model_spans import CUT
-from .model_texturing import Line, Settings
+from .model_spans import BIAS, CUT
+from .model_texturing import Settings
 from .random_polygons import is_convex
 
 
@@ -159,17 +166,6 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
     return along + (n + 1) * UNIT + c.g * rounded + (off + rounded) * c.step
 
 
-def found_at(line: Line, key: str, mapper: str, i: int, y: int) -> int:
-    """u or v of pixel i of line y as the mapper steps it, 16.16 modulo 2^32."""
-    start, cut = getattr(line, key), CUT.get(mapper, (0, 0))["uv".index(key)]
-    if mapper == "generated":
-        start &= ~0xFFFF
-    step = signed(getattr(line, f"d{key}dx")) >> cut
-    if mapper == "dithered":
-        start += int(moves(i, i + 1, y)["uv".index(key)][0])
-    return (start >> cut) + (i - line.left) * step << cut
-
-
 def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
                 settings: Settings) -> float:
     """Of u at a pixel, one step over the whole polygon."""
@@ -216,41 +212,64 @@ def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) 
                          f"{bound:.9f} are allowed")
 
 
-def mapper_bound(mapper: str, key: str, away: int) -> float:
-    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first."""
+def mapper_bound(mapper: str, key: str, away: int, error: float) -> float:
+    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first, on the side
+    of the exact value on which the error lies."""
     cut = CUT.get(mapper, (0, 0))["uv".index(key)]
-    return ((away + 1) * ((1 << cut) - 1) * UNIT + (mapper == "generated")
-            + DITHERED * (mapper == "dithered"))
+    if mapper == "generated":
+        return (BIAS if error > 0 else 0xFFFF - BIAS) * UNIT
+    return (away + 1) * ((1 << cut) - 1) * UNIT + DITHERED * (mapper == "dithered")
 
 
-def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
-                 out: Verdict) -> None:
-    """Adds the error of u and v at both ends of every line inside the exact polygon: between
-    them both are linear."""
-    three, mapper, t = ideal.corners(vertices), settings.mapper, polygon.texturing
+def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, int], t,
+                edges: tuple[Edge, Edge], settings: Settings) -> tuple[np.ndarray, list[float]]:
+    """What u, as it is stepped, is off at the pixels of a line from ``pixel`` on, exact at both ends, and
+    the bounds there."""
+    (left, y), last = pixel, pixel[0] + len(values) - 1
+    if settings.gradients == "scanline":
+        ends = [scanline_ideal(key, y, edges, i, settings) for i in (left, last)]
+        exact = np.linspace(ends[0][0], ends[1][0], len(values))
+        return (values * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST, [b for _, b in ends]
+    errors = c.plane.errors(values, np.arange(left, last + 1), y)
+    errors[-1] = c.plane.error(int(values[-1]), last, y)
+    return errors, [plane_bound(c, t, edges[0], i, y, settings) for i in (left, last)]
+
+
+def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
+                 beyond: float | None, out: Verdict) -> None:
+    """Adds the error of u and v at both ends of every line inside the exact polygon, as between
+    them both are linear, and judges the texels that are fetched there and between them."""
+    three, mapper, t = ideal.corners(vertices), polygon.mapper, polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, three, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
     found, extent = [], ideal.extents(vertices)  # error, bound, coordinate, pixel
+    shown = []  # texels beside the exact ones, how far they may be below, above
     for y, line in enumerate(polygon.lines, polygon.top):
         ends = [-(-n // (d << 16)) for n, d in extent(y)]
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
-        for i in {left, right - 1} if left < right else ():
-            for key, c in planes.items():
-                value = found_at(line, key, mapper, i, y)
-                if settings.gradients == "scanline":
-                    exact, bound = scanline_ideal(key, y, (sides[0][y], sides[1][y]), i, settings)
-                    error = abs((value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST)
-                else:
-                    error = abs(c.plane.error(value, i, y))
-                    bound = plane_bound(c, t, sides[0][y], i, y, settings)
-                bound += mapper_bound(mapper, key, i - line.left)
-                found.append((error, bound, key, (i, y)))
+        if left >= right:
+            continue
+        seen, last = slice(left - line.left, right - line.left), right - 1
+        stepped = polygon.coordinates(line, y)
+        texels = model_spans.fetched(line, mapper, size, stepped)
+        for k, (key, c) in enumerate(planes.items()):
+            values = stepped[k][seen]
+            errors, bounds = line_errors(key, c, values, (left, y), t, (sides[0][y], sides[1][y]), settings)
+            for i, error, bound in ((left, errors[0], bounds[0]), (last, errors[-1], bounds[1])):
+                bound += mapper_bound(mapper, key, i - line.left, error)
+                found.append((abs(float(error)), bound, key, (i, y)))
+            allowed = [max(bounds) + mapper_bound(mapper, key, last - line.left, way) for way in (-1, 1)]
+            side = 256 if mapper == "gouraud" else size[k]
+            shown.append((beside(key, texels[k][seen], values, errors, side, left, y), *allowed))
     if beyond is not None:
-        most = max((bound for _, bound, *_ in found), default=0.0) + beyond
-        found = [(error, 6 * most + 2 * UNIT, *rest) for error, _, *rest in found]
+        most = 6 * (max((bound for _, bound, *_ in found), default=0.0) + beyond) + 2 * UNIT
+        found = [(error, most, *rest) for error, _, *rest in found]
+        shown = [(each, most, most) for each, *_ in shown]
     for error, bound, key, pixel in found:
         add_error(error, bound, key, pixel, out)
+    for each, low, high in shown:
+        each.judge(low, high, out)
 
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
@@ -295,13 +314,14 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
         bounds_perspective.judge_texels(adapted, polygon, settings.perspective,
-                                        settings.tolerance * UNIT, out)
+                                        settings.tolerance * UNIT, size, out)
     elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
         flat = model_tolerance.is_flat(adapted, settings.tolerance)
         bounds_perspective.judge_flattened(adapted, polygon,
-                                           settings.tolerance * UNIT if flat else None, out)
+                                           settings.tolerance * UNIT if flat else None, size,
+                                           out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
-        judge_texels(adapted, polygon, settings,
+        judge_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
         if polygon.shading:
             judge_levels(adapted, polygon, out)

@@ -17,7 +17,7 @@ from .model_edges import Edge
 from .model_mesh import polygons_at
 from .model_polygon import (FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range,
                             set_up)
-from .model_spans import coordinates, pixels
+from .model_spans import coordinates, pixels, repeated
 from .model_texturing import Line, Settings, Texturing, scanline_line
 from .scene_file import vertices_at
 from .scene_textures import UNITS
@@ -38,7 +38,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
         if line.right > line.left and polygon.perspective:
             u, v = polygon.coordinates(line, y)
             height, width = texture.shape
-            frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
+            frame[y, line.left:line.right] = texture[repeated(v, height), repeated(u, width)]
         elif line.right > line.left:
             frame[y, line.left:line.right] = pixels(line, polygon.mapper, texture, light, y) \
                 if polygon.textured else colour

@@ -50,20 +50,33 @@ def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndar
     return (v >> 8 & 0xFF00 | u >> 16 & 0xFF) + generated_offsets(dudx, dvdx, count)
 
 
+def repeated(values: np.ndarray, side: int) -> np.ndarray:
+    """The columns, or rows, in which u, or v, shows a map that repeats; ``side``: its texels."""
+    return (values >> 16) % side
+
+
+def fetched(line: Line, mapper: str, size: tuple[int, int],
+            stepped: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Column and row of the map that each pixel of a line shows; Gouraud lines have the shade as
+    column. ``size``: the map's width and height; ``stepped``: the line's ``coordinates``."""
+    if mapper == "generated":
+        at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
+        return at & 255, at >> 8 & 255  # the margins repeat the map
+    u, v = stepped
+    if mapper == "arbitrary":
+        return u >> 16, v >> 16  # they are inside: an index beyond is an error
+    return repeated(u, 256 if mapper == "gouraud" else size[0]), repeated(v, size[1])
+
+
 def pixels(line: Line, mapper: str, texture: np.ndarray | None,
            light: np.ndarray | None = None, y: int = 0) -> np.ndarray:
     """A line's pixels. ``texture``: [v][u]; ``light``: [level][texel], or of one level; ``y`` as
     ``coordinates`` has it."""
-    if mapper == "generated":
-        at = texel_generated(line.u, line.v, line.dudx, line.dvdx, line.right - line.left)
-        return texture.reshape(-1)[at & 0xFFFF]  # the margins repeat the map
-    u, v = (c >> 16 for c in coordinates(line, mapper, y))
+    size = (256, 1) if texture is None else texture.shape[::-1]
+    columns, rows_ = fetched(line, mapper, size, coordinates(line, mapper, y))
     if mapper == "gouraud":
-        return u & 255
-    height, width = texture.shape
-    if mapper == "arbitrary":
-        return texture[v, u]  # u and v are inside: an index beyond is an error
-    texels = texture[v & height - 1, u & width - 1]
+        return columns
+    texels = texture[rows_, columns]
     if mapper not in LIT:
         return texels
     return light[rows(line), texels] if light.ndim == 2 else light[texels]
