@@ -36,10 +36,9 @@ the ends no more than the larger b, at a distance of i - x' a step cut to U: max
 by its nature, and 2 a0 + a1 + (i - c) U.
 
 **Mappers.** k pixels from the line's first: tiles keep 15 bits of v: (k + 1) U. Columns keep 13
-bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction, up to 65,535 U, and adds
-520 U in its place, which is above what 1,023 steps may fall short by, (U/2 + 256 / 2^31 + 3 / 2^32)
-each: from 65,015 U below to 520 U above. Where u leaves its row of the map in a line, affine spans
-draw the polygon. Dithered points
+bits of u and v: 7 (k + 1) U. Generated code drops the start's fraction f and has 520 U instead, more
+than 1,023 steps may fall short by, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f
+above. Where u leaves its row of the map in a line, affine spans draw the polygon. Dithered points
 are moved by 3/8 texel at most, exactly: moves are whole units. What is held
 in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
 the range at a vertex, a step shrinks by 2B over the
@@ -66,7 +65,7 @@ from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
 from .model_edges import Edge
 from .model_spans import BIAS, CUT
-from .model_texturing import Settings
+from .model_texturing import Line, Settings
 from .random_polygons import is_convex
 
 
@@ -212,12 +211,13 @@ def add_error(error: float, bound: float, key: str, pixel: tuple, out: Verdict) 
                          f"{bound:.9f} are allowed")
 
 
-def mapper_bound(mapper: str, key: str, away: int, error: float) -> float:
-    """What a mapper adds to the bound of u or v ``away`` pixels from the line's first, on the side
-    of the exact value on which the error lies."""
-    cut = CUT.get(mapper, (0, 0))["uv".index(key)]
+def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
+    """What a mapper adds to the bound of u or v at pixel i of a line, on the side of the exact value
+    on which the error lies."""
+    cut, away = CUT.get(mapper, (0, 0))["uv".index(key)], i - line.left
     if mapper == "generated":
-        return (BIAS if error > 0 else 0xFFFF - BIAS) * UNIT
+        lost = (getattr(line, key) & 0xFFFF) - BIAS
+        return max(-lost if error > 0 else lost, 0) * UNIT
     return (away + 1) * ((1 << cut) - 1) * UNIT + DITHERED * (mapper == "dithered")
 
 
@@ -257,9 +257,9 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
             values = stepped[k][seen]
             errors, bounds = line_errors(key, c, values, (left, y), t, (sides[0][y], sides[1][y]), settings)
             for i, error, bound in ((left, errors[0], bounds[0]), (last, errors[-1], bounds[1])):
-                bound += mapper_bound(mapper, key, i - line.left, error)
+                bound += mapper_bound(mapper, key, line, i, error)
                 found.append((abs(float(error)), bound, key, (i, y)))
-            allowed = [max(bounds) + mapper_bound(mapper, key, last - line.left, way) for way in (-1, 1)]
+            allowed = [max(bounds) + mapper_bound(mapper, key, line, last, way) for way in (-1, 1)]
             side = 256 if mapper == "gouraud" else size[k]
             shown.append((beside(key, texels[k][seen], values, errors, side, left, y), *allowed))
     if beyond is not None:

@@ -4,7 +4,7 @@ All coordinates are 16.16 (units of 1/65536 pixel or texel); gradients of the pl
 they are rounded to steps.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 
 from . import model_logarithm, model_reciprocal
@@ -216,6 +216,14 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     return True
 
 
+def may_be_written(vertices, settings: Settings) -> bool:
+    """Whether code is tried for a polygon: u of its vertices lies in one row of the map, or up to a
+    texel beside it, and all lines have the same steps."""
+    us = [v[2] for v in vertices]
+    first = min(us) + ONE & (256 << 16) - 1
+    return settings.gradients != "scanline" and first + max(us) - min(us) <= 258 << 16
+
+
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
@@ -228,6 +236,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
+    if settings.mapper == "generated" and not may_be_written(vertices, settings):
+        settings = replace(settings, mapper="affine")
     outline = outline_of(vertices, width, height, settings)
     if outline is None:
         return None
@@ -237,10 +247,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return polygon
     if textured and not set_texturing(polygon, vertices, outline, settings, size):
         return None
-    polygon.mapper = settings.mapper
-    if settings.mapper == "generated" and (settings.gradients == "scanline"
-                                           or not all(map(stays_in_row, polygon.lines))):
-        polygon.mapper = "affine"
+    by_code = settings.mapper != "generated" or all(map(stays_in_row, polygon.lines))
+    polygon.mapper = settings.mapper if by_code else "affine"
     if settings.mapper == "lit":
         polygon.level = vertices[0][-1] >> 16
     elif settings.mapper == "lit_gouraud":

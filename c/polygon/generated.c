@@ -8,6 +8,19 @@ enum {
     STEEP = 32 * 65536          /* texels a pixel: 8 of them leave the row */
 };
 
+/* With a texel to spare on both sides, as a map from its first to its last texel has 0 and 256 at
+   its vertices. Code needs steps of the polygon, which GRADIENTS_SCANLINE has not. */
+int32 generated_may_draw(const struct setup *s)
+{
+    const uint32 texel = 65536, row = MAP_PAGE_SIDE * texel;
+    fix16 low, range;
+
+    if (s->material->gradients == GRADIENTS_SCANLINE)
+        return 0;
+    range = vertex_range(&s->vertices->s, s->count, &low);
+    return (((uint32)low + texel) & (row - 1)) + (uint32)range <= row + 2 * texel;
+}
+
 /* u's texels from a line's first pixel, as the code has them; no overflow below STEEP. */
 static int32 offset(fix16 dudx, int32 steps)
 {
