@@ -1,6 +1,7 @@
 """Layouts of texture maps, and 16-bit colours: both ways, for all sizes."""
 
 import itertools
+from math import floor
 
 import numpy as np
 import pytest
@@ -105,8 +106,9 @@ def test_steps_of_generated_code_do_not_fall_short(way: int) -> None:
     for part in range(1, 64):
         for whole in (1, part - 1, part + 1, 100 * part + 1, 256 * part - 1):
             exact = n * way * whole // part
-            steps = {round(way * whole * 65536 / part)} | (
-                {int((way * whole * 65536 - part * (whole / part / 2**15 + 3 / 2**16)) / part + 0.5)})
+            step = way * whole * 65536 / part
+            low = step - (whole / part / 2**15 + 3 / 2**16)
+            steps = {round(step), floor(low + 0.5)}
             for step in steps:
                 offsets = model_spans.generated_offsets(0, step, len(n))
                 assert np.array_equal(offsets, model.signed(256 * exact, 16)), (way * whole, part, step)

@@ -106,7 +106,7 @@ def repeats() -> Iterator[Case]:
             yield make(f"repeats_{count}_times_{way}", f"u runs over {count} repetitions of the map in "
                        f"each line, {way.replace('_', ' ')}.", box(0, 8, WIDTH, 88),
                        **on_map((start, 20.25), (along, Fraction(1, 8)), (0, 1)))
-    for way, start, along in (("up", PAGE - 126, 1), ("down", 126, -1)):
+    for way, start, along in (("up", PAGE - 127, 1), ("down", 126, -1)):
         for move in (-1, -UNIT, 0, UNIT, 1):
             yield make(f"row_{way}_left_by_{label(move)}", "The last pixel of each line shows the row's "
                        f"last texel, or is {label(move).replace('_', ' ')} on.", box(1, 10, WIDTH, 80),
