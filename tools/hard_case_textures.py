@@ -97,14 +97,14 @@ def seams() -> Iterator[Case]:
 
 
 def repeats() -> Iterator[Case]:
-    """u meets the map's seam inside lines, once or many times: what v's row is must not hear of it."""
+    """u crosses the map's seam inside lines, once or many times, or ends at it: v's row stays."""
     for count in (1, 2, 8):
         step = Fraction(PAGE * count - 6, 128)
         for way, start, along in (("up", 3, step), ("down", PAGE * count - 3, -step),
                                   ("below_0", 3 - PAGE * count, step),
                                   ("down_below_0", -3, -step)):
-            yield make(f"repeats_{count}_times_{way}", f"u runs over {count} repetitions of the map in "
-                       f"each line, {way.replace('_', ' ')}.", box(0, 8, WIDTH, 88),
+            yield make(f"repeats_{count}_times_{way}", f"In each line u runs over {count} of the "
+                       f"map's repetitions, {way.replace('_', ' ')}.", box(0, 8, WIDTH, 88),
                        **on_map((start, 20.25), (along, Fraction(1, 8)), (0, 1)))
     for way, start, along in (("up", PAGE - 127, 1), ("down", 126, -1)):
         for move in (-1, -UNIT, 0, UNIT, 1):
@@ -117,8 +117,8 @@ def repeats() -> Iterator[Case]:
             yield make(f"row_of_texels_{part}_pixels_long_{'up' if way > 0 else 'down'}", "Lines start on "
                        "a texel's border; their steps have no end in binary.", box(4, 10, 124, 80),
                        **on_map((100, 20), (step, 0), (0, Fraction(1, part))))
-    yield make("rows_of_the_map_one_a_line", "u stays where it is along lines and crosses the seam between "
-               "them.", box(3, 10, 120, 80), **on_map((200.5, 20), (0, 1), (4, 0)))
+    yield make("rows_of_the_map_one_a_line", "Along lines u stays where it is; between them it crosses the "
+               "seam.", box(3, 10, 120, 80), **on_map((200.5, 20), (0, 1), (4, 0)))
 
 
 def up_to_the_last_texel() -> Iterator[Case]:
