@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tools import ideal, model, random_meshes, random_polygons
+from tools import ideal, model, model_spans, random_meshes, random_polygons
 from tools.ideal import UNIT
 from tools.scene_file import ONE
 
@@ -217,6 +217,22 @@ def held(case: Case) -> list[str]:
             if len(wrong):
                 return [case.complaint("texel or shade", (line.left + int(wrong[0]), y),
                                        f"{low} to {high}", int(whole[wrong[0]]))]
+    return []
+
+
+def rows_kept(case: Case) -> list[str]:
+    """Every pixel shows the column of its own u and the row of its own v: none is carried into the
+    other, however often the map repeats along a line."""
+    polygon = case.drawn()
+    for y, line in rows(polygon).items():
+        stepped = polygon.coordinates(line, y)
+        found = model_spans.fetched(line, polygon.mapper, case.size, stepped)
+        for name, values, texels, side in zip(("column", "row"), stepped, found, case.size):
+            wrong = np.flatnonzero((values >> 16) % side != texels)
+            if len(wrong):
+                k = int(wrong[0])
+                return [case.complaint(name, (line.left + k, y), int(values[k] >> 16) % side,
+                                       int(texels[k]))]
     return []
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from properties import (Case, clipping, coverage, covers_once, drift, held, monotone, reversal,
-                        rotation, splitting, translation, within, wrapping)
+                        rotation, rows_kept, splitting, translation, within, wrapping)
 
 from tools import model, random_meshes, random_polygons
 from tools.scene_file import ONE
@@ -116,6 +116,22 @@ def check_within(rng: random.Random, origin: str) -> list[str]:
 
 def check_held(rng: random.Random, origin: str) -> list[str]:
     return held(held_case(rng, origin))
+
+
+def row_case(rng: random.Random, origin: str) -> Case:
+    """An upright rectangle whose lines take a row of the map, or up to a texel more or less."""
+    x, y = (rng.randrange(side // 2 * ONE) for side in (WIDTH, HEIGHT))
+    right, bottom = x + rng.randrange(ONE, WIDTH * ONE), y + rng.randrange(ONE, HEIGHT * ONE)
+    ends = [rng.choice((0, end)) + rng.choice((0, rng.randint(-ONE, ONE))) for end in (0, 256 * ONE)]
+    rng.shuffle(ends)
+    first = rng.randrange(-3, 3) * 256 * ONE
+    points = ((x, y, ends[0]), (right, y, ends[1]), (right, bottom, ends[1]), (x, bottom, ends[0]))
+    vertices = tuple((*p, first + s, 20 * ONE + p[1] // 3, 0, ONE) for *p, s in points)
+    return Case(origin, vertices, WIDTH, HEIGHT, any_settings(rng, 4, mapper="generated"))
+
+
+def check_rows_kept(rng: random.Random, origin: str) -> list[str]:
+    return rows_kept((any_case if rng.random() < 0.5 else row_case)(rng, origin))
 
 
 def check_rotation(rng: random.Random, origin: str) -> list[str]:

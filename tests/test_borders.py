@@ -87,7 +87,7 @@ def shown(mapper: str, parts: list[list[tuple]], settings: Settings) -> np.ndarr
     for part in parts:
         polygon = model.set_up(model.adapt(part, settings, max(width, height)), WIDTH, HEIGHT, True,
                                settings, (width, height))
-        model.draw(frame, polygon, texture, 0, mapper, light)
+        model.draw(frame, polygon, texture, 0, light)
     return np.where(frame < 0, -1, np.stack([frame % width, frame // width]))
 
 

@@ -4,9 +4,11 @@ import itertools
 import random
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
-from tools import bounds, fuzz_polygons, model, model_edges, model_texturing, polygon_sets
+from tools import (bounds, fuzz_polygons, model, model_edges, model_polygon, model_spans,
+                   model_texturing, polygon_sets, scene_textures)
 from tools.fixed import ceil16
 from tools.model import Settings
 
@@ -85,6 +87,66 @@ def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
     assert not worst(Settings(), polygons).complaint
     monkeypatch.setattr(where, name, replacement)
     assert worst(Settings(), polygons).complaint
+
+
+def carried(right):
+    """Addresses by addition alone: where u leaves its row inside a line, the texel is in the next."""
+    def fetched(line, mapper, size, stepped):
+        columns, rows = right(line, mapper, size, stepped)
+        seams = np.cumsum(np.abs(np.diff(columns, prepend=columns[:1])) > size[0] / 2)
+        return columns, (rows + seams) % size[1]
+    return fetched
+
+
+def beside_once(right):
+    """The column beside, at one pixel in the middle of each line."""
+    def fetched(*given):
+        columns, rows = right(*given)
+        return columns + (np.arange(len(columns)) == len(columns) // 2), rows
+    return fetched
+
+
+@pytest.mark.parametrize("mapper, wrong", [
+    *((mapper, carried) for mapper in ("affine", "tiled", "columns", "lit", "lit_gouraud", "dithered")),
+    *((mapper, beside_once) for mapper in scene_textures.MAPPERS[1] if mapper != "flat")])
+def test_a_wrong_texel_is_caught(mapper: str, wrong, monkeypatch) -> None:
+    """Though u and v are right: a row too far behind a seam, or one pixel's column."""
+    settings, inside = Settings(mapper=mapper), 256.0 if mapper == "arbitrary" else None
+    polygons = [p for name in ("medium", "large") for p in polygon_sets.polygons(name, inside)[::4]]
+    assert not worst(settings, polygons).complaint
+    monkeypatch.setattr(model_spans, "fetched", wrong(model_spans.fetched))
+    assert "the texel at pixel" in worst(settings, polygons).complaint
+
+
+@pytest.mark.parametrize("perspective", ["every16", "pixel"])
+def test_a_wrong_texel_in_perspective_is_caught(perspective: str, monkeypatch) -> None:
+    """Of polygons with depth, and of those drawn affine though w differs."""
+    settings = Settings(perspective=perspective)
+    deep = polygon_sets.polygons("depth")[::4]
+    flat = [[(*v[:5], 65536 + (v[5] > p[0][5])) for v in p] for p in deep]
+    right = model_spans.repeated
+    for polygons, tolerance in ((deep, 0), (flat, 65536)):
+        some = replace(settings, tolerance=tolerance)
+        assert not worst(some, polygons).complaint
+        with monkeypatch.context() as patch:
+            patch.setattr(model_spans, "repeated", lambda values, side: right(values, side) + (
+                np.arange(len(values)) == len(values) // 2))
+            assert "the texel at pixel" in worst(some, polygons).complaint
+
+
+@pytest.mark.parametrize("first, last", [(0, 500), (0, 2040), (500, 0), (-700, -200), (-30, -800)])
+def test_generated_code_beyond_its_row_is_caught(first: int, last: int, monkeypatch) -> None:
+    """Drawn by code, polygons whose u repeats show other rows; so affine spans draw them, exactly."""
+    settings = Settings("exact", mapper="generated")
+    vertices = [tuple(c << 16 for c in corner) for corner in (
+        (0, 0, first, 20, 0, 1), (256, 0, last, 37, 0, 1), (256, 200, last, 220, 0, 1))]
+    found = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+    assert found.pixels and not found.complaint and found.texel_error < 0.01
+    monkeypatch.setattr(model_polygon, "may_be_written", lambda *given: True)
+    found = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+    assert found.pixels and not found.complaint and found.texel_error < 0.01
+    monkeypatch.setattr(model_polygon, "stays_in_row", lambda line: True)
+    assert "the exact v" in bounds.judge(vertices, settings, WIDTH, HEIGHT).complaint
 
 
 def test_coverage_is_judged_on_the_edge_alone() -> None:

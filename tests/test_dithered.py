@@ -21,7 +21,7 @@ def drawn(*polygons, width: int = SIZE, height: int = SIZE) -> np.ndarray:
     texels = np.random.default_rng(3).integers(1, 256, (256, 256), dtype=np.uint8)
     for vertices in polygons:
         made = model.set_up(vertices, width, height, True, SETTINGS, (256, 256))
-        model.draw(frame, made, texels, 0, "dithered")
+        model.draw(frame, made, texels, 0)
     return frame
 
 

@@ -1,10 +1,9 @@
 """The rotator and the lit scene: as the model has them, and what they need of it."""
 
 import numpy as np
-import pytest
 from engine_scenes import explain, run_command
 
-from tools import bench_effects, model, run
+from tools import model, run
 from tools.paths import SCENES
 from tools.scene import compile_scene
 from tools.scene_file import Scene
@@ -42,18 +41,3 @@ def test_lit_scene() -> None:
     assert panels[:4] == sorted(panels[:4]) and panels[4:] == sorted(panels[4:], reverse=True)
     light = scene.textures[scene.materials[0].light].texels
     assert (light[63] == np.arange(256)).all()
-
-
-@pytest.mark.parametrize("name, most", [("rotator", 0), ("rotator_wrap", 0), ("rotator_swap", 0),
-                                        ("rotator_generated", 1)])
-def test_rotators_texels(name: str, most: int) -> None:
-    """All are exact but generated code, that shows the texel beside in most pixels: by one in
-    u and v, and a row further where u leaves the map."""
-    kernel, _, steps = bench_effects.ROTATORS[name]
-    found, exact = (bench_effects.screen(k, steps) for k in (kernel, "exact"))
-    if not most:
-        assert (found == exact).all() and bench_effects.wrong_texels(kernel, steps) == 0
-        return
-    assert 0.5 < bench_effects.wrong_texels(kernel, steps) < 0.9
-    u, v = (abs(((found >> shift) - (exact >> shift) + 128 & 0xFF) - 128) for shift in (0, 8))
-    assert u.max() == 1 and v.max() <= 2

@@ -128,7 +128,7 @@ def test_every_family_is_there() -> None:
         "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
         "collinear_vertices", "on_centres", "level_edges", "between_lines", "slopes", "sizes",
         "off_screen", "at_the_border", "vertex_counts", "windings", "nearly_concave", "long_edges",
-        "far_outside", "on_texel_borders", "gradients", "mirrored", "seams",
+        "far_outside", "on_texel_borders", "gradients", "mirrored", "seams", "repeats",
         "up_to_the_last_texel", "shades", "long_spans", "map_sizes",
         "horizons", "near_planes", "ratios", "grazing", "hardly_deep", "constant_depths", "one_apart",
         "deep_slivers", "deep_sizes", "far_textures", "constant_texels", "vanishing", "in_space"}

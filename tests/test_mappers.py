@@ -33,7 +33,10 @@ DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-f
          "rgb565": (["columns", "affine", "dithered"], "a1200"),
          "rgba5551": (["columns", "affine", "dithered"], "a1200-fast"),
          "rgba8888": (["affine", "dithered"], "a1200")}
-SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap"} - {"dithered"},
+#: Generated code draws what stays in a row of the map; of wider polygons it has every other one.
+NARROW = {"generated": 3}
+SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap",
+                    "affine_addx_wrap", "affine_scanline"} - {"dithered"},
          "rgb565": {"columns_16", "affine_16", "affine_16_wrap", "dithered_16_wrap"},
          "rgba8888": {"affine_32", "affine_32_wrap", "dithered_32_wrap"}}
 SPANS["rgba5551"] = SPANS["rgb565"]
@@ -54,6 +57,7 @@ def scene(pixels: str) -> str:
         materials += f"m{n} = {{{look}" + "".join(f', {k} = "{v}"' for k, v in settings.items())
         materials += "}\n"
         sides = 3 if settings["gradients"] == "polygon" else 3 + n % 5
+        map_radius //= NARROW.get(mapper, 1) if n % 2 else 1
         objects += (f'[[objects]]\nmaterial = "m{n}"\nsides = {sides}\nangle = {7 * n}\n'
                     f"radius = {47.3 if n % 3 else 11.7}\nmap_radius = {map_radius}\n"
                     f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n"

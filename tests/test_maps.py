@@ -1,6 +1,7 @@
 """Layouts of texture maps, and 16-bit colours: both ways, for all sizes."""
 
 import itertools
+from math import floor
 
 import numpy as np
 import pytest
@@ -95,3 +96,22 @@ def test_model_of_a_line() -> None:
         page = picture(256, 256, maps.RGB565)
         assert np.array_equal(maps.to_tiled(page)[maps.texel_tiled(u, v)],
                               page[v >> 16 & 255, u >> 16 & 255])
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_steps_of_generated_code_do_not_fall_short(way: int) -> None:
+    """From a texel's border, steps of any fraction down to 1/63 show the exact texels, 1,024 pixels
+    long: rounded to the nearest, and as far below that as a gradient's own error may lead."""
+    n = np.arange(1024)
+    for part in range(1, 64):
+        for whole in (1, part - 1, part + 1, 100 * part + 1, 256 * part - 1):
+            exact = n * way * whole // part
+            step = way * whole * 65536 / part
+            low = step - (whole / part / 2**15 + 3 / 2**16)
+            steps = {round(step), floor(low + 0.5)}
+            for step in steps:
+                offsets = model_spans.generated_offsets(0, step, len(n))
+                assert np.array_equal(offsets, model.signed(256 * exact, 16)), (way * whole, part, step)
+            if whole < part:
+                at = model_spans.texel_generated(3 << 16, 7 << 16, steps.pop(), 0, 200)
+                assert np.array_equal(at, 256 * 7 + 3 + exact[:200])

@@ -137,3 +137,23 @@ def test_held_lines_are_the_models() -> None:
             case.vertices)
     assert scene.frames > 100
     check_on_the_guest(scene, about)
+
+
+def test_rows_of_the_map_are_the_models() -> None:
+    """Lines that take a row of the map, or up to a texel more or less: by code or by affine spans."""
+    scene, about, drawn = empty_scene(), [], set()
+    noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
+    scene.textures.append(scene_file.Texture(noise, "margins"))
+    for k in range(200):
+        case = property_cases.row_case(random.Random(f"row {k}"), f"number {k}")
+        polygon = case.drawn()
+        if polygon is None:
+            continue
+        drawn.add(polygon.mapper)
+        scene.frames += 1
+        about.append(case.complaint("it differs", ("?", "?"), "the model's pixels", "others"))
+        s = case.settings
+        add(scene, scene_file.Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective, 0),
+            case.vertices)
+    assert scene.frames > 100 and drawn == {"generated", "affine"}
+    check_on_the_guest(scene, about)

@@ -11,7 +11,7 @@ import pytest
 from properties import SIDE
 
 from tools import clip, model, model_edges, model_polygon, model_texturing
-from tools.fixed import M32, mul_div, signed
+from tools.fixed import M32, ONE, mul_div, signed
 from tools.model_edges import Edge
 
 CASES = 1000  # the mistakes show in the first hundred, but for those of rounding alone
@@ -140,6 +140,18 @@ def planes_trusted(patch) -> None:
         [f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max)))
 
 
+def rows_left(patch) -> None:
+    """Generated code draws what leaves its row of the map, too."""
+    patch.setattr(model_polygon, "stays_in_row", lambda line: True)
+
+
+def rows_left_by_a_texel(patch) -> None:
+    """The same, where it is by one texel alone."""
+    right = model_polygon.stays_in_row
+    patch.setattr(model_polygon, "stays_in_row", lambda line: right(line) or any(
+        right(replace(line, u=line.u + way)) for way in (-ONE, ONE)))
+
+
 def cut_to_pixels(patch) -> None:
     """New vertices at the border are moved to whole pixels."""
     patch.setattr(clip, "mul_div", lambda *given: mul_div(*given) & ~0xFFFF)
@@ -163,6 +175,8 @@ WRONG = {
     cut_to_24_bits: ("splitting", "wrapping"),
     not_held: ("held",),
     planes_trusted: ("held",),
+    rows_left: ("rows_kept",),
+    rows_left_by_a_texel: ("rows_kept",),
     cut_to_pixels: ("coverage", "clipping"),
 }
 

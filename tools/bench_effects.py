@@ -4,11 +4,9 @@ import numpy as np
 
 from . import layout, random_maps
 from .bench_edges import LINES
-from .bench_mappers import add_map
 from .bench_spans import DU, DV, GAP, line_count, scanlines, span_call
 from .fixed import M32, ONE
 from .kernels import Arena, Case, Result
-from .model_spans import texel_generated
 from .scanline import pack_shade
 
 DC = 0x2800  # levels a pixel, 16.16
@@ -65,13 +63,10 @@ def shade_case(inside: int = 0):
     return count, Case("edge_shade", arena, pointers={"a0": plan_at}), check
 
 
-def screen(kernel: str, steps: tuple[int, int]) -> np.ndarray:
+def screen(steps: tuple[int, int]) -> np.ndarray:
     """Where each pixel of the rotator's screen is fetched in the map, int64 [y][x]."""
-    (width, height), (du, dv) = SCREEN, steps
+    (width, _), (du, dv) = SCREEN, steps
     u, v = screen_starts(steps)
-    if kernel == "span_generated":
-        return np.stack([texel_generated(int(a), int(b), du, dv, width) & 0xFFFF
-                         for a, b in zip(u, v)])
     n = np.arange(width)
     return (v[:, None] + n * dv >> 8 & 0xFF00) | (u[:, None] + n * du >> 16 & 0xFF)
 
@@ -82,21 +77,14 @@ def screen_starts(steps: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
     return (0x123456 & ~1) - line * dv & ~1, 0x456789 + line * du
 
 
-def wrong_texels(kernel: str, steps: tuple[int, int] = TURNED) -> float:
-    """The part of the rotator's screen that shows another texel than the exact one."""
-    return float((screen(kernel, steps) != screen("exact", steps)).mean())
-
-
 def rotator_case(kernel: str, form: str, steps: tuple[int, int]):
     """A screen of turned texture in one call: 256 lines of 320 pixels."""
     (width, height), texels = SCREEN, random_maps.page()
     arena, far = Arena(), Arena()
-    map_at = add_map(far, "generated", texels) if kernel == "span_generated" \
-        else far.add(texels.tobytes(), ONE)
+    map_at = far.add(texels.tobytes(), ONE)
     u, v = (c.tolist() for c in screen_starts(steps))
-    pointers = {"lines": arena.add(scanlines([(0, *start) for start in zip(u, v)], width, form)),
-                "code": arena.add(bytes(layout.load().constants["CODE_BYTES"]))}
-    expected = texels.reshape(-1)[screen(kernel, steps)]
+    pointers = {"lines": arena.add(scanlines([(0, *start) for start in zip(u, v)], width, form))}
+    expected = texels.reshape(-1)[screen(steps)]
     return width * height, *span_call(kernel, arena, far, pointers, {"map": map_at}, expected,
                                       dudx=steps[0], dvdx=steps[1])
 
@@ -104,7 +92,6 @@ def rotator_case(kernel: str, form: str, steps: tuple[int, int]):
 #: Row to (kernel, its form, steps).
 ROTATORS = {"rotator": ("span_affine_addx", "addx", TURNED),
             "rotator_wrap": ("span_affine_addx_wrap", "addx", FAR_OUT),
-            "rotator_swap": ("span_affine_swap", "plain", TURNED),
-            "rotator_generated": ("span_generated", "plain", TURNED)}
+            "rotator_swap": ("span_affine_swap", "plain", TURNED)}
 LIT = {"affine_lit": "span_lit", "affine_lit_wrap": "span_lit_wrap",
        "affine_gouraud": "span_lit_gouraud"}

@@ -9,6 +9,7 @@ from .kernels import Arena
 from .model_spans import texel_generated
 
 DS = 0xA000  # shades a pixel, 16.16
+DU_ROW = 0x3000  # texels a pixel, of generated code: 1024 pixels stay in a row of the map
 PICTURE = 331, 417  # rows and columns of the arbitrary map: at an odd address
 
 
@@ -24,14 +25,15 @@ def add_map(far: Arena, name: str, picture: np.ndarray) -> int:
 
 
 def start_of(name: str, rng: np.random.Generator, steps: tuple[int, int], length: int) -> tuple[int, int]:
-    """u and v of a line: shades that do not run over; all of it inside the arbitrary map; anywhere."""
+    """u and v of a line: shades that do not run over; all of it inside the arbitrary map, or inside a
+    row of generated code's."""
     if "gouraud" in name:
         return int(rng.integers(0, 90 << 16)), 0
     if name == "arbitrary":
         travel = [step * (length - 1) for step in steps]
         return tuple(int(rng.integers(max(0, -t), (side << 16) - max(0, t)))
                      for t, side in zip(travel, PICTURE[::-1]))
-    return tuple(rng.integers(0, 256 << 16, 2).tolist())
+    return int(rng.integers(0, (255 << 16) - steps[0] * length)), int(rng.integers(0, 256 << 16))
 
 
 def drawn(name: str, picture: np.ndarray, start: tuple[int, int], steps: tuple[int, int],
@@ -52,7 +54,7 @@ def mapper_case(name: str, length: int, dv: int = DV, lines: int = 0):
     rows, columns = PICTURE if name == "arbitrary" else (256, 256)
     picture = rng.integers(0, 256, (rows, columns), dtype=np.uint8)
     map_at = add_map(far, name, picture)
-    steps = DS if "gouraud" in name else DU, dv
+    steps = DS if "gouraud" in name else DU_ROW if name == "generated" else DU, dv
     starts = [(k % 4, *start_of(name, rng, steps, length)) for k in range(lines)]
     expected = np.zeros((lines, length + GAP), np.uint8)
     for k, (x, *start) in enumerate(starts):

@@ -46,7 +46,9 @@ by its nature, and 2 a0 + a1 + (i - c) U. Both ends are raised by N/2 + 2 units,
 lines, and steps are rounded up: where edges cross lines at whole units, values are never below the
 exact ones. Low bits that the spans do not keep are raised: (|i - c| + 1) (2^cut - 1) U.
 
-**Mappers.** Generated code drops the start's fraction: 1 texel. Dithered points
+**Mappers.** Generated code drops the start's fraction f and has 520 U instead, more
+than 1,023 steps may fall short by, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f
+above. Where u leaves its row of the map in a line, affine spans draw the polygon. Dithered points
 are moved by 3/8 texel at most, exactly: moves are whole units. What is held
 in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
 the range at a vertex, a step shrinks by 2B over the
@@ -56,18 +58,23 @@ starts a unit before that, and is above the exact values from its next pixel on.
 
 **Light** (`lit_gouraud`): levels are on a plane as u is, in multiples of 4U. Every line is held:
 6B + 8U.
+
+The texels that are fetched have the bounds of u and v: tools/bounds_fetched.py.
 """
 
 from dataclasses import dataclass
 
-from . import bounds_perspective, ideal, model, model_tolerance
+import numpy as np
+
+from . import bounds_perspective, ideal, model, model_spans, model_tolerance
 from .bounds_coverage import FLOAT, LARGEST, crossing, edge_bound, edges_by_line, judge_coverage
-from .fixed import ceil16, signed
+from .bounds_fetched import beside
+from .fixed import ceil16
 from .ideal import UNIT
 from .ideal_perspective import in_front
 from .model_dithered import MOST as DITHERED
-from .model_dithered import moves
 from .model_edges import Edge
+from .model_spans import BIAS
 from .model_texturing import CUT, STEEP, Line, Settings
 from .random_polygons import is_convex
 
@@ -174,16 +181,6 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
     return along + (n + 1) * UNIT + c.g * rounded + (off + rounded) * c.step
 
 
-def found_at(line: Line, key: str, mapper: str, i: int, y: int) -> int:
-    """u or v of pixel i of line y as the mapper steps it, 16.16 modulo 2^32."""
-    start = getattr(line, key)
-    if mapper == "generated":
-        start &= ~0xFFFF
-    if mapper == "dithered":
-        start += int(moves(i, i + 1, y)["uv".index(key)][0])
-    return start + (i - line.left) * signed(getattr(line, f"d{key}dx"))
-
-
 def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
     """What starts of `polygon` are raised by at most, in texels."""
     lines, whole = edge.end - edge.top, c.g + c.step + 2
@@ -248,43 +245,69 @@ def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple,
                          f"{-bounds[0]:.9f} to {bounds[1]:.9f} are allowed")
 
 
-def mapper_bounds(mapper: str) -> tuple[float, float]:
-    """What a mapper adds to how far u or v may be below and above."""
-    return (mapper == "generated") + DITHERED * (mapper == "dithered"), DITHERED * (mapper == "dithered")
+def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
+    """What a mapper adds to the bound of u or v at pixel i of a line, on the side of the exact value
+    on which the error lies."""
+    if mapper == "generated":
+        lost = (getattr(line, key) & 0xFFFF) - BIAS
+        return max(-lost if error > 0 else lost, 0) * UNIT
+    return DITHERED * (mapper == "dithered")
 
 
-def judge_texels(vertices, polygon: model.Polygon, settings: Settings, beyond: float | None,
-                 out: Verdict) -> None:
-    """Adds the error of u and v at both ends of every line inside the exact polygon: between
-    them both are linear."""
-    three, mapper, t = ideal.corners(vertices), settings.mapper, polygon.texturing
+def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, int], t,
+                edges: tuple[Edge, Edge], settings: Settings) -> tuple[np.ndarray, list[tuple]]:
+    """What u, as it is stepped, is off at the pixels of a line from ``pixel`` on, exact at both ends, and
+    how far below and above it may be there."""
+    (left, y), last = pixel, pixel[0] + len(values) - 1
+    if settings.gradients == "scanline":
+        ends = [scanline_ideal(key, y, edges, i, settings) for i in (left, last)]
+        exact = np.linspace(ends[0][0], ends[1][0], len(values))
+        zeros = len(values) * ((1 << c.cut) - 1) * UNIT
+        return ((values * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST,
+                [(b + zeros, b + zeros) for _, b in ends])
+    errors = c.plane.errors(values, np.arange(left, last + 1), y)
+    errors[-1] = c.plane.error(int(values[-1]), last, y)
+    return errors, [plane_bound(c, t, edges[0], i, y, settings) for i in (left, last)]
+
+
+def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
+                 beyond: float | None, out: Verdict) -> None:
+    """Adds the error of u and v at both ends of every line inside the exact polygon, as between
+    them both are linear, and judges the texels that are fetched there and between them."""
+    three, mapper, t = ideal.corners(vertices), polygon.mapper, polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, three, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found, extent = [], ideal.extents(vertices)  # error, bounds, coordinate, pixel
-    more = mapper_bounds(mapper)
+    found, extent = [], ideal.extents(vertices)  # error, bounds below and above, coordinate, pixel
+    shown = []  # texels beside the exact ones, how far they may be below, above
     for y, line in enumerate(polygon.lines, polygon.top):
         ends = [-(-n // (d << 16)) for n, d in extent(y)]
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
-        for i in {left, right - 1} if left < right else ():
-            for key, c in planes.items():
-                value = found_at(line, key, mapper, i, y)
-                if settings.gradients == "scanline":
-                    exact, bound = scanline_ideal(key, y, (sides[0][y], sides[1][y]), i, settings)
-                    error = (value * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST
-                    bound += (abs(i - line.left) + 1) * ((1 << c.cut) - 1) * UNIT
-                    both = bound, bound
-                else:
-                    error = c.plane.error(value, i, y)
-                    both = plane_bound(c, t, sides[0][y], i, y, settings)
-                found.append((error, tuple(map(sum, zip(both, more))), key, (i, y)))
+        if left >= right:
+            continue
+        seen, last = slice(left - line.left, right - line.left), right - 1
+        stepped = polygon.coordinates(line, y)
+        texels = model_spans.fetched(line, mapper, size, stepped)
+        for k, (key, c) in enumerate(planes.items()):
+            values = stepped[k][seen]
+            errors, bounds = line_errors(key, c, values, (left, y), t, (sides[0][y], sides[1][y]), settings)
+            for i, error, both in ((left, errors[0], bounds[0]), (last, errors[-1], bounds[1])):
+                more = [mapper_bound(mapper, key, line, i, way) for way in (-1, 1)]
+                found.append((float(error), tuple(map(sum, zip(both, more))), key, (i, y)))
+            allowed = [max(each) + mapper_bound(mapper, key, line, last, way)
+                       for way, each in zip((-1, 1), zip(*bounds))]
+            side = 256 if mapper == "gouraud" else size[k]
+            shown.append((beside(key, texels[k][seen], values, errors, side, left, y), *allowed))
     if beyond is not None:
-        most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
         longest = max(line.right - line.left for line in polygon.lines)
+        most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
         held = 6 * most + 2 * (longest + 1) * UNIT
         found = [(error, (held, held), *rest) for error, _, *rest in found]
+        shown = [(each, held, held) for each, *_ in shown]
     for error, both, key, pixel in found:
         add_error(error, both, key, pixel, out)
+    for each, low, high in shown:
+        each.judge(low, high, out)
 
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
@@ -328,13 +351,14 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
         bounds_perspective.judge_texels(adapted, polygon, settings.perspective,
-                                        settings.tolerance * UNIT, out)
+                                        settings.tolerance * UNIT, size, out)
     elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
         flat = model_tolerance.is_flat(adapted, settings.tolerance)
         bounds_perspective.judge_flattened(adapted, polygon,
-                                           settings.tolerance * UNIT if flat else None, out)
+                                           settings.tolerance * UNIT if flat else None, size,
+                                           out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
-        judge_texels(adapted, polygon, settings,
+        judge_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
         if polygon.shading:
             judge_levels(adapted, polygon, out)

@@ -61,7 +61,8 @@ from math import log2, sqrt
 
 import numpy as np
 
-from . import ideal, model_reciprocal
+from . import ideal, model_reciprocal, model_spans
+from .bounds_fetched import beside
 from .fixed import signed
 from .ideal import UNIT
 from .ideal_perspective import Curve, curves
@@ -192,9 +193,9 @@ def inner_lines(vertices, polygon):
 
 
 def line_errors(vertices, polygon, tolerance: float = 0.0):
-    """(u or v, line, pixels, error, what is intended, bound) of each line inside the exact polygon,
-    in texels, arrays over the pixels but for the bound; vertices as ``model.adapt`` gives them,
-    in front of the viewer."""
+    """(u or v, line, pixels, found, error, what is intended, bound) of each line inside the exact
+    polygon, in texels, but 16.16 what is found; arrays over the pixels but for the bound; vertices
+    as ``model.adapt`` gives them, in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
@@ -210,7 +211,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
                 b = bound.line(made, y, inside)
-                yield (key, y, columns, error, 0 * error,
+                yield (key, y, columns, found[seen], error, 0 * error,
                        level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
@@ -220,7 +221,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                                   else line_bound(b, polygon.setting))
             else:  # an end of rounded edges lies behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
-            yield key, y, columns, error, wanted, allowed
+            yield key, y, columns, found[seen], error, wanted, allowed
 
 
 def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
@@ -236,10 +237,19 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
     return bool((error[:sure] < -FLOAT).any())
 
 
-def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict; ``asked``: the
-    material's setting, ``tolerance`` its texels."""
-    for key, y, columns, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
+def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
+                size: tuple[int, int], out) -> None:
+    """Judges the texels that are fetched at the pixels of a line; ``off``: what u or v is off there,
+    ``allowed``: what it may be."""
+    side = size["uv".index(key)]
+    each = beside(key, model_spans.repeated(found, side), found, off, side, left, y)
+    each.judge(allowed, allowed, out)
+
+
+def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges the
+    texels; ``asked``: the material's setting, ``tolerance`` its texels, ``size``: of the map."""
+    for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
         if polygon.setting != asked and bent > tolerance + FLOAT:
             out.complain(f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
@@ -250,6 +260,7 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
             continue
         if len(vertices) == 3 and falls_short(polygon, y, columns, error):
             out.complain(f"{key} on line {y} is {-error.min():.9f} below the exact value")
+        judge_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
@@ -258,7 +269,7 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, out) -> None:
                          f"setting intends, {allowed:.9f} are allowed")
 
 
-def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
+def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
     """The same of a polygon that is drawn affine though w differs: by its tolerance, or (None)
     because its planes are not sure; out.unsure counts those."""
     out.unsure += tolerance is None
@@ -272,7 +283,9 @@ def judge_flattened(vertices, polygon, tolerance: float | None, out) -> None:
             plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
             bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
-            error = abs(curve.errors(found[seen], columns, y))
+            error = curve.errors(found[seen], columns, y)
+            judge_shown("uv"[key - 2], y, left, found[seen], error, bound, size, out)
+            error = abs(error)
             k = int(error.argmax())
             out.note(error[k], bound)
             out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)

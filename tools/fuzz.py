@@ -52,7 +52,7 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
     frame = np.full((height, width), 7, np.uint8)
     if made:
-        model.draw(frame, made, texels, 200, settings.mapper, textures(seed, block)[-1].texels)
+        model.draw(frame, made, texels, 200, textures(seed, block)[-1].texels)
     outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
     judged = bounds.has_ideal(adapted, settings)
     verdict = bounds.Verdict(pixels=made.pixels if made else 0)

@@ -96,6 +96,31 @@ def seams() -> Iterator[Case]:
                box(3, 10, 120, 80), **on_map((10.5, 220.5), (1, 0), (0, 1)))
 
 
+def repeats() -> Iterator[Case]:
+    """u crosses the map's seam inside lines, once or many times, or ends at it: v's row stays."""
+    for count in (1, 2, 8):
+        step = Fraction(PAGE * count - 6, 128)
+        for way, start, along in (("up", 3, step), ("down", PAGE * count - 3, -step),
+                                  ("below_0", 3 - PAGE * count, step),
+                                  ("down_below_0", -3, -step)):
+            yield make(f"repeats_{count}_times_{way}", f"In each line u runs over {count} of the "
+                       f"map's repetitions, {way.replace('_', ' ')}.", box(0, 8, WIDTH, 88),
+                       **on_map((start, 20.25), (along, Fraction(1, 8)), (0, 1)))
+    for way, start, along in (("up", PAGE - 127, 1), ("down", 126, -1)):
+        for move in (-1, -UNIT, 0, UNIT, 1):
+            yield make(f"row_{way}_left_by_{label(move)}", "The last pixel of each line shows the row's "
+                       f"last texel, or is {label(move).replace('_', ' ')} on.", box(1, 10, WIDTH, 80),
+                       **on_map((start + (move if way == "up" else -move), 20), (along, 0), (0, 1)))
+    for part in (3, 7, 61):
+        for way in (1, -1):
+            step = Fraction(way, part)
+            yield make(f"row_of_texels_{part}_pixels_long_{'up' if way > 0 else 'down'}", "Lines start on "
+                       "a texel's border; their steps have no end in binary.", box(4, 10, 124, 80),
+                       **on_map((100, 20), (step, 0), (0, Fraction(1, part))))
+    yield make("rows_of_the_map_one_a_line", "Along lines u stays where it is; between them it crosses the "
+               "seam.", box(3, 10, 120, 80), **on_map((200.5, 20), (0, 1), (4, 0)))
+
+
 def up_to_the_last_texel() -> Iterator[Case]:
     """Coordinates that end exactly with the map: a pixel beyond would read outside it."""
     outlines = {"box": box(0, 0, WIDTH, HEIGHT), "small_box": box(20, 20, 52, 52),
@@ -173,5 +198,5 @@ def map_sizes() -> Iterator[Case]:
                map_size=(1, 1))
 
 
-FAMILIES = (far_outside, on_texel_borders, gradients, mirrored, seams, up_to_the_last_texel,
-            shades, long_spans, map_sizes)
+FAMILIES = (far_outside, on_texel_borders, gradients, mirrored, seams, repeats,
+            up_to_the_last_texel, shades, long_spans, map_sizes)

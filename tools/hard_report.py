@@ -173,7 +173,7 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     ours = np.full((HEIGHT, WIDTH), -1, np.int16)
     made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
     if made:
-        model.draw(ours, made, texels, 200, settings.mapper)
+        model.draw(ours, made, texels, 200)
     return exact_picture(adapted, settings, texels), ours
 
 

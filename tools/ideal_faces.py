@@ -248,7 +248,7 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
     plane of the drawn vertices; texels."""
     if polygon.perspective:
         curves = ideal_perspective.curves(adapted)
-        for noun, y, columns, error, wanted, allowed in bounds_perspective.line_errors(adapted, polygon):
+        for noun, y, columns, _, error, wanted, allowed in bounds_perspective.line_errors(adapted, polygon):
             key = 2 + "uv".index(noun)
             yield key, y, columns, error, wanted, allowed + 0 * error, curves[key - 2].values(columns, y)
         return

@@ -17,7 +17,7 @@ from .model_edges import Edge
 from .model_mesh import polygons_at
 from .model_polygon import (FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range,
                             set_up)
-from .model_spans import coordinates, pixels
+from .model_spans import coordinates, pixels, repeated
 from .model_texturing import Line, Settings, Texturing, scanline_line
 from .scene_file import vertices_at
 from .scene_textures import UNITS
@@ -29,18 +29,18 @@ __all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Textur
 
 
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
-         mapper: str = "affine", light: np.ndarray | None = None) -> None:
+         light: np.ndarray | None = None) -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
     [level][texel], of the lit mappers."""
-    if mapper == "lit":
+    if polygon.mapper == "lit":
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
             u, v = polygon.coordinates(line, y)
             height, width = texture.shape
-            frame[y, line.left:line.right] = texture[(v >> 16) % height, (u >> 16) % width]
+            frame[y, line.left:line.right] = texture[repeated(v, height), repeated(u, width)]
         elif line.right > line.left:
-            frame[y, line.left:line.right] = pixels(line, mapper, texture, light, y) \
+            frame[y, line.left:line.right] = pixels(line, polygon.mapper, texture, light, y) \
                 if polygon.textured else colour
 
 
@@ -80,5 +80,5 @@ def render(scene, number: int) -> np.ndarray:
         if polygon:
             texture = scene.textures[material.texture].texels if material.texture >= 0 else None
             light = scene.textures[material.light].texels if material.light >= 0 else None
-            draw(frame, polygon, texture, material.colour, material.mapper, light)
+            draw(frame, polygon, texture, material.colour, light)
     return frame

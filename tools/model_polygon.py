@@ -4,7 +4,7 @@ All coordinates are 16.16 (units of 1/65536 pixel or texel); gradients of the pl
 they are rounded to steps.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import ModuleType
 
 from . import model_logarithm, model_reciprocal
@@ -14,7 +14,7 @@ from .model_edges import Edge, Sides, measure, side
 from .model_perspective import PIECES, Perspective, ends, is_level, level, perspective, way
 from .model_perspective import coordinates as perspective_coordinates
 from .model_shading import LIT, Shading, level_of, light_lines, shading
-from .model_spans import coordinates
+from .model_spans import coordinates, stays_in_row
 from .model_texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest, plane,
                               raised, ramp_point, scanline_line)
 from .model_tolerance import coarser, is_flat
@@ -36,6 +36,7 @@ class Polygon:
     left_edges: list[Edge]
     right_edges: list[Edge]
     textured: bool
+    mapper: str = "affine"  # what draws it; affine where generated code cannot
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
     straight: bool = False  # the tolerance lets its lines be
@@ -54,10 +55,10 @@ class Polygon:
         return self.constants and self.tables.line(self.perspective, self.constants, line.left,
                                                    line.right, y)
 
-    def coordinates(self, line: Line, y: int, mapper: str = "affine"):
+    def coordinates(self, line: Line, y: int):
         """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
-            return coordinates(line, mapper, y)
+            return coordinates(line, self.mapper, y)
         if self.is_level:
             return level(self.perspective, line.left, line.right, y)
         record = self.record(line, y)
@@ -222,6 +223,14 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     return True
 
 
+def may_be_written(vertices, settings: Settings) -> bool:
+    """Whether code is tried for a polygon: u of its vertices lies in one row of the map, or up to a
+    texel beside it, and all lines have the same steps."""
+    us = [v[2] for v in vertices]
+    first = min(us) + ONE & (256 << 16) - 1
+    return settings.gradients != "scanline" and first + max(us) - min(us) <= 258 << 16
+
+
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
            size: tuple[int, int] | None = None) -> Polygon | None:
     """Sets a polygon up for a frame; None where it is refused or covers nothing.
@@ -234,6 +243,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
+    if settings.mapper == "generated" and not may_be_written(vertices, settings):
+        settings = replace(settings, mapper="affine")
     outline = outline_of(vertices, width, height, settings)
     if outline is None:
         return None
@@ -243,6 +254,8 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return polygon
     if textured and not set_texturing(polygon, vertices, outline, settings, size):
         return None
+    by_code = settings.mapper != "generated" or all(map(stays_in_row, polygon.lines))
+    polygon.mapper = settings.mapper if by_code else "affine"
     if settings.mapper == "lit":
         polygon.level = vertices[0][-1] >> 16
     elif settings.mapper == "lit_gouraud":

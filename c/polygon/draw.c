@@ -8,6 +8,7 @@
    polygons that share an edge leave no gap. The model in tools/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
+#include "polygon/generated.h"
 #include "polygon/kind.h"
 #include "polygon/lower.h"
 #include "polygon/material.h"
@@ -102,7 +103,8 @@ static enum chain chain_of(const struct setup *s)
 
     if (m->mapper == MAPPER_LIT_GOURAUD)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
-    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT)
+    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT
+        && (m->mapper != MAPPER_GENERATED || s->kind == SPAN_GENERATED))
         return CHAIN_NONE;
     if (m->gradients != GRADIENTS_PLANE || m->start != START_SUBTEXEL)
         return CHAIN_ANYWHERE;
@@ -261,6 +263,8 @@ static void draw_affine(struct setup *s)
         lower_by_steps(s);
         make_lines(s, s->kind);
         hold_lines(s);
+        if (s->kind == SPAN_GENERATED)
+            generated_span(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
         shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);

@@ -2,6 +2,7 @@
 
 #include "polygon/counts.h"
 #include "polygon/dithered.h"
+#include "polygon/generated.h"
 #include "polygon/material.h"
 #include "polygon/shading.h"
 #include "polygon/tolerance.h"
@@ -95,9 +96,10 @@ static int32 is_slow(fix16 step)
     return ((uint32)step << 8) + most <= 2 * most;
 }
 
-/* What draws anything that a mapper may be asked for, with 1, 2 and 4 bytes a pixel. */
+/* What draws anything that a mapper may be asked for, with 1, 2 and 4 bytes a pixel; and whether
+   vertices may show that something else will do. */
 static const struct {
-    uint8 kind[3], has_shade;
+    uint8 kind[3], by_vertices;
 } asked[MAPPER_KINDS] = {
     [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32}, 0},
     [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0, 0}, 1},
@@ -105,7 +107,7 @@ static const struct {
     [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0, 0}, 0},
     [MAPPER_TILED] = {{SPAN_TILED, 0, 0}, 0},
     [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16, 0}, 0},
-    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 0},
+    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 1},
     [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0, 0}, 1},
     [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1},
     [MAPPER_DITHERED] = {{SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP}, 0}
@@ -131,7 +133,7 @@ int32 lower_asked(struct setup *s)
     s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes >> 1];
     if (s->kind == SPAN_AFFINE_ADDX_WRAP)
         s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
-    return m->perspective || asked[m->mapper].has_shade;
+    return m->perspective || asked[m->mapper].by_vertices;
 }
 
 void lower_by_vertices(struct setup *s)
@@ -139,6 +141,8 @@ void lower_by_vertices(struct setup *s)
     const struct material *m = s->material;
     enum span_kind kind = s->kind;
 
+    if (kind == SPAN_GENERATED && !generated_may_draw(s))
+        kind = SPAN_AFFINE_ADDX_WRAP;
     LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
     LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
     LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))

@@ -15,6 +15,11 @@ enum scanline_constants {
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
+    /* What u and v of generated code begin with, in 1/65536 texel, so that no texel is left
+       late: of up to SCENE_SIDE_MAX - 1 steps, each is up to 1/2 short by its rounding, and
+       1/128 by its gradient's own error up to 256 texels a pixel. */
+    GENERATED_BIAS = 520,
+
     /* The most pixels a line may have for the spans of short lines: what the
        instruction cache has room for. */
     SHORT_AFFINE = 18,

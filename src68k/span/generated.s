@@ -17,10 +17,14 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; writes:  the pixels of the lines; of the code, 4 bytes for each pixel of the longest
 ;          line (their number rounded up to a multiple of 8), and 2 behind them
 ; formats: u, v 16.16, both wrap at 256; lines of 1024 pixels at most
-; error:   less than 1 texel in u and v: the fractions of the line's start are
-;          dropped. Pixel n is fetched 256 floor(n dvdx) + floor(n dudx) bytes,
-;          modulo 65536, from the first one's texel: where u leaves 0 to 255 inside
-;          the line it goes on in the row beside
+; error:   u and v are less than 1 texel too low, as the fractions of the line's start
+;          are dropped, or too high by B = GENERATED_BIAS / 65536 at most. B is more than
+;          1023 steps, rounded to the nearest, fall short by: of a line that starts on a
+;          texel's border, a texel shows too early where it is 2 B away, but never late.
+;          Pixel n is fetched 256 floor(B + n dvdx) + floor(B + n dudx) bytes, modulo
+;          65536, from the first one's texel: where u leaves 0 to 255 inside a line, what
+;          follows comes from the row beside. polygon_draw has polygons with such lines
+;          drawn by the affine spans (c/polygon/generated.c)
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
 ;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
 ;          of code a pixel: the instruction cache does not hold lines above 64 pixels
@@ -59,15 +63,15 @@ RETURN          equ     $4ed3           ; jmp (a3)
         add.w   d6,d3                   ; uu:step
         swap    d5
         clr.w   d5                      ; vv--
-        moveq   #0,d0
-        moveq   #0,d1
+        move.l  #GENERATED_BIAS<<16,d0
+        move.l  d0,d1
         move.w  #255,d2                 ; with X: 256
         cmp.w   #-256,d3
         blo.s   .forward
         neg.l   d5
-        beq.s   .forward                ; v never carries
-        subq.l  #1,d1
-        clr.w   d1                      ; of -0, less 1/65536, it is the same
+        beq.s   .forward                ; v never carries: B is below 1
+        not.l   d1
+        clr.w   d1                      ; of -B, less 1/65536, it is the same
         add.w   #256,d3
         move.w  #-257,d2
 .forward
