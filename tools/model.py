@@ -25,7 +25,7 @@ from .scene_textures import UNITS
 from .scene_units import state_at
 
 __all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt",
-           "ceil16", "coordinates", "draw", "held_range", "is_steep", "plane_range", "prepare",
+           "ceil16", "coordinates", "draw", "held_range", "is_steep", "parts", "plane_range", "prepare",
            "prepare_polygon", "render", "scanline_line", "set_up", "signed"]
 
 

@@ -74,7 +74,9 @@ def lie_on_plane(points, pair, corners, extra: tuple[int, int]) -> bool:
     box = min(xs) >> 16, min(ys) >> 16, max(xs) >> 16, max(ys) >> 16
     vertices = [(*point, *values) for point, values in zip(points, pair)]
     t = plane(vertices, corners, box, CORNERS)
-    for (x, y), values in zip(points, pair):
+    for k, ((x, y), values) in enumerate(zip(points, pair)):
+        if k in corners:
+            continue
         x, y = x - (t.i << 16), y - (t.j << 16)
         away = (abs(x) >> 16) + (abs(y) >> 16) >> 1
         for value, at, ddx, ddy, more in zip(values, (t.u, t.v), (t.dudx, t.dvdx),
@@ -117,16 +119,13 @@ def pairs_of(vertices, kind: int):
 def planar(vertices, asked: int) -> int:
     """Those kinds of values, of those ``asked`` for, that lie on planes. All where nothing can be
     said: there is no area, or a coordinate is too far away."""
-    level = DEPTHS if len({v[5] for v in vertices}) == 1 else 0
-    texels = asked & (TEXELS | level)
-    if asked == texels and is_parallelogram(vertices):
+    quick = TEXELS | DEPTHS * (len({v[5] for v in vertices}) == 1)
+    if not asked & ~quick and is_parallelogram(vertices):
         return asked
     corners, area = corners_of(vertices)
     if not area or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
         return asked
     points = [v[:2] for v in vertices]
-    looks = {TEXELS: texels, DEPTHS: asked & DEPTHS & ~texels, SHADES: asked & SHADES,
-             COLOURS: asked & COLOURS}
-    return sum(bits for kind, bits in looks.items() if bits
+    return sum(kind for kind in (TEXELS, DEPTHS, SHADES, COLOURS) if asked & kind
                and all(lie_on_plane(points, pair, corners, extra)
                        for pair, extra in pairs_of(vertices, kind)))

@@ -41,7 +41,7 @@
 struct look {
     struct sides sides;
     struct rectangle box;           /* pixels */
-    struct vertex *corners;
+    const struct vertex *corners;
     int32 count;
 };
 
@@ -72,19 +72,11 @@ static int32 lie_on_planes(const struct look *look, uint32 more_s, uint32 more_t
     most_s = limit(t.dudx, t.dudy, more_s);
     most_t = limit(t.dvdx, t.dvdy, more_t);
     for (int32 i = look->count; i > 0; i--, v++)
-        if (!is_near(v, v->s, t.u, t.dudx, t.dudy, &t, most_s)
-            || !is_near(v, v->t, t.v, t.dvdx, t.dvdy, &t, most_t))
+        if (v != look->sides.top && v != look->sides.bottom && v != look->sides.apex
+            && (!is_near(v, v->s, t.u, t.dudx, t.dudy, &t, most_s)
+                || !is_near(v, v->t, t.v, t.dvdx, t.dvdy, &t, most_t)))
             return 0;
     return 1;
-}
-
-static int32 texels_lie(struct look *look, const struct vertex *v)
-{
-    for (int32 i = 0; i < look->count; i++) {
-        look->corners[i].s = v[i].s;
-        look->corners[i].t = v[i].t;
-    }
-    return lie_on_planes(look, 0, 0);
 }
 
 /* A part of s or t that is not larger than 2^scale times 1/w's; makes *scale what that needs. */
@@ -99,7 +91,7 @@ static fix16 middle(const fix16 *value, int32 count, int32 *scale)
 
 /* q is Q_ONE |w|least / w, rounded (1/2); a unit of w makes Q_ONE / |w|least of it at most. s q,
    over 2^scale, is off by that, by a unit of s times q, and by one more: rounded down. */
-static int32 depths_lie(struct look *look, const struct vertex *v)
+static int32 depths_lie(const struct look *look, struct vertex *to, const struct vertex *v)
 {
     fix16 q[POLYGON_VERTICES_MAX], s, t;
     uint32 least = fix_magnitude(v->w), unsure, unsure_product;
@@ -114,37 +106,37 @@ static int32 depths_lie(struct look *look, const struct vertex *v)
         q[i] = mul_div(Q_ONE, (fix16)least, (fix16)fix_magnitude(v[i].w));
         if (v[i].w < 0)
             q[i] = -q[i];
-        look->corners[i].s = q[i];
-        look->corners[i].t = mul_shift(v[i].s - s, q[i], scale);
+        to[i].s = q[i];
+        to[i].t = mul_shift(v[i].s - s, q[i], scale);
     }
     unsure = 4 * (uint32)Q_ONE / least;
     unsure_product = unsure + (4 * (uint32)Q_ONE >> scale) + 2;
     if (!lie_on_planes(look, unsure, unsure_product))
         return 0;
     for (int32 i = 0; i < look->count; i++) {
-        look->corners[i].s = mul_shift(v[i].t - t, q[i], scale);
-        look->corners[i].t = 0;
+        to[i].s = mul_shift(v[i].t - t, q[i], scale);
+        to[i].t = 0;
     }
     return lie_on_planes(look, unsure_product, 0);
 }
 
-static int32 shades_lie(struct look *look, const struct vertex *v)
+static int32 shades_lie(const struct look *look, struct vertex *to, const struct vertex *v)
 {
     for (int32 i = 0; i < look->count; i++) {
-        look->corners[i].s = v[i].shade;
-        look->corners[i].t = 0;
+        to[i].s = v[i].shade;
+        to[i].t = 0;
     }
     return lie_on_planes(look, 0, 0);
 }
 
-static int32 colours_lie(struct look *look, const struct vertex *v)
+static int32 colours_lie(const struct look *look, struct vertex *to, const struct vertex *v)
 {
     for (int32 high = 16; high >= 0; high -= 16) {
         for (int32 i = 0; i < look->count; i++) {
             const uint32 channels = (uint32)v[i].shade >> high;
 
-            look->corners[i].s = (fix16)(channels << 8 & 0xff0000);
-            look->corners[i].t = (fix16)(channels << 16 & 0xff0000);
+            to[i].s = (fix16)(channels << 8 & 0xff0000);
+            to[i].t = (fix16)(channels << 16 & 0xff0000);
         }
         if (!lie_on_planes(look, COLOUR_ROUNDED, COLOUR_ROUNDED))
             return 0;
@@ -152,19 +144,19 @@ static int32 colours_lie(struct look *look, const struct vertex *v)
     return 1;
 }
 
-static int32 is_even(fix16 a, fix16 b, fix16 c, fix16 d, uint32 most)
+static inline int32 is_even(fix16 a, fix16 b, fix16 c, fix16 d, uint32 most)
 {
-    return fix_magnitude((fix16)((uint32)a - (uint32)b + (uint32)c - (uint32)d)) <= most;
+    return (uint32)a - (uint32)b + (uint32)c - (uint32)d + most <= 2 * most;
 }
 
-/* Whether x, y, s and t of four vertices are a parallelogram's but for their rounding: most quads
+/* Whether x, y, s and t of four vertices are a parallelogram's but for their rounding: most quads'
    are, and then s and t are off their plane by 4 e at most. */
-static int32 is_parallelogram(const struct vertex *p, const struct vertex *v, int32 count)
+static inline int32 is_parallelogram(const struct vertex *p, const struct vertex *v)
 {
-    return count == 4 && is_even(p[0].x, p[1].x, p[2].x, p[3].x, QUICK_PLACE)
-        && is_even(p[0].y, p[1].y, p[2].y, p[3].y, QUICK_PLACE)
-        && is_even(v[0].s, v[1].s, v[2].s, v[3].s, QUICK_VALUE)
-        && is_even(v[0].t, v[1].t, v[2].t, v[3].t, QUICK_VALUE);
+    return is_even(v[0].s, v[1].s, v[2].s, v[3].s, QUICK_VALUE)
+        && is_even(v[0].t, v[1].t, v[2].t, v[3].t, QUICK_VALUE)
+        && is_even(p[0].x, p[1].x, p[2].x, p[3].x, QUICK_PLACE)
+        && is_even(p[0].y, p[1].y, p[2].y, p[3].y, QUICK_PLACE);
 }
 
 static int32 is_constant(const fix16 *value, int32 count)
@@ -174,23 +166,22 @@ static int32 is_constant(const fix16 *value, int32 count)
     return !vertex_range(value, count, &least);
 }
 
-static int32 is_far(fix16 value)
+/* Whether s and t are the same everywhere, or a parallelogram's, and so is w where it counts. */
+static int32 is_quick(const struct vertex *p, const struct vertex *v, int32 count, uint32 asked)
 {
-    const uint32 far = (uint32)POLYGON_FAR << 16;
-
-    return (uint32)value + far >= 2 * far;
+    return !(asked & ~(uint32)(PLANAR_TEXELS | PLANAR_DEPTHS))
+        && ((count == 4 && is_parallelogram(p, v))
+            || (v[0].s == v[1].s && v[0].t == v[1].t
+                && is_constant(&v->s, count) && is_constant(&v->t, count)))
+        && (!(asked & PLANAR_DEPTHS) || is_constant(&v->w, count));
 }
 
-/* 0: nothing can be said. */
-static int32 begin(struct look *look, const struct vertex *places, const struct vertex *values,
-                   int32 count)
+/* 0: nothing can be said. s and t of the corners are in the range of coordinates. */
+static int32 begin(struct look *look, const struct vertex *corners, int32 count)
 {
-    for (int32 i = 0; i < count; i++)
-        if (is_far(values[i].s) || is_far(values[i].t))
-            return 0;
-    look->corners = planes_vertices(places, count);
+    look->corners = corners;
     look->count = count;
-    if (sides_find(&look->sides, look->corners, count) != POLYGON_DRAWN)
+    if (sides_find(&look->sides, corners, count) != POLYGON_DRAWN)
         return 0;
     look->box.left = look->sides.x_low >> 16;
     look->box.top = look->sides.top->y >> 16;
@@ -202,23 +193,28 @@ static int32 begin(struct look *look, const struct vertex *places, const struct 
 uint32 polygon_planar(const struct vertex *places, const struct vertex *values, int32 count,
                       uint32 asked)
 {
-    const int32 is_level = asked & PLANAR_DEPTHS && is_constant(&values->w, count);
-    const uint32 texels = asked & (is_level ? PLANAR_TEXELS | PLANAR_DEPTHS : PLANAR_TEXELS);
     struct look look;
+    struct vertex *corners;
     uint32 found = 0;
 
-    if (asked == texels && (is_parallelogram(places, values, count)
-                            || (is_constant(&values->s, count) && is_constant(&values->t, count))))
+    if (is_quick(places, values, count, asked))
         return asked;
-    if (!begin(&look, places, values, count))
+    if (asked == PLANAR_TEXELS && places == values)
+        return !begin(&look, places, count) || lie_on_planes(&look, 0, 0) ? asked : 0;
+    corners = planes_vertices(places, count);
+    for (int32 i = 0; i < count; i++) {
+        corners[i].s = values[i].s;
+        corners[i].t = values[i].t;
+    }
+    if (!begin(&look, corners, count))
         return asked;
-    if (texels && texels_lie(&look, values))
-        found |= texels;
-    if (asked & PLANAR_DEPTHS & ~texels && depths_lie(&look, values))
+    if (asked & PLANAR_TEXELS && lie_on_planes(&look, 0, 0))
+        found |= PLANAR_TEXELS;
+    if (asked & PLANAR_DEPTHS && depths_lie(&look, corners, values))
         found |= PLANAR_DEPTHS;
-    if (asked & PLANAR_SHADES && shades_lie(&look, values))
+    if (asked & PLANAR_SHADES && shades_lie(&look, corners, values))
         found |= PLANAR_SHADES;
-    if (asked & PLANAR_COLOURS && colours_lie(&look, values))
+    if (asked & PLANAR_COLOURS && colours_lie(&look, corners, values))
         found |= PLANAR_COLOURS;
     return found;
 }

@@ -6,8 +6,7 @@
 
 /* Those kinds of values, of those asked for, that lie on planes. Of `places` x and y count, of
    `values` the rest. All that are asked for where nothing can be said: the polygon has no area, or
-   a coordinate is not in -POLYGON_FAR to POLYGON_FAR. Where w is the same everywhere, DEPTHS are
-   looked at as TEXELS. */
+   a coordinate is not in -POLYGON_FAR to POLYGON_FAR. */
 uint32 polygon_planar(const struct vertex *places, const struct vertex *values, int32 count,
                       uint32 asked);
 
