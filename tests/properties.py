@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tools import ideal, model, model_spans, random_meshes, random_polygons
+from tools import bounds, ideal, model, model_spans, random_meshes, random_polygons
 from tools.ideal import UNIT
 from tools.scene_file import ONE
 
@@ -306,6 +306,22 @@ def splitting(case: Case, parts) -> list[str]:
     for k, part in enumerate(parts):
         complaints += two_planes(case, f"part {k}", case, replace(case, vertices=tuple(part)))
     return complaints
+
+
+# Pieces
+
+def pieces(case: Case) -> list[str]:
+    """A polygon is drawn in one piece where its values lie on planes, else as triangles, which cover
+    it once; each is within its bounds, and every vertex is one of a triangle's."""
+    parts = model.parts(case.vertices, case.settings)
+    if {v for part in parts for v in part} != set(case.vertices):
+        return [case.complaint("vertices drawn", ("any", "any"), case.vertices, parts)]
+    if not case.keeps_shape():
+        return []
+    found = bounds.judge(case.vertices, case.settings, case.width, case.height, case.size).complaint
+    if found:
+        return [case.complaint(found, ("see there", "see there"), "within its bounds", parts)]
+    return covers_once(case, parts)
 
 
 # Monotone

@@ -7,8 +7,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from properties import (Case, clipping, coverage, covers_once, drift, held, monotone, reversal,
-                        rotation, rows_kept, splitting, translation, within, wrapping)
+from properties import (Case, clipping, coverage, covers_once, drift, held, monotone, pieces,
+                        reversal, rotation, rows_kept, splitting, translation, within, wrapping)
 
 from tools import model, random_meshes, random_polygons
 from tools.scene_file import ONE
@@ -168,6 +168,28 @@ def check_splitting(rng: random.Random, origin: str) -> list[str]:
                             edges=rng.choice(("subpixel", "exact")))
     return splitting(Case(origin, vertices, WIDTH, HEIGHT, settings),
                      random_meshes.halves(rng, list(vertices)))
+
+
+def uneven_case(rng: random.Random, origin: str) -> Case:
+    """A polygon whose vertices say any s, t, shade and w, with any mapper, perspective and edges; a
+    few are planar."""
+    points, mapper = convex(rng, 4), rng.choice((*REPEATING, "arbitrary", "gouraud", "lit_gouraud"))
+    settings = any_settings(rng, 4, gradients="plane", mapper=mapper)
+    deep = mapper == "affine" and rng.random() < 0.5
+    if deep or mapper in ("dithered", "lit_gouraud"):
+        settings = replace(settings, start="subtexel",
+                           perspective=rng.choice(("every16", "fine")) if deep else "none")
+    vertices = list(planar(rng, [(x // LATTICE * LATTICE, y // LATTICE * LATTICE) for x, y in points]))
+    if rng.random() < 0.9:
+        vertices = [(x, y, *(rng.randrange(256 << 16) for _ in range(3)),
+                     rng.randint(ONE, 4 * ONE) if deep else ONE) for x, y, *_ in vertices]
+    elif mapper == "arbitrary":
+        vertices = [(x, y, 1 << 16, 2 << 16, 0, ONE) for x, y, *_ in vertices]
+    return Case(origin, tuple(vertices), WIDTH, HEIGHT, settings)
+
+
+def check_uneven(rng: random.Random, origin: str) -> list[str]:
+    return pieces(uneven_case(rng, origin))
 
 
 def check_monotone(rng: random.Random, origin: str) -> list[str]:

@@ -162,7 +162,8 @@ def bad_scenes() -> list[tuple[bytes, str]]:
             ("materials", "texture", (0, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
             ("objects", "material", (2, M32)), ("objects", "vertices", (2, 65, 7, M32)),
             ("objects", "vertex", (4, 6, M32, M32 - 1)), ("objects", "pose", (2, 4, M32)),
-            ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32))):
+            ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32)),
+            ("objects", "planar", (16, M32))):
         entry, source = f"scene_{table[:-1]}", textured if name == "texture" else data
         at = header.unpack(source)[f"{table}_at"] + SHAPES.struct(entry).fields[name]["offset"]
         said = {"vertex": "vertices", "pose": "poses"}.get(name, name)

@@ -30,7 +30,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
 
 @pytest.mark.parametrize("struct, field, value, message", [
     ("scene_header", "magic", 0, "magic: 0x0 where 0x544d4150 is right"),
-    ("scene_header", "version", 1, "version: 0x1 where 0xa is right"),
+    ("scene_header", "version", 1, "version: 0x1 where 0xb is right"),
     ("scene_header", "size", 5, "size: 0x5 where"),
     ("scene_header", "checksum", 0, "checksum: 0x0 where"),
     ("scene_header", "width", 0, "width: 0 is not from 4 to 1024 pixels"),
@@ -92,6 +92,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_object", "poses", 0, "objects[0].poses: 0 is not from 1 to"),
     ("scene_object", "pose", 2, "objects[0].pose: 2 is not from 0 to 1"),
     ("scene_object", "first_frame", 3, "objects[0].first_frame: 3 is not from 0 to 2"),
+    ("scene_object", "planar", 16, "objects[0].planar: 16 is not from 0 to 15"),
 ])
 def test_wrong_field_is_named(struct, field, value, message):
     """With its place in the file, its value and what it could be."""

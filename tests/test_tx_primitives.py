@@ -135,8 +135,6 @@ def rectangle(more: str = "", box: str = BOX) -> str:
      "objects[0].shades: there are colours instead"),
     (SHADED, CORNERS.replace("]]", ", 255]]") + "\n" + COLOURS,
      "objects[0].vertices[2]: must be [x, y, s, t]"),
-    (SHADED, SQUARE + "\ncolours = ['#000000', '#000000', '#000000', '#000008']",
-     "objects[0].colours: colours of more than three corners must lie on one plane"),
     ("cycles = 'fill', " + ONE, SQUARE, "materials.it.tx.cycles: 'fill' is not one of copy"),
     ("filter = 'bilerp', " + COPY, SQUARE,
      "materials.it.tx.filter: is not for copy mode, which leaves texels as they are"),

@@ -10,7 +10,7 @@ import property_cases
 import pytest
 from properties import SIDE
 
-from tools import clip, model, model_edges, model_polygon, model_texturing
+from tools import clip, model, model_edges, model_planar, model_polygon, model_texturing
 from tools.fixed import M32, ONE, mul_div, signed
 from tools.model_edges import Edge
 
@@ -157,6 +157,22 @@ def cut_to_pixels(patch) -> None:
     patch.setattr(clip, "mul_div", lambda *given: mul_div(*given) & ~0xFFFF)
 
 
+def other_vertices_ignored(patch) -> None:
+    """The planes run through three corners, whatever the other vertices say."""
+    patch.setattr(model, "parts", lambda vertices, *rest: [vertices])
+
+
+def planar_ones_cut(patch) -> None:
+    """All polygons are drawn as triangles."""
+    patch.setattr(model, "parts", lambda vertices, *rest: model_planar.fan(vertices))
+
+
+def last_triangle_left_out(patch) -> None:
+    """A fan ends a vertex early."""
+    right = model_planar.fan
+    patch.setattr(model_planar, "fan", lambda vertices: right(vertices)[:-1])
+
+
 #: A mistake, and the properties that must notice it.
 WRONG = {
     floor_plus_one: ("watertight", "coverage"),
@@ -178,6 +194,9 @@ WRONG = {
     rows_left: ("rows_kept",),
     rows_left_by_a_texel: ("rows_kept",),
     cut_to_pixels: ("coverage", "clipping"),
+    other_vertices_ignored: ("uneven",),
+    planar_ones_cut: ("uneven",),
+    last_triangle_left_out: ("uneven",),
 }
 
 

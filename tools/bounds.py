@@ -66,7 +66,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import bounds_perspective, ideal, model, model_spans, model_tolerance
+from . import bounds_perspective, ideal, ideal_planar, model, model_spans, model_tolerance
 from .bounds_coverage import FLOAT, LARGEST, crossing, edge_bound, edges_by_line, judge_coverage
 from .bounds_fetched import beside
 from .fixed import ceil16
@@ -367,12 +367,17 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
 
 def judge(vertices, settings: Settings, width: int, height: int,
           size: tuple[int, int] = (256, 256)) -> Verdict:
-    """Holds a convex polygon of planar texture to the bounds of its settings.
+    """Holds a convex polygon, or the triangles that it is drawn as, to the bounds of its settings.
 
     ``vertices``: (x, y, s, t, shade, w), 16.16, as a scene has them; ``size``: of the map.
     Polygons cut to the window are judged on their pixels, and on u and v where those come
     from the plane.
     """
-    adapted = model.adapt(vertices, settings, max(size))
-    polygon = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
-    return judge_set_up(adapted, polygon, settings, width, height, size)
+    out, parts = Verdict(), model.parts(vertices, settings)
+    if is_convex([v[:2] for v in vertices]):
+        out.complain(ideal_planar.judge(vertices, settings, len(parts)))
+    for part in parts:
+        adapted = model.adapt(part, settings, max(size))
+        polygon = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
+        out.merge(judge_set_up(adapted, polygon, settings, width, height, size))
+    return out

@@ -16,7 +16,7 @@ from threading import Event
 
 import numpy as np
 
-from . import bounds, layout, model
+from . import bounds, ideal_planar, layout, model
 from .errors import UserError
 from .fuzz_polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from .fuzz_shrink import shrink
@@ -48,16 +48,21 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
     if each.texture >= 0:
         texels = textures(seed, block)[each.texture].texels
         size = texels.shape[::-1]
-    adapted = model.adapt(each.vertices, settings, max(size))
-    made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
-    frame = np.full((height, width), 7, np.uint8)
-    if made:
-        model.draw(frame, made, texels, 200, textures(seed, block)[-1].texels)
-    outside = any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
-    judged = bounds.has_ideal(adapted, settings)
-    verdict = bounds.Verdict(pixels=made.pixels if made else 0)
-    if judged:
-        verdict = bounds.judge_set_up(adapted, made, settings, width, height, size)
+    frame, outside, judged, verdict = np.full((height, width), 7, np.uint8), False, True, bounds.Verdict()
+    parts = model.parts(each.vertices, settings)
+    if bounds.has_ideal([v[:4] for v in each.vertices]):
+        verdict.complain(ideal_planar.judge(each.vertices, settings, len(parts)))
+    for part in parts:
+        adapted = model.adapt(part, settings, max(size))
+        made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
+        if made:
+            model.draw(frame, made, texels, 200, textures(seed, block)[-1].texels)
+        outside |= any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
+        if bounds.has_ideal(adapted, settings):
+            verdict.merge(bounds.judge_set_up(adapted, made, settings, width, height, size))
+        else:
+            judged = False
+            verdict.pixels += made.pixels if made else 0
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
 
 

@@ -147,6 +147,19 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) ->
     return replace(each, vertices=vertices, settings=settings)
 
 
+def uneven(rng: random.Random, each: Fuzzed) -> Fuzzed:
+    """One in eight of those with more than three vertices gets one that is off the others' planes: by
+    about what rounding makes, or by far."""
+    if len(each.vertices) == 3 or rng.random() >= 1 / 8:
+        return each
+    k, field = rng.randrange(len(each.vertices)), rng.choice((2, 3, 4))
+    vertex = list(each.vertices[k])
+    off = rng.choice((-1, 1)) * rng.randrange(1, 1 << rng.randrange(1, 28))
+    vertex[field] = min(max(vertex[field] + off, -FAR), FAR - 1)
+    vertex[4] = min(max(vertex[4], 0), 256 * ONE - 1)
+    return replace(each, vertices=(*each.vertices[:k], tuple(vertex), *each.vertices[k + 1:]))
+
+
 @cache
 def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
@@ -176,8 +189,9 @@ def polygon(seed: int, number: int) -> Fuzzed:
         low, high = min(y for _, y in points), max(y for _, y in points)
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
     vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
-    return with_perspective(random.Random(f"{seed} depth {number}"),
+    made = with_perspective(random.Random(f"{seed} depth {number}"),
                             Fuzzed(vertices, settings, texture), (width, height))
+    return uneven(random.Random(f"{seed} uneven {number}"), made)
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
@@ -191,7 +205,7 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
                             each.texture, 200 if s.mapper == "flat" else 0,
                             len(maps) - 1 if s.mapper in LIT else -1, s.tolerance)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
-                              len(each.vertices), 0, 1, number))
+                              len(each.vertices), 0, 1, number, 0))
         vertices += each.vertices
     palette = np.zeros((256, 3), np.uint8)
     return Scene(*frame_size(block), len(polygons), 7, palette, maps,

@@ -10,7 +10,8 @@ from dataclasses import asdict, replace
 
 import numpy as np
 
-from . import hard_case_depths, hard_case_outlines, hard_case_textures, random_maps
+from . import (hard_case_depths, hard_case_outlines, hard_case_planes, hard_case_textures,
+               model_planar, random_maps)
 from .accuracy_settings import usual
 from .clip import clip, frame_window
 from .errors import UserError
@@ -24,7 +25,8 @@ from .scene_file import (IDENTITY, MAPPER_LAYOUT, SETTINGS, Material, Object, Sc
 __all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
            "scene"]
 
-FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES, *hard_case_depths.FAMILIES)
+FAMILIES = (*hard_case_outlines.FAMILIES, *hard_case_textures.FAMILIES, *hard_case_planes.FAMILIES,
+            *hard_case_depths.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
 Drawing = tuple[Case, Settings]  # the settings say the mapper too
 
@@ -95,7 +97,8 @@ def scene(drawings: list[Drawing]) -> Scene:
         material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
                             texture, 200, light)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
-                              len(case.vertices), 0, 1, number))
+                              len(case.vertices), 0, 1, number,
+                              model_planar.vouched(case.vertices, s.mapper, False, 1)))
         vertices += case.vertices
     return Scene(WIDTH, HEIGHT, len(drawings), 7, random_maps.palette(),
                  [Texture(random_maps.of_size(*size), layout) for layout, size in textures], list(materials),

@@ -59,11 +59,11 @@ class Row:
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """A row, held to its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
-    adapted = model.adapt(case.vertices, settings, max(size))
-    made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
-    row = Row(case.name, **vars(settings), cycles=cycles, pixels=made.pixels if made else 0)
-    if bounds.has_ideal(adapted, settings):
-        verdict = bounds.judge_set_up(adapted, made, settings, WIDTH, HEIGHT, size)
+    parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
+    made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size) for part in parts]
+    row = Row(case.name, **vars(settings), cycles=cycles, pixels=sum(each.pixels for each in made if each))
+    if all(bounds.has_ideal(part, settings) for part in parts):
+        verdict = bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size)
         row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
         if verdict.texel_bound:
             row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
@@ -169,12 +169,16 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     settings = shown(case)
     size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
-    adapted = model.adapt(case.vertices, settings, max(size))
-    ours = np.full((HEIGHT, WIDTH), -1, np.int16)
-    made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
-    if made:
-        model.draw(ours, made, texels, 200)
-    return exact_picture(adapted, settings, texels), ours
+    ours, exact = np.full((HEIGHT, WIDTH), -1, np.int16), []
+    for part in model.parts(case.vertices, settings):
+        adapted = model.adapt(part, settings, max(size))
+        made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
+        if made:
+            model.draw(ours, made, texels, 200)
+        exact.append(exact_picture(adapted, settings, texels))
+    if any(picture is None for picture in exact):
+        return None, ours
+    return np.max(exact, axis=0), ours  # triangles share no pixel
 
 
 def picture(case: Case | hard_case_meshes.MeshCase) -> np.ndarray:

@@ -14,7 +14,8 @@ import numpy as np
 from . import model_units
 from .fixed import M32, ceil16, signed
 from .model_edges import Edge
-from .model_mesh import polygons_at
+from .model_mesh import placed_at
+from .model_planar import parts
 from .model_polygon import (FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range,
                             set_up)
 from .model_spans import coordinates, pixels, repeated
@@ -24,7 +25,7 @@ from .scene_textures import UNITS
 from .scene_units import state_at
 
 __all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt",
-           "ceil16", "coordinates", "draw", "held_range", "is_steep", "plane_range", "prepare",
+           "ceil16", "coordinates", "draw", "held_range", "is_steep", "parts", "plane_range", "prepare",
            "prepare_polygon", "render", "scanline_line", "set_up", "signed"]
 
 
@@ -57,7 +58,8 @@ def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
 
 
 def prepare(scene, obj, number: int) -> Polygon | None:
-    """An object of a scene as it is set up in frame ``number``; None where it draws nothing."""
+    """An object of a scene, in one piece, as it is set up in frame ``number``; None where it draws
+    nothing."""
     vertices = vertices_at(scene, obj, number)
     return prepare_polygon(scene, obj.material, vertices) if vertices else None
 
@@ -66,19 +68,20 @@ def render(scene, number: int) -> np.ndarray:
     """Frame ``number`` of a scene (tools.scene_file.Scene), height x width of its pixels."""
     frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
     states = {}
-    for which, vertices in polygons_at(scene, number):
+    for which, vertices, vouched in placed_at(scene, number):
         material = scene.materials[which]
         if material.mapper == "unit":
             if material.unit not in states:
                 states[material.unit] = state_at(scene, material.unit, number)
-            model_units.draw_by_engine(states[material.unit], frame, material, vertices)
+            model_units.draw_by_engine(states[material.unit], frame, material, vertices, vouched)
             continue
         if material.mapper == "glide":
-            model_units.draw_by_pipe(scene, frame, material, vertices)
+            model_units.draw_by_pipe(scene, frame, material, vertices, vouched)
             continue
-        polygon = prepare_polygon(scene, which, vertices)
-        if polygon:
-            texture = scene.textures[material.texture].texels if material.texture >= 0 else None
-            light = scene.textures[material.light].texels if material.light >= 0 else None
-            draw(frame, polygon, texture, material.colour, light)
+        texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+        light = scene.textures[material.light].texels if material.light >= 0 else None
+        for part in parts(vertices, material, vouched):
+            polygon = prepare_polygon(scene, which, part)
+            if polygon:
+                draw(frame, polygon, texture, material.colour, light)
     return frame

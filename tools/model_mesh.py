@@ -5,12 +5,15 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 
 from dataclasses import dataclass
 
+from . import model_planar
 from .fixed import ONE, mul_div, signed
 from .scene_file import vertices_at
 from .scene_meshes import ENVIRONMENT, LIT
 
 #: What a frame draws: number of the material, vertices.
 Drawn = tuple[int, list[tuple]]
+#: The same, and the values that are vouched for to lie on planes.
+Placed = tuple[int, list[tuple], int]
 CORNERS_MAX = 62  # more than a convex face can get: mesh_clip gives up
 
 
@@ -107,7 +110,7 @@ def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
     """A polygon, or a fan of triangles where its gradients are for those."""
     if len(vertices) == 3 or material.mapper == "flat" or material.gradients != "polygon":
         return [vertices]
-    return [[vertices[0], *pair] for pair in zip(vertices[1:], vertices[2:])]
+    return model_planar.fan(vertices)
 
 
 def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
@@ -150,9 +153,9 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
             for polygon in polygons_of(scene.materials[material], vertices)]
 
 
-def polygons_at(scene, number: int) -> list[Drawn]:
-    """All that a frame draws, in drawing order: each polygon's material and its vertices on
-    the screen."""
+def placed_at(scene, number: int) -> list[Placed]:
+    """All that a frame draws, in drawing order: each polygon's material, its vertices on the screen,
+    and what is vouched for."""
     groups: dict[int, list] = {}  # instances by the object that they are drawn before
     for instance in scene.instances:
         groups.setdefault(instance.before, []).append(instance)
@@ -161,10 +164,18 @@ def polygons_at(scene, number: int) -> list[Drawn]:
     drawn = []
     for place in sorted({*shown, *groups}):
         if place in groups:
-            drawn += mesh_polygons(scene, groups[place], number)
+            drawn += [(*each, model_planar.IN_SPACE)
+                      for each in mesh_polygons(scene, groups[place], number)]
         if place < len(scene.objects):
             obj = scene.objects[place]
             vertices = vertices_at(scene, obj, number)
             if vertices:
-                drawn.append((obj.material, vertices))
+                drawn.append((obj.material, vertices, obj.planar))
     return drawn
+
+
+def polygons_at(scene, number: int) -> list[Drawn]:
+    """The same as it is drawn: polygons whose values lie on no plane as triangles, but for those of
+    texture units."""
+    return [(which, part) for which, vertices, vouched in placed_at(scene, number)
+            for part in model_planar.parts(vertices, scene.materials[which], vouched)]

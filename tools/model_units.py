@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from . import model_planar
 from .fixed import M32
 from .model_polygon import FAR
 from .model_texturing import Settings
@@ -9,6 +10,7 @@ from .scene_pipes import has_own, units_of
 from .scene_units import RECTANGLES, check_range, rectangle_ends
 from .tmu import polygon as tmu_polygon
 from .tx import polygon as tx_polygon
+from .tx.combiner import uses_shade
 from .tx.state import COPY, State
 
 
@@ -28,12 +30,22 @@ def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip:
     tx_polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
 
 
-def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tuple]) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by the N64's texture engine."""
+def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tuple],
+                   vouched: int) -> None:
+    """Draws an object, vertices (x, y, s, t, shade, w), by the N64's texture engine; ``vouched``:
+    values that lie on planes, whatever is found."""
     if material.primitive in RECTANGLES:
         draw_rectangle(state, frame, vertices, material.primitive == "flipped")
         return
     check_range(vertices, "polygon")
+    if len(vertices) > 3:
+        shades = model_planar.COLOURS if material.primitive == "coloured" else model_planar.SHADES
+        asked = asked_by(state.modes.perspective) | shades * uses_shade(state)
+        asked &= ~vouched
+        if model_planar.planar(vertices, asked) != asked:
+            for part in model_planar.fan(vertices):
+                draw_by_engine(state, frame, material, part, vouched)
+            return
     if material.primitive == "coloured":
         corners = [tx_polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
                    for x, y, s, t, shade, w in vertices]
@@ -43,9 +55,39 @@ def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tup
     tx_polygon.draw(state, frame, corners, settings_of(material))
 
 
-def draw_by_pipe(scene, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+def asked_by(perspective: bool) -> int:
+    """What a unit draws as planes."""
+    return model_planar.DEPTHS if perspective else model_planar.TEXELS
+
+
+def pipe_parts(units, first: list[tuple], own: list[tuple], vouched: int) -> list[list[tuple]]:
+    """What a polygon is drawn as by a pipe, each with the second unit's vertices, if it has its own,
+    behind the others."""
+    shared = units[:1] if own else units
+    planar = True
+    for values, some in ((first, shared), (own, units[1:])) if len(first) > 3 else ():
+        if values:
+            asked = asked_by(any(unit.modes.perspective for unit in some)) & ~vouched
+            places = [(*p[:2], *v[2:]) for p, v in zip(first, values)]
+            planar &= model_planar.planar(places, asked) == asked
+    if planar:
+        return [first + own]
+    fans = [model_planar.fan(values) for values in (first, own) if values]
+    return [sum(parts, []) for parts in zip(*fans)]
+
+
+def draw_by_pipe(scene, frame: np.ndarray, material, vertices: list[tuple], vouched: int) -> None:
     """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of Glide's units; where the
     second unit has coordinates of its own they are the vertices' second half."""
+    units, half = units_of(scene, material.unit), len(vertices)
+    if has_own(scene, material):
+        half //= 2
+    for part in pipe_parts(units, vertices[:half], vertices[half:], vouched):
+        draw_part(scene, units, frame, material, part)
+
+
+def draw_part(scene, units, frame: np.ndarray, material, vertices: list[tuple]) -> None:
+    """Draws a polygon of a pipe in one piece."""
     owns = [None] * len(vertices)
     if has_own(scene, material):
         half = len(vertices) // 2
@@ -53,5 +95,5 @@ def draw_by_pipe(scene, frame: np.ndarray, material, vertices: list[tuple]) -> N
         vertices = vertices[:half]
     corners = [tmu_polygon.Vertex(x, y, s, t, w, own)
                for (x, y, s, t, _, w), own in zip(vertices, owns)]
-    tmu_polygon.draw(units_of(scene, material.unit), frame, corners, settings_of(material),
+    tmu_polygon.draw(units, frame, corners, settings_of(material),
                      bool(scene.pipes[material.unit][4]))

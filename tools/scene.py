@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import (layout, materials, scene_glide, scene_glide_build, scene_primitives,
+from . import (layout, materials, model_planar, scene_glide, scene_glide_build, scene_primitives,
                scene_projectors, scene_space, scene_tx_build)
 from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
                      text)
@@ -102,6 +102,14 @@ def from_space(obj: dict, material: dict, space: scene_space.Space, lives: int, 
             for corners in faces.polygons(obj["first"] + age, age)]
 
 
+def planar_of(obj: dict, material: dict, corners: np.ndarray) -> int:
+    """What is vouched for of an object's polygon: poses leave values on their planes."""
+    if scene_space.is_mesh(obj):
+        return model_planar.IN_SPACE
+    return model_planar.vouched(corners.tolist(), materials.mapper_of(material), bool(obj.get("colours")),
+                                1 + scene_glide.has_own(material))
+
+
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
                   space: scene_space.Space, where: str) -> tuple[list, list, list]:
     """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
@@ -131,7 +139,7 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
             made = each_frame(obj, corners, motion, material, at)
         for corners, motion, first in made:
             objects.append(Object(material_number[obj["material"]], len(vertices), len(corners),
-                                  len(poses), len(motion), first))
+                                  len(poses), len(motion), first, planar_of(obj, material, corners)))
             vertices += corners.tolist()
             poses += motion.tolist()
         for noun, rows_ in (("vertices", vertices), ("frames of objects", poses)):

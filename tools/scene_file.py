@@ -8,6 +8,7 @@ import numpy as np
 from . import layout, scene_materials, scene_meshes, scene_pipes, scene_units
 from .errors import UserError, require
 from .fixed import ONE
+from .model_planar import ALL
 from .model_shading import LIT
 from .pixel_formats import FORMATS, PixelFormat
 from .scene_materials import SETTINGS, Material, name_of
@@ -42,6 +43,7 @@ class Object:
     pose: int
     poses: int
     first_frame: int
+    planar: int = ALL
 
 
 #: Tables whose entries are dataclasses with the struct's fields.
@@ -148,6 +150,7 @@ def check(scene: Scene, name: str) -> None:
         require(name, f"{where}.poses", obj.poses, 1, limits["SCENE_FRAMES_MAX"])
         require(name, f"{where}.pose", obj.pose, 0, len(scene.poses) - obj.poses)
         require(name, f"{where}.first_frame", obj.first_frame, 0, scene.frames - 1)
+        require(name, f"{where}.planar", obj.planar, 0, ALL)
         check_vertices(scene, obj, name, where)
     scene_meshes.check(scene, name)
 

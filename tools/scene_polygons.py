@@ -11,14 +11,12 @@ from . import layout, materials, scene_glide, scene_primitives, scene_tx
 from .elementary import cos, sin
 from .fields import fail, number
 from .fixed import ONE, fix_all
-from .linear import length, off_plane
+from .linear import length
 from .map_range import MAP_CENTRE, check_corners, inside_map, map_of
 from .model_shading import LIT
 from .scene_textures import UNITS
 
 CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
-UNEVEN = 1 / 64  # of s or t a corner may be off the plane where the map does not repeat
-UNEVEN_SHADE = 0.5
 
 
 def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
@@ -95,14 +93,6 @@ def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
     return out
 
 
-def check_even(corners: list[list[float]], columns: list[int], most: float, where: str) -> None:
-    """Refuses corners whose values in these columns do not lie on one plane."""
-    points = np.array(corners)
-    if off_plane(points[:, :2], points[:, columns]) > most:
-        noun = {1: "shades", 2: "s and t"}.get(len(columns), "colours")
-        fail(where, f"{noun} of more than three corners must lie on one plane")
-
-
 def check_shades(spec: dict, material: dict, where: str) -> None:
     """Refuses shades that the material does not take, or too many."""
     if spec.get("shades") is None:
@@ -114,26 +104,11 @@ def check_shades(spec: dict, material: dict, where: str) -> None:
                                 f"not {len(spec['shades'])}")
 
 
-def check_planes(spec: dict, material: dict, corners: list[list[float]], at: str,
-                 where: str) -> None:
-    """Refuses more than three corners whose values the material's gradients cannot draw: those of
-    the plane need values on one; others go from edge to edge."""
-    mapper, gradients = materials.mapper_of(material), material["gradients"]
-    if mapper == "flat" or len(corners) == 3:
-        return
-    if gradients == "polygon":
-        fail(at, f"{len(corners)} corners, but material {spec['material']!r} has gradients "
-                 '"polygon", which are for triangles')
-    if gradients != "plane":
-        return
-    if mapper in ("gouraud", "lit_gouraud", "unit"):
-        shades_at = at if "vertices" in spec else f"{where}.shades"
-        check_even(corners, [4], UNEVEN_SHADE, shades_at)
-        if spec.get("colours"):
-            check_even([[*corner[:2], *each] for corner, each in zip(corners, spec["colours"])],
-                       [2, 3, 4, 5], UNEVEN_SHADE, f"{where}.colours")
-    elif mapper == "arbitrary":
-        check_even(corners, [2, 3], UNEVEN, at)
+def check_count(material: dict, name: str, count: int, at: str) -> None:
+    """Refuses more corners than the material's gradients can draw; ``name``: the material's."""
+    if count > 3 and materials.mapper_of(material) != "flat" and material["gradients"] == "polygon":
+        fail(at, f"{count} corners, but material {name!r} has gradients \"polygon\", which are for "
+                 "triangles")
 
 
 def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> list[list[float]]:
@@ -150,7 +125,7 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
         if takes_shades and spec["shades"] is None:
             spec = spec | {"shades": [materials.SHADES - 1.0]}  # full light
         corners = regular(spec, map_of(material, texture).extent)
-    check_planes(spec, material, corners, at, where)
+    check_count(material, spec["material"], len(corners), at)
     if texture or mapper in UNITS:
         check_corners(corners, mapper, map_of(material, texture), map_at)
     return corners

@@ -61,6 +61,7 @@ static void draw(struct player *player, int32 number, int32 frame)
     drawing.form = (enum form)player->part->pane[number].form;
     drawing.off = 0;
     drawing.counts = counted ? player->counts : 0;
+    drawing.planar = 0;
     set_settings(player, number);
     if (counted)
         clear_counts(player->counts, materials);

@@ -4,27 +4,17 @@
 #include "mesh/draw.h"
 
 #include "polygon/math.h"
+#include "polygon/planar.h"
 
 /* A fan of triangles where gradients are for those: cutting makes more corners. */
 static enum polygon_result draw_polygon(const struct vertex *vertices, int32 count,
                                         const struct material *material,
                                         const struct mesh_target *target)
 {
-    enum polygon_result refused = POLYGON_DRAWN, result;
-    struct vertex triangle[3];
-
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
         return material->draw(target->frame, vertices, count, material, target->drawing);
-    triangle[0] = vertices[0];
-    for (int32 i = 2; i < count; i++) {
-        triangle[1] = vertices[i - 1];
-        triangle[2] = vertices[i];
-        result = material->draw(target->frame, triangle, 3, material, target->drawing);
-        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
-            refused = result;
-    }
-    return refused;
+    return polygon_fan(material->draw, target->frame, vertices, count, material, target->drawing);
 }
 
 /* Vertices before the camera to the screen, as mesh_transform does it. */

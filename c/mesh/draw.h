@@ -8,7 +8,8 @@
 struct mesh_target {
     const struct frame *frame;
     int32 number;               /* of the frame in the scene */
-    const struct drawing *drawing;
+    const struct drawing *drawing;      /* faces are planes in space: on the screen texels without
+                                           perspective need not lie on any */
 };
 
 /* Draws instances first to end (excluded) together, faces far away first; returns why a

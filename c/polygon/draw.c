@@ -14,6 +14,7 @@
 #include "polygon/material.h"
 #include "polygon/outline.h"
 #include "polygon/perspective.h"
+#include "polygon/planar.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
@@ -285,6 +286,17 @@ static int32 begins_outside(const struct setup *s)
         || (uint32)s->given->y >= (uint32)s->frame->height << 16;
 }
 
+/* What is drawn as planes through three corners. */
+static uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
 enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                  int32 count, const struct material *material,
                                  const struct drawing *drawing)
@@ -298,6 +310,9 @@ enum polygon_result polygon_draw(const struct frame *frame, const struct vertex 
     setup_begin(&s, frame, vertices, count, material, drawing);
     if (begins_outside(&s) && lower_to_nothing(&s))
         return POLYGON_EMPTY;
+    if (count > 3 && drawing->planar != PLANAR_ALL
+        && !planar_is(drawing, vertices, vertices, count, planes_asked(material)))
+        return polygon_fan(polygon_draw, frame, vertices, count, material, drawing);
     s.vertices = material_vertices(vertices, count, material);
     if (lower_asked(&s))
         lower_by_vertices(&s);

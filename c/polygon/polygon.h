@@ -173,15 +173,28 @@ struct material {
                                    and a shift */
 };
 
+/* Values of a polygon's vertices that are drawn as planes over the screen. */
+enum planar_values {
+    PLANAR_TEXELS = 1,          /* s and t */
+    PLANAR_DEPTHS = 2,          /* 1/w, s/w and t/w */
+    PLANAR_SHADES = 4,          /* shade */
+    PLANAR_COLOURS = 8,         /* R, G, B and A of shade */
+    PLANAR_ALL = 15
+};
+
 /* How polygons are drawn, whatever they are. */
 struct drawing {
     enum form form;
     uint32 off;                 /* bit n: rule n is not followed; exact ones leave the picture
                                    as it is */
     struct draw_counts *counts; /* one a material, or 0; counting takes time */
+    uint32 planar;              /* enum planar_values that the caller vouches for: polygons of more
+                                   than three vertices are not looked at for them */
 };
 
-/* By every mapper but MAPPER_UNIT and MAPPER_GLIDE. */
+/* By every mapper but MAPPER_UNIT and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
+   three vertices whose values lie on no plane (planar.c has how near they must come) is drawn as a
+   fan of triangles from its first vertex: so every vertex shows its own. */
 polygon_routine polygon_draw;
 
 #endif

@@ -63,6 +63,7 @@ void counts_frame(struct scene_counts *counts, const struct scene *scene,
     counting.form = drawing->form;
     counting.off = drawing->off;
     counting.counts = counts->frame;
+    counting.planar = 0;
     clear(counts->frame, counts->materials);
     scene_settle_pipes(scene, 1);
     scene_draw(scene, frame, number, &counting);

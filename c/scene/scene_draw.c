@@ -2,6 +2,7 @@
 
 #include "mesh/draw.h"
 #include "polygon/math.h"
+#include "polygon/planar.h"
 #include "span/scanline.h"
 
 /* The background is a span of the whole width on every line. */
@@ -51,7 +52,7 @@ static const struct vertex *place(struct vertex *room, const struct vertex *from
     return room;
 }
 
-/* Objects first to end (excluded). */
+/* Objects first to end (excluded). drawing: of those that are planar; most are. */
 static enum polygon_result draw_objects(const struct scene *scene, const struct frame *frame,
                                         int32 number, const struct drawing *drawing,
                                         uint32 first, uint32 end)
@@ -65,13 +66,15 @@ static enum polygon_result draw_objects(const struct scene *scene, const struct 
         const struct material *material;
         const struct vertex *vertices;
         enum polygon_result result;
+        struct drawing other;
 
         if (age >= object->poses)
             continue;
         vertices = place(room, &scene->vertices[object->vertex], object->vertices,
                          &scene->poses[object->pose + age]);
         material = &scene->drawn[object->material];
-        result = material->draw(frame, vertices, (int32)object->vertices, material, drawing);
+        result = material->draw(frame, vertices, (int32)object->vertices, material,
+                                planar_vouched(&other, drawing, object->planar));
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
@@ -84,11 +87,13 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
     const struct scene_header *header = scene->header;
     enum polygon_result refused = POLYGON_DRAWN, result;
     uint32 object = 0, instance = 0;
+    struct drawing planar, in_space;
     struct mesh_target target;
 
+    drawing = planar_vouched(&planar, drawing, PLANAR_ALL);
     target.frame = frame;
     target.number = number;
-    target.drawing = drawing;
+    target.drawing = planar_vouched(&in_space, drawing, PLANAR_ALL - PLANAR_TEXELS);
     if (header->units)
         scene_start_units(scene, number);
     clear(frame, header->background);

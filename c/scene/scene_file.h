@@ -12,7 +12,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 10,
+    SCENE_VERSION = 11,
     SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
@@ -139,6 +139,8 @@ struct scene_object {
                                    rectangle */
     uint32 pose, poses;         /* first pose, how many frames it lives */
     uint32 first_frame;
+    uint32 planar;              /* enum planar_values that lie on planes; others are looked at when
+                                   it is drawn */
 };
 
 /* screen x = xx * x + xy * y + x0; screen y = yx * x + yy * y + y0, each product
@@ -163,7 +165,7 @@ struct scene_corner {
     fix16 s, t;
 };
 
-/* A convex polygon seen from where its normal points: x, y, z (2.30, -1 to 1) times the
+/* A convex polygon, a plane in space as its corners' s, t and shades are, seen from where its normal points: x, y, z (2.30, -1 to 1) times the
    eye is more than distance (16.16). Zeros and -1: from both sides. */
 struct scene_face {
     int32 x, y, z;

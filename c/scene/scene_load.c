@@ -253,6 +253,8 @@ static const char *wrong_object(const struct scene *scene)
             return "object.poses";
         if (o->first_frame >= (uint32)h->frames)
             return "object.first_frame";
+        if (o->planar > PLANAR_ALL)
+            return "object.planar";
         wrong = wrong_vertex(scene, o);
         if (!wrong && has_rectangles(m))
             wrong = wrong_rectangle(scene, o);

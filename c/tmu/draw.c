@@ -5,6 +5,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
+#include "polygon/planar.h"
 #include "tmu/tiles.h"
 
 /* What is iterated for a unit's points. */
@@ -154,14 +155,44 @@ static enum polygon_result draw_planes(struct setup *s, struct tmu_pipe *pipe,
     return POLYGON_DRAWN;
 }
 
+/* Whether what units iterate lies on planes. */
+static int32 is_planar(const struct iteration *of, const struct vertex *vertices, int32 count,
+                       const struct drawing *drawing)
+{
+    return planar_is(drawing, vertices, of->corners, count,
+                     of->divided ? PLANAR_DEPTHS : PLANAR_TEXELS);
+}
+
+/* polygon_fan, and the triangles' own points with them. */
+static enum polygon_result draw_fan(const struct frame *frame, const struct vertex *vertices,
+                                    int32 count, const struct material *material,
+                                    const struct drawing *drawing)
+{
+    struct tmu_pipe *pipe = material->pipe;
+    const struct vertex *const own = pipe->own;
+    enum polygon_result all = POLYGON_EMPTY;
+    struct vertex triangle[3], points[3];
+
+    for (int32 i = 2; i < count; i++) {
+        planar_triangle(triangle, vertices, i);
+        planar_triangle(points, own, i);
+        pipe->own = points;
+        all = planar_both(all, tmu_polygon_draw(frame, triangle, 3, material, drawing));
+    }
+    pipe->own = own;
+    return all;
+}
+
 enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct vertex *vertices,
                                      int32 count, const struct material *material,
                                      const struct drawing *drawing)
 {
     struct tmu_pipe *pipe = material->pipe;
+    const int32 has_own = tmu_has_own(&pipe->chain);
     struct iteration of[TMU_UNITS];
     enum tmu_result check;
     struct material plain;
+    struct drawing whole;
     struct setup s;
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
@@ -170,14 +201,22 @@ enum polygon_result tmu_polygon_draw(const struct frame *frame, const struct ver
         return POLYGON_WRONG_MAP;
     find_iteration(pipe, 0, vertices, &of[0]);
     check = judge(&of[0], vertices, count);
-    if (check == TMU_DONE && tmu_has_own(&pipe->chain)) {
+    if (check == TMU_DONE && has_own) {
         find_iteration(pipe, 1, pipe->own, &of[1]);
         check = pipe->own ? judge(&of[1], pipe->own, count) : TMU_NO_COORDINATES;
     }
     if (check != TMU_DONE)
         return refuse(pipe, check);
+    if (count > 3 && drawing->planar != PLANAR_ALL) {
+        if (has_own && !(is_planar(&of[0], vertices, count, drawing)
+                         && is_planar(&of[1], vertices, count, drawing)))
+            return draw_fan(frame, vertices, count, material, drawing);
+        if (!has_own && !is_planar(&of[0], vertices, count, drawing))
+            return polygon_fan(tmu_polygon_draw, frame, vertices, count, material, drawing);
+    }
     setup_begin(&s, frame, vertices, count, material, drawing);
     if (tmu_lower_to_plain(&s, pipe, &plain, &vertices))
-        return polygon_draw(frame, vertices, count, &plain, drawing);
+        return polygon_draw(frame, vertices, count, &plain,
+                            planar_vouched(&whole, drawing, PLANAR_ALL));
     return draw_planes(&s, pipe, of);
 }

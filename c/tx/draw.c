@@ -6,6 +6,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
+#include "polygon/planar.h"
 #include "tx/lower.h"
 #include "tx/plan.h"
 #include "tx/pixels.h"
@@ -133,10 +134,20 @@ static enum tx_result judge(struct tx_unit *unit, const struct vertex *v, int32 
     return result;
 }
 
-/* colours: of the vertices, or 0: shades. */
+/* What is drawn as planes through three corners. */
+static uint32 planes_asked(const struct tx *tx, const uint32 *colours)
+{
+    const uint32 shades = colours ? PLANAR_COLOURS : PLANAR_SHADES;
+
+    return (tx->modes.perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (tx->inputs & TX_INPUT_SHADE ? shades : 0);
+}
+
+/* colours: of the vertices, or 0: shades; routine: what draws the same of other vertices. */
 static enum polygon_result draw(const struct frame *frame, const struct vertex *vertices,
                                 const uint32 *colours, int32 count,
-                                const struct material *material, const struct drawing *drawing)
+                                const struct material *material, const struct drawing *drawing,
+                                polygon_routine *routine)
 {
     struct tx_unit *unit = material->unit;
     enum tx_result check;
@@ -144,6 +155,7 @@ static enum polygon_result draw(const struct frame *frame, const struct vertex *
     struct tx_needs needs;
     struct setup s;
     struct material plain;
+    struct drawing whole;
 
     if (count < 3 || count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
@@ -153,11 +165,15 @@ static enum polygon_result draw(const struct frame *frame, const struct vertex *
     if (check != TX_DONE)
         return tx_refused(unit, check);
     setup_begin(&s, frame, vertices, count, material, drawing);
+    if (count > 3 && drawing->planar != PLANAR_ALL
+        && !planar_is(drawing, vertices, vertices, count, planes_asked(&unit->tx, colours)))
+        return polygon_fan(routine, frame, vertices, count, material, drawing);
     tx_lower_inputs(&needs, &s, &unit->tx, colours);
     if (tx_lower_to_flat(&needs, &s))
         result = draw_flat(&s, constant_colour(&unit->tx, &needs.shade), drawing);
     else if (tx_lower_to_plain(&needs, &s, unit, &plain, &vertices))
-        result = polygon_draw(frame, vertices, count, &plain, drawing);
+        result = polygon_draw(frame, vertices, count, &plain,
+                              planar_vouched(&whole, drawing, PLANAR_ALL));
     else
         result = draw_planes(&s, unit, &needs, colours);
     if (result == POLYGON_DRAWN)
@@ -169,7 +185,7 @@ enum polygon_result tx_polygon_copy(const struct frame *frame, const struct vert
                                     int32 count, const struct material *material,
                                     const struct drawing *drawing)
 {
-    return draw(frame, vertices, 0, count, material, drawing);
+    return draw(frame, vertices, 0, count, material, drawing, tx_polygon_copy);
 }
 
 enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vertex *vertices,
@@ -178,7 +194,7 @@ enum polygon_result tx_polygon_draw(const struct frame *frame, const struct vert
 {
     if (material->unit->tx.modes.cycle == TX_COPY)
         return tx_refused(material->unit, TX_CYCLE_TYPE);
-    return draw(frame, vertices, 0, count, material, drawing);
+    return draw(frame, vertices, 0, count, material, drawing, tx_polygon_draw);
 }
 
 enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
@@ -192,7 +208,7 @@ enum polygon_result tx_polygon_draw_coloured(const struct frame *frame,
         return tx_refused(material->unit, TX_CYCLE_TYPE);
     for (int32 i = 0; i < count && i < POLYGON_VERTICES_MAX; i++)
         colours[i] = (uint32)vertices[i].shade;
-    return draw(frame, vertices, colours, count, material, drawing);
+    return draw(frame, vertices, colours, count, material, drawing, tx_polygon_draw_coloured);
 }
 
 void tx_unit_init(struct tx_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)

@@ -3,7 +3,7 @@
    four pixels are four texels. */
 #include "tx/rectangle.h"
 
-#include "polygon/vertex.h"
+#include "polygon/planar.h"
 
 #define FOUR_TEXELS (4 * 1024)
 
@@ -72,9 +72,10 @@ static enum polygon_result draw_polygon(const struct frame *frame,
     int32 copy = material->unit->tx.modes.cycle == TX_COPY;
     polygon_routine *draw = copy ? tx_polygon_copy : tx_polygon_draw_coloured;
     struct vertex corners[4];
+    struct drawing whole;
 
     find_corners(corners, r, dsdx);
-    return draw(frame, corners, 4, material, drawing);
+    return draw(frame, corners, 4, material, planar_vouched(&whole, drawing, PLANAR_ALL));
 }
 
 static void count_copied(const struct frame *frame, const struct tx_rectangle *r,
