@@ -15,16 +15,17 @@ The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 * Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
   many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
   1/2^32: e(g) = |g| / 2^31 + 3/2^32.
-* Step: the gradient rounded to a multiple of r: r/2 + e(g) a pixel, r = 1/2^16 texel, or as many
-  units as the spans do not keep: 2 for u where its lowest bit is free for a wrap of v, 2 for v
-  of tiles, 8 for columns, 4 for levels of light.
+* Step: the gradient rounded to a multiple of 1/2^16 texel, or of as many units as the spans do not
+  keep: 2 for u where its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
+  for levels of light. That is d(g) = |g - the nearest one| + 2 e(g) a pixel, by e(g) or 2 e(g) of
+  which the other of two equally near ones may be taken.
 * Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each rounded
   to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
 * So at pixel (i, j), before u is raised: that of the reference, and |i - i_ref| steps in x and
   |j - j_ref| steps in y.
 * u is raised by what these are at most anywhere in the box: with w and h the ways from the reference
-  to the box's sides and a = |x| + |y| + w + h + 2, by (w + h) r/2 + 3/2^16 + (|gx| + |gy| + 5) a
-  2/2^32 at most, then to a multiple of r: r - 1/2^16, and by 1/2^16 where the free bit is set.
+  to the box's sides and a = |x| + |y| + w + h + 2, by w d(gx) + h d(gy) + 3/2^16 + (|gx| + |gy| + 5) a
+  2/2^32 at most, then to a multiple: by less than that, and by 1/2^16 where the free bit is set.
 
 So a drawn value is never below the exact one, and above it by the sum of the last two points at most.
 Where a gradient is 2^30 texels a pixel or more it may be below as well.
@@ -222,20 +223,28 @@ class Plane:
         """e(g): how far a gradient may be off before it is rounded to a step."""
         return abs(gradient) / 2**31 + 3 / 2**32
 
+    def rounding(self, cut: int) -> list[float]:
+        """What steps to a pixel and a line are off at most, in texels; ``cut``: low bits that are 0."""
+        whole, found = abs(self.d) << cut, []
+        for n in (self.nx, self.ny):
+            rest = (n << 16) % whole
+            found.append(min(rest, whole - rest) / abs(self.d) * UNIT + 2 * self.cut(n / self.d))
+        return found
+
     def raised(self, t: model.Texturing, cut: int) -> float:
         """What a set-up raises the values by at most, in texels; ``cut``: low bits that are 0."""
-        ways = t.i - t.box[0] + t.j - t.box[1]
-        away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + ways + 2
+        ways = t.i - t.box[0], t.j - t.box[1]
+        away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
-        return UNIT * (ways * (1 << cut) / 2 + 3 + (1 << cut)) + steep * away * 2 / 2**32
+        steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
+        return steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
 
     def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
         """How far above the exact value a set-up's may be at pixel (i, j), in texels."""
         ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
         away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
-        rounding = UNIT / 2 * (1 << cut)
-        return (self.raised(t, cut) + UNIT + away
-                + abs(i - t.i) * (rounding + ex) + abs(j - t.j) * (rounding + ey))
+        right, down = self.rounding(cut)
+        return self.raised(t, cut) + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
 
     def below(self) -> bool:
         """Whether a set-up's value may be below the exact one as well."""
@@ -273,7 +282,8 @@ def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, f
 
 def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, float, float]]:
     """(coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
-    line, in texels, an error below 0 being none that is allowed: along a line both are linear, so the ends show the worst."""
+    line, in texels; none may be below 0. Along a line both are linear, so the ends show the
+    worst."""
     plane = polygon.texturing
     three = [vertices[k] for k in corners(vertices)]
     points = [v[:2] for v in three]
