@@ -20,7 +20,7 @@ W_MIN, W_MAX = fuzz_depths.limits()
 @pytest.fixture(scope="module")
 def some() -> list[fuzz_polygons.Fuzzed]:
     """Polygons with and without depth."""
-    return [fuzz_polygons.polygon(SEED, k) for k in range(6000)]
+    return [fuzz_polygons.even(SEED, k) for k in range(6000)]
 
 
 def is_deep(each: fuzz_polygons.Fuzzed) -> bool:
@@ -45,8 +45,7 @@ def test_a_share_has_depth(some) -> None:
 
 def test_polygons_are_the_same_in_every_run(some) -> None:
     """By seed and number alone, whatever was drawn before."""
-    fuzz_polygons.polygon.cache_clear()
-    assert [fuzz_polygons.polygon(SEED, k) for k in range(900, 800, -1)] == some[900:800:-1]
+    assert [fuzz_polygons.even(SEED, k) for k in range(900, 800, -1)] == some[900:800:-1]
 
 
 def test_all_kinds_of_depth_are_there(some) -> None:
@@ -102,7 +101,7 @@ def test_depths_of_a_kind(kind: str) -> None:
 
 def test_shrinking_leaves_depth_only_where_it_matters() -> None:
     """w becomes 1, the perspective the plainest that fails; the range of w is kept."""
-    start = next(p for p in (fuzz_polygons.polygon(SEED, k) for k in range(2000))
+    start = next(p for p in (fuzz_polygons.even(SEED, k) for k in range(2000))
                  if p.settings.perspective == "fine" and max(v[5] for v in p.vertices) > 100 * ONE)
 
     def deep(some):

@@ -163,6 +163,11 @@ def uneven(rng: random.Random, each: Fuzzed) -> Fuzzed:
 @cache
 def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
+    return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number))
+
+
+def even(seed: int, number: int) -> Fuzzed:
+    """The same with all vertices on planes."""
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
     width, height = frame_size(block)
@@ -189,9 +194,8 @@ def polygon(seed: int, number: int) -> Fuzzed:
         low, high = min(y for _, y in points), max(y for _, y in points)
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
     vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
-    made = with_perspective(random.Random(f"{seed} depth {number}"),
+    return with_perspective(random.Random(f"{seed} depth {number}"),
                             Fuzzed(vertices, settings, texture), (width, height))
-    return uneven(random.Random(f"{seed} uneven {number}"), made)
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:

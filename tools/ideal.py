@@ -6,7 +6,8 @@ integers over one common denominator. It shares no arithmetic with tools/model.p
 A pixel (i, j) is inside when ceil(left) <= i < ceil(right) and ceil(top) <= j <
 ceil(bottom), left and right being the polygon's exact extent on line j. The texture
 plane runs through the top vertex, the bottom vertex and the vertex farthest from the
-line between them (three vertices do for a polygon whose texture is planar).
+line between them (three vertices do for a polygon whose texture is planar; others are
+judged as their triangles, see tools/ideal_planar.py).
 
 The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
 

@@ -5,7 +5,7 @@ all others as triangles. c/polygon/planar.c derives how far rounding leads; it s
 with this. What lies between the two numbers below may be drawn either way:
 
 * LEAST: half a unit of each number that the vertices say, which a polygon must be allowed;
-* MOST: what planar.c allows at all.
+* MOST: what planar.c allows at all, and what it may be off itself.
 
 Units are 1/65536; g and h a plane's gradients, and three corners' errors count 3 times at most.
 """
@@ -92,7 +92,7 @@ def judge_values(vertices, kinds: int, pieces: int) -> str:
             off = abs(found - plane.value0 - Fraction(rise) / plane.d)
             must_keep &= off <= 4 * (value.rounded + (g + h) / 2)
             way = sum(max(v[k] for v in vertices) - min(v[k] for v in vertices) for k in (0, 1)) >> 16
-            most = 20 + value.allowed + Fraction(way, 4) + 8 * (g + h)
+            most = 26 + value.allowed + way + 12 * (g + h)
             if off > most and max(g, h) < TOO_STEEP:
                 must_cut = (f"{value.name} of vertex ({x}, {y}) is {float(off):.1f} units off the plane of "
                             f"three corners, {float(most):.1f} are allowed in one piece")

@@ -14,11 +14,11 @@ TEXELS, DEPTHS, SHADES, COLOURS = 1, 2, 4, 8
 ALL = 15
 IN_SPACE = ALL - TEXELS  # what a plane in space is on the screen
 FAR = 16384 << 16
-ROUNDED = 15  # units
-QUICK = (6, 6, 4, 4)
+ROUNDED = 16  # units
+QUICK = (7, 7, 4, 4)
 COLOUR_ROUNDED = 2 << 16
 Q_ONE = 1 << 29
-CORNERS = Settings(mapper="tiled")  # their u and v share no chain
+CORNERS = Settings(mapper="none")  # their u and v share no chain
 
 
 def asked(material) -> int:
@@ -67,22 +67,26 @@ def is_parallelogram(vertices) -> bool:
                for a, b, c, d, most in zip(*(v[:4] for v in vertices), QUICK))
 
 
+def moved(gradient: int) -> int:
+    """10 times a gradient."""
+    return (abs(gradient) >> 13) + (abs(gradient) >> 15)
+
+
 def lie_on_plane(points, pair, corners, extra: tuple[int, int]) -> bool:
     """Whether pairs of values are those of two planes, within the limits; ``extra``: of each value,
     beyond those of 16.16."""
     xs, ys = zip(*points)
     box = min(xs) >> 16, min(ys) >> 16, max(xs) >> 16, max(ys) >> 16
     vertices = [(*point, *values) for point, values in zip(points, pair)]
-    t = plane(vertices, corners, box, CORNERS)
+    t, top = plane(vertices, corners, box, CORNERS), vertices[corners[0]]
     for k, ((x, y), values) in enumerate(zip(points, pair)):
         if k in corners:
             continue
-        x, y = x - (t.i << 16), y - (t.j << 16)
+        x, y = x - top[0], y - top[1]
         away = (abs(x) >> 16) + (abs(y) >> 16) >> 1
-        for value, at, ddx, ddy, more in zip(values, (t.u, t.v), (t.dudx, t.dvdx),
-                                             (t.dudy, t.dvdy), extra):
+        for value, at, ddx, ddy, more in zip(values, top[2:], (t.dudx, t.dvdx), (t.dudy, t.dvdy), extra):
             ddx, ddy = signed(ddx), signed(ddy)
-            most = ROUNDED + more + (abs(ddx) >> 13) + (abs(ddy) >> 13) + away
+            most = ROUNDED + more + moved(ddx) + moved(ddy) + away
             if abs(signed(at + mul(ddx, x) + mul(ddy, y) - value)) > most:
                 return False
     return True

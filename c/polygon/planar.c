@@ -7,19 +7,21 @@
        e = S + X (|g| + |h|)
 
    with S = 1, half a unit when they were written and another when an edge was cut there, and X =
-   3/2: x and y may have been turned besides, by two products that are rounded each. Three corners'
-   errors count as the shares that the vertex has of them, the sizes of which are 3 in all at most:
-   no vertex is above the top, below the bottom or farther from the line between them than the apex
-   is. So much for 4 e. The plane as texturing_plane finds it, from the middle of the polygon's box,
-   and as it is seen here is off by 1 unit (two products rounded to the nearest), 2 (two rounded
-   down), half a unit a pixel of the way (steps), and |g| + |h| + 3 (the gradients before they are
-   steps, over 32,768 pixels). That is
+   7/4: x and y may have been turned besides, which makes 0.71 of the half, and 1 of two products
+   that are rounded. Three corners' errors count as the shares that the vertex has of them, the
+   sizes of which are 3 in all at most: no vertex is above the top, below the bottom or farther
+   from the line between them than the apex is. So much for 4 e. The steps that texturing_plane
+   finds, as they are taken here from the top corner, are off by 2 units (two products rounded
+   down), half a unit a pixel of the way (steps), and 2 (|g| + |h|) + 3 (the gradients before they
+   are steps, over 65,536 pixels). That is
 
-       10 + way / 2 + 7 (|g| + |h|)
+       9 + way / 2 + 9 (|g| + |h|)
 
-   and 14 + way / 2 + 8 (|g| + |h|) where all is rounded up to whole numbers. 1 more, and 7
-   becoming 8, are for the gradients, which are those of the rounded corners: e is less than 8/7
-   of what they make of it where the polygon is thicker than 1/512 pixel.
+   and 15 + way / 2 where the seven parts are rounded up. The gradients are those of the rounded
+   corners: e is less than 8/7 of what they make of it where the polygon is thicker than 1/512
+   pixel. 4 e becomes 1 + 4 + 8 (|g| + |h|) by that, and all
+
+       16 + way / 2 + 10 (|g| + |h|).
 
    Where edges are integer, or the map has other than 256 texels, it makes no difference: this looks
    at the vertices as they are given. */
@@ -29,8 +31,8 @@
 #include "polygon/planes.h"
 #include "polygon/texturing.h"
 
-#define ROUNDED 15
-#define QUICK_PLACE 6               /* 4 X, and 4 S */
+#define ROUNDED 16
+#define QUICK_PLACE 7               /* 4 X, and 4 S */
 #define QUICK_VALUE 4
 #define COLOUR_ROUNDED (2 << 16)    /* colours are whole numbers: 4 times half of one */
 
@@ -45,36 +47,46 @@ struct look {
     int32 count;
 };
 
-/* Whether values are off the plane by so much at most. */
-static int32 is_near(const struct vertex *v, fix16 value, uint32 at, fix16 ddx, fix16 ddy,
-                     const struct texturing *t, uint32 most)
+/* Whether a value that is `rise` above the top corner's, x and y away, is off the plane by so much
+   at most. */
+static int32 is_near(fix16 x, fix16 y, uint32 rise, fix16 ddx, fix16 ddy, uint32 most)
 {
-    const fix16 x = v->x - (t->i << 16), y = v->y - (t->j << 16);
-    const uint32 off = at + (uint32)mul_fix(ddx, x) + (uint32)mul_fix(ddy, y) - (uint32)value;
+    const uint32 off = (uint32)mul_fix(ddx, x) + (uint32)mul_fix(ddy, y) - rise;
 
     return fix_magnitude((fix16)off)
         <= most + (((fix_magnitude(x) >> 16) + (fix_magnitude(y) >> 16)) >> 1);
 }
 
+/* 10 times a gradient. */
+static uint32 moved(fix16 gradient)
+{
+    const uint32 size = fix_magnitude(gradient);
+
+    return (size >> 13) + (size >> 15);
+}
+
 static uint32 limit(fix16 ddx, fix16 ddy, uint32 more)
 {
-    return ROUNDED + more + (fix_magnitude(ddx) >> 13) + (fix_magnitude(ddy) >> 13);
+    return ROUNDED + more + moved(ddx) + moved(ddy);
 }
 
 /* more_s, more_t: units that s and t may be off beyond those above. */
 static int32 lie_on_planes(const struct look *look, uint32 more_s, uint32 more_t)
 {
-    const struct vertex *v = look->corners;
+    const struct vertex *v = look->corners, *top = look->sides.top;
     struct texturing t;
     uint32 most_s, most_t;
 
+    t.u_cut = t.v_cut = 0;
     texturing_plane(&t, &look->sides, &look->box, CHAIN_NONE);
     most_s = limit(t.dudx, t.dudy, more_s);
     most_t = limit(t.dvdx, t.dvdy, more_t);
     for (int32 i = look->count; i > 0; i--, v++)
-        if (v != look->sides.top && v != look->sides.bottom && v != look->sides.apex
-            && (!is_near(v, v->s, t.u, t.dudx, t.dudy, &t, most_s)
-                || !is_near(v, v->t, t.v, t.dvdx, t.dvdy, &t, most_t)))
+        if (v != top && v != look->sides.bottom && v != look->sides.apex
+            && (!is_near(v->x - top->x, v->y - top->y, (uint32)v->s - (uint32)top->s, t.dudx,
+                         t.dudy, most_s)
+                || !is_near(v->x - top->x, v->y - top->y, (uint32)v->t - (uint32)top->t, t.dvdx,
+                            t.dvdy, most_t)))
             return 0;
     return 1;
 }

@@ -55,6 +55,8 @@ enum tmu_result tmu_pipe_adds(struct tmu_pipe *pipe, uint32 adds);
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
    vertices s and t, 0 to 256 along the longer side of a map whatever its size, those of two
    vertices less than TMU_REACH apart, and where a unit divides w, not 0, W_MAX at most.
+   As polygon_draw it makes triangles of more than three vertices on no plane, by the own points
+   too.
    POLYGON_REFUSED: pipe->result says why. */
 polygon_routine tmu_polygon_draw;
 

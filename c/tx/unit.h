@@ -45,6 +45,7 @@ enum polygon_result tx_refused(struct tx_unit *unit, enum tx_result result);
 /* Draws a convex polygon by the unit of a material, into a frame of 2 (5/5/5/1) or 4 bytes
    (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
    vertices s and t are texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart.
+   As polygon_draw it makes triangles of more than three vertices on no plane.
    POLYGON_REFUSED: unit->result says why. */
 polygon_routine tx_polygon_draw;
 
