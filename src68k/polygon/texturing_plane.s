@@ -121,7 +121,7 @@ step    macro
         movea.l a6,a0
         movea.l 32(sp),a1
         move.l  36(sp),d0
-        bsr     texturing_wrap
+        jsr     texturing_wrap          ; bsr might not reach it
 
         gradient vertex_s,vertex_y
         rise    a4,u
