@@ -74,7 +74,8 @@ enum mapper {
     MAPPER_ARBITRARY,           /* MAP_LINEAR; s, t inside the map */
     MAPPER_TILED,               /* MAP_TILED */
     MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
-    MAPPER_GENERATED,           /* MAP_MARGINS: code written for the polygon's steps */
+    MAPPER_GENERATED,           /* MAP_MARGINS: code written for the polygon's steps; affine
+                                   spans where u of a line leaves its row of the map */
     MAPPER_LIT,                 /* MAP_PAGE through a light table, the level is that of the
                                    first vertex */
     MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,

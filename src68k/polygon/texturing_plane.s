@@ -200,7 +200,7 @@ chain           equ     box+4
         movea.l a6,a0
         movea.l box(sp),a1
         move.l  chain(sp),d0
-        bsr     texturing_wrap
+        jsr     texturing_wrap
         suba.l  a0,a0
         suba.l  a1,a1
 
