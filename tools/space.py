@@ -16,9 +16,21 @@ KEYS_MAX = 1000
 GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
 
+def scaled(vector) -> np.ndarray:
+    """A vector that is not 0, times the power of two that brings its largest part into 1/2 to 1: its
+    squares are neither 0 nor too large."""
+    return np.ldexp(vector, -math.frexp(np.abs(vector).max())[1])
+
+
+def unit(vector) -> np.ndarray:
+    """The vector of length 1 in the direction of one that is not 0."""
+    vector = scaled(vector)
+    return vector / np.linalg.norm(vector)
+
+
 def about(axis, angle: float) -> np.ndarray:
     """The rotation by an angle (radians) about an axis of any length."""
-    x, y, z = np.array(axis, float) / np.linalg.norm(axis)
+    x, y, z = unit(axis)
     across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + math.sin(angle) * across + (1 - math.cos(angle)) * across @ across
 
@@ -81,8 +93,11 @@ def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarra
         a, b, part = at_key(spec["keys"], frame)
         eye, target = (mixed(a, b, name, part) for name in ("eye", "target"))
     forward = target - eye
-    right = np.cross(forward, spec["up"])
-    if np.linalg.norm(forward) < 1e-6 or np.linalg.norm(right) < 1e-6 * np.linalg.norm(forward):
+    if np.linalg.norm(forward) < 1e-6:
+        fail(where, f"eye and target are in one place in frame {frame}")
+    forward, up = scaled(forward), scaled(spec["up"])
+    right = np.cross(forward, up)
+    if np.linalg.norm(right) < 1e-6 * np.linalg.norm(forward) * np.linalg.norm(up):
         fail(where, f"eye, target and up are on one line in frame {frame}")
     forward /= np.linalg.norm(forward)
     right /= np.linalg.norm(right)
