@@ -16,8 +16,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from tools.silence import Silence
+
 PROGRAM = "chromium-headless-shell"
-SECONDS = 30.0  # a page may take
+SECONDS = 30.0  # of processor time a page may take
+LOOKS = 0.2  # seconds between two looks at how much it took
 #: Nothing of the browser's own may use the network either.
 OPTIONS = ("--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
            "--host-resolver-rules=MAP * ~NOTFOUND", "--remote-debugging-pipe")
@@ -60,16 +63,18 @@ class View:
 class Browser:
     """One process; messages go out by ``call``, events are kept."""
 
-    def __init__(self, orders: int, answers: int):
-        self.orders, self.answers = orders, answers
+    def __init__(self, pid: int, orders: int, answers: int):
+        self.pid, self.orders, self.answers = pid, orders, answers
         self.number, self.rest, self.events = 0, b"", []
         self.session: str | None = None
 
-    def message(self, until: float) -> dict:
+    def message(self, silence: Silence) -> dict:
         """The next message."""
         while b"\0" not in self.rest:
-            if not select.select([self.answers], [], [], max(0, until - time.monotonic()))[0]:
-                raise TimeoutError(f"{PROGRAM} did not answer in {SECONDS:g} s")
+            if not select.select([self.answers], [], [], LOOKS)[0]:
+                if said := silence.end():
+                    raise TimeoutError(f"{PROGRAM} did not answer, {said}")
+                continue
             more = os.read(self.answers, 1 << 20)
             if not more:
                 raise EOFError(f"{PROGRAM} ended")
@@ -84,9 +89,9 @@ class Browser:
         if self.session:
             order["sessionId"] = self.session
         os.write(self.orders, json.dumps(order).encode() + b"\0")
-        until = time.monotonic() + SECONDS
+        silence = Silence(self.pid, SECONDS)
         while True:
-            message = self.message(until)
+            message = self.message(silence)
             if message.get("id") == self.number:
                 if "error" in message:
                     raise RuntimeError(f"{method}: {message['error']['message']}")
@@ -95,9 +100,9 @@ class Browser:
 
     def wait(self, method: str) -> None:
         """Waits for an event."""
-        until = time.monotonic() + SECONDS
+        silence = Silence(self.pid, SECONDS)
         while not any(event.get("method") == method for event in self.events):
-            self.events.append(self.message(until))
+            self.events.append(self.message(silence))
 
     def look(self, path: Path, width: int, height: int, opened: bool = False) -> View:
         """Opens a file at a size in pixels, looks at all of it; ``opened``: details unfolded."""
@@ -152,11 +157,13 @@ def browser() -> Iterator[Browser]:
             pass_fds=ends)
         for end in ends:
             os.close(end)
-        made = Browser(in_write, out_read)
+        made = Browser(process.pid, in_write, out_read)
         try:
             yield made
             made.call("Browser.close")
-            process.wait(SECONDS)
+            silence = Silence(process.pid, SECONDS)
+            while process.poll() is None and not silence.end():
+                time.sleep(LOOKS)
         finally:
             process.kill()
             process.wait()

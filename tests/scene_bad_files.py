@@ -12,6 +12,7 @@ from tools.scene_file import Material, Object, Scene, Texture
 from tools.scene_meshes import Instance
 from tools.scene_textures import LAYOUTS, ON_PLANE
 
+W_MIN, W_MAX = 1 << 8, 1 << 30  # 1/256 and 16,384, in 16.16
 NOT_USABLE = ": not a usable scene file: "
 
 
@@ -74,13 +75,21 @@ def wide_pixels(pixels: str, mapper: str) -> Scene:
     return scene
 
 
+def with_depth() -> Scene:
+    """A scene with a triangle in perspective, whose depths are the ends of what they may be."""
+    scene = mapped("affine")
+    scene.materials = [Material("affine", gradients="plane", perspective="pixel", texture=0)]
+    scene.vertices[:, 5] = [W_MIN, W_MAX] * 3
+    return scene
+
+
 def wrong_mappers() -> list[Row]:
     """Textures, materials and vertices that do not fit each other: file, place, value, field."""
     rows: list[Row] = []
-    every, large, wide, widest, light_only = (WrongFields(scene, rows) for scene in (
+    every, large, wide, widest, light_only, deep = (WrongFields(scene, rows) for scene in (
         mapped("flat", "gouraud", "affine", "arbitrary", "columns", "lit", "lit_gouraud", "dithered"),
         mapped("tiled", "generated"), wide_pixels("rgb565", "columns"),
-        wide_pixels("rgba8888", "affine"), mapped("lit")))
+        wide_pixels("rgba8888", "affine"), mapped("lit"), with_depth()))
     size = "texture.width or texture.height"
     flat, gouraud, affine, arbitrary, _, lit_flat, lit_gouraud, dithered = range(8)
     page, linear, columns, light, past_all = range(5)
@@ -100,6 +109,7 @@ def wrong_mappers() -> list[Row]:
     wide.entry("textures", 0, "layout", *(layouts[name] for name in ("linear", "tiled", "light")))
     wide.entry("textures", 0, "texel_bytes", 1, 4)
     widest.entry("textures", 0, "layout", layouts["columns"])
+    deep.entry("vertices", 1, "w", W_MIN - 1, W_MAX + 1, 0, M32, 2**31)
     widest.entry("materials", 1, "mapper", *(mappers[name] for name in (
         "gouraud", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud")))
     widest.entry("materials", 1, "perspective", 1, 4)

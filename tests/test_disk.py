@@ -12,12 +12,13 @@ from tools.bench_steps import step_case
 from tools.errors import UserError
 from tools.kernels import Shown
 from tools.paths import BASELINE
+from tools.silence import Silence
 
 #: What AmigaDOS's shell has in the ROM, from Kickstart 2.0 on.
 IN_ROM = {"ask", "cd", "echo", "else", "endif", "endskip", "failat", "get", "if", "lab", "path",
           "prompt", "quit", "resident", "run", "set", "skip", "stack", "unset", "why"}
 PARTS = 7  # of the demo
-#: Seconds in which a booted disk writes nothing, and which it takes at most.
+#: Seconds of processor time in which a booted disk writes nothing, and which it takes at most.
 PATIENCE = emulator.PATIENT_SECONDS
 FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  (\d+) colour clocks, (\d+) calls")
 
@@ -85,9 +86,10 @@ def test_texts_that_do_not_fit_are_refused(tmp_path):
 def boot(path: Path, machine: str, folder: Path, last: str) -> None:
     """Boots a disk and waits until it has written the file ``last``."""
     config = emulator.write_config(folder, machine, emulator.HIDDEN, emulator.floppies(path))
-    seen, since = path.stat().st_mtime_ns, time.monotonic()
+    seen = path.stat().st_mtime_ns
     with emulator.started(config, emulator.HIDDEN, folder / "log") as process:
-        while process.poll() is None and time.monotonic() - since < PATIENCE:
+        silence = Silence(process.pid, PATIENCE)
+        while process.poll() is None and not silence.end():
             time.sleep(0.1)
             changed = path.stat().st_mtime_ns
             if changed == seen and last in names(path):

@@ -138,24 +138,40 @@ def test_silent_guest_is_stopped(programs, tmp_path, monkeypatch, name):
     seen = []
     with pytest.raises(UserError) as caught:
         emulator.run(*trouble(name).split(), {}, "a1200-fast", tmp_path, seen.append, programs)
-    assert str(caught.value) == (f"{trouble(name)}: it did not end, 4 s after its last sign of "
-                                 "life; its last words: 'this far'")
+    assert str(caught.value) == (f"{trouble(name)}: it did not end, 4 s of processor time after its "
+                                 "last sign of life; its last words: 'this far'")
     assert seen[-1] == "this far\n"
+
+
+def replaced(folder, monkeypatch, script: str) -> None:
+    """Another emulator: a script, which may be silent for 0.2 seconds."""
+    fake = folder / "fs-uae"
+    fake.write_text(f"#!/bin/sh\n{script}\n")
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", str(folder), prepend=":")
+    monkeypatch.setattr(emulator, "STALL_SECONDS", 0.2)
 
 
 @pytest.mark.parametrize("script, message", [
     ("exit 0", "the emulator ended before it; it wrote nothing"),
     ("echo '  FATAL: no display'; exit 1", "before it; the emulator says: FATAL: no display"),
-    ("exec sleep 60", "it did not end, 0.5 s after its last sign of life; it wrote nothing"),
+    ("while :; do :; done", "it did not end, 0.2 s of processor time after its last sign of life; it "
+                            "wrote nothing"),
+    ("exec sleep 60", "it did not end, 3 s after its last sign of life, stopped or blocked most of "
+                      "the time; it wrote nothing"),
+    ("kill -STOP $$", "it did not end, 3 s after its last sign of life, stopped or blocked most of"),
 ])
 def test_emulator_in_trouble(tmp_path, monkeypatch, script, message):
-    fake = tmp_path / "fs-uae"
-    fake.write_text(f"#!/bin/sh\n{script}\n")
-    fake.chmod(0o755)
-    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
-    monkeypatch.setattr(emulator, "STALL_SECONDS", 0.5)
+    replaced(tmp_path, monkeypatch, script)
     with pytest.raises(UserError, match=message):
         emulator.run("render", "x", {}, "a1200", tmp_path)
+
+
+def test_emulator_without_a_processor_is_waited_for(tmp_path, monkeypatch):
+    """It stands still for five times the patience, and goes on then."""
+    replaced(tmp_path, monkeypatch, "(sleep 1; kill -CONT $$) & kill -STOP $$; cd ${1%/*}/volume; "
+                                    "echo done >0.log; echo 0 >0.code; echo >end")
+    assert emulator.run("render", "x", {}, "a1200", tmp_path).output == "done\n"
 
 
 def test_no_emulator(tmp_path, monkeypatch):

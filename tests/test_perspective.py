@@ -136,8 +136,8 @@ PLACE = "objects[0].vertices"
 
 @pytest.mark.parametrize("material, vertices, message", [
     (MATERIAL, VERTICES.replace(", 4.5]", "]"), PLACE + "[2]: must be [x, y, s, t, w]"),
-    (MATERIAL, VERTICES.replace("4.5", "0.001"), PLACE + "[2][4]: must be from 0.0039"),
-    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from -16383 to 16383"),
+    (MATERIAL, VERTICES.replace("4.5", "0.001"), PLACE + "[2][4]: must be from 0.00390625 to 16384"),
+    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from 0.00390625 to 16384"),
     ('{texture = "map"}', VERTICES, PLACE + "[0]: must be [x, y, s, t]"),
     ('{texture = "map", perspective = "hyper"}', VERTICES,
      "materials.far.perspective: 'hyper' is not one of none"),

@@ -268,8 +268,8 @@ def test_objects_refused(folder, kinds, message):
 @pytest.mark.parametrize("obj, message", [
     (SQUARE, "st1: is missing: material 'it' has a unit with coordinates of its own"),
     (SQUARE + "\nst1 = [[0, 0], [8, 0], [8, 8]]", "st1: must have 4 entries, not 3"),
-    (SQUARE + "\n" + OWN + "\nw1 = [1, 1, 0, 1]", "w1[2]: must not be 0"),
-    (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8192 to 8192"),
+    (SQUARE + "\n" + OWN + "\nw1 = [1, 1, 0, 1]", "w1[2]: must be 1/65536 or more away from 0"),
+    (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8191.99609375 to 8191.99609375"),
 ])
 def test_coordinates_refused(folder, obj, message):
     """Those of a second unit."""

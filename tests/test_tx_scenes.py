@@ -254,7 +254,7 @@ def test_refused(folder, tx, message):
     ({"obj": SQUARE.replace("32, 0]", "32, 0, 1]")},
      "objects[0].vertices[1]: must be [x, y, s, t]"),
     ({"obj": SQUARE.replace("32, 0]", "1200, 0]")},
-     "objects[0].vertices: s must be from -1024 to 1023.97 texels"),
+     "objects[0].vertices: s must be from -1024 to 1023.96875 texels"),
     ({"obj": "vertices = [[0, 0, 0, -600], [32, 0, 32, 0], [32, 32, 32, 500]]"},
      "objects[0].vertices: t of two corners: 1024 texels apart or more"),
 ])

@@ -12,8 +12,11 @@ import numpy as np
 
 from tools import emulator, show
 from tools.emulator import Display
+from tools.silence import Silence
 
-PATIENCE = 60.0  # host seconds for anything that is waited for
+#: Seconds of processor time, of the test, the server and the emulator, for anything that is waited
+#: for.
+PATIENCE = 60.0
 HEADER, COLOUR = 100, 12  # bytes of an XWD file's header that are read, of an entry of its colours
 
 
@@ -51,12 +54,12 @@ class Screen:
     def wait(self, what: str, ready: Callable[[np.ndarray], bool], still: bool = True) -> np.ndarray:
         """The first picture that is ready; fails where none is for PATIENCE. It is read while it is
         written: where it is to be still, what counts is what is the same twice."""
-        until, last = time.monotonic() + PATIENCE, None
+        silence, last = Silence(os.getpid(), PATIENCE), None
         while True:
             shot = self.shot()
             if ready(shot) and (not still or np.array_equal(shot, last)):
                 return shot
-            assert time.monotonic() < until, f"{what}: not to be seen within {PATIENCE:g} s"
+            assert not (said := silence.end()), f"{what}: not to be seen, {said}"
             last = shot
             time.sleep(0.05)
 

@@ -22,6 +22,7 @@ from pathlib import Path
 
 from .errors import UserError
 from .paths import PROGRAMS
+from .silence import Silence
 
 #: FS-UAE options of each machine; all are A1200s with AGA, cycle-exact.
 MACHINES = {
@@ -61,8 +62,8 @@ class Display:
 HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
                   "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
                   "assume_refresh_rate": "10"}, {"SDL_VIDEODRIVER": "offscreen"})
-#: Host seconds without a byte of output before a run counts as hung. A boot
-#: takes about 1 s and the guest's own watchdog bites within 3 s.
+#: Seconds of the host's processor time without a byte of output before a run counts as hung
+#: (tools.silence). A boot takes about 1 s and the guest's own watchdog bites within 3 s.
 STALL_SECONDS = 20.0
 #: The same where texture engines draw: a frame alone may take that long.
 PATIENT_SECONDS = 10 * STALL_SECONDS
@@ -212,32 +213,33 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
 
 
-def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> None:
-    """Waits for the emulator's end, or returns when the guest was silent for so many seconds.
+def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> str:
+    """Waits for the emulator's end, or until the guest was silent for so many seconds, which is
+    said then.
 
     Only more files and output than ever before count as a sign of life, so that
     a guest which reboots again and again is silent too.
     """
-    most, since = -1, time.monotonic()
+    most, silence = -1, Silence(process.pid, patience)
     while process.poll() is None:
         with os.scandir(volume) as entries:
             names = [entry.name for entry in entries]
         logs = [volume / name for name in names if name.endswith(".log")]
         size = len(names) + sum(path.stat().st_size for path in logs)
         if size > most:
-            most, since = size, time.monotonic()
+            most = size
+            silence.heard()
             if on_output:
                 on_output("".join(map(read, logs)))
-        elif time.monotonic() - since > patience:
-            return
+        elif said := silence.end():
+            return said
         time.sleep(0.04)
+    return ""
 
 
-def explain_end(program: Path, arguments: str, output: str, ended: bool, log: str,
-                patience: float) -> str:
-    """Why there is no sentinel, and how far the guest came; ``ended``: the emulator is gone."""
-    how = ("the emulator ended before it" if ended else
-           f"it did not end, {patience:g} s after its last sign of life")
+def explain_end(program: Path, arguments: str, output: str, silence: str, log: str) -> str:
+    """Why there is no sentinel, and how far the guest came; ``silence``: as wait has it."""
+    how = f"it did not end, {silence}" if silence else "the emulator ended before it"
     fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
     said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
     return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
@@ -252,7 +254,7 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to
     a file that is copied); a command's first word is one of ``programs``.
     ``on_output`` is called with the output so far when there is more of it;
-    ``patience``: seconds of silence that count as a hang (STALL_SECONDS);
+    ``patience``: seconds of silence, in processor time, that count as a hang (STALL_SECONDS);
     ``apart``: each command loads its program, whatever ran before; ``drives``: options for
     disks besides the boot volume.
     Raises UserError for a hang, Closed where a window was closed; return codes and
@@ -264,15 +266,14 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
     config = write_config(directory, machine, display,
                           {"hard_drive_0": str(volume)} | (drives or {}))
     with started(config, display, log) as process:
-        wait(process, volume, on_output, patience)
-        ended = process.poll() is not None
+        silence = wait(process, volume, on_output, patience)
     codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
     outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
     if not (volume / "end").exists():
         last = codes.index("") if "" in codes else len(codes) - 1
         program, _, arguments = commands[last].partition(" ")
-        why = explain_end(programs / program, arguments, outputs[last], ended, read(log), patience)
-        raise (Closed if ended and process.returncode == 0 else UserError)(why)
+        why = explain_end(programs / program, arguments, outputs[last], silence, read(log))
+        raise (Closed if not silence and process.returncode == 0 else UserError)(why)
     if "" in codes:
         raise UserError(f"{commands[codes.index('')]}: many could not run it")
     return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]

@@ -30,12 +30,17 @@ def expect(value, where: str, kinds: tuple, noun: str):
         fail(where, f"must be {noun}, not {NOUNS.get(type(value), 'a date or time')}")
 
 
+def real(value, where):
+    """Any number; what it may be is another check's."""
+    expect(value, where, (int, float), "a number")
+    return value
+
+
 def number(low: float, high: float):
     """A number from low to high."""
     def check(value, where):
-        expect(value, where, (int, float), "a number")
-        if not low <= value <= high:  # also catches NaN
-            fail(where, f"must be from {low:g} to {high:g}")
+        if not low <= real(value, where) <= high:  # also catches NaN
+            fail(where, f"must be from {low:.15g} to {high:.15g}")
         return float(value)
     return check
 

@@ -50,7 +50,7 @@ def check_engine(corners: list[list[float]], where: str) -> None:
     for noun, column in (("s", 2), ("t", 3)):
         values = [corner[column] for corner in corners]
         if not -REACH <= min(values) <= max(values) <= MOST:
-            fail(where, f"{noun} must be from -{REACH} to {MOST:g} texels")
+            fail(where, f"{noun} must be from -{REACH} to {MOST} texels")
         if max(values) - min(values) >= REACH:
             fail(where, f"{noun} of two corners: {REACH} texels apart or more")
 

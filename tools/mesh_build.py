@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import layout
+from . import layout, space
 from .fields import fail
 from .fixed import ONE, fix
 from .linear import length, off_plane, product
@@ -154,7 +154,7 @@ def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: 
         smooth(faces, places)
     for face in faces:
         for normal in face.normals:
-            if not 0 < length(normal) < math.inf:
+            if not (np.isfinite(normal).all() and any(normal)):
                 fail(where, f"face {face.number} has a normal without direction")
 
 
@@ -182,7 +182,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
         [(0.0, 0.0, 1.0)] * len(point_of)  # nobody looks at them
-    unit = [np.rint(np.array(n) / length(n) * UNIT_14).astype(int) for n in turned]
+    unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
     normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
@@ -191,8 +191,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
     rows, first = [], 0
     for face in faces:
         ring = places[face.points]
-        normal = newell(ring / ONE)
-        fixed = np.rint(normal / length(normal) * UNIT_30).astype(np.int64).tolist()
+        fixed = np.rint(space.unit(newell(ring / ONE)) * UNIT_30).astype(np.int64).tolist()
         away = sum(n * int(p) for point in ring for n, p in zip(fixed, point))
         plane = [0, 0, 0, -1] if wishes.two_sided else \
             [*fixed, round(away / len(ring) / UNIT_30)]

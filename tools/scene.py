@@ -12,8 +12,8 @@ import numpy as np
 
 from . import (layout, materials, model_planar, scene_glide, scene_glide_build, scene_primitives,
                scene_projectors, scene_space, scene_tx_build)
-from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, rows, table,
-                     text)
+from .fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, real, rows,
+                     table, text)
 from .fixed import fix_all
 from .map_range import MAP_CENTRE
 from .pixel_formats import FORMATS
@@ -49,7 +49,7 @@ def schema(limits: dict[str, int]):
                   "map_turn": (number(-360, 360), 0.0),  # degrees
                   "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)}
         | colours | placing,
-        "vertices": {"vertices": (rows(rows(place, 2, 6), 3, corners), REQUIRED)} | colours
+        "vertices": {"vertices": (rows(rows(real, 2, 6), 3, corners), REQUIRED)} | colours
         | placing,
         "rectangle": scene_primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)

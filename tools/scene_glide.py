@@ -169,7 +169,7 @@ def check_object(obj: dict, material: dict, where: str) -> None:
             fail(f"{where}.{field}", f"must have {corners} entries, not {len(obj[field])}")
     for i, w in enumerate(obj["w1"] or []):
         if abs(w) < LEAST_W:
-            fail(f"{where}.w1[{i}]", "must not be 0")
+            fail(f"{where}.w1[{i}]", f"must be 1/{ONE} or more away from 0")
     check_range(st, f"{where}.st1")
 
 

@@ -78,18 +78,18 @@ def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
     is_flat = materials.mapper_of(material) == "flat"
     form = f"[x, y, {', '.join(columns)}]" + is_flat * " or, as it is flat, [x, y]"
     limits = layout.load().constants
+    place = number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1)
     ranges = {"shade": number(0, materials.SHADES - 1),
               "w": number(limits["W_MIN"] / ONE, limits["W_MAX"] / ONE)}
     out = []
-    for i, (x, y, *rest) in enumerate(spec["vertices"]):
-        if len(rest) != len(columns) and (rest or not is_flat):
+    for i, vertex in enumerate(spec["vertices"]):
+        if len(vertex) != 2 + len(columns) and (len(vertex) > 2 or not is_flat):
             fail(f"{where}[{i}]", f"must be {form}")
-        corner = {"s": 0.0, "t": 0.0, "shade": 0.0, "w": 1.0} | dict(zip(columns, rest))
-        for name in ("shade", "w"):
-            if name in columns:
-                ranges[name](corner[name], f"{where}[{i}][{2 + columns.index(name)}]")
-        out.append([x, y, *corner.values()])
-    check_convex(spec["vertices"], where)
+        checked = {name: ranges.get(name, place)(value, f"{where}[{i}][{k}]")
+                   for k, (name, value) in enumerate(zip(["x", "y", *columns], vertex))}
+        corner = {"x": 0.0, "y": 0.0, "s": 0.0, "t": 0.0, "shade": 0.0, "w": 1.0} | checked
+        out.append(list(corner.values()))
+    check_convex(out, where)
     return out
 
 

@@ -79,9 +79,22 @@ def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
+def check_length(vector: list[float], where: str) -> None:
+    """Refuses a direction that is none; how long it is does not matter."""
+    if not any(vector):
+        fail(where, "must have a length")
+
+
+def check_view(spec: dict, where: str) -> None:
+    """Refuses a camera or projector whose keys or upward direction make no sense; fills in what
+    keys leave out."""
+    fill_keys(spec, ("eye", "target"), where)
+    check_length(spec["up"], f"{where}.up")
+
+
 def check_camera(camera: dict, width: int, where: str) -> None:
     """Refuses a camera that sees too little for frames of so many pixels a line."""
-    fill_keys(camera, ("eye", "target"), where)
+    check_view(camera, where)
     focal = space.focal_length(width, camera["fov"])
     most = 1 << layout.load().constants["GUARD_MAX"]
     if focal > most:
@@ -92,8 +105,7 @@ def check_camera(camera: dict, width: int, where: str) -> None:
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
     """Refuses an object in space that its material does not draw; fills in its mapping and what its
     keys leave out."""
-    if not np.any(obj["axis"]):
-        fail(f"{where}.axis", "must have a length")
+    check_length(obj["axis"], f"{where}.axis")
     fill_keys(obj, ("position", "rotation"), where)
     scene_projectors.check_object(obj, material, projectors, where)
     mapper, name = materials.mapper_of(material), obj["material"]
@@ -111,9 +123,8 @@ def check(spec: dict, where: str) -> None:
     if spec["camera"]:
         check_camera(spec["camera"], spec["width"], f"{where}camera")
     for name, projector in spec["projectors"].items():
-        fill_keys(projector, ("eye", "target"), join(f"{where}projectors", name))
-    if not np.any(spec["light"]["direction"]):
-        fail(f"{where}light.direction", "must have a length")
+        check_view(projector, join(f"{where}projectors", name))
+    check_length(spec["light"]["direction"], f"{where}light.direction")
     for i, obj in enumerate(spec["objects"]):
         if not is_mesh(obj):
             continue
@@ -213,8 +224,7 @@ class Space:
         turn, position = space.placed_at(obj, age, spec["frames"])
         lens = np.array([self.focal / guard, self.focal / guard, 1.0])
         seen = product(axes, turn)
-        light = -np.array(spec["light"]["direction"])
-        light = product(turn.T, light / length(light)) * shades
+        light = product(turn.T, -space.unit(spec["light"]["direction"])) * shades
         return (lens[:, None] * seen, lens * product(axes, position - eye),
                 product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 

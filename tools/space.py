@@ -18,9 +18,21 @@ KEYS_MAX = 1000
 GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
 
+def scaled(vector) -> np.ndarray:
+    """A vector that is not 0, times the power of two that brings its largest part into 1/2 to 1: its
+    squares are neither 0 nor too large."""
+    return np.ldexp(vector, -math.frexp(np.abs(vector).max())[1])
+
+
+def unit(vector) -> np.ndarray:
+    """The vector of length 1 in the direction of one that is not 0."""
+    vector = scaled(vector)
+    return vector / length(vector)
+
+
 def about(axis, angle: float) -> np.ndarray:
     """The rotation by an angle (radians) about an axis of any length."""
-    x, y, z = np.array(axis, float) / length(axis)
+    x, y, z = unit(axis)
     across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + sin(angle) * across + (1 - cos(angle)) * product(across, across)
 
@@ -83,8 +95,11 @@ def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarra
         a, b, part = at_key(spec["keys"], frame)
         eye, target = (mixed(a, b, name, part) for name in ("eye", "target"))
     forward = target - eye
-    right = np.cross(forward, spec["up"])
-    if length(forward) < 1e-6 or length(right) < 1e-6 * length(forward):
+    if length(forward) < 1e-6:
+        fail(where, f"eye and target are in one place in frame {frame}")
+    forward, up = scaled(forward), scaled(spec["up"])
+    right = np.cross(forward, up)
+    if length(right) < 1e-6 * length(forward) * length(up):
         fail(where, f"eye, target and up are on one line in frame {frame}")
     forward /= length(forward)
     right /= length(right)
