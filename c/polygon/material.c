@@ -4,9 +4,9 @@
 
 /* What u and v of a triangle may be off from the vertices' range at a pixel's centre:
    edges are within EDGE_ERROR pixels, in a frame's 1,024 lines half as much, times STEEP
-   texels a pixel: 1/32; 1,024 steps round by 1/2^17 each in both directions: 1/64; the
-   plane itself by less than 1/2^10. Where the range is that of the plane as it is
-   stepped, edges alone count: ON_PLANE. */
+   texels a pixel: 1/32; 512 steps round by 1/2^17 each in both directions, and starts
+   are raised by as much: 1/64; the plane itself by less than 1/2^10. Where the range is that
+   of the plane as it is stepped, edges alone count: ON_PLANE. */
 #define INSET (65536 / 16)
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP (4 * 65536)
