@@ -12,7 +12,7 @@ import tools  # noqa: F401  before NumPy, whose threads it limits
 LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tmu_tiles", "tmu_polygons",
            "tx_polygons", "lowering", "wide", "tmu_scenes", "fuzz", "show", "tx_vectors", "meshes",
            "tx_scenes", "run", "hard_meshes", "scene_program", "accuracy", "mappers", "disk", "demo",
-           "showcase", "hosts", "tx_modes", "tmu_adds", "bounds", "pages", "readme", "properties", "methods",
+           "showcase", "hosts", "tx_modes", "tmu_adds", "bounds", "borders", "pages", "readme", "properties", "methods",
            "kernel_checker", "report", "tmu_modes", "polys", "tx_decode", "tmu_downloads", "tx_model",
            "tx_core", "emulator", "ntsc", "still_steps", "citizen")
 RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
