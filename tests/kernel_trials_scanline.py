@@ -136,6 +136,9 @@ def trials() -> list[Trial]:
     ways = [(truncated, packed) for truncated in (False, True) for packed in (False, True)]
     made = [ramp_trial(rng, *way, (0, gap)) for way in ways
             for gap in (0, 3, ONE // 2, ONE, 2 * ONE, 320 * ONE) for _ in range(6)]
+    # The border between narrow and wide: a pixel exactly, and a unit less or more, whatever the steps.
+    made += [ramp_trial(rng, *way, (gap, gap), (10 * ONE, 12 * ONE)) for way in ways
+             for gap in (ONE - 1, ONE, ONE + 1) for _ in range(4)]
     first = -16384 * ONE  # sides as far apart as they can be, and drifted a little further
     made += [ramp_trial(rng, *way, (gap, gap + 80), (first - 40, first + 40)) for way in ways
              for gap in (32767 * ONE, 32768 * ONE - 40) for _ in range(3)]
