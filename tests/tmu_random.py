@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tools import written
 from tools.model import FAR as BEYOND
 from tools.pixel_formats import FORMATS as PIXELS
 from tools.scene_file import IDENTITY, Material, Object, Scene
@@ -132,9 +133,23 @@ def coordinates(rng: random.Random, around: list[complex], far: bool) -> list[tu
     return [tuple(max(-REACH, min(round(v * ONE), REACH)) for v in pair) for pair in found]
 
 
+def written_vertices(rng: random.Random, own: bool) -> list[tuple]:
+    """Corners as people write them; ``own``: and once more for the second unit."""
+    points, out = written.outline(rng, WIDTH, HEIGHT), []
+    for second in range(1 + own):
+        ends = rng.choice(((256, 256), (256, 256), (256, 128), (32, 256)))
+        ws = [round(w * ONE) for w in written.depths(rng, points)]
+        signs = [rng.choice((1, -1)) if second else 1 for _ in ws]
+        out += [(*p, *st, 0, w * sign) for p, st, w, sign in
+                zip(points, written.texels(rng, points, ends), ws, signs)]
+    return out
+
+
 def vertices(rng: random.Random, own: bool, far: bool) -> list[tuple]:
-    """Corners round a middle, some of them beyond the frame, some polygons slivers; ``own``: and
-    once more for the second unit; ``far``: with many levels."""
+    """Corners round a middle, some of them beyond the frame, some polygons slivers, or as people write
+    them; ``own``: and once more for the second unit; ``far``: with many levels."""
+    if not far and rng.random() < written.SHARE:
+        return written_vertices(rng, own)
     count = rng.choice((3, 3, 4, 4, 5, 7))
     x0, y0 = rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)
     size = rng.choice((rng.uniform(12, 40) if far else rng.uniform(2, 12), rng.uniform(12, 40),

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tools import written
 from tools.model import FAR
 from tools.pixel_formats import FORMATS
 from tools.scene_file import IDENTITY, Material, Object, Scene
@@ -154,8 +155,21 @@ def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
     return chosen | {"combine": cycles}
 
 
+def written_vertices(rng: random.Random, steady: bool) -> list[tuple]:
+    """Corners as people write them, over some of the tile or all; ``steady``: a w for all."""
+    points = written.outline(rng, WIDTH, HEIGHT)
+    texels = written.texels(rng, points, [rng.choice((8, 16, 32, 33, 64, 128)) for _ in "st"])
+    ws = [1] * len(points) if steady else written.depths(rng, points)
+    shade = rng.choice((0, 128, 255)) * ONE
+    shades = [shade if rng.randrange(2) else rng.choice((0, 128, 255)) * ONE for _ in points]
+    return [(*p, *st, shade, round(w * ONE)) for p, st, shade, w in zip(points, texels, shades, ws)]
+
+
 def vertices(rng: random.Random, steady: bool) -> list[tuple]:
-    """Corners round a middle, some of them beyond the frame; ``steady``: a w for all."""
+    """Corners round a middle, some of them beyond the frame, or as people write them; ``steady``: a w
+    for all."""
+    if rng.random() < written.SHARE:
+        return written_vertices(rng, steady)
     count = rng.choice((3, 3, 4, 4, 5, 7))
     x0, y0 = rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)
     size = rng.choice((rng.uniform(2, 12), rng.uniform(12, 40), rng.uniform(40, 300)))

@@ -1,6 +1,6 @@
 """Random depths for the fuzzer: w of a polygon's vertices, and s and t that stay on one plane in space.
 
-w is from W_MIN to W_MAX, 16.16. More than three vertices have 1/w on one plane up to the rounding
+w is from W_MIN to W_MAX, 16.16, of any kind, or as people write it. More than three vertices have 1/w on one plane up to the rounding
 of w (half a unit): everything before it is exact.
 """
 
@@ -8,11 +8,13 @@ import math
 import random
 from fractions import Fraction
 
-from . import layout
+from . import layout, written
+from .fixed import ONE
 
 SPREAD = {"near_equal": (-6, -2), "4": (-1, math.log10(3)), "100": (0, 2),
           "all": (0, math.log10(4e6))}  # log10 of the deepest w over the nearest, less 1
-KINDS = ("constant", "space", "vertices", *SPREAD)
+WRITTEN = "written"
+KINDS = ("constant", "space", "vertices", WRITTEN, *SPREAD)
 
 
 def limits() -> tuple[int, int]:
@@ -44,6 +46,8 @@ def nearness(rng: random.Random, kind: str, points, size: tuple[int, int]) -> li
 def depths(rng: random.Random, kind: str, points, size: tuple[int, int]) -> list[Fraction]:
     """w of points, in units, not rounded; ``size``: of the frame."""
     least, most = limits()
+    if kind == WRITTEN:
+        return [w * ONE for w in written.depths(rng, points)]
     if kind == "vertices" and len(points) == 3:  # a plane whatever they say
         return [Fraction(rng.choice((least, most, 65536, rng.randint(least, 1 << rng.randint(9, 30)))))
                 for _ in points]
@@ -61,6 +65,7 @@ def in_depth(rng: random.Random, kind: str, vertices, size: tuple[int, int]) -> 
     the screen: each times its w over the greatest. Where s and t were on a plane but for half a
     unit, they are for a unit."""
     found = depths(rng, kind, [v[:2] for v in vertices], size)
-    screen = len(vertices) == 3 and rng.random() < 0.5  # or as they are: three are a plane
+    # Or as they are: three are a plane.
+    screen = len(vertices) == 3 and (kind == WRITTEN or rng.random() < 0.5)
     return tuple((x, y, *((s, t) if screen else (round(c * w / max(found)) for c in (s, t))), shade, round(w))
                  for (x, y, s, t, shade, _), w in zip(vertices, found))

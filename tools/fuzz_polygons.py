@@ -1,7 +1,8 @@
 """Random polygons for the fuzzer: number k of a seed is the same in every run.
 
-Ordinary ones and everything that is known to break rasterisers, with every setting and
-mapper. A block of BLOCK polygons shares a frame size and maps, as one scene file.
+Ordinary ones, those that people write (tools.written) and everything that is known to break
+rasterisers, with every setting and mapper. A block of BLOCK polygons shares a frame size and maps, as
+one scene file.
 """
 
 import random
@@ -10,8 +11,9 @@ from functools import cache
 
 import numpy as np
 
-from . import fuzz_depths
+from . import fuzz_depths, written
 from .fixed import ONE, ceil16, fix
+from .map_range import extent_of
 from .model import FAR
 from .model_shading import LIT
 from .model_texturing import Settings
@@ -132,9 +134,9 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
     return list(zip(*made))
 
 
-def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) -> Fuzzed:
+def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool) -> Fuzzed:
     """A quarter of the affine ones get depths, and a perspective with what it needs; ``size``: of
-    the frame."""
+    the frame; ``by_hand``: three in four as people write them."""
     if each.settings.mapper != "affine" or rng.random() >= 0.25:
         return each
     settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
@@ -143,7 +145,10 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int]) ->
                            tolerance=rng.choice(TOLERANCES))
     vertices = each.vertices
     if settings.perspective != "none" or len(vertices) == 3:  # none draws s and t flat on the screen
-        vertices = fuzz_depths.in_depth(rng, rng.choice(fuzz_depths.KINDS), vertices, size)
+        kind = rng.choice(fuzz_depths.KINDS)
+        if by_hand and rng.random() < 0.75:
+            kind = fuzz_depths.WRITTEN
+        vertices = fuzz_depths.in_depth(rng, kind, vertices, size)
     return replace(each, vertices=vertices, settings=settings)
 
 
@@ -171,7 +176,10 @@ def even(seed: int, number: int) -> Fuzzed:
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
     width, height = frame_size(block)
-    points = visible_corners(rng, width, height)
+    hand = random.Random(f"{seed} written {number}")
+    by_hand = hand.random() < written.SHARE
+    points = (written.outline(hand, width, height) if by_hand else
+              visible_corners(rng, width, height))
     mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
                          "lit_gouraud", "dithered") + 4 * ("affine",))
     choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
@@ -185,17 +193,23 @@ def even(seed: int, number: int) -> Fuzzed:
     maps = textures(seed, block)
     if layout:
         texture = rng.choice([k for k, t in enumerate(maps) if t.layout == layout])
-    plane = plane_of(rng, points, FAR)
-    if mapper == "arbitrary":
-        points = points[:3]
-        plane = inside_map(plane[:3], maps[texture].texels.shape[::-1])
+    map_size = maps[texture].texels.shape[::-1] if layout else (256, 256)
+    if by_hand:
+        plane = written.texels(hand, points, extent_of(map_size), mapper != "arbitrary")
+    else:
+        plane = plane_of(rng, points, FAR)
+        if mapper == "arbitrary":
+            points = points[:3]
+            plane = inside_map(plane[:3], map_size)
     shades = [rng.choice((0, 255 * ONE, 256 * ONE - 1, rng.randrange(256 * ONE))) for _ in points]
     if len(points) > 3:  # planar: along y, over the polygon's height
         low, high = min(y for _, y in points), max(y for _, y in points)
         shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
+    if by_hand and hand.random() < 0.5:
+        shades = [hand.choice((0, 128, 255)) * ONE] * len(points)
     vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
     return with_perspective(random.Random(f"{seed} depth {number}"),
-                            Fuzzed(vertices, settings, texture), (width, height))
+                            Fuzzed(vertices, settings, texture), (width, height), by_hand)
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:

@@ -8,6 +8,7 @@ cover the outline and nothing twice.
 import math
 import random
 from dataclasses import dataclass
+from itertools import accumulate
 
 from .fixed import fix
 
@@ -52,15 +53,12 @@ def fan(rng: random.Random) -> Net:
     return Net(points, ring, [*faces, (0, count, 1)]) if closed else Net(points, [0, *ring], faces)
 
 
-def grid(rng: random.Random, rows: int, columns: int) -> Net:
-    """Shifted crossings of rows and columns; each cell is cut along either diagonal."""
+def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
+    """Rows and columns of four-cornered cells, their points row by row; each is cut along either
+    diagonal."""
     def at(i: int, j: int) -> int:
         return j * (columns + 1) + i
 
-    side = max(rows, columns)
-    points = [((2 * i - columns + rng.uniform(-0.6, 0.6)) / side,
-               (2 * j - rows + rng.uniform(-0.6, 0.6)) / side)
-              for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
     for j in range(rows):
         for i in range(columns):
@@ -69,6 +67,15 @@ def grid(rng: random.Random, rows: int, columns: int) -> Net:
     outline = [at(i, 0) for i in range(columns)] + [at(columns, j) for j in range(rows)]
     outline += [at(i, rows) for i in range(columns, 0, -1)] + [at(0, j) for j in range(rows, 0, -1)]
     return Net(points, outline, faces)
+
+
+def grid(rng: random.Random, rows: int, columns: int) -> Net:
+    """Shifted crossings of rows and columns."""
+    side = max(rows, columns)
+    points = [((2 * i - columns + rng.uniform(-0.6, 0.6)) / side,
+               (2 * j - rows + rng.uniform(-0.6, 0.6)) / side)
+              for j in range(rows + 1) for i in range(columns + 1)]
+    return net_of(rng, rows, columns, points)
 
 
 def strip(rng: random.Random) -> Net:
@@ -120,7 +127,18 @@ def subdivision(rng: random.Random) -> Net:
     return net
 
 
-KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision}
+def tiles(rng: random.Random) -> Net:
+    """Rows of rectangles as people write them, on whole numbers, equal ones or not; each is cut along
+    either diagonal."""
+    columns, rows = rng.randint(1, 4), rng.randint(1, 4)
+    ends = []
+    for count in (columns, rows):
+        step = rng.choice((1, 2, 8, 16, 16, None))
+        ends.append([0, *accumulate(step or rng.randint(1, 20) for _ in range(count))])
+    return net_of(rng, rows, columns, [(x, y) for y in ends[1] for x in ends[0]])
+
+
+KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision, "tiles": tiles}
 
 
 def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
@@ -135,6 +153,13 @@ def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[i
             for x, y in net.points]
 
 
+def laid(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
+    """The points on the screen, on whole or half pixels, upright."""
+    x0, y0 = (rng.choice((0, 8, rng.randint(-8, side), rng.randint(0, 2 * side) / 2))
+              for side in (width, height))
+    return [(fix(x0 + x), fix(y0 + y)) for x, y in net.points]
+
+
 def shuffled(rng: random.Random, polygon: list) -> list:
     """Another vertex first, the other way round every second time."""
     first = rng.randrange(len(polygon))
@@ -146,7 +171,7 @@ def mesh(rng: random.Random, width: int, height: int, kind: str) -> Mesh:
     """A mesh of a kind, at least partly in the frame as a rule."""
     while True:
         net = KINDS[kind](rng)
-        points = place(rng, net, width, height)
+        points = laid(rng, net, width, height) if kind == "tiles" else place(rng, net, width, height)
         triangles = [[points[k] for k in face] for face in net.faces]
         if all(twice_area(t) > 0 for t in triangles):
             return Mesh(kind, [points[k] for k in net.outline],

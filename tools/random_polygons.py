@@ -1,4 +1,5 @@
-"""Random convex polygons by seed, for tests: ordinary, thin, tiny, huge, off screen.
+"""Random convex polygons by seed, for tests: ordinary, thin, tiny, huge, off screen, and as people
+write them (tools.written).
 
 Everything is 16.16; one polygon a frame, so that nothing hides behind another.
 """
@@ -8,7 +9,7 @@ import random
 
 import numpy as np
 
-from . import model
+from . import model, written
 from .fixed import ONE, fix
 from .pixel_formats import FORMATS
 from .scene_file import IDENTITY, Object, Scene
@@ -63,6 +64,9 @@ def is_convex(points: list[tuple[int, int]]) -> bool:
 
 def covering_polygon(rng: random.Random, width: int, height: int):
     """Corners and texture plane of a polygon; nine in ten cover a pixel of the frame."""
+    if rng.random() < written.SHARE:
+        points = written.outline(rng, width, height)
+        return points, written.texels(rng, points, (256, 256))
     any_will_do = rng.random() < 0.1
     while True:
         points = convex_polygon(rng, width, height)
