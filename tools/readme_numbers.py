@@ -153,8 +153,11 @@ def seen(size: tuple[int, int]) -> model.Texturing:
 
 def bounds_table() -> str:
     """Markdown: the derived bounds by what they depend on, evaluated."""
-    plane = ideal.Plane([(0, 0), (1 << 24, 0), (0, 1 << 24)], [0, 3 << 23, 5 << 22])
-    corner, large = ([plane.bound(*size, seen(size), cut) for cut in (0, 1)] for size in (SIZE, LARGE))
+    # gradients that lie in the middle between two steps
+    planes = [ideal.Plane([(0, 0), (1 << 24, 0), (0, 1 << 24)],
+                          [0, (3 << 23) + (128 << cut), (5 << 22) + (128 << cut)]) for cut in (0, 1)]
+    corner, large = ([plane.bound(*size, seen(size), cut) for cut, plane in enumerate(planes)]
+                     for size in (SIZE, LARGE))
     rows = [
         ("a rounded edge, pixels: its first line", edge_off(1), "bounds.edge_bound"),
         ("... 256 lines below", edge_off(257), "bounds.edge_bound"),
