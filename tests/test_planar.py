@@ -151,7 +151,7 @@ def exact(rng: random.Random):
 
 
 def written(rng: random.Random) -> tuple[list[tuple], list]:
-    """A polygon's exact corners and planes for s, t and shade; no thinner than planar.c says."""
+    """A polygon's exact corners and planes for s, t and shade; no thinner than fan.c says."""
     while True:
         points = convex(rng, 4)
         _, area = model_planar.corners_of(points)

@@ -50,7 +50,7 @@ def uneven() -> Iterator[Case]:
 
 
 def hardly_even() -> Iterator[Case]:
-    """As near to the limit as 16.16 has it: planar.c allows what rounding makes."""
+    """As near to the limit as 16.16 has it: fan.c allows what rounding makes."""
     for units in (4, 16, 31, 32, 33, 64, 4096):
         yield moved(make(f"hardly_even_{units}_units", f"A vertex is {units} units off the plane of the "
                          "others, whose gradients are at most 1.", QUAD, mappers=TEXTURED), 3, 2, units)

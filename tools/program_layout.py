@@ -177,6 +177,15 @@ class Layout:
                     relocation.size, "big")
         return bytes(image), code, bss
 
+    @property
+    def fits(self) -> bool:
+        """Whether no part lies too far away for a relative address to it."""
+        try:
+            self.link()
+        except UserError:
+            return False
+        return True
+
     def hunks(self) -> bytes:
         """The whole program."""
         image, *places = self.link()

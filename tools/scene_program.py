@@ -128,13 +128,13 @@ def is_as_fast(own: int, full: int) -> bool:
 
 def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
     """The program by what lies as in the full renderer: nothing, what is timed again and again, all
-    that is timed (Part.timed); each in some orders, the smallest first."""
+    that is timed (Part.timed); each in some orders, the smallest first. Those that fit, if any does."""
     made = []
     for least in (3, 2, 1):
         fixed = {p.section: places[p.section] for p in program.parts.values()
                  if p.timed >= least and p.section in places}
         made += [Layout(program, fixed, order) for order in range(ORDERS if fixed else 1)]
-    return sorted(made, key=lambda layout: layout.size)
+    return sorted([each for each in made if each.fits] or made, key=lambda layout: layout.size)
 
 
 def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,

@@ -4,7 +4,7 @@
 #include "mesh/draw.h"
 
 #include "polygon/math.h"
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 
 /* A fan of triangles where gradients are for those: cutting makes more corners. */
 static enum polygon_result draw_polygon(const struct vertex *vertices, int32 count,

@@ -14,7 +14,7 @@
 #include "polygon/material.h"
 #include "polygon/outline.h"
 #include "polygon/perspective.h"
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"

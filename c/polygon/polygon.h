@@ -194,7 +194,7 @@ struct drawing {
 };
 
 /* By every mapper but MAPPER_UNIT and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
-   three vertices whose values lie on no plane (planar.c has how near they must come) is drawn as a
+   three vertices whose values lie on no plane (fan.c has how near they must come) is drawn as a
    fan of triangles from its first vertex: so every vertex shows its own. */
 polygon_routine polygon_draw;
 

@@ -19,7 +19,7 @@ int main(void)
 {
     struct scene scene;
     struct frame frame;
-    static const struct drawing drawing = {FORM_ADDX, 0, 0, 0};
+    static const struct drawing drawing = {FORM_ADDX, 0, 0, PLANAR_ALL};
 
     scene_place(&scene, scene_data);
     scene_make(&scene, MEMORY_ANY);     /* returns with all it wants: mem_need */

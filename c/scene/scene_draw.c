@@ -2,7 +2,7 @@
 
 #include "mesh/draw.h"
 #include "polygon/math.h"
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 #include "span/scanline.h"
 
 /* The background is a span of the whole width on every line. */
@@ -93,13 +93,13 @@ enum polygon_result scene_draw(const struct scene *scene, const struct frame *fr
     drawing = planar_vouched(&planar, drawing, PLANAR_ALL);
     target.frame = frame;
     target.number = number;
-    target.drawing = planar_vouched(&in_space, drawing, PLANAR_ALL - PLANAR_TEXELS);
     if (header->units)
         scene_start_units(scene, number);
     clear(frame, header->background);
     while (instance < header->instances) {      /* those before one object are together */
         uint32 before = scene->instances[instance].before, first = instance;
 
+        target.drawing = planar_vouched(&in_space, drawing, PLANAR_ALL - PLANAR_TEXELS);
         result = draw_objects(scene, frame, number, drawing, object, before);
         refused = result == POLYGON_DRAWN ? refused : result;
         while (instance < header->instances && scene->instances[instance].before == before)

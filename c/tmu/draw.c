@@ -5,7 +5,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 #include "tmu/tiles.h"
 
 /* What is iterated for a unit's points. */

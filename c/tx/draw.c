@@ -6,7 +6,7 @@
 #include "polygon/counts.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 #include "tx/lower.h"
 #include "tx/plan.h"
 #include "tx/pixels.h"

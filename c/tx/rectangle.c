@@ -3,7 +3,7 @@
    four pixels are four texels. */
 #include "tx/rectangle.h"
 
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 
 #define FOUR_TEXELS (4 * 1024)
 

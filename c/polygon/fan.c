@@ -25,7 +25,7 @@
 
    Where edges are integer, or the map has other than 256 texels, it makes no difference: this looks
    at the vertices as they are given. */
-#include "polygon/planar.h"
+#include "polygon/fan.h"
 
 #include "polygon/math.h"
 #include "polygon/planes.h"

@@ -1,6 +1,6 @@
 /* Polygons of more than three vertices whose values lie on no plane. */
-#ifndef PLANAR_H
-#define PLANAR_H
+#ifndef FAN_H
+#define FAN_H
 
 #include "polygon/polygon.h"
 
