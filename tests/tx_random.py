@@ -159,6 +159,7 @@ def written_vertices(rng: random.Random, steady: bool) -> list[tuple]:
     """Corners as people write them, over some of the tile or all; ``steady``: a w for all."""
     points = written.outline(rng, WIDTH, HEIGHT)
     texels = written.texels(rng, points, [rng.choice((8, 16, 32, 33, 64, 128)) for _ in "st"])
+    texels = [tuple(min(max(c, -REACH // 2), REACH // 2 - 1) for c in st) for st in texels]
     ws = [1] * len(points) if steady else written.depths(rng, points)
     shade = rng.choice((0, 128, 255)) * ONE
     shades = [shade if rng.randrange(2) else rng.choice((0, 128, 255)) * ONE for _ in points]
