@@ -31,7 +31,8 @@ the edge's first line in the frame:
 From there i - c steps: (i - c) d.
 
 **One side.** Values of `plane`, `subtexel` are never below the exact ones (tools/ideal.py). So are
-those of `polygon`, `subtexel` where the longest line is a pixel wide or more and |g| below 250: with N
+those of `polygon`, `subtexel` where the longest line is a pixel wide or more, |g| below 250, and no
+edge begins farther left of the frame than the box is wide: with N
 lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 2 g' + 2 units, g' between
 |g| and |g| + 2.5, which is what the sums above can be: along the edge N/2, in moves N, by x N |g| / 2, and
 d over W + 1 pixels, w + 1 of them by the quotient. `truncated` is raised by as much as does not come
@@ -183,9 +184,7 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
 
 def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
     """What starts of `polygon` are raised by at most, in texels."""
-    lines, whole = edge.end - edge.top, c.g + c.step + 2
-    if whole > STEEP + 2:
-        return 0.0
+    lines, whole = edge.end - edge.top, min(c.g + c.step + 2, STEEP)
     line = 3 + whole if settings.start == "subtexel" else 1
     return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 2 * whole + 2) * UNIT
 
@@ -203,7 +202,9 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
         return off, off
     # narrower than a pixel, the quotient of the longest line leaves more than half a texel open
     wide = exact and c.g < STEEP - 6 and c.step < (1 + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
-    return 0.0 if wide else off, off + raised_starts(c, edge, t.box[2] - t.box[0], settings)
+    width = t.box[2] - t.box[0]
+    sure = wide and i - edge.column(edge.top) <= width and i - column <= width
+    return 0.0 if sure else off, off + raised_starts(c, edge, width, settings)
 
 
 def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
