@@ -57,9 +57,10 @@ def spans(polygon: Polygon) -> Spans:
 
 
 def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int]],
-                frame: np.ndarray, settings: Settings) -> tuple[Spans, Pair] | None:
+                frame: np.ndarray, settings: Settings, one: int | None = None) -> tuple[Spans, Pair] | None:
     """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
-    differ by 2^31 or more. ``points``: x, y of the corners, 16.16; ``pair``: their values."""
+    differ by 2^31 or more. ``points``: x, y of the corners, 16.16; ``pair``: their values. Where all
+    are (``one``, 0), W is that everywhere: no plane is found for it."""
     height, width = frame.shape
     bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
     moved = [(*point, *(value - base for value, base in zip(values, bases)))
@@ -68,6 +69,8 @@ def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int
     if polygon is None:
         return None
     at, t = spans(polygon), polygon.texturing
+    if one is not None and set(pair) == {(one, 0)}:
+        return at, Pair(tuple(np.full(len(at.x), c, np.int64) for c in (one, 0)), (0, 0), (0, 0))
     counts = [max(0, line.right - line.left) for line in polygon.lines]
     offsets = at.x - np.repeat([line.left for line in polygon.lines], counts)
     values = []

@@ -61,7 +61,8 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
     texture, ws, bits = iterators(corners, perspective, SCALE)
-    found = [set_up_pair(screen, pair, frame, settings) for pair in (texture, ws)]
+    found = [set_up_pair(screen, texture, frame, settings),
+             set_up_pair(screen, ws, frame, settings, SCALE.one)]
     if any(f is None for f in found):
         return None
     (at, st), (_, w) = found

@@ -81,7 +81,8 @@ def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
     if uses_shade(state):
         pairs += [[v.channels[k:k + 2] for v in vertices] for k in (0, 2)]
     points = [(v.x, v.y) for v in vertices]
-    found = [set_up_pair(points, pair, frame, settings) for pair in pairs]
+    found = [set_up_pair(points, pair, frame, settings, SCALE.one if pair is ws else None)
+             for pair in pairs]
     if any(f is None for f in found):
         return None
     at, planes = found[0][0], [pair for _, pair in found]
