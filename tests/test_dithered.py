@@ -36,13 +36,12 @@ def test_moves_part_a_texel_evenly() -> None:
 
 
 def test_places_are_moved_by_no_more() -> None:
-    """u and v of every pixel are the affine mapper's, moved as its x and y say."""
-    made = [model.set_up(SQUARE, SIZE, SIZE, True, settings, (256, 256))
-            for settings in (SETTINGS, model.Settings(edges="exact", mapper="tiled"))]
-    for y, (line, plain) in enumerate(zip(*(polygon.lines for polygon in made))):
+    """u and v of every pixel are those that the line's steps lead to, moved as its x and y say."""
+    made = model.set_up(SQUARE, SIZE, SIZE, True, SETTINGS, (256, 256))
+    for y, line in enumerate(made.lines):
         found = model.coordinates(line, "dithered", y)
         wanted = MOVES[y & 1, np.arange(line.left, line.right) & 1].T * EIGHTH
-        for moved, place, move in zip(found, model.coordinates(plain), wanted, strict=True):
+        for moved, place, move in zip(found, model.coordinates(line), wanted, strict=True):
             assert np.array_equal(moved, place + move & model.M32), y
 
 

@@ -11,7 +11,8 @@ from tools.model_mesh import polygons_at
 
 def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
     """The frames are the model's; affine methods are off by tens of texels, pieces by their chords
-    and the derived bounds, each pixel by 1/32 and 1/128 texel at most."""
+    and the derived bounds, each pixel by 1/16 texel (lines by tables are raised by the 1/32 that they may
+    fall short by) and 1/128 at most."""
     whole = methods.scene_of
 
     def short(settings):
@@ -27,7 +28,7 @@ def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
     errors = {name: m.errors.worst for name, m in found.items()}
     assert min(errors[n] for n in errors if n.startswith(("2", "3", "affine"))) > 20
     assert errors["every 16 pixels"] > 2 * errors["every 8 pixels"] > 4 * errors["1: each pixel"]
-    assert errors["1: each pixel"] < 1 / 32 and errors["each pixel, fine"] < 1 / 128
+    assert errors["1: each pixel"] < 1 / 16 and errors["each pixel, fine"] < 1 / 128
     for name, settings in methods.METHODS.items():
         scene, total = short(settings), bounds.Verdict()
         for number in range(scene.frames if settings.perspective != "none" else 0):

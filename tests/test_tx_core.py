@@ -206,7 +206,7 @@ def ask_coordinates() -> Guest:
 
 
 def test_coordinates_out_of_range(answers) -> None:
-    """-1024.0 to 1023.97 texels are within; s and t alike."""
+    """-1024.0 to 1023.96875 texels are within; s and t alike."""
     wrong = result("COORDINATE_RANGE")
     assert answers["coordinates"] == [[wrong * outside] for outside in OUTSIDE_RANGE.values()
                                       for _ in "st"]

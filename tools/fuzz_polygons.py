@@ -152,9 +152,9 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by
     return replace(each, vertices=vertices, settings=settings)
 
 
-def uneven(rng: random.Random, each: Fuzzed) -> Fuzzed:
+def uneven(rng: random.Random, each: Fuzzed, maps: list[Texture]) -> Fuzzed:
     """One in eight of those with more than three vertices gets one that is off the others' planes: by
-    about what rounding makes, or by far."""
+    about what rounding makes, or by far; on the map still, where that is not repeated."""
     if len(each.vertices) == 3 or rng.random() >= 1 / 8:
         return each
     k, field = rng.randrange(len(each.vertices)), rng.choice((2, 3, 4))
@@ -162,13 +162,17 @@ def uneven(rng: random.Random, each: Fuzzed) -> Fuzzed:
     off = rng.choice((-1, 1)) * rng.randrange(1, 1 << rng.randrange(1, 28))
     vertex[field] = min(max(vertex[field] + off, -FAR), FAR - 1)
     vertex[4] = min(max(vertex[4], 0), 256 * ONE - 1)
+    if each.settings.mapper == "arbitrary":
+        ends = extent_of(maps[each.texture].texels.shape[::-1])
+        vertex[2:4] = (min(max(c, 0), int(end * ONE)) for c, end in zip(vertex[2:4], ends))
     return replace(each, vertices=(*each.vertices[:k], tuple(vertex), *each.vertices[k + 1:]))
 
 
 @cache
 def polygon(seed: int, number: int) -> Fuzzed:
     """Polygon ``number`` of a seed."""
-    return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number))
+    return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number),
+                  textures(seed, number // BLOCK))
 
 
 def even(seed: int, number: int) -> Fuzzed:

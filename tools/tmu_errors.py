@@ -73,9 +73,13 @@ def intended(on: Pixels, how: str) -> np.ndarray:
     return colours
 
 
+def colours_of(mode: Mode, kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """The colours [n, 4] of a mode's pixels, as they are drawn and as they are meant."""
+    on, scene = pixels_of(mode, kind), scene_of(mode, kind)
+    return scene.pixel.picture(model.render(scene, FIRST))[on.y, on.x], intended(on, mode.filter)
+
+
 @cache
 def error_of(mode: Mode, kind: str) -> Error:
     """What a mode is off on a picture, R, G and B as the frame has them."""
-    on, scene = pixels_of(mode, kind), scene_of(mode, kind)
-    found = scene.pixel.picture(model.render(scene, FIRST))[on.y, on.x]
-    return error(found, intended(on, mode.filter))
+    return error(*colours_of(mode, kind))

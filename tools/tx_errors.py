@@ -48,10 +48,15 @@ def shades(on: Pixels) -> np.ndarray:
     return np.stack([grey, grey, grey, np.full_like(grey, 255)], -1)
 
 
-@cache
-def error_of(mode: Mode, kind: str) -> Error:
-    """What a mode is off on a picture, R, G and B as the frame has them."""
+def colours_of(mode: Mode, kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """The colours [n, 4] of a mode's pixels, as they are drawn and as they are meant."""
     on = pixels_of(mode, kind)
     drawn = picture(model.render(scene_of(mode, kind), FIRST))[on.y, on.x]
     found = ideal.texels(on.state, on.surface, on.x, on.y, mode.filter)
-    return error(drawn, ideal.combined(on.state, found, shades(on)))
+    return drawn, ideal.combined(on.state, found, shades(on))
+
+
+@cache
+def error_of(mode: Mode, kind: str) -> Error:
+    """What a mode is off on a picture, R, G and B as the frame has them."""
+    return error(*colours_of(mode, kind))

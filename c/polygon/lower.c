@@ -141,15 +141,19 @@ void lower_by_vertices(struct setup *s)
     const struct material *m = s->material;
     enum span_kind kind = s->kind;
 
-    if (kind == SPAN_GENERATED && !generated_may_draw(s))
-        kind = SPAN_AFFINE_ADDX_WRAP;
-    LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
-    LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
-    LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))
-    LOWER(EQUAL_LEVELS, LIT_GOURAUD, LIT_WRAP, has_one_level(s))
-    LOWER(NO_LIGHT, LIT_WRAP, FILL, level(s) == 0 && m->light && m->light->dark)
-    LOWER(FULL_LIGHT, LIT_WRAP, AFFINE_ADDX_WRAP,
-          level(s) == LIGHT_LEVELS - 1 && m->light && m->light->full)
+    if (kind == SPAN_PERSPECTIVE) {
+        LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
+        LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
+    } else if (kind == SPAN_GENERATED) {
+        if (!generated_may_draw(s))
+            kind = SPAN_AFFINE_ADDX_WRAP;
+    } else {
+        LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))
+        LOWER(EQUAL_LEVELS, LIT_GOURAUD, LIT_WRAP, has_one_level(s))
+        LOWER(NO_LIGHT, LIT_WRAP, FILL, level(s) == 0 && m->light && m->light->dark)
+        LOWER(FULL_LIGHT, LIT_WRAP, AFFINE_ADDX_WRAP,
+              level(s) == LIGHT_LEVELS - 1 && m->light && m->light->full)
+    }
     s->kind = kind == SPAN_AFFINE_ADDX_WRAP ? lower_affine(m, s->form) : kind;
 }
 

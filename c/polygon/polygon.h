@@ -42,7 +42,7 @@ enum perspective {
     PERSPECTIVE_NONE,           /* not at all: affine */
     PERSPECTIVE_EVERY16,        /* right at both ends of pieces of 16 pixels, affine between */
     PERSPECTIVE_EVERY8,         /* of 8 pixels */
-    PERSPECTIVE_PIXEL,          /* each pixel within 1/32 texel */
+    PERSPECTIVE_PIXEL,          /* each pixel within 1/32 below and 1/16 texel above */
     PERSPECTIVE_FINE,           /* each pixel within 1/128 texel */
     PERSPECTIVE_KINDS
 };

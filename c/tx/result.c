@@ -25,7 +25,7 @@ const char *tx_result_text(enum tx_result result)
         "clamped tile ends before it begins",
         "combiner input is not supported",
         "cycle type does not draw this",
-        "texture coordinate is not within -1024 to 1023.97",
+        "texture coordinate is not within -1024 to 1023.96875",
         "no load sync",
         "no tile sync",
         "no pipe sync",

@@ -72,7 +72,7 @@ enum tx_result {
     TX_TILE_EDGES,              /* sh < sl or th < tl where the tile clamps */
     TX_COMBINE_INPUT,           /* a code that is not supported: noise, chroma key */
     TX_CYCLE_TYPE,              /* not one the texture engine can draw this with */
-    TX_COORDINATE_RANGE,        /* not -1024.0 to 1023.97 texels */
+    TX_COORDINATE_RANGE,        /* not -1024.0 to 1023.96875 texels */
     TX_NO_LOAD_SYNC,            /* strict: a load after drawing without its sync, */
     TX_NO_TILE_SYNC,            /* a change of a tile that was drawn from, */
     TX_NO_PIPE_SYNC,            /* a change of modes */
