@@ -6,16 +6,20 @@ numbers.
 """
 
 import itertools
+import random
 from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
 import pytest
 
-from tools import model, model_texturing
-from tools.fixed import ONE, fix
+from tools import model, model_texturing, tmu_errors, unit_planes, written
+from tools.fixed import ONE, fix, signed
 from tools.model import Settings
 from tools.model_dithered import MOVES
+from tools.tmu import ideal, polygon
+from tools.tmu.coordinates import quotient
+from tools.tmu.state import ONE_W
 
 WIDTH, HEIGHT = 320, 256
 #: Texels a pixel: whole enlargements, reductions, and simple fractions between them.
@@ -186,6 +190,48 @@ def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: st
         if not turned:
             assert (found[0, 20:100, 64] == 0).all(), (setting, n, near)
             assert np.array_equal(found[1, 20:100, 64], (j - 60) // n % 256), (setting, n, near)
+
+
+def deep_polygon(rng: random.Random) -> tuple[list, list]:
+    """x and y of a polygon's corners, and their s, t and w, all 16.16: triangles, and rectangles that show
+    one place of the map, so that s, t and w are on planes."""
+    points = written.outline(rng, WIDTH, HEIGHT)
+    texels = written.texels(rng, points, (256, 256))
+    depths = [max(round(w * ONE), 1) for w in written.depths(rng, points)]
+    if rng.random() < 0.3:
+        texels = [texels[0]] * len(points)
+    else:
+        del points[3:]
+    return points, [(s, t, w) for (s, t), w in zip(texels, depths)][:len(points)]
+
+
+def test_quotients_of_glides_unit_are_never_below_the_exact_ones() -> None:
+    """In perspective too: s and t of every pixel are those of the corners' s, t and w at least, and no
+    more above than what S and W are, by format and roundings."""
+    rng, seen = random.Random(21), 0
+    frame = np.zeros((HEIGHT, WIDTH), np.uint16)
+    for number in range(80):
+        points, corners = deep_polygon(rng)
+        found = unit_planes.set_up_coordinates(points, corners, True, frame,
+                                               Settings("exact", mapper="none"), polygon.SCALE)
+        if found is None:
+            continue
+        at, st, w = found
+        exact = tmu_errors.surface([(*p, *c[:2], 0, c[2]) for p, c in zip(points, corners)], True)
+        *overs, inverse = exact.terms(at.x, at.y)
+        depth = signed(w.values[0])
+        for key, (value, over) in enumerate(zip(st.values, overs)):
+            meant = (over << ideal.TO_WHOLE + 18) // inverse
+            off = quotient(signed(value), depth) - meant
+            more = st.above + 2 * unit_planes.divided_more(corners, key, w, polygon.SCALE)
+            most = more * ONE_W / np.maximum(depth, 1) + 1
+            fits = np.abs(meant) + most < 1 << 31  # 14.18
+            k = int(np.argmax(fits & ((off < 0) | (off > most))))
+            assert not fits[k] or 0 <= off[k] <= most[k], (
+                f"polygon {number}, pixel ({at.x[k]}, {at.y[k]}): {'st'[key]} is {off[k]} / 2^18 above the "
+                f"exact {meant[k] / 2**18}, {most[k]:.1f} at most: {points} {corners}")
+        seen += len(at.x)
+    assert seen > 10**5
 
 
 def test_a_plane_that_is_not_raised_is_caught(monkeypatch) -> None:

@@ -9,7 +9,10 @@ starts, exact edges or subpixel ones). Every rounding:
   S = s * the power of two * W / one, T alike, each to the nearest, halves up;
 - each of a pair is moved by its base, floor((least + most) / 2), before set-up and back after;
 - the plane's value at the box's middle, its steps and the lines' starts are rounded by set-up:
-  gradients cut to 32.32, values and steps to the nearest 16.16 (tools.model_texturing.plane);
+  gradients cut to 32.32, values and steps to the nearest 16.16, and raised so that none is below
+  the exact one (tools.model_texturing.plane);
+- S and T that were divided are raised by as much as W may be too high (``divided_more``): where W is
+  above 0, S / W and T / W are not below the exact ones either;
 - iterators then step without rounding, modulo 2^32.
 """
 
@@ -19,9 +22,9 @@ from typing import NamedTuple
 import numpy as np
 
 from .errors import UserError
-from .fixed import M32, mul_div
+from .fixed import M32, mul_div, signed
 from .model_polygon import Polygon, set_up
-from .model_texturing import Settings
+from .model_texturing import Settings, Texturing
 
 
 class Scale(NamedTuple):
@@ -34,11 +37,13 @@ class Scale(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Two planes: values at pixels, int64 [n], modulo 2^32, and steps (x and y) of each."""
+    """Two planes: values at pixels, int64 [n], modulo 2^32, and steps (x and y) of each. ``above``:
+    units that the first may be above the exact one."""
 
     values: tuple[np.ndarray, np.ndarray]
     ddx: tuple[int, int]
     ddy: tuple[int, int]
+    above: int
 
 
 class Spans(NamedTuple):
@@ -70,7 +75,7 @@ def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int
         return None
     at, t = spans(polygon), polygon.texturing
     if one is not None and set(pair) == {(one, 0)}:
-        return at, Pair(tuple(np.full(len(at.x), c, np.int64) for c in (one, 0)), (0, 0), (0, 0))
+        return at, Pair(tuple(np.full(len(at.x), c, np.int64) for c in (one, 0)), (0, 0), (0, 0), 0)
     counts = [max(0, line.right - line.left) for line in polygon.lines]
     offsets = at.x - np.repeat([line.left for line in polygon.lines], counts)
     values = []
@@ -78,7 +83,22 @@ def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int
         starts = np.array([getattr(line, name) for line in polygon.lines], np.int64)
         step = getattr(t, f"d{name}dx")
         values.append(np.repeat(starts, counts) + offsets * step + (base & M32) & M32)
-    return at, Pair(tuple(values), (t.dudx, t.dvdx), (t.dudy, t.dvdy))
+    return at, Pair(tuple(values), (t.dudx, t.dvdx), (t.dudy, t.dvdy), above(min(points, key=upper), t))
+
+
+def upper(point: tuple[int, int]) -> tuple[int, int]:
+    """Sorts points by their lines: the first is where planes begin."""
+    return point[1], point[0]
+
+
+def above(top: tuple[int, int], t: Texturing) -> int:
+    """Units that u of a plane may be above the exact one at any pixel of the box: twice what it may
+    fall short by (``model_texturing.shortfall``), steps being off by half a unit and gradients by less
+    than a texel more than the steps."""
+    ways = t.i - t.box[0], t.j - t.box[1]
+    way = sum(ways) + 2 + sum(abs(signed((at << 16) - c)) >> 16 for at, c in zip((t.i, t.j), top))
+    steep = sum(abs(signed(step)) >> 16 for step in (t.dudx, t.dudy)) + 7
+    return sum(ways) + 2 * (steep * 2 * way >> 16) + 6
 
 
 def iterators(corners: Sequence[tuple[int, int, int]], perspective: bool, scale: Scale):
@@ -96,11 +116,27 @@ def iterators(corners: Sequence[tuple[int, int, int]], perspective: bool, scale:
             for (s, t, _), w in zip(corners, ws)], [(w, 0) for w in ws], 0
 
 
-def enlarged(pair: Pair, bits: int) -> Pair:
-    """Planes times 2^bits."""
-    return Pair(tuple(value << bits & M32 for value in pair.values),
-                tuple(step << bits & M32 for step in pair.ddx),
-                tuple(step << bits & M32 for step in pair.ddy))
+def divided_more(corners: Sequence[tuple[int, int, int]], key: int, w: Pair, scale: Scale) -> int:
+    """Units by which S (``key`` 0) or T (1) of divided corners is raised: s times what W may be too
+    high, 3 units for W's rounding at the corners among it, and 3 for that of S."""
+    largest = max(abs(corner[key]) for corner in corners) << scale.bits
+    return mul_div(min(largest, 0x7FFFFFFF), w.above + 3, scale.one) + 3
+
+
+def set_up_coordinates(points: Sequence[tuple[int, int]], corners: Sequence[tuple[int, int, int]],
+                       perspective: bool, frame: np.ndarray, settings: Settings,
+                       scale: Scale) -> tuple[Spans, Pair, Pair] | None:
+    """The pixels, the planes of S and T, and those of W and 0; None where nothing is drawn."""
+    texture, ws, bits = iterators(corners, perspective, scale)
+    found = [set_up_pair(points, texture, frame, settings),
+             set_up_pair(points, ws, frame, settings, scale.one)]
+    if None in found:
+        return None
+    (at, st), (_, w) = found
+    more = (0, 0) if bits else [divided_more(corners, key, w, scale) for key in (0, 1)]
+    values = [(value << bits) + m & M32 for value, m in zip(st.values, more)]
+    ddx, ddy = ([step << bits & M32 for step in steps] for steps in (st.ddx, st.ddy))
+    return at, Pair(tuple(values), tuple(ddx), tuple(ddy), st.above << bits), w
 
 
 def is_narrow(corners: Sequence[tuple[int, int, int]], scale: Scale) -> bool:

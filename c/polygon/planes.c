@@ -14,21 +14,47 @@ struct vertex *planes_vertices(const struct vertex *vertices, int32 count)
     return places;
 }
 
-void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits)
+static void find_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits,
+                      struct texturing *t)
 {
     struct plane *a = &planes->of[first], *b = a + 1;
+
+    t->u_cut = t->v_cut = 0;
+    texturing_plane(t, &s->sides, &s->box, CHAIN_NONE);
+    planes->i = t->i;
+    planes->j = t->j;
+    a->at = t->u << bits;
+    a->dx = (uint32)t->dudx << bits;
+    a->dy = (uint32)t->dudy << bits;
+    b->at = t->v << bits;
+    b->dx = (uint32)t->dvdx << bits;
+    b->dy = (uint32)t->dvdy << bits;
+}
+
+void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits)
+{
     struct texturing t;
 
-    t.u_cut = t.v_cut = 0;
-    texturing_plane(&t, &s->sides, &s->box, CHAIN_NONE);
-    planes->i = t.i;
-    planes->j = t.j;
-    a->at = t.u << bits;
-    a->dx = (uint32)t.dudx << bits;
-    a->dy = (uint32)t.dudy << bits;
-    b->at = t.v << bits;
-    b->dx = (uint32)t.dvdx << bits;
-    b->dy = (uint32)t.dvdy << bits;
+    find_pair(planes, s, first, bits, &t);
+}
+
+/* Whole pixels between a corner's coordinate and a pixel's, rounded down. */
+static int32 way(fix16 from, int32 to)
+{
+    return (int32)(fix_magnitude((fix16)((uint32)to << 16) - from) >> 16);
+}
+
+/* Units that u of a plane may be above the exact one at any pixel of the box: twice what it may
+   fall short by (texturing_plane), steps being off by half a unit and gradients by less than a
+   texel more than the steps. */
+static int32 above(const struct setup *s, const struct texturing *t)
+{
+    const struct vertex *top = s->sides.top;
+    const int32 sides = t->i - s->box.left + t->j - s->box.top;
+    const int32 ways = way(top->x, t->i) + way(top->y, t->j) + sides + 2;
+    const int32 steep = (int32)((fix_magnitude(t->dudx) >> 16) + (fix_magnitude(t->dudy) >> 16)) + 7;
+
+    return sides + 2 * mul_shift(steep, 2 * ways, 16) + 6;
 }
 
 /* What w of the corners are like. */
@@ -54,26 +80,46 @@ static void find_depths(struct depths *depths, const struct vertex *corners, int
     depths->least = (fix16)least;
 }
 
+/* Raises S or T of divided corners, whose s or t are `value`, by that times what W may be too high,
+   3 units for its rounding at the corners among it, and 3 for that of S. */
+static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
+                          const struct planes_scale *scale, int32 too_high)
+{
+    fix16 least;
+    const uint32 range = vertex_range(value, count, &least);
+    const uint32 low = fix_magnitude(least), high = fix_magnitude((fix16)((uint32)least + range));
+    const uint32 largest = (low > high ? low : high) << scale->bits;
+
+    plane->at += (uint32)mul_div(largest > 0x7fffffff ? 0x7fffffff : (int32)largest, too_high + 3,
+                                 scale->one) + 3;
+}
+
 static void find_divided(struct planes *planes, const struct setup *s, int32 first,
                          const struct vertex *corners, const struct planes_scale *scale,
                          const struct depths *depths)
 {
     const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
+    const struct vertex *v = corners;
     fix16 w[POLYGON_VERTICES_MAX];
+    struct texturing t;
+    int32 too_high;
 
-    for (int32 i = 0; i < s->count; i++, corners++) {
-        w[i] = mul_div(one, depths->least, (fix16)fix_magnitude(corners->w));
-        if (corners->w < 0)
+    for (int32 i = 0; i < s->count; i++, v++) {
+        w[i] = mul_div(one, depths->least, (fix16)fix_magnitude(v->w));
+        if (v->w < 0)
             w[i] = -w[i];
-        places[i].s = mul_div((fix16)((uint32)corners->s << scale->bits), w[i], scale->one);
-        places[i].t = mul_div((fix16)((uint32)corners->t << scale->bits), w[i], scale->one);
+        places[i].s = mul_div((fix16)((uint32)v->s << scale->bits), w[i], scale->one);
+        places[i].t = mul_div((fix16)((uint32)v->t << scale->bits), w[i], scale->one);
     }
     planes_pair(planes, s, first, 0);
     for (int32 i = 0; i < s->count; i++) {
         places[i].s = w[i];
         places[i].t = 0;
     }
-    planes_pair(planes, s, first + 2, 0);
+    find_pair(planes, s, first + 2, 0, &t);
+    too_high = above(s, &t);
+    raise_divided(&planes->of[first], &corners->s, s->count, scale, too_high);
+    raise_divided(&planes->of[first + 1], &corners->t, s->count, scale, too_high);
 }
 
 static void find_plain(struct planes *planes, const struct setup *s, int32 first,

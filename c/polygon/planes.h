@@ -38,7 +38,8 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
    Where w is the same everywhere, and above 0, or perspective is 0: s and t are planes in 16.16,
    taken times 2^bits; W is `one`. Otherwise W of a corner is `one` |w|least / w, half of that if
    the w of any is below 0, and S is s times 2^bits, times that / `one`, each rounded to the
-   nearest; their planes are found from those numbers.
+   nearest; their planes are found from those numbers, S and T raised so that S / W and T / W are
+   nowhere below the exact ones where W is above 0.
 
    0: coordinates of two corners are too far apart. */
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,

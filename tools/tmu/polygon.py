@@ -15,7 +15,7 @@ from ..errors import UserError
 from ..fixed import ONE, signed
 from ..model_polygon import Polygon
 from ..model_texturing import Settings
-from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..unit_planes import Scale, Spans, is_narrow, set_up_coordinates
 from .chain import Point, chain_pixel
 from .dithered import lines
 from .lod import base
@@ -60,13 +60,10 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
     """A polygon's pixels and what is iterated for them; None where there are none.
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
-    texture, ws, bits = iterators(corners, perspective, SCALE)
-    found = [set_up_pair(screen, texture, frame, settings),
-             set_up_pair(screen, ws, frame, settings, SCALE.one)]
-    if any(f is None for f in found):
+    found = set_up_coordinates(screen, corners, perspective, frame, settings, SCALE)
+    if found is None:
         return None
-    (at, st), (_, w) = found
-    st = enlarged(st, bits)
+    at, st, w = found
     steps = [signed(c) for c in (*st.ddx, *st.ddy)]
     is_one = not w.ddx[0] and not w.ddy[0] and bool((w.values[0] == ONE_W).all())
     return at, Point(*(signed(c) for c in (*st.values, w.values[0])), base(*steps), at.x, at.y,

@@ -17,7 +17,7 @@ import numpy as np
 from ..errors import UserError
 from ..fixed import M32, ONE, signed
 from ..model_texturing import Settings
-from ..unit_planes import Scale, Spans, enlarged, is_narrow, iterators, set_up_pair
+from ..unit_planes import Scale, Spans, is_narrow, set_up_coordinates, set_up_pair
 from .combiner import uses_shade
 from .copy import check as check_copy
 from .copy import copy
@@ -76,21 +76,15 @@ def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
     nearest = min(v.w for v in vertices)
     if perspective and nearest <= 0:
         raise UserError(f"polygon: a vertex's w is {nearest}; it must be above 0")
-    texture, ws, bits = iterators(corners, perspective, SCALE)
-    pairs = [texture, ws]
-    if uses_shade(state):
-        pairs += [[v.channels[k:k + 2] for v in vertices] for k in (0, 2)]
     points = [(v.x, v.y) for v in vertices]
-    found = [set_up_pair(points, pair, frame, settings, SCALE.one if pair is ws else None)
-             for pair in pairs]
-    if any(f is None for f in found):
+    found = set_up_coordinates(points, corners, perspective, frame, settings, SCALE)
+    shades = [set_up_pair(points, [v.channels[k:k + 2] for v in vertices], frame, settings)
+              for k in (0, 2) if uses_shade(state)]
+    if found is None or None in shades:
         return None
-    at, planes = found[0][0], [pair for _, pair in found]
-    st, w = enlarged(planes[0], bits), planes[1]
+    at, st, w = found
     gradients = Gradients(*st.ddx, w.ddx[0], *st.ddy, w.ddy[0])
-    shade = None
-    if planes[2:]:
-        shade = np.stack([whole(value) for pair in planes[2:] for value in pair.values], -1)
+    shade = np.stack([whole(value) for _, pair in shades for value in pair.values], -1) if shades else None
     return Prepared(at, *st.values, w.values[0], gradients, shade)
 
 
