@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from tools import bounds_perspective as bounds
-from tools import layout, model_logarithm, model_perspective, model_reciprocal
+from tools import layout, model, model_logarithm, model_perspective, model_reciprocal
+from tools.bounds import judge_set_up
 from tools.fixed import M32
 from tools.ideal import UNIT
 from tools.model_perspective import CURVES, PIECES
@@ -55,3 +56,14 @@ def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
         bound = model_logarithm.bound(line)
         assert bound <= bounds.TOLERANCE["pixel"] / UNIT, bucket
         assert bound > 0.98 * bounds.TOLERANCE["pixel"] / UNIT or power == model_logarithm.POWERS - 4
+
+
+def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
+    """Far from K, where C's logarithm is half a unit off: a quarter of K's move was not enough."""
+    corners = [(7012352, -8192000, 8158985, 6421967, 0, 190741), (458752, -7274496, 1967522, 3064356, 0, 144700),
+               (5046272, 7602176, 9281033, 14032907, 0, 172775)]
+    settings = model.Settings("integer", perspective="pixel")
+    corners = model.adapt(corners, settings, 256)
+    polygon = model.set_up(corners, 96, 72, True, settings, (256, 256))
+    verdict = judge_set_up(corners, polygon, settings, 96, 72, (256, 256))
+    assert verdict.pixels > 2000 and not verdict.complaint

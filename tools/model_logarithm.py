@@ -149,7 +149,7 @@ def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
         power = LEAST - high
         more = (reach - 128) * 9
     else:
-        more = ((full & 255) - 128) * (mantissa(power + high) >> 16) >> 15
+        more = ((full & 255) - 128) * (mantissa(power + high) >> 16) >> 13
     return signed(k) + (-more if c < 0 else more) + 128 >> 8, power
 
 

@@ -200,8 +200,8 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         eor.b   #$80,d0
         ext.w   d0                      ; what rounding took
         muls.w  d1,d0
-        add.l   d0,d0
-        swap    d0                      ; 0.72 of it, ln 2 / OCTAVE / 256 being 2.77 / 2^22
+        lsl.l   #3,d0
+        swap    d0                      ; 2^-13: 0.72 of the 1,024 ln 2 / OCTAVE / 256 units it is
         ext.l   d0
 .move   tst.b   d6
         beq.s   .moved
