@@ -34,7 +34,7 @@ LD_FLAGS := -q -z noexecstack --no-check-sections --gc-sections -T src68k/amiga/
 
 HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
-# Not c/programs/scene.c: tools/scene_program.py links it with a scene.
+# Not c/programs/scene.c: tools/tmap/product/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
 ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span tx tmu screen,src68k/$(room)/*.s)))
 
@@ -181,17 +181,17 @@ $(C_OUT)/gen/%.o: build/gen/%.c build/obj/flags | setup
 build/gen/headers.o: build/gen/headers.c build/obj/flags | setup
 	@$(GCC) $(DEBUG_FLAGS) -MMD -MP -c -o $@ $<
 
-build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/headers.o tools/layout.py
-	@$(PYTHON) -m tools.layout $< build/gen $(HEADERS:c/%=%)
+build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/headers.o tools/tmap/build/layout.py
+	@$(PYTHON) -m tmap.build.layout $< build/gen $(HEADERS:c/%=%)
 
-build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/contracts.py build/obj/objects | setup
-	@$(PYTHON) -m tools.contracts src68k build/gen
+build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
+	@$(PYTHON) -m tmap.build.contracts src68k build/gen
 
 $(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/%.py | setup
 	@mkdir -p $(@D)
 	@$(PYTHON) -m tools.$* $@
 
-build/gen/tx_weights.s build/gen/tmu_weights.s: tools/weights.py
+build/gen/tx_weights.s build/gen/tmu_weights.s: tools/tmap/build/weights.py
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM
@@ -199,9 +199,9 @@ build/obj/$1.elf: $2 src68k/amiga/program.ld build/obj/objects build/obj/flags |
 	@echo "link $$@"
 	@$(LD) $(LD_FLAGS) -Map=build/obj/$1.link -o $$@ $2
 
-build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/hunk.py
+build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/tmap/build/hunk.py
 	@mkdir -p build/programs
-	@$(PYTHON) -m tools.hunk $$< build/programs/$1
+	@$(PYTHON) -m tmap.build.hunk $$< build/programs/$1
 endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \

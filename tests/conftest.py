@@ -5,7 +5,7 @@ import shlex
 
 import pytest
 
-import tools  # noqa: F401  before NumPy, whose threads it limits
+import tmap  # noqa: F401  before NumPy, whose threads it limits
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.

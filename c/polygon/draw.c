@@ -5,7 +5,7 @@
    being its first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
    (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
    side is cut, an edge from far above has not drifted when it reaches the frame, and
-   polygons that share an edge leave no gap. The model in tools/model.py does the same
+   polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
 #include "polygon/generated.h"

@@ -1,7 +1,7 @@
 /* scene - draws the frames of the one scene it holds into chunky dumps and times them.
 
    No arguments. It writes frame_000.chunky and so on into the current directory, as render
-   does, and prints a line a frame: colour clocks. tools/scene_program.py links it. */
+   does, and prints a line a frame: colour clocks. tools/tmap/product/scene_program.py links it. */
 #include "scene/scene.h"
 #include "system/system.h"
 #include "system/text.h"

@@ -1,4 +1,4 @@
-/* The scene file, as tools/scene_file.py writes it and scene_load checks it.
+/* The scene file, as tools/tmap/scene_file/scene_file.py writes it and scene_load checks it.
    Big-endian; every field is aligned to its size; offsets count bytes from the
    file's start and are multiples of 4. This header is the only definition: the
    host reads the layout from the compiler's debug information. */

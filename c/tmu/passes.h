@@ -121,7 +121,7 @@ struct tmu_alphas {
     uint32 inverted;
 };
 
-/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. tools/tmu_logarithms.py works them out. */
+/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. tools/tmap/build/glide_logarithms.py works them out. */
 extern const uint32 tmu_logarithms[256];
 
 /* limits: as in tmu_logarithms. */

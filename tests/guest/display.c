@@ -1,4 +1,4 @@
-/* display - takes the screen over in the ways that tests/test_display.py asks for.
+/* display - takes the screen over in the ways that tests/screen/test_display.py asks for.
 
    display MODE n FORMAT n WIDTH n HEIGHT n NAME name */
 #include "scene/scene_file.h"

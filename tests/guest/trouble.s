@@ -1,4 +1,4 @@
-; trouble - does what no program should, by number; tests/test_emulator.py has the numbers' names.
+; trouble - does what no program should, by number; tests/guest/test_emulator.py has the numbers' names.
 ;
 ; trouble N
 

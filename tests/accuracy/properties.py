@@ -1,0 +1,366 @@
+"""What must hold for every polygon: each function returns complaints, none where it holds.
+
+They call the integer model through its modules, so that tests can put a wrong renderer in
+its place. Coordinates are 16.16; a vertex is (x, y, s, t, shade, w). What the renderer may be
+off from the ideal stands in tools/tmap/ideal/ideal.py. tests/accuracy/property_cases.py has random cases.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tmap.corpus import random_meshes, random_polygons
+from tmap.ideal import bounds, ideal
+from tmap.ideal.ideal import UNIT
+from tmap.model import model
+from tmap.scene_file.scene_file import ONE
+from tmap.setup import spans
+
+SIDE = 256 << 16  # of a map that repeats: 256 texels
+
+
+@dataclass(frozen=True)
+class Case:
+    """A polygon in a frame, and where it comes from."""
+
+    origin: str
+    vertices: tuple
+    width: int
+    height: int
+    settings: model.Settings = model.Settings()
+    size: tuple[int, int] = (256, 256)  # of the map, in texels
+
+    def adapted(self) -> list[tuple]:
+        """The vertices as the set-up takes them: (x, y, u, v)."""
+        return model.adapt(self.vertices, self.settings, max(self.size))
+
+    def drawn(self) -> model.Polygon | None:
+        """The model's polygon."""
+        return model.set_up(self.adapted(), self.width, self.height,
+                            self.settings.mapper != "flat", self.settings, self.size)
+
+    def keeps_shape(self) -> bool:
+        """Whether the polygon is still convex, no two vertices in one place, when its
+        vertices are cut to whole pixels. Otherwise its parts may lie over each other, and
+        of two vertices in one place the list's order chooses whose texture counts."""
+        points = [v[:2] for v in self.adapted()]
+        return len(set(points)) == len(points) and random_polygons.is_convex(points)
+
+    def complaint(self, what: str, pixel: tuple, expected, found) -> str:
+        """All a person needs to look into it."""
+        return "\n".join([
+            f"{self.origin}: {what} at (x {pixel[0]}, y {pixel[1]}): expected {expected}, "
+            f"found {found}", f"  {self.width}x{self.height}, map {self.size}, {self.settings}",
+            *listed(self.vertices)])
+
+
+def listed(vertices) -> list[str]:
+    """Vertices in decimal and hex."""
+    return [f"  vertex {k}: " + ", ".join(f"{n} {c / 65536:.6f} ({c & model.M32:#010x})"
+                                          for n, c in zip(("x", "y", "s", "t", "shade", "w"), vertex))
+            for k, vertex in enumerate(vertices)]
+
+
+def rows(polygon: model.Polygon | None) -> dict[int, model.Line]:
+    """The lines with pixels, by number."""
+    lines = enumerate(polygon.lines, polygon.top) if polygon else ()
+    return {y: line for y, line in lines if line.right > line.left}
+
+
+def lit(rows_: dict[int, model.Line]) -> set[tuple[int, int]]:
+    """The pixels of lines."""
+    return {(i, y) for y, line in rows_.items() for i in range(line.left, line.right)}
+
+
+def moved(rows_: dict[int, model.Line], columns: int = 0, down: int = 0, u: int = 0,
+          v: int = 0) -> dict[int, model.Line]:
+    """Lines elsewhere, with other u and v."""
+    return {y + down: replace(line, left=line.left + columns, right=line.right + columns,
+                              u=line.u + u & model.M32, v=line.v + v & model.M32)
+            for y, line in rows_.items()}
+
+
+def same(case: Case, what: str, wanted: dict[int, model.Line],
+         found: dict[int, model.Line]) -> list[str]:
+    """Complains of the first line that differs in anything."""
+    for y in sorted(wanted.keys() | found.keys()):
+        a, b = wanted.get(y), found.get(y)
+        if a != b:
+            return [case.complaint(what, ((a or b).left, y), a, b)]
+    return []
+
+
+# Watertight
+
+def counted(case: Case, pieces) -> np.ndarray:
+    """How many of some polygons (x, y, ...) cover each pixel of a case's frame, drawn with its
+    settings: int, [y][x]."""
+    counts = np.zeros((case.height, case.width), int)
+    for piece in pieces:
+        part = replace(case, vertices=tuple((*p[:2], 0, 0, 0, ONE) for p in piece))
+        for y, line in rows(part.drawn()).items():
+            counts[y, line.left:line.right] += 1
+    return counts
+
+
+def possible(case: Case, pieces, column: int, line: int) -> tuple[int, int]:
+    """How often a pixel at an edge may be covered, beyond what it should be: least, most.
+
+    Polygons that share an edge have it from the same upper vertex, so it is the same
+    numbers to both: what one leaves the other covers, wherever the edge is. Only two
+    things can differ. An edge of the outline may be on the pixel's other side. And a
+    piece may be inside out there, its left edge right of its right one: it draws nothing
+    where it would have to take one away. For that both its edges must be near the pixel.
+    """
+    def near(vertices) -> int:
+        return sum(c.near(column, case.settings, case.width, case.height)
+                   for c in ideal.crossings(vertices, line))
+
+    at_border = near(case.vertices)
+    return -at_border, at_border + sum(near(piece) > 1 for piece in pieces)
+
+
+def covers_once(case: Case, pieces) -> list[str]:
+    """The pieces of a polygon (the case's, convex or not) cover its pixels exactly once.
+
+    Vertices cut to whole pixels can turn a piece over or make a line of it, which is not
+    drawn: then nothing is promised.
+    """
+    if case.settings.edges == "integer":
+        pieces = [[tuple(c & ~0xFFFF for c in p[:2]) for p in piece] for piece in pieces]
+        case = replace(case, vertices=tuple(tuple(c & ~0xFFFF for c in p[:2])
+                                            for p in case.vertices))
+        areas = [abs(random_meshes.twice_area(p)) for p in pieces]
+        if not all(areas) or sum(areas) != abs(random_meshes.twice_area(case.vertices)):
+            return []
+    wanted = ideal.coverage(case.vertices, case.width, case.height)
+    counts = counted(case, pieces)
+    for y, x in np.argwhere(counts != wanted).tolist():
+        low, high = possible(case, pieces, x, y)
+        if not low <= counts[y, x] - wanted[y, x] <= high:
+            complaint = case.complaint("covered", (x, y), wanted[y, x], counts[y, x])
+            return ["\n".join([complaint, *(f"  piece {k}:\n" + "\n".join(listed(piece))
+                                            for k, piece in enumerate(pieces))])]
+    return []
+
+
+# Exact coverage
+
+def coverage(case: Case) -> list[str]:
+    """The ideal's pixels; where edges are rounded or cut, others only as near to an edge as
+    that may move it (ideal.Crossing.slack)."""
+    if not case.keeps_shape():
+        return []
+    vertices = case.adapted()
+    wanted = ideal.coverage(vertices, case.width, case.height)
+    found = counted(case, [case.vertices])
+    for y, x in np.argwhere(wanted != found).tolist():
+        if not any(c.near(x, case.settings, case.width, case.height)
+                   for c in ideal.crossings(vertices, y)):
+            return [case.complaint("covered", (x, y), wanted[y, x], found[y, x])]
+    return []
+
+
+# No drift
+
+def drift(case: Case) -> list[str]:
+    """Edges, and u and v on the texture plane, are within their bounds everywhere."""
+    polygon, vertices, found = case.drawn(), case.adapted(), []
+    if polygon is None:
+        return []
+    if case.settings.edges != "exact":
+        found += [("edge", *error) for error in ideal.edge_errors(vertices, polygon)]
+    if polygon.texturing:
+        found += ideal.texel_errors(vertices, polygon)
+    return [case.complaint(f"error of {what}", (i, y), f"{bound} at most", error)
+            for what, i, y, error, bound in found if not 0 <= error <= bound][:1]
+
+
+# Inside
+
+def within(case: Case) -> list[str]:
+    """u and v of every pixel are in the range that their plane has on the polygon.
+
+    A pixel lies inside the polygon, or outside by its edge's slack along the line: the
+    range grows by so many times the gradient, and by the bound of u or v.
+    """
+    polygon, vertices = case.drawn(), case.adapted()
+    if polygon is None:
+        return []
+    plane, three = polygon.texturing, [vertices[k] for k in ideal.corners(vertices)]
+    coordinates = [ideal.Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
+    ranges = [[exact.at(v[0], v[1]) for v in vertices] for exact in coordinates]
+    for y, line in rows(polygon).items():
+        slack = max((c.slack(case.settings, case.width, case.height)
+                     for c in ideal.crossings(vertices, y)), default=0)
+        stepped = model.coordinates(line, case.settings.mapper)
+        for exact, values, ends, cut in zip(coordinates, stepped, ranges, plane.cuts):
+            low, high = min(ends), max(ends)
+            for k, i in ((0, line.left), (-1, line.right - 1)):
+                room = exact.bound(i, y, plane, cut) / UNIT
+                room += float(slack) * abs(exact.nx / exact.d)
+                value = float(low) + model.signed(int(values[k]) - int(low))
+                if not low - room <= value <= high + room:
+                    return [case.complaint("u or v", (i, y), f"{float(low)} to {float(high)}, "
+                                           f"{room} more on either side", value)]
+    return []
+
+
+def held(case: Case) -> list[str]:
+    """Every shade is one of the vertices' range, every texel one of the map, exactly."""
+    if case.settings.mapper == "gouraud":
+        shades = [v[4] >> 16 for v in case.vertices]
+        limits = [(min(shades), max(shades))]
+    else:
+        limits = [(0, side - 1) for side in case.size]
+    for y, line in rows(case.drawn()).items():
+        for (low, high), values in zip(limits, model.coordinates(line, case.settings.mapper)):
+            whole = values >> 16
+            wrong = np.flatnonzero((whole < low) | (whole > high))
+            if len(wrong):
+                return [case.complaint("texel or shade", (line.left + int(wrong[0]), y),
+                                       f"{low} to {high}", int(whole[wrong[0]]))]
+    return []
+
+
+def rows_kept(case: Case) -> list[str]:
+    """Every pixel shows the column of its own u and the row of its own v: none is carried into the
+    other, however often the map repeats along a line."""
+    polygon = case.drawn()
+    for y, line in rows(polygon).items():
+        stepped = polygon.coordinates(line, y)
+        found = spans.fetched(line, polygon.mapper, case.size, stepped)
+        for name, values, texels, side in zip(("column", "row"), stepped, found, case.size):
+            wrong = np.flatnonzero((values >> 16) % side != texels)
+            if len(wrong):
+                k = int(wrong[0])
+                return [case.complaint(name, (line.left + k, y), int(values[k] >> 16) % side,
+                                       int(texels[k]))]
+    return []
+
+
+# Invariance
+
+def rotation(case: Case) -> list[str]:
+    """Whichever vertex comes first: the same lines, u, v and steps in every setting."""
+    if not case.keeps_shape():
+        return []
+    wanted, v = rows(case.drawn()), case.vertices
+    turned = [replace(case, vertices=v[k:] + v[:k]) for k in range(1, len(v))]
+    return [c for k, other in enumerate(turned, 1)
+            for c in same(case, f"vertex {k} first: line", wanted, rows(other.drawn()))]
+
+
+def reversal(case: Case) -> list[str]:
+    """Either winding: the same lines, u, v and steps in every setting."""
+    if not case.keeps_shape():
+        return []
+    other = replace(case, vertices=case.vertices[::-1])
+    return same(case, "the other way round: line", rows(case.drawn()), rows(other.drawn()))
+
+
+def translation(case: Case, columns: int, down: int) -> list[str]:
+    """Moved by whole pixels and in the frame before and after, so that no border of it
+    cuts the polygon or the box that u and v are seen from: the same lines, moved."""
+    there = replace(case, vertices=tuple((x + (columns << 16), y + (down << 16), *rest)
+                                         for x, y, *rest in case.vertices))
+    return same(case, f"moved by {columns}, {down}: line", moved(rows(case.drawn()), columns, down),
+                rows(there.drawn()))
+
+
+def wrapping(case: Case, s: int, t: int) -> list[str]:
+    """s and t further by whole maps that repeat: u and v further by as much, the same steps."""
+    other = replace(case, vertices=tuple((x, y, u + s * SIDE, v + t * SIDE, *rest)
+                                         for x, y, u, v, *rest in case.vertices))
+    return same(case, f"{s} and {t} maps further: line",
+                moved(rows(case.drawn()), u=s * SIDE, v=t * SIDE), rows(other.drawn()))
+
+
+def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
+    """u and v of two polygons with one texture plane, at pixels of both: where both are
+    seen from the same pixel the same, elsewhere apart by the larger bound at most.
+
+    Along a line the difference is linear, so the ends of the common part show the worst.
+    """
+    drawn = [c.drawn() for c in (first, second)]
+    both, planes = [rows(p) for p in drawn], [p and p.texturing for p in drawn]
+    three = [case.vertices[k] for k in ideal.corners(case.vertices)]
+    exact = [ideal.Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
+    for y in both[0].keys() & both[1].keys():
+        a, b = both[0][y], both[1][y]
+        left, right = max(a.left, b.left), min(a.right, b.right)
+        for i in (left, right - 1) if left < right else ():
+            for k, plane in enumerate(exact):
+                found = [int(model.coordinates(line)[k][i - line.left]) for line in (a, b)]
+                away = abs(model.signed(found[1] - found[0]))
+                room = 0.0
+                if planes[0] != planes[1]:
+                    room = max(plane.bound(i, y, p, p.cuts[k]) for p in planes) / UNIT
+                if away > room:
+                    return [case.complaint(f"{what}: {'uv'[k]}", (i, y),
+                                           f"{found[0]}, {room} at most away", found[1])]
+    return []
+
+
+def splitting(case: Case, parts) -> list[str]:
+    """Cut along a diagonal: the same pixels, each once, u and v within the bounds of both.
+    The polygon's texture must lie on one plane exactly."""
+    complaints = covers_once(case, parts)
+    for k, part in enumerate(parts):
+        complaints += two_planes(case, f"part {k}", case, replace(case, vertices=tuple(part)))
+    return complaints
+
+
+# Pieces
+
+def pieces(case: Case) -> list[str]:
+    """A polygon is drawn in one piece where its values lie on planes, else as triangles, which cover
+    it once; each is within its bounds, and every vertex is one of a triangle's."""
+    parts = model.parts(case.vertices, case.settings)
+    if {v for part in parts for v in part} != set(case.vertices):
+        return [case.complaint("vertices drawn", ("any", "any"), case.vertices, parts)]
+    if not case.keeps_shape():
+        return []
+    found = bounds.judge(case.vertices, case.settings, case.width, case.height, case.size).complaint
+    if found:
+        return [case.complaint(found, ("see there", "see there"), "within its bounds", parts)]
+    return covers_once(case, parts)
+
+
+# Monotone
+
+def monotone(case: Case, part) -> list[str]:
+    """A polygon of some of a convex one's vertices lights none but its pixels.
+
+    With rounded edges it may only where it has an edge of its own, with another upper
+    vertex, as near to the pixel as both edges' slacks allow: edges from one vertex have
+    the order of their exact slopes in their first x and in their slopes, for rounding to
+    the nearest never reverses two numbers, so they never cross.
+    """
+    inner = replace(case, vertices=tuple(part))
+    for i, y in sorted(lit(rows(inner.drawn())) - lit(rows(case.drawn()))):
+        pairs = [(a, b) for a in ideal.crossings(inner.vertices, y)
+                 for b in ideal.crossings(case.vertices, y) if a.upper != b.upper]
+        for a, b in pairs:
+            slack = max(c.slack(case.settings, case.width, case.height) for c in (a, b))
+            if slack and max(c.distance(i) for c in (a, b)) <= slack:
+                break
+        else:
+            return [inner.complaint("lit outside the larger polygon", (i, y), "not lit", "lit")
+                    + "\n the larger polygon:\n" + "\n".join(listed(case.vertices))]
+    return []
+
+
+# Clipping
+
+def clipping(case: Case) -> list[str]:
+    """Cut vertices and cut lines light the same pixels, but where an edge is as near to
+    one as the new vertices may move it; u and v on the plane are within their bounds."""
+    cut = replace(case, settings=replace(case.settings, clip="vertices"))
+    scissor = replace(case, settings=replace(case.settings, clip="scissor"))
+    vertices = case.adapted()
+    for i, y in sorted(lit(rows(cut.drawn())) ^ lit(rows(scissor.drawn()))):
+        if not any(c.near(i, cut.settings, case.width, case.height)
+                   for c in ideal.crossings(vertices, y)):
+            return [case.complaint("lit by cut vertices or by cut lines", (i, y), "both", "one")]
+    return two_planes(case, "vertices cut", scissor, cut)

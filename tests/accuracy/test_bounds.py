@@ -1,0 +1,192 @@
+"""The derived bounds: nothing exceeds them, much comes near, and wrong renderers do exceed them."""
+
+import itertools
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmap.base.fixed import ceil16
+from tmap.corpus import polygon_sets
+from tmap.fuzz import polygons as fuzz_polygons
+from tmap.ideal import bounds
+from tmap.model import model
+from tmap.model.model import Settings
+from tmap.scene_file import textures
+from tmap.setup import edges as model_edges, polygon as model_polygon, spans, texturing
+
+WIDTH, HEIGHT = 320, 256
+ALL = [Settings(edges, gradients, start) for edges, gradients, start in itertools.product(
+    ("integer", "subpixel", "exact"), ("scanline", "polygon", "plane"), ("truncated", "subtexel"))]
+
+
+def triangles(count: int) -> list[list[tuple]]:
+    """Of every named set, and random ones all over the frame."""
+    sets = [p for name in polygon_sets.SHAPES for p in polygon_sets.polygons(name)[::4]]
+    return sets + polygon_sets.random_triangles(count, seed=4)
+
+
+def worst(settings: Settings, polygons) -> bounds.Verdict:
+    """Of some polygons under one setting."""
+    total = bounds.Verdict()
+    for vertices in polygons:
+        total.merge(bounds.judge(vertices, settings, WIDTH, HEIGHT))
+    return total
+
+
+@pytest.mark.parametrize("settings", ALL, ids=lambda s: f"{s.edges}-{s.gradients}-{s.start}")
+def test_every_setting_keeps_its_bound(settings: Settings) -> None:
+    """And nearly reaches it: a bound that is never met says nothing."""
+    found = worst(settings, triangles(40))
+    assert not found.complaint
+    assert 0.3 < found.texel_ratio <= bounds.FLOAT, found
+    if settings.edges == "exact":
+        assert not found.coverage_errors
+
+
+@pytest.mark.parametrize("mapper", ["gouraud", "tiled", "columns", "generated"])
+def test_every_mapper_keeps_its_bound(mapper: str) -> None:
+    """What it cuts off is in its bound, and no more: under some setting it is nearly reached."""
+    ratios = []
+    for settings in ALL:
+        found = worst(replace(settings, mapper=mapper), triangles(8))
+        assert not found.complaint, (settings, found.complaint)
+        ratios.append(found.texel_ratio)
+    assert 0.9 < max(ratios) <= bounds.FLOAT, ratios
+
+
+def cut(bits: int):
+    """A quotient that keeps so many fraction bits of a 32.32 gradient."""
+    def quotient(n: int, d: int) -> int:
+        return (n << 32) // d >> 32 - bits << 32 - bits
+    return quotient
+
+
+#: What is patched, by what: (module or class, name, replacement).
+WRONG = {
+    "ceil off by one": (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1 + (y & 1)),
+    "a pixel centre belongs to its left edge's outside":
+        (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1),
+    "wrong fill rule": (model_edges.Edge, "column", lambda e, y: e.at(y) + 0x8000 >> 16),
+    "missing prestep": (model_edges.Edge, "at",
+                        lambda e, y: e.upper[0] + (y - e.top) * e.slope),
+    "drift of an edge": (model_edges.Edge, "slope", property(lambda e: (
+        (e.lower[0] - e.upper[0] << 8) // max(e.lower[1] - e.upper[1], 1) << 8))),
+    "truncated gradient": (texturing, "quotient", cut(8)),
+    "drift of a span": (texturing, "step", lambda g, spare: g >> 24 << 8),
+    "missing sub-texel start": (texturing, "on_plane", lambda t, column, line: (
+        t.u + (column - t.i) * t.dudx + (line - t.j) * t.dudy + (t.dudx >> 1),
+        t.v + (column - t.i) * t.dvdx + (line - t.j) * t.dvdy + (t.dvdx >> 1))),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
+    """Each defect exceeds a bound on ordinary triangles, under the usual settings."""
+    where, name, replacement = WRONG[wrong]
+    snapped = [[(x + 0x8000 & ~0xFFFF, y + 0x8000 & ~0xFFFF, *rest) for x, y, *rest in p]
+               for p in triangles(10)]
+    polygons = triangles(20) + snapped
+    assert not worst(Settings(), polygons).complaint
+    monkeypatch.setattr(where, name, replacement)
+    assert worst(Settings(), polygons).complaint
+
+
+def carried(right):
+    """Addresses by addition alone: where u leaves its row inside a line, the texel is in the next."""
+    def fetched(line, mapper, size, stepped):
+        columns, rows = right(line, mapper, size, stepped)
+        seams = np.cumsum(np.abs(np.diff(columns, prepend=columns[:1])) > size[0] / 2)
+        return columns, (rows + seams) % size[1]
+    return fetched
+
+
+def beside_once(right):
+    """The column beside, at one pixel in the middle of each line."""
+    def fetched(*given):
+        columns, rows = right(*given)
+        return columns + (np.arange(len(columns)) == len(columns) // 2), rows
+    return fetched
+
+
+@pytest.mark.parametrize("mapper, wrong", [
+    *((mapper, carried) for mapper in ("affine", "tiled", "columns", "lit", "lit_gouraud", "dithered")),
+    *((mapper, beside_once) for mapper in textures.MAPPERS[1] if mapper != "flat")])
+def test_a_wrong_texel_is_caught(mapper: str, wrong, monkeypatch) -> None:
+    """Though u and v are right: a row too far behind a seam, or one pixel's column."""
+    settings, inside = Settings(mapper=mapper), 256.0 if mapper == "arbitrary" else None
+    polygons = [p for name in ("medium", "large") for p in polygon_sets.polygons(name, inside)[::4]]
+    assert not worst(settings, polygons).complaint
+    monkeypatch.setattr(spans, "fetched", wrong(spans.fetched))
+    assert "the texel at pixel" in worst(settings, polygons).complaint
+
+
+@pytest.mark.parametrize("perspective", ["every16", "pixel"])
+def test_a_wrong_texel_in_perspective_is_caught(perspective: str, monkeypatch) -> None:
+    """Of polygons with depth, and of those drawn affine though w differs."""
+    settings = Settings(perspective=perspective)
+    deep = polygon_sets.polygons("depth")[::4]
+    flat = [[(*v[:5], 65536 + (v[5] > p[0][5])) for v in p] for p in deep]
+    right = spans.repeated
+    for polygons, tolerance in ((deep, 0), (flat, 65536)):
+        some = replace(settings, tolerance=tolerance)
+        assert not worst(some, polygons).complaint
+        with monkeypatch.context() as patch:
+            patch.setattr(spans, "repeated", lambda values, side: right(values, side) + (
+                np.arange(len(values)) == len(values) // 2))
+            assert "the texel at pixel" in worst(some, polygons).complaint
+
+
+@pytest.mark.parametrize("first, last", [(0, 500), (0, 2040), (500, 0), (-700, -200), (-30, -800)])
+def test_generated_code_beyond_its_row_is_caught(first: int, last: int, monkeypatch) -> None:
+    """Drawn by code, polygons whose u repeats show other rows; so affine spans draw them, exactly."""
+    settings = Settings("exact", mapper="generated")
+    vertices = [tuple(c << 16 for c in corner) for corner in (
+        (0, 0, first, 20, 0, 1), (256, 0, last, 37, 0, 1), (256, 200, last, 220, 0, 1))]
+    found = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+    assert found.pixels and not found.complaint and found.texel_error < 0.01
+    monkeypatch.setattr(model_polygon, "may_be_written", lambda *given: True)
+    found = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+    assert found.pixels and not found.complaint and found.texel_error < 0.01
+    monkeypatch.setattr(model_polygon, "stays_in_row", lambda line: True)
+    assert "the exact v" in bounds.judge(vertices, settings, WIDTH, HEIGHT).complaint
+
+
+def test_coverage_is_judged_on_the_edge_alone() -> None:
+    """A pixel on an edge's wrong side is a complaint in exact, and counted."""
+    vertices = [(x << 16, y << 16, 0, 0, 0, 65536) for x, y in ((0, 0), (8, 0), (0, 8))]
+    good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
+    assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
+    moved = [(x + 0x1000, *rest) for x, *rest in vertices]
+    polygon = model.set_up([v[:4] for v in moved], 16, 16, False, Settings("exact", mapper="flat"))
+    errors, complaint = bounds.judge_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
+                                              16, 16)
+    assert errors == 16 and "left out" in complaint and "0.0" in complaint
+
+
+def test_ideal_is_defined_for_convex_polygons_only() -> None:
+    """What integer edges dent, or what goes round twice, has none."""
+    square = [(0, 0, 0, 0), (ceil16(9 << 16) << 16, 0, 0, 0), (9 << 16, 9 << 16, 0, 0), (0, 9 << 16, 0, 0)]
+    star = [square[0], square[2], square[1], square[3]]
+    assert bounds.has_ideal(square) and not bounds.has_ideal(star)
+    twice = square * 2
+    assert not bounds.has_ideal(twice)
+    dented = [square[0], square[0], square[1], square[1], (1, 1, 0, 0), square[3]]
+    assert not bounds.has_ideal(dented)  # repeated vertices hide no corner
+    assert not bounds.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
+
+
+def test_random_polygons_have_all_that_is_promised() -> None:
+    """Every setting and mapper but units, planes for what is judged, some of everything that is
+    hard."""
+    some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
+    for kind, names in fuzz_polygons.SETTINGS.items():
+        assert {getattr(p.settings, kind) for p in some} == set(names) - {"unit", "glide"}
+    far = sum(any(abs(c) >= 1 << 30 for v in p.vertices for c in v[:4]) for p in some)
+    assert 20 < far < 300
+    assert {len(p.vertices) for p in some} >= set(range(3, 10))
+    assert sum(not bounds.has_ideal([v[:4] for v in p.vertices]) for p in some) > 100
+    rng = random.Random(1)
+    plane = fuzz_polygons.plane_of(rng, [(0, 0), (1 << 29, 0), (1 << 29, 1 << 29), (0, 1 << 29)], 1 << 30)
+    assert all(abs(c) < 1 << 30 for pair in plane for c in pair)

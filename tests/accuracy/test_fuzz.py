@@ -1,0 +1,173 @@
+"""The fuzzer: a fixed slice holds on the emulated 68020, and what does not hold is found, made
+smaller and explained."""
+
+import json
+import os
+import signal
+import subprocess
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmap.__main__ import main
+from tmap.base import paths
+from tmap.base.errors import UserError
+from tmap.base.silence import Silence
+from tmap.build import layout
+from tmap.corpus import hard_cases
+from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
+from tmap.guest import emulator, guest_frames
+from tmap.run import run
+from tmap.scene_file import scene_file
+from tmap.setup import edges
+
+SEED, COUNT = 2026, 4000
+
+
+def test_a_fixed_slice_holds() -> None:
+    """Every frame is the model's, every polygon with an ideal within its bounds."""
+    found = fuzz.run(SEED, 0, COUNT)
+    assert not found.failed, {n: f.text for n, f in found.failed.items()}
+    assert found.polygons == COUNT and found.drawn > COUNT / 2 and found.refused > COUNT / 100
+    assert found.judged > COUNT / 3 and found.coverage_errors["exact"] == 0
+    assert set(found.worst) == set(scene_file.MAPPERS[1])
+
+
+def test_digests_are_those_of_the_dumps(tmp_path) -> None:
+    """The guest's digest is that of the frame that it dumps when it is asked for no digest."""
+    scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
+    commands = ["render it.scene", "render it.scene DIGEST it.digest"]
+    done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
+    volume = done[0].directory
+    digests = np.fromfile(volume / "it.digest", layout.load().struct("frame_digest").dtype)
+    for number, (frame, digest) in enumerate(zip(run.load_dumps(volume, scene), digests, strict=True)):
+        assert guest_frames.is_models(frame, digest) and digest["ticks"] > 0, f"seed {SEED}, polygon {number}"
+
+
+def test_digests_tell_frames_apart() -> None:
+    """By a bit and its place; by a pixel that is on another line, in whatever byte of a longword and
+    however many lines away; by lines that are shifted against each other."""
+    moved = [np.eye(1, 64, k, dtype=np.uint8) for k in range(64)]
+    moved += [np.left_shift(np.eye(1, 64, 9, dtype=np.uint8), bit) for bit in range(1, 8)]
+    for width in (64, 128, 320):
+        ground = np.full((48, width), 7, np.uint8)
+        for column in range(4, 8):
+            for line in range(48):
+                moved.append(ground.copy())
+                moved[-1][line, column] = 200
+        for line in range(1, 48):  # two lines shifted, to the right and to the left
+            moved.append(ground.copy())
+            moved[-1][0, 8:40] = moved[-1][line, 7:39] = 200
+            moved.append(ground.copy())
+            moved[-1][0, 7:39] = moved[-1][line, 8:40] = 200
+    assert len({guest_frames.digest_of(frame) for frame in moved}) == len(moved)
+
+
+def wrong_ceil(edge, line: int) -> int:
+    """A pixel centre on the edge belongs to nobody."""
+    return (edge.at(line) >> 16) + 1
+
+
+def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
+    """Here the model is the one that is wrong: the first difference is made small, printed with
+    all that is needed, and kept. A round of that takes a boot, as the polygons themselves do."""
+    boots, draw = [], guest_frames.draw
+    monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
+    monkeypatch.setattr(edges.Edge, "column", wrong_ceil)
+    monkeypatch.setattr(shrink, "ROUNDS", 3)
+    monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
+    monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
+        seed, range(first, first + count), machine))
+    assert main(["fuzz", "--seed", "1", "--first", "600", "--count", "60", "--keep", "wrong_ceil"]) == 1
+    text = capsys.readouterr().out
+    for part in ("60 polygons", "failed: ", "seed 1, polygon 6", "the guest's frame is not the model's",
+                 "expected / found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
+                 "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
+        assert part in text, f"{part!r} is missing in\n{text}"
+    assert len(boots) == 1 + shrink.ROUNDS
+    kept, = json.loads((tmp_path / "found.json").read_text())
+    number = int(kept["sentence"].split("polygon ")[1].split(":")[0])
+    assert kept["name"] == "wrong_ceil" and "seed 1" in kept["sentence"]
+    bits = [sum(bin(abs(c)).count("1") for vertex in vertices for c in vertex)
+            for vertices in (kept["vertices"], fuzz_polygons.polygon(1, number).vertices)]
+    assert bits[0] < bits[1]
+
+
+def test_faults_of_each_kind_are_told_apart() -> None:
+    """Pixels, results and bounds."""
+    each = fuzz_polygons.polygon(SEED, 3)
+    checked = fuzz.check(each, SEED, 0)
+    good = {"result": checked.result, **dict(zip(("sum", "hash"), guest_frames.digest_of(checked.frame)))}
+    assert fuzz.compare(checked, good) is None
+    assert fuzz.compare(checked, good | {"result": 3}).kind == "refused"
+    assert fuzz.compare(checked, good | {"hash": 1}).kind == "differs"
+    checked.verdict.complaint = "too far"
+    assert fuzz.compare(checked, good) == fuzz.Fault("bound", "too far")
+
+
+def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
+    """The polygon that ends a boot is found; the others are still judged."""
+    polygons = [fuzz_polygons.polygon(SEED, k) for k in range(9)]
+    checks = {id(p): fuzz.check(p, SEED, 0) for p in polygons}
+    right = [(c.result, *guest_frames.digest_of(c.frame)) for c in checks.values()]
+
+    def draw(scenes, machine, on_output=None):
+        (this, _), = scenes
+        corners = [tuple(map(int, v)) for v in this.vertices]
+        if polygons[5].vertices[0] in corners:
+            raise UserError("render crashed: exception 5")
+        return [np.array([right[polygons.index(p)] for p in polygons
+                          if p.vertices[0] in corners], [("result", int), ("sum", int), ("hash", int)])]
+
+    monkeypatch.setattr(fuzz, "draw", draw)
+    assert fuzz.faults(polygons, SEED, 0, "addx", "a1200-fast") == {
+        5: fuzz.Fault("crash", "render crashed: exception 5")}
+
+
+def test_shrinking_ends_at_the_simplest() -> None:
+    """Vertices, settings and numbers that do not matter go; what matters stays."""
+    start = next(p for p in (fuzz_polygons.polygon(SEED, k) for k in range(500))
+                 if len(p.vertices) > 4 and p.settings.edges == "subpixel"
+                 and max(v[0] for v in p.vertices) > 40 << 16)
+
+    def failing(some):
+        return {k: "wide" for k, p in enumerate(some)
+                if max(v[0] for v in p.vertices) > 40 << 16 and p.settings.edges == "subpixel"}
+
+    found, fault = shrink.shrink(start, "wide", failing)
+    assert fault == "wide" and len(found.vertices) == 3
+    plain = {"clip": "scissor", "start": "subtexel", "gradients": "plane", "edges": "subpixel"}
+    assert found.settings == replace(start.settings, **plain)
+    numbers = sorted(abs(c) for v in shrink.away(found.vertices) for c in v)
+    assert numbers[:-1] == [0] * 17 and 40 << 16 < numbers[-1] < 84 << 16
+
+
+@pytest.mark.parametrize("arguments, complaint", [
+    (["--count", "0"], "fuzz: --count must be 1 or more"),
+    (["--seed", "-1"], "fuzz: --count must be 1 or more, --first and --seed 0 or more"),
+    (["--count", "x"], "fuzz: argument --count: invalid int value: 'x'"),
+    (["--machine", "z80"], "fuzz: argument --machine: invalid choice: 'z80'")])
+def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
+    """One line, status 2."""
+    assert main(["fuzz", *arguments]) == 2
+    assert complaint in capsys.readouterr().err
+
+
+def test_an_interrupt_ends_all_at_once(tmp_path) -> None:
+    """Processes and emulators too, as Ctrl-C in a terminal reaches them: one line, status 130."""
+    with subprocess.Popen([paths.ROOT / "scripts/tmap", "fuzz", "--count", "40000"],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          start_new_session=True, env=os.environ | {"TMPDIR": str(tmp_path)}) as process:
+        silence = Silence(process.pid, 120)
+        while not list(tmp_path.glob("tmap-*/emulator.log")):  # one runs
+            assert process.poll() is None and not silence.end()
+            time.sleep(0.1)
+        os.killpg(process.pid, signal.SIGINT)
+        silence = Silence(process.pid, 20)
+        while process.poll() is None:
+            assert not silence.end()
+            time.sleep(0.1)
+        assert process.communicate()[0] == "tmap: interrupted\n"
+    assert process.returncode == 130 and not list(tmp_path.glob("tmap-*"))

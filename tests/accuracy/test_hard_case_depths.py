@@ -1,0 +1,123 @@
+"""The hard depths: what their vertices promise, and how they are drawn."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+
+from tests.polygon.surfaces import off_surface
+from tmap.accuracy import hard_report
+from tmap.corpus import hard_cases, hard_depths
+from tmap.corpus.hard_depths import DEEPEST, NEAREST
+from tmap.ideal import bounds, ideal, perspective
+from tmap.model import model
+from tmap.scene_file import scene_file
+from tmap.scene_file.scene_file import ONE
+
+CASES = [case for family in hard_depths.FAMILIES for case in family()]
+W_MIN, W_MAX = NEAREST * ONE, DEEPEST * ONE
+BY_NAME = {case.name: case for case in CASES}
+
+
+def adapted(case: hard_cases.Case) -> list[tuple]:
+    """(x, y, u, v, w) on a map of 256x256."""
+    return model.adapt(case.vertices, model.Settings("exact"), 256)
+
+
+def test_all_are_defined_and_most_show() -> None:
+    """In front of the viewer at every vertex, but for the one without an area."""
+    shown = 0
+    for case in CASES:
+        vertices = adapted(case)
+        assert perspective.in_front(vertices) == (case.name != "deep_without_area"), case.name
+        shown += bool(ideal.coverage(vertices, hard_cases.WIDTH, hard_cases.HEIGHT).any())
+    assert shown > 0.9 * len(CASES)
+
+
+def test_all_vertices_are_on_the_surface_of_three() -> None:
+    """As near as tools/tmap/corpus/hard_depths.py derives, in exact fractions."""
+    several = [case for case in CASES if len(case.vertices) > 3]
+    for case in several:
+        for what, off, allowed in off_surface(adapted(case), Fraction(1, 2)):
+            assert off <= allowed, f"{case.name}: {what} is {float(off)} off, not {float(allowed)}"
+    assert len(several) > 60
+
+
+def test_depths_are_what_the_families_say() -> None:
+    """Extremes of w in one polygon and in one span, constants, differences of a unit."""
+    def ratio(name: str) -> Fraction:
+        return perspective.depth_ratio(adapted(BY_NAME[name]))
+
+    assert ratio("all_depths_in_a_span") == ratio("near_plane_on_screen") == W_MAX / W_MIN == 1 << 22
+    steep = [case for case in CASES if case.name.startswith("1_to_1000")]
+    assert len(steep) > 1
+    for case in steep:  # each w is 256 units or more, rounded by half a unit
+        ratio_of_line = perspective.curves(adapted(case))[0].ratio(0, hard_cases.WIDTH, 30)
+        assert abs(ratio_of_line - 1000) < 1000 * Fraction(2, 511), case.name
+    for k, family in enumerate((hard_depths.constant_depths, hard_depths.hardly_deep)):
+        for case in family():
+            depths = [v[5] for v in case.vertices]
+            assert (max(depths) > min(depths)) == k, case.name
+            assert 100 * (max(depths) - min(depths)) <= max(depths), case.name
+    assert {v[5] for case in hard_depths.constant_depths() for v in case.vertices} >= {W_MIN, W_MAX}
+    below = [v for v in BY_NAME["near_plane_below_two_near"].vertices if v[5] == W_MIN]
+    assert len(below) == 2 and min(abs(v[0]) for v in below) > 16000 * ONE
+
+
+def test_vanishing_values_are_what_the_names_say() -> None:
+    """To the unit: all numbers of these corners can be had in 16.16."""
+    for name, wanted in (("vanishing_at_0_right", 0), ("vanishing_at_128_left", 128 * ONE),
+                         ("vanishing_at_16777215_units_left", 256 * ONE - 1),
+                         ("vanishing_at_minus_1000_right", -1000 * ONE)):
+        assert [c.vanishing() for c in perspective.curves(adapted(BY_NAME[name]))] == [wanted] * 2
+    far = perspective.curves(adapted(BY_NAME["vanishing_190000_texels_away"]))[0]
+    assert abs(far.vanishing()) > 1 << 32
+
+
+def test_every_perspective_is_combined() -> None:
+    """With edges that have an ideal, cut or not; scenes of them can be written."""
+    perspectives = scene_file.SETTINGS["perspective"]
+    case = BY_NAME["corridor_left"]
+    made = list(hard_cases.combinations(case))
+    assert len(made) == len(set(made)) == 2 * 2 * len(perspectives)
+    assert {(s.mapper, s.gradients, s.start) for s in made} == {("affine", "plane", "subtexel")}
+    assert {s.edges for s in made} == {"subpixel", "exact"}
+    assert {s.perspective for s in made} == set(perspectives)
+    every = [(case, s) for case in CASES[::7] for s in hard_cases.combinations(case)]
+    scene = hard_cases.scene(every)
+    again = scene_file.read(scene_file.write(scene), "scene")
+    assert again.materials == scene.materials and np.array_equal(again.vertices, scene.vertices)
+
+
+def test_pictures_have_the_perspective() -> None:
+    """The exact picture of a case: each texel is that of the curves; without perspective, of the plane."""
+    case, settings = BY_NAME["square_turned_half"], model.Settings("exact", perspective="fine")
+    vertices, texels = adapted(case), np.arange(65536).reshape(256, 256) % 251
+    planes = perspective.curves(vertices)
+    found = hard_report.exact_picture(vertices, settings, texels)
+    flat = hard_report.exact_picture(vertices, replace(settings, perspective="none"), texels)
+    shown = np.argwhere(found >= 0)
+    assert len(shown) > 500 and np.array_equal(found >= 0, flat >= 0) and (found != flat).sum() > 300
+    for y, x in shown:
+        u, v = (int(plane.at(int(x) << 16, int(y) << 16) // ONE) for plane in planes)
+        assert found[y, x] == texels[v % 256, u % 256]
+
+
+def test_what_is_drawn_affine_for_want_of_precision() -> None:
+    """One triangle of a unit, whose only pixel is right but for what its plane is raised by, 2 (gx + gy)
+    way / 2^32 of 2^24 texels a pixel and a way of 2 pixels: it is judged against the curve."""
+    settings, unsure = model.Settings("exact", perspective="fine"), {}
+    for case in CASES:
+        if perspective.in_front(adapted(case)):
+            verdict = bounds.judge(case.vertices, settings, hard_cases.WIDTH, hard_cases.HEIGHT)
+            assert not verdict.complaint, case.name
+            if verdict.unsure:
+                unsure[case.name] = verdict.texel_error
+    assert unsure.keys() == {"deep_triangle_1_unit_1_to_16384"} and max(unsure.values()) < 1 / 64
+
+
+def test_a_line_may_end_at_the_tables_last_entry() -> None:
+    """Its larger weight is 2^32 by the rounding of its steps: the bound counts the smaller one."""
+    case, settings = BY_NAME["one_farther_at_the_top"], model.Settings(perspective="pixel")
+    verdict = bounds.judge(case.vertices, settings, hard_cases.WIDTH, hard_cases.HEIGHT)
+    assert verdict.texel_bound > 0 and not verdict.complaint, verdict.complaint

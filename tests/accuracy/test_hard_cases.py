@@ -1,0 +1,195 @@
+"""The corpus of hard polygons: what it promises, and every case drawn by the 68020.
+
+A case has up to 60 drawings: its mappers with their settings. ``make test`` draws a
+quarter of them, chosen by the case's name, so that each mapper of each case is there and
+all settings meet every family; HARD_CASES=all draws all.
+"""
+
+import json
+import os
+import random
+import re
+from dataclasses import replace
+from itertools import groupby
+from math import ceil
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tmap.accuracy import hard_report
+from tmap.base.errors import UserError
+from tmap.build import layout
+from tmap.corpus import hard_cases, hard_meshes, hard_planes
+from tmap.corpus.hard_case import FAR
+from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case
+from tmap.ideal import bounds_perspective, ideal, perspective
+from tmap.model import model
+from tmap.scene_file import scene_file
+
+CASES = hard_cases.cases()
+PART = 1 if os.environ.get("HARD_CASES") == "all" else 4
+
+
+def chosen(case: Case) -> list[hard_cases.Drawing]:
+    """The case's drawings that are run: of each mapper every PART-th."""
+    rng, drawings = random.Random(case.name), []
+    for _, same in groupby(hard_cases.combinations(case), lambda settings: settings.mapper):
+        ways = list(same)
+        drawings += [(case, s) for s in rng.sample(ways, ceil(len(ways) / PART))]
+    return drawings
+
+
+DRAWINGS = [drawing for case in CASES for drawing in chosen(case)]
+
+
+def test_every_case_is_the_models_and_keeps_its_bound() -> None:
+    """No byte differs, none outside the frame is touched, no fault, no endless loop; what has an
+    exact ideal is as near to it as tools/tmap/ideal/bounds.py derives."""
+    rows = hard_report.measure(DRAWINGS, "a1200-fast")
+    wrong = [f"{hard_report.called(*drawing)}: {row.complaint}"
+             for drawing, row in zip(DRAWINGS, rows) if row.complaint]
+    assert not wrong, "\n".join([f"{len(wrong)} drawings exceed a bound", *wrong[:20]])
+    judged = [row for row in rows if row.coverage_errors is not None]
+    assert len(judged) > 0.8 * len(rows)
+    assert not any(row.coverage_errors for row in judged if row.edges == "exact")
+
+
+def test_the_other_form_draws_the_same() -> None:
+    """Of the affine mapper alone: the others have one form."""
+    hard_report.cycles([d for d in DRAWINGS if d[1].mapper == "affine"][::4], "a1200-fast", "swap")
+
+
+def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
+    """A section, a picture and all its rows; an excess is marked."""
+    some, meshes = CASES[::60], hard_meshes.cases()[::25]
+    monkeypatch.setattr(hard_cases, "cases", lambda: some)
+    monkeypatch.setattr(hard_meshes, "cases", lambda: meshes)
+    rows = hard_report.write(tmp_path / "hard", "a1200-fast", "On a <test> machine.")
+    text = (tmp_path / "hard" / "index.html").read_text()
+    assert "On a &lt;test&gt; machine." in text and "none exceeds its bound" in text
+    cases = [*some, *meshes]
+    assert text.count("<section") == len(cases) and text.count("<tr>") == len(rows) + len(cases)
+    for case in cases:
+        assert f'<h2>{case.name}</h2>' in text
+        with Image.open(tmp_path / "hard" / f"{case.name}.png") as picture:
+            assert picture.size == (hard_report.SCALE * (3 * WIDTH + 8), hard_report.SCALE * HEIGHT)
+    kept = json.loads((tmp_path / "hard" / "hard.json").read_text())["rows"]
+    assert len(kept) == len(rows) and max(row["cycles"] for row in kept) > 10_000
+    assert all(row["cycles"] >= 0 for row in kept)
+    rows[0].complaint = "too far"
+    assert "1 exceed a bound" in hard_report.page(rows, "")
+
+
+def check_borders(case: Case, part, settings: model.Settings, wrong: list[tuple]) -> int:
+    """How many pixels (y, x, expected, found) there are; each has a texel's border as near as its bound."""
+    vertices = model.adapt(part, settings, 256)
+    polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
+    t = polygon.texturing if polygon else None
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    if polygon and polygon.perspective:
+        made = perspective.curves(vertices)
+        allowed = {(key, y): bound for key, y, *_, bound
+                   in bounds_perspective.line_errors(vertices, polygon)}
+    for y, x, expected, found in wrong:
+        near = []
+        for k, key in ((2, "u"), (3, "v")):
+            if t:
+                curve = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
+                bound = curve.bound(x, y, t, t.cuts[k - 2])
+            else:
+                curve, bound = made[k - 2], allowed[key, y]
+            u = curve.at(x << 16, y << 16) / 65536
+            near.append(abs(u - round(u)) <= bound)
+        assert any(near), (f"{case.name}: pixel ({x}, {y}): expected {expected}, found "
+                           f"{found}, and no texel's border is as near as the bound")
+    return len(wrong)
+
+
+def test_pictures_differ_at_texel_borders_alone() -> None:
+    """Ours has the ideal's outline; another texel it shows only where the exact u or v is as near to
+    a texel's border as its bound."""
+    shown, different = 0, 0
+    for case in CASES[::3]:
+        exact, ours = hard_report.both(case)
+        settings = hard_report.shown(case)
+        if exact is None or settings.mapper != "affine":
+            continue
+        assert np.array_equal(exact < 0, ours < 0), case.name
+        shown += np.count_nonzero(exact >= 0)
+        for part in model.parts(case.vertices, settings):
+            inside = ideal.coverage(part, WIDTH, HEIGHT) > 0
+            wrong = np.argwhere((exact != ours) & inside).tolist()
+            different += check_borders(case, part, settings, [(y, x, exact[y, x], ours[y, x]) for y, x in wrong])
+    assert shown > 100_000 and different > 0
+
+
+def test_names_say_which_case_it_is() -> None:
+    """Unique names in snake_case, one sentence each."""
+    names = [case.name for case in CASES]
+    assert len(set(names)) == len(names)
+    for case in CASES:
+        assert re.fullmatch("[a-z0-9]+(_[a-z0-9]+)*", case.name), case.name
+        assert re.fullmatch(r"[A-Z0-9](?:[^.\n]|\.\d)*\.", case.sentence), case.sentence
+
+
+def test_every_family_is_there() -> None:
+    """Each kind of outline, texture and depth has its own, and together they concern every mapper."""
+    families = {family.__name__: len(list(family())) for family in hard_cases.FAMILIES}
+    assert families.keys() == {
+        "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
+        "collinear_vertices", "on_centres", "level_edges", "between_lines", "slopes", "sizes",
+        "off_screen", "at_the_border", "vertex_counts", "windings", "nearly_concave", "long_edges",
+        "far_outside", "on_texel_borders", "gradients", "mirrored", "seams", "repeats",
+        "up_to_the_last_texel", "shades", "long_spans", "map_sizes", "uneven", "hardly_even",
+        "horizons", "near_planes", "ratios", "grazing", "hardly_deep", "constant_depths", "one_apart",
+        "deep_slivers", "deep_sizes", "far_textures", "constant_texels", "vanishing", "in_space"}
+    assert min(families.values()) >= 5
+    assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPERS[1])
+
+
+def test_vertices_are_what_the_format_takes() -> None:
+    """3 to 64, every coordinate and depth in range."""
+    limits = layout.load().constants
+    for case in CASES:
+        assert 3 <= len(case.vertices) <= 64, case.name
+        assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v[:5]), case.name
+        assert all(limits["W_MIN"] <= v[5] <= limits["W_MAX"] for v in case.vertices), case.name
+        assert case.depth or all(v[5] == scene_file.ONE for v in case.vertices), case.name
+
+
+def test_textures_are_planar() -> None:
+    """s, t and shade of every vertex lie on the plane of three, within 2 units: its own are rounded
+    by half a unit, and those of the three count as its barycentric coordinates do, whose sizes add
+    up to 3 at most where no vertex is higher, lower or farther from the first two than they are. Those
+    that shall not be planar are not."""
+    planar, uneven = 0, {case.name for family in hard_planes.FAMILIES for case in family()}
+    for case in CASES:
+        a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
+        area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+        if len(case.vertices) == 3 or not area or case.depth or case.name in uneven:
+            continue
+        planar += 1
+        for noun, k in (("s", 2), ("t", 3), ("shade", 4)):
+            plane = ideal.Plane((a[:2], b[:2], c[:2]), (a[k], b[k], c[k]))
+            for vertex in case.vertices:
+                off = vertex[k] - plane.at(*vertex[:2])
+                assert abs(off) <= 2, f"{case.name}: {noun} at {vertex[:2]} is {float(off)} units off"
+    assert planar > 100
+
+
+def test_kept_case_joins_the_corpus(tmp_path, monkeypatch) -> None:
+    """Sorted by name, read back as it was; a name that exists is refused, and nothing written."""
+    monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "hard_cases.json")
+    assert hard_cases.found_cases() == []
+    later, earlier = (replace(CASES[0], name=name, mappers=("flat", "columns"), map_size=(8, 16),
+                               depth=name == "found_a")
+                      for name in ("found_b", "found_a"))
+    hard_cases.keep(later)
+    hard_cases.keep(earlier)
+    assert hard_cases.found_cases() == [earlier, later] == hard_cases.cases()[-2:]
+    text = hard_cases.FOUND.read_text()
+    for name in ("found_a", CASES[0].name):
+        with pytest.raises(UserError, match=f"there is a case called {name} already"):
+            hard_cases.keep(replace(earlier, name=name))
+    assert hard_cases.FOUND.read_text() == text

@@ -1,0 +1,69 @@
+"""The scenes of depth and effects: drawn as the model does, and what their report says."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tmap.accuracy import showcase
+from tmap.base.paths import SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.guest import guest_frames
+from tmap.ideal import bounds
+from tmap.model import model
+from tmap.model.mesh import polygons_at
+
+FRAMES = {"cube": 2, "floor": 2, "corridor": 2, "environment": 1, "rotator": 2, "lit": 1,
+          "shaded": 1}
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str, tuple]:
+    """By name: a scene's first frames and their digests, all of one boot."""
+    scenes = {name: compile_scene(SCENES / f"{name}.toml", FRAMES[name]) for name in showcase.NAMES}
+    digests = guest_frames.draw([(scene, "addx") for scene in scenes.values()], "a1200-fast")
+    return dict(zip(scenes, zip(scenes.values(), digests, strict=True), strict=True))
+
+
+@pytest.mark.parametrize("name", showcase.NAMES)
+def test_frames_are_the_models(name: str, drawn) -> None:
+    """The first frames of each scene, bit for bit."""
+    scene, digests = drawn[name]
+    assert len(digests) == FRAMES[name]
+    for number, digest in enumerate(digests):
+        expected = model.render(scene, number)
+        assert guest_frames.is_models(expected, digest), (
+            f"{name}, frame {number} is not the model's; again: scripts/tmap run "
+            f"tests/scenes/{name}.toml --frames {FRAMES[name]}")
+        assert len(np.unique(expected)) > 4
+
+
+def test_report_shows_each_scene(tmp_path, monkeypatch) -> None:
+    """A table with figures, and an animation that moves."""
+    monkeypatch.setattr(showcase, "compile_scene", lambda path: compile_scene(path, 3))
+    text = showcase.write(tmp_path, "a1200-fast", names=("cube", "rotator"))
+    assert len(text.splitlines()) == 4 and "rotator" in text
+    for name in ("cube", "rotator"):
+        with Image.open(tmp_path / f"{name}.gif") as moving:
+            assert moving.n_frames == 3
+    assert "![cube](cube.gif)" in (tmp_path / "scenes.md").read_text()
+
+
+@pytest.mark.parametrize("name", showcase.NAMES)
+def test_errors_are_within_derived_bounds(name: str) -> None:
+    """Every polygon of a frame is held to the bounds of its settings; the report's figure is the largest
+    error that is found there."""
+    scene, total = compile_scene(SCENES / f"{name}.toml", 1), bounds.Verdict()
+    for which, vertices in polygons_at(scene, 0):
+        material = scene.materials[which]
+        settings = model.Settings(material.edges, material.gradients, material.start, material.clip,
+                                  material.perspective, material.mapper)
+        size = scene.textures[material.texture].texels.shape[::-1] if material.texture >= 0 else (256, 256)
+        adapted = model.adapt(vertices, settings, max(size))
+        if bounds.has_ideal(adapted, settings):
+            polygon = model.prepare_polygon(scene, which, vertices)
+            total.merge(bounds.judge_set_up(adapted, polygon, settings, scene.width, scene.height, size))
+    assert not total.complaint and total.texel_ratio > 0.1
+    found = showcase.errors_of(scene)
+    assert found.pixels > 1000
+    if {m.gradients for m in scene.materials} == {"plane"}:  # the others' ideal is not the plane
+        assert found.worst <= total.texel_error + 2**-24

@@ -1,0 +1,96 @@
+"""Scenes drawn by the guest, many in a boot, and held to the model: digests of all frames, and what
+was counted while they were drawn once more."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tests.arrays import first_wrong
+from tmap.base.errors import UserError
+from tmap.build import layout
+from tmap.guest import emulator, guest_frames
+from tmap.model import model
+from tmap.run import run
+from tmap.scene_file.scene_file import Scene, write
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A scene and how it is to be drawn; ``off``: the rules that are not followed; ``counted``:
+    whether it is drawn twice more, for figures."""
+
+    scene: Scene
+    off: str | None = None
+    form: str = "addx"
+    counted: bool = True
+
+    @property
+    def way(self) -> str:
+        """As render's arguments."""
+        return f"FORM {self.form}" + (f" OFF {self.off}" if self.off else "")
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """What became of a scene: the digests of its frames; each frame's figures, and for each
+    material what was executed, as ``run.parse_output`` has them."""
+
+    digests: np.ndarray
+    figures: list[dict]
+    executed: list[dict]
+
+    @property
+    def spans(self) -> set[str]:
+        """That drew it."""
+        return set(run.total(self.figures)["spans"])
+
+    @property
+    def rules(self) -> set[str]:
+        """That applied."""
+        return {rule for material in self.executed for rule in material["rules"]}
+
+
+def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
+    """All of them in one boot."""
+    shape = layout.load().struct("frame_digest").dtype
+    files = {f"{k}.scene": write(each.scene) for k, each in enumerate(asked)}
+    commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" for k, each in enumerate(asked)]
+    commands += [f"render {k}.scene {each.way} COUNT" for k, each in enumerate(asked)
+                 if each.counted]
+    with emulator.workspace() as folder:
+        done = emulator.run_many(commands, files, machine, folder, patience=emulator.PATIENT_SECONDS)
+        for command, result in zip(commands, done):
+            fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
+            if fault or result.code:
+                raise UserError(f"{command}: {fault or emulator.last_words(result.output)}")
+        outputs = (result.output for result in done[len(asked):])
+        figures = [run.parse_output(next(outputs), each.scene.frames, len(each.scene.materials))
+                   if each.counted else ([], []) for each in asked]
+        drawn = [Drawn(np.fromfile(done[0].directory / f"{k}.digest", shape), *found)
+                 for k, found in enumerate(figures)]
+    for each, found in zip(asked, drawn):
+        assert len(found.digests) == each.scene.frames, (len(found.digests), each.scene.frames)
+    return drawn
+
+
+def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
+                machine: str = "a1200-fast") -> str:
+    """Which frame is the first that is not the model's, and how it differs: it is drawn once more
+    for that. "": none."""
+    for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
+        if not guest_frames.is_models(right, digest):
+            found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
+            count = int((found != right).sum())
+            return f"frame {number}: " + (
+                f"{count} pixels are not the model's; {first_wrong(right, found)}" if count
+                else "it is not the model's, but drawn alone it is")
+    return ""
+
+
+def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
+    """Holds all frames to the model's, which it returns."""
+    __tracebackhide__ = True
+    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
+    wrong = wrong_frame(asked, drawn, expected, machine)
+    assert not wrong, f"{what}, {asked.way}, {machine}: {wrong}"
+    return expected

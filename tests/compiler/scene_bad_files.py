@@ -1,0 +1,194 @@
+"""Scene files that cannot be, and what must be said of each."""
+
+import numpy as np
+
+from tests.compiler.wrong_fields import M32, SHAPES, Row, WrongFields, changed, lengths
+from tests.glide.bad_files import wrong_pipes
+from tests.mesh import mesh_cases
+from tests.mesh.mesh_bad_files import wrong_meshes
+from tests.n64.bad_files import wrong_primitives
+from tmap.scene_file import scene_file
+from tmap.scene_file.meshes import Instance
+from tmap.scene_file.scene_file import Material, Object, Scene, Texture
+from tmap.scene_file.textures import LAYOUTS, ON_PLANE
+
+W_MIN, W_MAX = 1 << 8, 1 << 30  # 1/256 and 16,384, in 16.16
+NOT_USABLE = ": not a usable scene file: "
+
+
+def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
+    """A scene of random numbers: two objects, or three overlapping ones from 20 corners on."""
+    random = np.random.default_rng(seed)
+    objects = [Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)]
+    if corners >= 20:
+        objects += [Object(1, 3, corners - 3, 0, 3, 0)]
+    return Scene(
+        width=side, height=side, frames=3, background=7,
+        palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
+        textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))
+                  for _ in range(textures)],
+        materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
+                   else Material()], objects=objects,
+        vertices=random.integers(-2**31, 2**31, (corners, 6)),
+        poses=random.integers(-2**31, 2**31, (4, 6)))
+
+
+def large_with(perspective: str) -> Scene:
+    """A scene that leaves some 600 KB of chip RAM alone, its polygons drawn with a perspective."""
+    scene = example(8)
+    scene.materials = [Material("affine", perspective=perspective, texture=0)] * 2
+    scene.vertices[:, 5] = 65536 << np.arange(len(scene.vertices))
+    return scene
+
+
+#: Layouts of maps and a size that each may have.
+SIZES = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
+         "margins": (256, 256), "light": (256, 64)}
+
+
+def mapped(*mappers: str) -> Scene:
+    """A scene with a triangle of each of these mappers, in their order, each with the only map of its
+    layout; what is lit has the only light."""
+    scene = example(0)
+    layouts = list(dict.fromkeys(filter(None, map(scene_file.MAPPER_LAYOUT.get, mappers))))
+    layouts += ["light"] if any(mapper.startswith("lit") for mapper in mappers) else []
+    scene.textures = [Texture(np.zeros(SIZES[name][::-1], np.uint8), name) for name in layouts]
+    scene.materials = []
+    for mapper in mappers:
+        layout = scene_file.MAPPER_LAYOUT.get(mapper)
+        is_lit = mapper.startswith("lit")
+        scene.materials.append(Material(
+            mapper, gradients="plane" if is_lit or mapper in ON_PLANE else "polygon",
+            texture=layouts.index(layout) if layout else -1,
+            light=layouts.index("light") if is_lit else -1))
+    scene.vertices = np.full((6, 6), 65536)
+    scene.objects = [Object(n, 0, 3, 0, 3, 0) for n in range(len(mappers))]
+    return scene
+
+
+def wide_pixels(pixels: str, mapper: str) -> Scene:
+    """A scene in a wide format: a flat triangle and one with a map."""
+    scene = example(0)
+    scene.format, scene.background, layout = pixels, 0xFFFF, scene_file.MAPPER_LAYOUT[mapper]
+    scene.textures = [Texture(np.zeros((8, 16), scene.pixel.dtype), layout)]
+    scene.materials = [Material(colour=0xFFFF), Material(mapper, texture=0)]
+    return scene
+
+
+def with_depth() -> Scene:
+    """A scene with a triangle in perspective, whose depths are the ends of what they may be."""
+    scene = mapped("affine")
+    scene.materials = [Material("affine", gradients="plane", perspective="pixel", texture=0)]
+    scene.vertices[:, 5] = [W_MIN, W_MAX] * 3
+    return scene
+
+
+def wrong_mappers() -> list[Row]:
+    """Textures, materials and vertices that do not fit each other: file, place, value, field."""
+    rows: list[Row] = []
+    every, large, wide, widest, light_only, deep = (WrongFields(scene, rows) for scene in (
+        mapped("flat", "gouraud", "affine", "arbitrary", "columns", "lit", "lit_gouraud", "dithered"),
+        mapped("tiled", "generated"), wide_pixels("rgb565", "columns"),
+        wide_pixels("rgba8888", "affine"), mapped("lit"), with_depth()))
+    size = "texture.width or texture.height"
+    flat, gouraud, affine, arbitrary, _, lit_flat, lit_gouraud, dithered = range(8)
+    page, linear, columns, light, past_all = range(5)
+    tiled, margins = range(2)  # of the large ones
+    layouts = {name: number for number, name in enumerate(LAYOUTS)}
+    mappers = {name: number for number, name in enumerate(scene_file.SETTINGS["mapper"])}
+    every.entry("textures", page, "layout", len(LAYOUTS), M32)
+    every.entry("textures", page, "layout", layouts["linear"], said="material.texture")
+    every.entry("textures", page, "texel_bytes", 0, 2, M32)
+    every.entry("textures", page, "at", 0, 82, len(every.data) - 124, M32 - 3)
+    for wrong, index, widths in (
+            (every, page, (0, 4, 12, 512, M32, 2**31)), (every, linear, (0, 1025, M32, 2**31)),
+            (large, tiled, (0, 255, 512, M32)), (every, columns, (4, 48, 2**16, M32, 2**31)),
+            (large, margins, (8, 512, M32)), (every, light, (255, 128, M32))):
+        wrong.entry("textures", index, "width", *widths, said=size)
+        wrong.entry("textures", index, "height", *widths, said=size)
+    wide.entry("textures", 0, "layout", *(layouts[name] for name in ("linear", "tiled", "light")))
+    wide.entry("textures", 0, "texel_bytes", 1, 4)
+    widest.entry("textures", 0, "layout", layouts["columns"])
+    deep.entry("vertices", 1, "w", W_MIN - 1, W_MAX + 1, 0, M32, 2**31)
+    widest.entry("materials", 1, "mapper", *(mappers[name] for name in (
+        "gouraud", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud")))
+    widest.entry("materials", 1, "perspective", 1, 4)
+    every.entry("materials", flat, "mapper", mappers["unit"], mappers["glide"], M32)
+    every.entry("materials", flat, "texture", 0)
+    every.entry("materials", gouraud, "texture", 0)
+    every.entry("materials", affine, "texture", linear, light, -1, past_all)
+    for field, past in (("edges", 3), ("gradients", 3), ("start", 2), ("clip", 2)):
+        every.entry("materials", affine, field, past, M32)
+    every.entry("materials", affine, "light", 0, light)
+    for index in lit_flat, lit_gouraud:
+        every.entry("materials", index, "texture", linear, light, -1)
+        every.entry("materials", index, "light", page, -1, past_all, M32)
+    for index in lit_gouraud, dithered:
+        every.entry("materials", index, "gradients", 0, 1)
+        every.entry("materials", index, "start", 0)
+    every.entry("materials", dithered, "texture", linear, light, -1)
+    every.entry("materials", dithered, "perspective", 1, 4)
+    light_only.entry("vertices", 0, "shade", -1, 256 << 16, 2**31)
+    wide.entry("materials", 0, "colour", 65536)
+    every.entry("objects", gouraud, "vertices", 4)
+    every.entry("objects", arbitrary, "vertices", 4)
+    every.entry("vertices", 1, "shade", -1, 256 << 16, 2**31)
+    every.entry("vertices", 2, "s", -1, (256 << 16) + 1, 61 << 16, 2**31, 2**31 - 1)
+    every.entry("vertices", 2, "t", -1, (256 << 16) + 1, 2**31)
+    return rows
+
+
+def bad_scenes() -> list[tuple[bytes, str]]:
+    """Files and what must be said of each."""
+    small = example(1)
+    small.textures = [Texture(np.zeros((8, 16), np.uint8))]
+    data, textured = scene_file.write(example(0)), scene_file.write(small)
+    header = SHAPES.struct("scene_header")
+    cases = [(b"", ": is empty"), (data + b"\0", NOT_USABLE + "size")]
+    cases += [(data[:length], NOT_USABLE + "size") for length in lengths("scene_header", data)]
+
+    def header_field(name, *values, said=None):
+        at, source = header.fields[name]["offset"], textured if "texture" in name else data
+        cases.extend((changed(source, at, value, "scene_header", "width"),
+                      NOT_USABLE + (said or name)) for value in values)
+
+    for name in ("magic", "version", "size", "checksum"):
+        header_field(name, 0, M32)
+    for name in ("width", "height", "frames"):
+        header_field(name, 0, 1025, M32, 2**31 - 1)
+    header_field("width", 6)
+    header_field("background", 256, M32)
+    header_field("format", 4, M32)
+    header_field("palette_at", 0, 78, len(data), M32 - 3)
+    for name in scene_file.TABLES:
+        header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
+        header_field(f"{name}_at", 0, 78, len(textured), M32 - 3, said=f"{name} or {name}_at")
+    header_field("textures", 0, said="material.texture")
+    header_field("materials", 1, said="object.material")
+    header_field("vertices", 5, said="object.vertices")
+    header_field("poses", 3, said="object.poses")
+
+    for table, name, values in (
+            ("materials", "texture", (0, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
+            ("objects", "material", (2, M32)), ("objects", "vertices", (2, 65, 7, M32)),
+            ("objects", "vertex", (4, 6, M32, M32 - 1)), ("objects", "pose", (2, 4, M32)),
+            ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32)),
+            ("objects", "planar", (16, M32))):
+        entry, source = f"scene_{table[:-1]}", textured if name == "texture" else data
+        at = header.unpack(source)[f"{table}_at"] + SHAPES.struct(entry).fields[name]["offset"]
+        said = {"vertex": "vertices", "pose": "poses"}.get(name, name)
+        cases += [(changed(source, at, value, "scene_header", "width"),
+                   f"{NOT_USABLE}{table[:-1]}.{said}") for value in values]
+    cases += [(changed(source, at, value, "scene_header", "width"), NOT_USABLE + said)
+              for source, at, value, said in wrong_mappers() + wrong_meshes() + wrong_primitives()
+              + wrong_pipes()]
+    many = mesh_cases.boxes(1)
+    many.points = np.zeros((4096, 3), np.int64)
+    many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]
+    many.materials, many.instances = [Material()], [Instance(0, 0, 0, 0, 1, 0)] * 17
+    cases.append((scene_file.write(many), NOT_USABLE + "points, normals or faces of meshes"))
+    cases += [(bytes(3 << 20), f": not enough memory for the file: {3 << 20} bytes; the largest"),
+              (scene_file.write(example(14)), ": not enough memory for the textures: "),
+              (scene_file.write(large_with("pixel")),
+               ": not enough memory for the logarithms of perspective: ")]
+    return cases

@@ -1,0 +1,203 @@
+"""The frame differ: exit codes, messages and pictures."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tmap.run import diff
+from tmap.run.diff import GAP, MARK, compare
+
+HEIGHT, WIDTH = 6, 320
+
+
+def dump(path, changes=(), size=(HEIGHT, WIDTH)):
+    """Writes a dump of a ramp with some (x, y, value) changed."""
+    frame = (np.arange(size[0] * size[1]) % 251).astype(np.uint8).reshape(size)
+    for x, y, value in changes:
+        frame[y, x] = value
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(frame.tobytes())
+    return path
+
+
+@pytest.fixture
+def two(tmp_path):
+    """Two equal dumps."""
+    return dump(tmp_path / "a" / "frame_000.chunky"), dump(tmp_path / "b" / "frame_000.chunky")
+
+
+def test_compare():
+    a = np.zeros((10, 20), np.uint8)
+    b = a.copy()
+    assert compare(a, b).count == 0
+    b[3, 7], b[3, 4], b[8, 5] = 1, 255, 3
+    found = compare(a, b)
+    assert (found.count, found.box, found.first) == (3, (4, 3, 7, 8), (4, 3))
+    assert (found.values, found.largest) == ((0, 255), 255)
+    assert compare(b, a).largest == 255
+
+
+def test_compare_counts_a_pixel_once_whatever_its_channels():
+    a = np.zeros((4, 4, 3), np.uint8)
+    b = a.copy()
+    b[2, 1] = (5, 0, 9)
+    found = compare(a, b)
+    assert (found.count, found.largest, found.values) == (1, 9, ([0, 0, 0], [5, 0, 9]))
+
+
+def test_compare_needs_one_shape():
+    with pytest.raises(ValueError):
+        compare(np.zeros((4, 4), np.uint8), np.zeros((4, 5), np.uint8))
+
+
+def test_equal(two, tmp_path, capsys):
+    assert diff.command(*two, tmp_path / "out") == 0
+    assert capsys.readouterr().out == "1 frame: 0 different\n"
+    assert not (tmp_path / "out").exists()
+
+
+def test_different(two, tmp_path, capsys):
+    dump(two[1], [(5, 1, 0), (9, 3, 255)])
+    assert diff.command(*two, tmp_path / "out") == 1
+    lines = capsys.readouterr().out.splitlines()
+    was = (1 * WIDTH + 5) % 251
+    assert lines == [
+        f"frame_000: 2 pixels differ, in x 5 to 9, y 1 to 3; first (5, 1): {was} / 0; "
+        f"largest difference {max(was, 255 - (3 * WIDTH + 9) % 251)}", "1 frame: 1 different"]
+    panels = np.array(Image.open(tmp_path / "out" / "frame_000_diff.png"))
+    assert panels.shape == (HEIGHT, 3 * WIDTH + 2 * GAP, 3)
+    third = panels[:, 2 * (WIDTH + GAP):]
+    marked = (third == MARK).all(axis=2)
+    assert np.argwhere(marked).tolist() == [[1, 5], [3, 9]]
+    assert np.array_equal(third[~marked], panels[:, :WIDTH][~marked] // 3)
+    assert panels[1, 5].tolist() == [was] * 3 and panels[1, 5 + WIDTH + GAP].tolist() == [0] * 3
+
+
+def test_no_pictures_unless_asked(two, tmp_path):
+    dump(two[1], [(0, 0, 9)])
+    assert diff.command(*two) == 1
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a", "b"]
+
+
+def test_run_json_gives_size_and_colours(tmp_path):
+    colours = [[i, 255 - i, 7] for i in range(256)]
+    for run, changes in (("a", []), ("b", [(2, 3, 200)])):
+        dump(tmp_path / run / "frame_000.chunky", changes, size=(8, 16))
+        (tmp_path / run / "run.json").write_text(
+            json.dumps({"width": 16, "height": 8, "palette": colours}))
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
+    panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
+    assert panels.shape == (8, 3 * 16 + 2 * GAP, 3)
+    assert panels[3, 16 + GAP + 2].tolist() == [200, 55, 7]
+
+
+def test_16_bits_a_pixel(tmp_path, capsys):
+    for run, value in (("a", 0x0800), ("b", 0x07e0)):
+        frame = np.zeros((4, 8), ">u2")
+        frame[2, 5] = value
+        (tmp_path / run).mkdir()
+        (tmp_path / run / "frame_000.chunky").write_bytes(frame.tobytes())
+        (tmp_path / run / "run.json").write_text(json.dumps(
+            {"width": 8, "height": 4, "format": "rgb565", "palette": None}))
+    assert diff.command(tmp_path / "a", tmp_path / "a") == 0
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
+    assert "first (5, 2): 2048 / 2016; largest difference 32" in capsys.readouterr().out
+    panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
+    assert panels[2, 5].tolist() == [8, 0, 0] and panels[2, 5 + 8 + GAP].tolist() == [0, 255, 0]
+    half = tmp_path / "c" / "frame_000.chunky"
+    dump(half, size=(4, 8))
+    half.with_name("run.json").write_text('{"width": 8}')
+    assert diff.command(tmp_path / "a" / "frame_000.chunky", half) == 2
+    assert "rgb565 and chunky" in capsys.readouterr().err
+
+
+def test_pngs(tmp_path, capsys):
+    pixels = np.zeros((5, 7, 3), np.uint8)
+    for name, value in (("a", 0), ("b", 0), ("c", 3)):
+        pixels[4, 6, 1] = value
+        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    assert diff.command(tmp_path / "a.png", tmp_path / "b.png") == 0
+    assert diff.command(tmp_path / "a.png", tmp_path / "c.png", tmp_path / "out") == 1
+    assert "first (6, 4): [0, 0, 0] / [0, 3, 0]" in capsys.readouterr().out
+    assert (tmp_path / "out" / "a_diff.png").exists()
+
+
+def test_directories(tmp_path, capsys):
+    for i in range(4):
+        for run in "ab":
+            changes = [(i, i, 9)] if (run, i) == ("b", 2) else []
+            dump(tmp_path / run / f"frame_{i:03}.chunky", changes)
+    assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path / "out") == 1
+    out = capsys.readouterr().out.splitlines()
+    assert out[0].startswith("frame_002: 1 pixels") and out[1:] == ["4 frames: 1 different"]
+    assert [p.name for p in (tmp_path / "out").iterdir()] == ["frame_002_diff.png"]
+    (tmp_path / "b" / "frame_003.chunky").unlink()
+    assert diff.command(tmp_path / "a", tmp_path / "b") == 2
+    caught = capsys.readouterr()
+    assert caught.out.splitlines()[1:] == ["4 frames: 1 different, 1 unusable"]
+    assert caught.err == f"diff: {tmp_path / 'b' / 'frame_003.chunky'}: no such file\n"
+
+
+def picture(path):
+    Image.new("RGB", (WIDTH, HEIGHT)).save(path)
+    return path
+
+
+@pytest.mark.parametrize("spoil, message", [
+    (lambda a, b: b.unlink(), "frame_000.chunky: no such file"),
+    (lambda a, b: b.write_bytes(b""), "0 bytes is not 320x? pixels"),
+    (lambda a, b: b.write_bytes(bytes(321)), "321 bytes is not 320x1 pixels"),
+    (lambda a, b: dump(b, size=(HEIGHT + 1, WIDTH)), "320x6 and 320x7 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text("{"), "run.json: width, height, format or palette"),
+    (lambda a, b: b.with_name("run.json").write_text("[]"), "run.json: width, height, format or palette"),
+    (lambda a, b: b.with_name("run.json").write_text('{"width": 0}'), "run.json: width, height"),
+    (lambda a, b: b.with_name("run.json").write_text('{"width": -320, "height": -6}'),
+     "is not -320x-6 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text('{"width": 320, "height": 7}'),
+     "1920 bytes is not 320x7 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text('{"palette": [[1, 2, 3]]}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"palette": 300}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb555"}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": ["rgb565"]}'), "run.json: "),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565"}'), "320x6 and 320x3 pixels"),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565", "height": 6}'),
+     "1920 bytes is not 320x6 pixels of 2 bytes"),
+    (lambda a, b: b.with_name("run.json").write_text('{"format": "rgb565", "height": 6, "width": 160}'),
+     "320x6 and 160x6 pixels"),
+])
+def test_unusable(two, tmp_path, capsys, spoil, message):
+    spoil(*two)
+    assert diff.command(*two, tmp_path / "out") == 2
+    error = capsys.readouterr().err
+    assert message in error and error.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("name, content, message", [
+    ("x.png", b"", "x.png: cannot be read: "),
+    ("x.png", b"\x89PNG\r\n\x1a\n\0\0", "x.png: cannot be read: "),
+    ("x.gif", b"GIF89a", "x.gif: neither a .chunky dump nor a .png frame"),
+])
+def test_unusable_pictures(two, tmp_path, capsys, name, content, message):
+    (tmp_path / name).write_bytes(content)
+    assert diff.command(two[0], tmp_path / name) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_unlike_things(two, tmp_path, capsys):
+    assert diff.command(two[0], picture(tmp_path / "x.png")) == 2
+    assert "one is a dump, the other a picture" in capsys.readouterr().err
+    assert diff.command(two[0], two[1].parent) == 2
+    assert "one is a directory, the other is not" in capsys.readouterr().err
+    (tmp_path / "empty").mkdir()
+    assert diff.command(tmp_path / "empty", tmp_path / "empty") == 2
+    assert "neither has a frame_*.chunky" in capsys.readouterr().err
+
+
+def test_output_that_cannot_be_written(two, tmp_path, capsys):
+    dump(two[1], [(0, 0, 9)])
+    (tmp_path / "out").write_text("in the way")
+    assert diff.command(*two, tmp_path / "out") == 2
+    assert capsys.readouterr().err.count("\n") == 1

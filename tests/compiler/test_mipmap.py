@@ -1,0 +1,131 @@
+"""Pictures of half the size: what filters keep, what they remove, and sRGB's light."""
+
+import numpy as np
+import pytest
+
+from tmap.base.errors import UserError
+from tmap.images.mipmap import FILTERS, LINEAR_UNTIL, from_light, halved, rounded, to_light, weights
+
+AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/compiler/test_mipmap.py"
+#: Sums of some dozen products of doubles below 1 in size.
+EPSILON = 1e-13
+BOTH = [(True, True), (True, False), (False, True), (False, False)]
+
+
+def noise(width: int, height: int) -> np.ndarray:
+    """A picture at random."""
+    return np.random.default_rng(width * 1000 + height).random((height, width, 4))
+
+
+@pytest.mark.parametrize("wrap", BOTH)
+@pytest.mark.parametrize("name", FILTERS)
+@pytest.mark.parametrize("size", [(2, 2), (4, 1), (1, 8), (16, 8), (64, 64)])
+def test_one_colour_stays(size, name, wrap):
+    picture = np.ones((size[1], size[0], 4)) * [0.1, 0.5, 0.9, 1]
+    found = halved(picture, name, wrap)
+    assert found.shape == (max(size[1] // 2, 1), max(size[0] // 2, 1), 4)
+    assert abs(found - picture[:1, :1]).max() < EPSILON, AGAIN
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_mean_stays(name):
+    """Where a map is repeated: every texel counts as much as any other."""
+    picture = noise(32, 16)
+    assert abs(halved(picture, name).mean((0, 1)) - picture.mean((0, 1))).max() < EPSILON, AGAIN
+
+
+@pytest.mark.parametrize("name", FILTERS)
+def test_moved_by_two_texels(name):
+    """A repeated map moved by two texels gives the smaller one moved by one."""
+    picture = noise(16, 32)
+    moved = halved(np.roll(picture, (6, -2), (0, 1)), name)
+    assert abs(moved - np.roll(halved(picture, name), (3, -1), (0, 1))).max() < EPSILON, AGAIN
+
+
+@pytest.mark.parametrize("wrap", BOTH)
+@pytest.mark.parametrize("name", FILTERS)
+def test_turned_pictures(name, wrap):
+    """A mirrored picture gives the mirrored result, one with its sides swapped a swapped one."""
+    picture = noise(16, 8)
+    found = halved(picture, name, wrap)
+    assert abs(halved(picture[:, ::-1], name, wrap) - found[:, ::-1]).max() < EPSILON, AGAIN
+    swapped = halved(picture.swapaxes(0, 1), name, wrap[::-1])
+    assert abs(swapped - found.swapaxes(0, 1)).max() < EPSILON, AGAIN
+
+
+@pytest.mark.parametrize("wrap", [True, False])
+def test_borders(wrap):
+    """One bright column at the left: repeated, a wide filter carries it to the right end; clamped
+    it does not, but it is then bright beyond the left end too."""
+    picture = np.zeros((1, 32, 1))
+    picture[:, 0] = 1
+    taps = np.array(weights("kaiser"))
+    middle = taps.size // 2 - 1  # the tap on the left one of the two texels under a smaller one
+    want = np.zeros(16)
+    for n in range(16):
+        for m in range(-2, 3) if wrap else range(-40, 1):
+            at = 32 * m if wrap else m
+            if 0 <= at - 2 * n + middle < taps.size:
+                want[n] += taps[at - 2 * n + middle]
+    assert abs(halved(picture, "kaiser", (wrap, wrap))[0, :, 0] - want).max() < EPSILON, AGAIN
+    assert (abs(want[-1]) > 0) == wrap
+
+
+def test_box_is_the_mean():
+    picture = noise(8, 8)
+    blocks = picture.reshape(4, 2, 4, 2, 4).mean((1, 3))
+    assert abs(halved(picture) - blocks).max() < EPSILON
+    assert abs(halved(picture[:1]) - picture[:1].reshape(1, 4, 2, 4).mean(2)).max() < EPSILON
+
+
+def test_weights():
+    """NumPy's sinc and I0 give the same, but for last bits."""
+    at = (np.arange(12) - 5.5) / 2
+    for name, window in (("lanczos", np.sinc(at / 3)), ("kaiser", np.i0(4 * np.sqrt(1 - (at / 3) ** 2)))):
+        found = np.sinc(at) * window
+        assert abs(weights(name) - found / found.sum()).max() < EPSILON, AGAIN
+
+
+def kept(name: str, period: float) -> float:
+    """How much of a wave of so many texels is left: its taps' sum over the wave, which for taps
+    that lie evenly around the middle is real."""
+    taps = np.array(weights(name))
+    at = np.arange(taps.size) - taps.size / 2 + 0.5
+    return float(abs((taps * np.cos(2 * np.pi * at / period)).sum()))
+
+
+@pytest.mark.parametrize("name", ["lanczos", "kaiser"])
+def test_sinc_is_the_better_filter(name):
+    """Of waves that the smaller picture can show more is kept than by a box; of those that it
+    cannot, from the middle of their range on, less."""
+    for period in (32, 16, 8, 6):
+        assert kept("box", period) < kept(name, period) < 2 - kept("box", period), AGAIN
+    for period in (3, 2.7, 2.4, 2.1):
+        assert kept(name, period) < kept("box", period), AGAIN
+    wave = np.cos(2 * np.pi * (np.arange(32) + 0.5) / 8)[None, :, None]
+    smaller = np.cos(2 * np.pi * (np.arange(16) + 0.5) / 4)[None, :, None]
+    for each in ("box", name):
+        assert abs(halved(wave, each) - kept(each, 8) * smaller).max() < EPSILON, AGAIN
+
+
+def test_rounding():
+    values = np.array([-3, 0, 0.49, 0.5, 254.5, 255, 270])
+    assert rounded(values).tolist() == [0, 0, 0, 1, 255, 255, 255]
+
+
+def test_light():
+    """There and back; numbers change half-way between two; both parts of the curve meet; half the light is number 188."""
+    numbers = np.arange(256) / 255
+    assert (from_light(to_light(numbers)) == np.arange(256)).all()
+    middles = to_light((numbers[1:] + numbers[:-1]) / 2)
+    assert (from_light(middles - 1e-9) == np.arange(255)).all(), AGAIN
+    assert (from_light(middles + 1e-9) == np.arange(1, 256)).all(), AGAIN
+    assert (to_light(numbers) <= numbers).all() and to_light(np.array(1.0)) == 1
+    ends = to_light(np.array([LINEAR_UNTIL, np.nextafter(LINEAR_UNTIL, 1)]))
+    assert abs(ends[1] - ends[0]) < 1e-7  # the standard's constants have so many digits
+    assert from_light(np.array([0.5, -1.0, 2.0])).tolist() == [188, 0, 255]
+
+
+def test_unknown_filter():
+    with pytest.raises(UserError, match="mip map: filter 'gauss' is none of box"):
+        halved(noise(4, 4), "gauss")

@@ -1,0 +1,387 @@
+"""``tmap run`` from end to end: what the emulated machine drew, and what is refused."""
+
+import itertools
+import json
+import subprocess
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.compiler import guest_runs
+from tests.compiler.guest_runs import Asked
+from tmap.__main__ import FORMS, main
+from tmap.base.errors import UserError
+from tmap.base.paths import ROOT, SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator
+from tmap.guest.emulator import CYCLES_PER_TICK
+from tmap.model import model
+from tmap.run import run
+from tmap.scene_file.scene_file import SETTINGS
+
+SMALL = """\
+title = "A wall and a sign"
+width = 64
+height = 48
+frames = 3
+background = "#102030"
+[textures]
+wall.image = "wall.png"
+[materials]
+red.colour = "#ff0000"
+wall.texture = "wall"
+[[objects]]
+material = "wall"
+sides = 6
+radius = 30
+centre = [24, 20]
+angle = 5
+turns = 0.3
+[[objects]]
+material = "red"
+sides = 3
+radius = 14
+centre = [44, 30]
+turns = -1
+"""
+QUARTERS = ((250, 10, 20), (20, 240, 30), (40, 50, 230), (230, 220, 60))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A directory with SMALL as small.toml and its picture: a colour a quarter, in reading order."""
+    made = tmp_path_factory.mktemp("scene")
+    pixels = np.zeros((256, 256, 3), np.uint8)
+    for number, colour in enumerate(QUARTERS):
+        pixels[number // 2 * 128:, number % 2 * 128:] = colour
+    Image.fromarray(pixels).save(made / "wall.png")
+    (made / "small.toml").write_text(SMALL)
+    return made
+
+
+def names(directory) -> list[str]:
+    return sorted(path.name for path in directory.iterdir()) if directory.exists() else []
+
+
+def dumps(directory) -> list[bytes]:
+    return [path.read_bytes() for path in sorted(directory.glob("*.chunky"))]
+
+
+@pytest.fixture(scope="module")
+def runs(folder):
+    """SMALL on each machine and in each form: {(machine, form): directory}."""
+    made = {}
+    for machine, form in zip(emulator.MACHINES, FORMS, strict=True):
+        out = made[machine, form] = folder / "out" / f"{machine}-{form}"
+        assert main(["run", str(folder / "small.toml"), "-o", str(out), "--machine", machine,
+                     "--form", form]) == 0
+    return made
+
+
+@pytest.fixture(scope="module")
+def counted(folder):
+    """SMALL in all forms, one boot a machine: {(machine, form): (Asked, Drawn)}."""
+    scene, made = compile_scene(folder / "small.toml"), {}
+    for machine in emulator.MACHINES:
+        asked = [Asked(scene, form=form) for form in FORMS]
+        for each, drawn in zip(asked, guest_runs.draw(asked, machine), strict=True):
+            made[machine, each.form] = each, drawn
+    return made
+
+
+def test_dumps_are_the_models(folder, runs):
+    """Byte for byte; no two frames are the same."""
+    scene = compile_scene(folder / "small.toml")
+    expected = [model.render(scene, number).tobytes() for number in range(3)]
+    assert len(set(expected)) == 3
+    for key, out in runs.items():
+        assert dumps(out) == expected, key
+
+
+def test_every_form_on_every_machine(counted):
+    """The model's frames of as many pixels; fast RAM is faster, addx than swap, that than C."""
+    cycles = {}
+    for (machine, form), (asked, drawn) in counted.items():
+        guest_runs.check("small", asked, drawn, machine)
+        cycles[machine, form] = run.total(drawn.figures)["cycles"]
+    assert len({run.total(drawn.figures)["pixels"] for _, drawn in counted.values()}) == 1
+    for form in FORMS:
+        assert cycles["a1200-fast", form] < cycles["a1200", form], cycles
+    for machine in emulator.MACHINES:
+        assert cycles[machine, "addx"] < cycles[machine, "swap"] < cycles[machine, "c"], cycles
+
+
+def test_run_json(folder, runs):
+    """What it says of the run, of each frame and of all together."""
+    scene = compile_scene(folder / "small.toml")
+    textured = {"addx": "affine_addx", "swap": "affine_swap", "c": "affine_c"}
+    for (machine, form), out in runs.items():
+        about = json.loads((out / "run.json").read_text())
+        assert (about["scene"], about["title"]) == ("small", "A wall and a sign")
+        assert (about["machine"], about["form"]) == (machine, form)
+        assert about["emulator"] == f"FS-UAE {emulator.VERSION}"
+        assert about["commit"] and about["compiler"].split()[0] in ("gcc", "vbcc")
+        assert (about["width"], about["height"]) == (64, 48)
+        assert about["palette"] == scene.palette.tolist()
+        frames, totals = about["frames"], about["totals"]
+        assert [frame["number"] for frame in frames] == [0, 1, 2]
+        for frame in frames:
+            assert frame["cycles"] > 64 * 48 and frame["cycles"] % CYCLES_PER_TICK == 0
+            assert frame["polygons"] == 2
+            assert {kind.removesuffix("_wrap") for kind in frame["spans"]} == {
+                "fill", textured[form]}
+            assert frame["pixels"] == sum(frame["spans"].values())
+        for key in ("cycles", "polygons", "pixels"):
+            assert totals[key] == sum(frame[key] for frame in frames)
+        assert totals["cycles_per_pixel"] == round(totals["cycles"] / totals["pixels"], 3)
+        assert sum(totals["spans"].values()) == totals["pixels"]
+
+
+def test_pixel_counts_are_the_models(counted):
+    """Of the polygons, those that others hide too."""
+    asked, drawn = counted["a1200", "addx"]
+    for number, figures in enumerate(drawn.figures):
+        polygons = [model.prepare(asked.scene, obj, number) for obj in asked.scene.objects]
+        assert figures["pixels"] == sum(polygon.pixels for polygon in polygons), f"frame {number}"
+
+
+def test_how_long_animations_show_a_frame():
+    """1.6 seconds in all, between 40 ms a frame and 200."""
+    assert [run.gif_frame_ms(frames) for frames in (1, 8, 12, 16, 40, 1000)] \
+        == [200, 200, 130, 100, 40, 40]
+
+
+def test_pictures_are_the_dumps(runs):
+    """Each frame as PNG, and all as an animation that is repeated for ever."""
+    out = next(iter(runs.values()))
+    palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
+    assert names(out) == ["animation.gif", *(f"frame_{n:03}.{end}" for n in range(3)
+                                             for end in ("chunky", "png")), "run.json"]
+    with Image.open(out / "animation.gif") as animation:
+        assert (animation.n_frames, animation.info["loop"]) == (3, 0)
+        for number, dump in enumerate(dumps(out)):
+            colours = palette[np.frombuffer(dump, np.uint8).reshape(48, 64)]
+            with Image.open(out / f"frame_{number:03}.png") as picture:
+                assert picture.mode == "P"
+                assert (np.array(picture.convert("RGB")) == colours).all()
+            animation.seek(number)
+            assert animation.info["duration"] == 200
+            assert (np.array(animation.convert("RGB")) == colours).all()
+
+
+def test_texture_is_upright_and_exact(folder, capsys):
+    """A square that shows the map 1:1 is the picture itself, pixel by pixel."""
+    text = SMALL[:SMALL.index("[[objects]]")].replace("64", "256").replace("48", "256")
+    (folder / "upright.toml").write_text(
+        text + '[[objects]]\nmaterial = "wall"\n'
+        "vertices = [[0, 0, 0, 0], [256, 0, 256, 0], [256, 256, 256, 256], [0, 256, 0, 256]]\n")
+    out = folder / "out" / "upright"
+    assert main(["run", str(folder / "upright.toml"), "-o", str(out), "--frames", "1"]) == 0
+    with Image.open(out / "frame_000.png") as shown, Image.open(folder / "wall.png") as picture:
+        assert shown.convert("RGB").tobytes() == picture.tobytes()
+    scene = compile_scene(folder / "upright.toml", 1)
+    assert dumps(out) == [scene.textures[0].texels.tobytes()]
+    assert not (out / "animation.gif").exists()
+    assert capsys.readouterr().out.splitlines()[-1].split() == ["pictures", f"{out}/frame_000.png"]
+
+
+def test_default_scene_through_the_script(tmp_path):
+    """Two frames; an earlier run's files go, the user's stay."""
+    out = tmp_path / "deep" / "out"
+    out.mkdir(parents=True)
+    for name in ("frame_002.png", "frame_777.chunky", "frame_notes.png", "mine.txt"):
+        (out / name).write_text("old")
+    done = subprocess.run(
+        [ROOT / "scripts" / "tmap", "run", SCENES / "default.toml", "-o", "deep/out", "--frames", "2"],
+        cwd=tmp_path, capture_output=True, text=True)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "Polygons in a ring: 320x256 on a1200-fast, form addx" in done.stdout
+    assert done.stdout.splitlines()[-1].endswith(
+        "deep/out/frame_000.png to frame_001.png, animation.gif")
+    scene = compile_scene(SCENES / "default.toml", 2)
+    assert dumps(out) == [model.render(scene, number).tobytes() for number in range(2)]
+    assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
+                          "frame_001.png", "frame_notes.png", "mine.txt", "run.json"]
+
+
+def every_setting() -> str:
+    """A scene with a frame for each combination of settings: a triangle with a small map
+    that repeats, larger than the frame, and a flat one."""
+    text = SMALL[:SMALL.index("[textures]")] + """[textures]
+wall = {image = "wall.png", width = 32, height = 16}
+[materials]
+"""
+    objects, choices = "", {kind: SETTINGS[kind] for kind in SETTINGS
+                            if kind not in ("mapper", "perspective")}
+    for number, names in enumerate(itertools.product(*choices.values())):
+        settings = ", ".join(f'{kind} = "{name}"' for kind, name in zip(choices, names))
+        text += f'm{number} = {{texture = "wall", {settings}}}\n'
+        text += f'f{number} = {{colour = "#ff0000", {settings}}}\n'
+        for kind, radius, map_radius in (("m", 47.3, 700), ("f", 9.7, 0)):
+            objects += (f'[[objects]]\nmaterial = "{kind}{number}"\nsides = 3\nradius = {radius}\n'
+                        f"map_radius = {map_radius}\nangle = {7 * number}\ncentre = [33.4, 25.7]\n"
+                        f"first = {number}\nlast = {number}\n")
+    return text.replace("frames = 3", f"frames = {number + 1}") + objects
+
+
+def test_every_setting_is_the_models(folder):
+    """Each combination draws what the model does, and they are not all the same picture."""
+    (folder / "settings.toml").write_text(every_setting())
+    out = folder / "out" / "settings"
+    assert main(["run", str(folder / "settings.toml"), "-o", str(out)]) == 0
+    scene = compile_scene(folder / "settings.toml")
+    expected = [model.render(scene, number).tobytes() for number in range(scene.frames)]
+    assert scene.frames == 36 and dumps(out) == expected
+    lowering = json.loads((out / "run.json").read_text())["lowering"]
+    assert len(lowering) == 72 and lowering["m0"]["asked"] == {
+        "mapper": "affine", "edges": "integer", "gradients": "scanline", "start": "truncated",
+        "clip": "scissor", "perspective": "none", "tolerance": 0}
+    pixels = sum(sum(each["spans"].values()) for each in lowering.values())
+    assert pixels == json.loads((out / "run.json").read_text())["totals"]["pixels"]
+
+
+def test_frames_of_16_bits(folder):
+    """A scene with nothing to be seen: background, dump, pictures and run.json."""
+    text = SMALL.replace("frames = 3", "frames = 2\nformat = \"rgb565\"").replace(
+        'wall.texture = "wall"', 'wall = {texture = "wall", mapper = "columns"}')
+    (folder / "wide.toml").write_text(text.replace("centre = [", "centre = [500, 500]\nmove = ["))
+    out = folder / "out" / "wide"
+    assert main(["run", str(folder / "wide.toml"), "-o", str(out)]) == 0
+    assert dumps(out) == [b"\x11\x06" * 64 * 48] * 2
+    about = json.loads((out / "run.json").read_text())
+    assert (about["format"], about["palette"]) == ("rgb565", None)
+    assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
+                          "frame_001.png", "run.json"]
+    with Image.open(out / "frame_001.png") as picture:
+        assert picture.mode == "RGB" and picture.getcolors() == [(64 * 48, (16, 32, 49))]
+    with Image.open(out / "animation.gif") as animation:
+        assert animation.convert("RGB").getcolors() == [(64 * 48, (16, 32, 49))]
+
+
+def refused(arguments, capsys) -> str:
+    """The one line of a command that fails."""
+    assert main([str(argument) for argument in arguments]) == 2
+    caught = capsys.readouterr()
+    assert caught.out == "" and caught.err.startswith("tmap: ") and caught.err.count("\n") == 1
+    return caught.err
+
+
+@pytest.mark.parametrize("text, message", [
+    (None, "bad.toml: No such file or directory"),
+    ("width = [", "bad.toml: is not TOML: "),
+    (SMALL.replace("title", "titel"), "bad.toml: titel: unknown field"),
+    (SMALL.replace("wall.png", "roof.png"), "textures.wall.image: roof.png: no such file"),
+    (SMALL.replace('"wall.png"', '"small.toml"'), "small.toml: not a PNG or JPEG picture"),
+])
+def test_bad_scenes_leave_nothing(folder, tmp_path, capsys, text, message):
+    """Status 2, one line, no directory."""
+    bad = folder / "bad.toml"
+    bad.unlink(missing_ok=True)
+    if text is not None:
+        bad.write_text(text)
+    assert message in refused(["run", bad, "-o", tmp_path / "out"], capsys)
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("options, message", [
+    (["--frames", "0"], "frames: must be from 1 to 1000"),
+    (["--frames", "1001"], "frames: must be from 1 to 1000"),
+    (["--frames", "two"], "--frames: invalid int value: 'two'"),
+    (["--machine", "a500"], "--machine: invalid choice: 'a500'"),
+    (["--form", "mmx"], "--form: invalid choice: 'mmx'"),
+    (["--speed"], "unrecognized arguments: --speed"),
+])
+def test_bad_options_leave_nothing(folder, tmp_path, capsys, options, message):
+    """Status 2, one line, no directory."""
+    command = ["run", folder / "small.toml", "-o", tmp_path / "out", *options]
+    assert message in refused(command, capsys)
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("inside", ["", "deeper/out"])
+def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
+    """It is named, and stays."""
+    (tmp_path / "out").write_text("mine")
+    out = tmp_path / "out" / inside
+    assert f"{tmp_path}/out: is not a directory" in refused(
+        ["run", folder / "small.toml", "-o", out], capsys)
+    assert (tmp_path / "out").read_text() == "mine"
+
+
+def test_bad_input_through_the_script(tmp_path):
+    """Status 2 and one line, without a word on standard output."""
+    for arguments, message in ((["run", "no.toml"], "tmap: no.toml: No such file or directory\n"),
+                               ([], "tmap: usage: the following arguments are required: COMMAND; "
+                                    "see tmap --help\n"),
+                               (["play"], "tmap: usage: argument COMMAND: invalid choice: 'play'")):
+        done = subprocess.run([ROOT / "scripts" / "tmap", *arguments], cwd=tmp_path,
+                              capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (2, "")
+        assert done.stderr.startswith(message) and done.stderr.count("\n") == 1
+    assert names(tmp_path) == []
+
+
+@pytest.mark.parametrize("thrown, status, message", [
+    (KeyboardInterrupt(), 130, "tmap: interrupted\n"),
+    (OSError(28, "No space left on device", "x"), 2, "tmap: x: No space left on device\n")])
+def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, monkeypatch, thrown,
+                                                    status, message):
+    """Interrupted, or by a full disk."""
+    emulators = []
+
+    def wait(process, volume, on_output, patience):
+        emulators.append(process)
+        raise thrown
+
+    monkeypatch.setattr(emulator, "wait", wait)
+    assert main(["run", str(folder / "small.toml"), "-o", str(tmp_path / "out")]) == status
+    assert capsys.readouterr().err == message
+    assert emulators[0].poll() is not None and names(tmp_path) == []
+
+
+def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
+    """Its files stay as they are."""
+    out = next(iter(runs.values()))
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    monkeypatch.setattr(run, "FRAME_LINE", run.re.compile("nothing matches"))
+    assert "is not the line of frame 0" in refused(["run", folder / "small.toml", "-o", out], capsys)
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+
+
+@pytest.mark.parametrize("output, message", [
+    ("", "0 lines of output for 2 frames and 0 materials; it wrote nothing"),
+    ("frame 0 ticks 5 polygons 1\n", "1 lines of output for 2 frames and 0 materials; its last words: 'frame 0"),
+    ("frame 0 ticks 5 polygons 1\nframe 2 ticks 5 polygons 1\n", "'frame 2 ticks 5 polygons 1' is"),
+    ("frame 0 ticks 5 polygons 1\nframe 1 ticks 5 polygons 1 fill\n", "not the line of frame 1"),
+])
+def test_output_that_does_not_match_the_plan(output, message):
+    """Too few lines, a frame left out, figures without numbers."""
+    with pytest.raises(UserError, match=message):
+        run.parse_output(output, 2, 0)
+
+
+def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
+    """Frames of one colour, cut off, missing, too many."""
+    scene = compile_scene(folder / "small.toml")
+    drawn = [model.render(scene, number) for number in range(3)]
+    empty = np.full_like(drawn[0], scene.background)
+    for spoil, message in (
+            ({0: empty}, "frame 0: one colour only"), ({2: empty}, "frame 2: one colour only"),
+            ({1: drawn[1][1:]}, r"frame_001.chunky has 3008 bytes, not 64x48"),
+            ({1: None}, "frame_001.chunky is missing"), ({3: empty}, "frame_003.chunky is one frame")):
+        for old in tmp_path.iterdir():
+            old.unlink()
+        for number, frame in (dict(enumerate(drawn)) | spoil).items():
+            if frame is not None:
+                (tmp_path / f"frame_{number:03}.chunky").write_bytes(frame.tobytes())
+        with pytest.raises(UserError, match=message):
+            run.load_dumps(tmp_path, scene)
+
+
+def test_one_colour_where_nothing_is_to_be_seen(folder, tmp_path):
+    """It is taken."""
+    (folder / "far.toml").write_text(SMALL.replace("centre = [", "centre = [500, 500]\nmove = ["))
+    scene = compile_scene(folder / "far.toml", 1)
+    (tmp_path / "frame_000.chunky").write_bytes(bytes([scene.background]) * 64 * 48)
+    assert len(run.load_dumps(tmp_path, scene)) == 1

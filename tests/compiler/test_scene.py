@@ -1,0 +1,318 @@
+"""The scene compiler: what it makes of good scenes, and how it refuses bad ones."""
+
+import math
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.arrays import check_within
+from tmap.base.errors import UserError
+from tmap.base.paths import SCENES
+from tmap.build import layout
+from tmap.compiler.scene import compile_scene
+from tmap.scene_file import scene_file
+from tmap.scene_file.scene_file import Material
+
+ONE = 65536
+GOOD = """\
+title = "test"
+width = 64
+height = 48
+frames = 8
+background = "#102030"
+
+[textures.wall]
+image = "wall.png"
+
+[materials]
+red.colour = "#ff0000"
+wall.texture = "wall"
+
+[[objects]]
+material = "red"
+sides = 3
+radius = 10
+
+[[objects]]
+material = "wall"
+sides = 4
+radius = 20
+centre = [30, 20]
+
+[[objects]]
+material = "wall"
+vertices = [[0, 0, 0, 0], [8, 0, 256, 0], [8, 8, 256, 256], [0, 8, 0, 256]]
+"""
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with the picture GOOD names: left half dark, right half bright."""
+    pixels = np.zeros((40, 60, 3), np.uint8)
+    pixels[:, 30:] = (200, 220, 240)
+    Image.fromarray(pixels).save(tmp_path / "wall.png")
+    return tmp_path
+
+
+def make(folder, text=GOOD, frames=None):
+    (folder / "scene.toml").write_text(text)
+    return compile_scene(folder / "scene.toml", frames)
+
+
+def refusal(folder, text) -> str:
+    with pytest.raises(UserError) as caught:
+        make(folder, text)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def changed(old: str, new: str) -> str:
+    assert old in GOOD
+    return GOOD.replace(old, new, 1)
+
+
+def placed(line: str) -> str:
+    """GOOD with one more line in its first object."""
+    return changed("radius = 10", "radius = 10\n" + line)
+
+
+def cornered(vertices: str) -> str:
+    """GOOD with other vertices in its last object."""
+    return GOOD[:GOOD.index("vertices =")] + f"vertices = {vertices}"
+
+
+def test_content(folder):
+    """All that GOOD says: sizes, colours, materials, where objects' corners and poses are."""
+    made = make(folder)
+    assert (made.width, made.height, made.frames, made.background) == (64, 48, 8, 0)
+    assert made.palette[0].tolist() == [16, 32, 48] and made.palette[1].tolist() == [255, 0, 0]
+    assert made.materials == [Material(colour=1), Material("affine", texture=0)]
+    assert [(o.material, o.vertex, o.vertices, o.pose, o.poses) for o in made.objects] == [
+        (0, 0, 3, 0, 8), (1, 3, 4, 8, 8), (1, 7, 4, 16, 8)]
+    assert made.vertices.shape == (11, 6) and made.poses.shape == (24, 6)
+    (texture,) = made.textures
+    left, right = texture.texels[128, 10], texture.texels[128, 245]
+    assert made.palette[left].tolist() == [0, 0, 0]
+    assert made.palette[right].tolist() == [200, 220, 240]
+
+
+def test_same_bytes_every_time(folder):
+    """Nothing goes by chance or by the order of a set."""
+    assert scene_file.write(make(folder)) == scene_file.write(make(folder))
+
+
+def test_picture_is_upright_and_not_mirrored(folder):
+    """Up on the screen is a smaller t, right on the screen a larger s."""
+    corners = scene_file.vertices_at(made := make(folder), made.objects[1], 0)
+    top, right, bottom, left = corners
+    assert top[:4] == (30 * ONE, 0, 128 * ONE, 0)
+    assert bottom[1] == 40 * ONE and bottom[3] == 256 * ONE
+    assert right[0] == 50 * ONE and right[2] == 256 * ONE
+    assert left[0] == 10 * ONE and left[2] == 0
+
+
+def test_map_turn_turns_the_map_clockwise(folder):
+    """By degrees; map_radius says how much of it is seen."""
+    text = changed("radius = 20", "radius = 20\nmap_turn = 90\nmap_radius = 64")
+    made = make(folder, text)
+    top, right, *_ = scene_file.vertices_at(made, made.objects[1], 0)
+    assert (top[2], top[3]) == (64 * ONE, 128 * ONE)  # the map's left is now on top
+    assert (right[2], right[3]) == (128 * ONE, 64 * ONE)
+
+
+def test_angle_is_clockwise_and_turns_go_round_once(folder):
+    """From the right; a whole turn takes all frames."""
+    made = make(folder, placed("angle = 90\nturns = 1"))
+    at = [scene_file.vertices_at(made, made.objects[0], frame)[0][:2] for frame in range(8)]
+    assert at[0] == (10 * ONE, 0) and at[2] == (0, 10 * ONE) and at[4] == (-10 * ONE, 0)
+
+
+def test_motion(folder):
+    """Moves from the first frame on, orbits, scales; nothing is there before."""
+    made = make(folder, placed("centre = [5, 6]\nmove = [2, -1]\n"
+                               "orbit = {radius = [100, 50], turns = 1, phase = 0.25}\n"
+                               "scale = [1, 3]\nfirst = 2"))
+    obj = made.objects[0]
+    assert (obj.first_frame, obj.poses) == (2, 6)
+    assert scene_file.vertices_at(made, obj, 1) == []
+    assert scene_file.vertices_at(made, obj, 8) == []
+    poses = made.poses[obj.pose:obj.pose + obj.poses]
+    assert poses[0].tolist() == [ONE, 0, 0, ONE, 5 * ONE, 56 * ONE]
+    # Two frames on is a quarter of the loop: scale 2, orbit at the left.
+    assert poses[2].tolist() == [2 * ONE, 0, 0, 2 * ONE, (5 + 4 - 100) * ONE, (6 - 2) * ONE]
+
+
+def test_last_frame_and_fewer_frames(folder):
+    """Poses of the frames that there are; the first ones are the same."""
+    text = placed("first = 3\nlast = 5\nturns = 1")
+    whole, cut, early = make(folder, text), make(folder, text, 5), make(folder, text, 2)
+    assert [o.poses for o in whole.objects] == [3, 8, 8]
+    assert [o.poses for o in cut.objects] == [2, 5, 5]
+    assert [o.poses for o in early.objects] == [2, 2]  # the first has not appeared yet
+    assert whole.poses[:2].tolist() == cut.poses[:2].tolist()
+
+
+def test_more_frames_go_on(folder):
+    """Beyond the loop's end it begins again."""
+    made = make(folder, placed("turns = 1"), 12)
+    assert made.frames == 12
+    assert made.poses[8].tolist() == made.poses[0].tolist()
+
+
+@pytest.mark.parametrize("frames", [0, -1, 10**6, 2.5, True])
+def test_bad_number_of_frames(folder, frames):
+    """As the caller's, too."""
+    with pytest.raises(UserError, match="^frames: must be "):
+        make(folder, frames=frames)
+
+
+@pytest.mark.parametrize("vertices", [
+    "[[0, 0, 0, 0], [8, 0, 9, 0], [0, 8, 0, 9]]",  # clockwise
+    "[[0, 0, 0, 0], [0, 8, 9, 0], [8, 0, 0, 9]]",  # the other way round
+    "[[0, 0, 0, 0], [4, 0, 0, 0], [8, 0, 9, 0], [0, 8, 0, 9]]",  # a corner on a side
+    "[[0, 0, 0, 0], [8, 0, 9, 0], [8, 0, 9, 0], [0, 8, 0, 9]]",  # one corner twice
+    "[[0, 0, 0, 0], [33.33, 33.34, 0, 0], [100, 100, 9, 0], [0, 100, 0, 9]]",  # rounded
+])
+def test_convex_lists_are_taken(folder, vertices):
+    """Either way round, with corners on a side or twice."""
+    make(folder, cornered(vertices))
+
+
+def test_flat_vertices_need_no_map(folder):
+    """x and y are enough."""
+    text = changed('sides = 3\nradius = 10', "vertices = [[0, 0], [8, 0], [0, 8]]")
+    assert make(folder, text).vertices[1].tolist() == [8 * ONE, 0, 0, 0, 0, ONE]
+
+
+STAR = [[round(50 * math.cos(angle), 3), round(50 * math.sin(angle), 3), 0, 0]
+        for angle in (math.tau * 2 / 5 * i for i in range(5))]
+
+
+@pytest.mark.parametrize("text, message", [
+    ("width = ", "scene.toml: is not TOML: "),
+    ("a = " + "[" * 9999, "scene.toml: is not TOML: "),
+    (changed("width = 64\n", ""), "scene.toml: width: is missing"),
+    (changed("width = 64", "width = 66"),
+     "scene.toml: width: must be from 4 to 1024 and a multiple of 4"),
+    (changed("width = 64", "width = 2048"), "width: must be from 4 to 1024"),
+    (changed("height = 48", "height = 0"), "height: must be from 1 to 1024"),
+    (changed("height = 48", "height = 48.0"), "height: must be a whole number, not a number"),
+    (changed("height = 48", "height = true"), "height: must be a whole number, not true or false"),
+    (changed("frames = 8", "frames = 1979-05-27"), "frames: must be a whole number, not a date"),
+    (changed("frames = 8", "frames = 100000"), "scene.toml: frames: must be from 1 to "),
+    (changed("#102030", "#10203"), "background: must be a colour like"),
+    (changed("#102030", "red"), "background: must be a colour like"),
+    (changed('"test"', '"a\\nb"'), "title: must be text on one line"),
+    (changed("height = 48", "height = 48\ndepth = 1"), "scene.toml: depth: unknown field"),
+    (changed("height = 48", 'height = 48\n"a\\nb" = 1'), "scene.toml: 'a\\nb': unknown field"),
+    (changed('image = "wall.png"', "image = 3"), "textures.wall.image: must be text, not a number"),
+    (changed('image = "wall.png"', 'file = "wall.png"'), "textures.wall.file: unknown field"),
+    (changed('image = "wall.png"', ""), "textures.wall.image: is missing"),
+    (changed('red.colour = "#ff0000"', "red = 3"), "materials.red: must be a table, not a number"),
+    (changed('red.colour = "#ff0000"', 'red = {}'),
+     "materials.red: needs exactly one of texture, colour"),
+    (changed('red.colour = "#ff0000"', 'red = {colour = "#ff0000", texture = "wall"}'),
+     "materials.red: needs exactly one of texture, colour"),
+    (changed('wall.texture = "wall"', 'wall.texture = "roof"'),
+     "materials.wall.texture: there is no texture 'roof'"),
+    (changed('material = "red"', 'material = "blue"'),
+     "scene.toml: objects[0].material: there is no material 'blue'"),
+    (changed('material = "wall"\n', ""), "objects[1].material: is missing"),
+    (GOOD[:GOOD.index("[[objects]]")], "scene.toml: objects: is missing"),
+    (changed("sides = 3", "sides = 2"), "objects[0].sides: must be from 3 to 64"),
+    (changed("sides = 3", "sides = 65"), "objects[0].sides: must be from 3 to 64"),
+    (changed("sides = 3\n", ""), "objects[0]: needs exactly one of sides, vertices"),
+    (changed("sides = 3", "sides = 3\nvertices = []"),
+     "objects[0]: needs exactly one of sides, vertices"),
+    (changed("radius = 20", "radius = nan"), "objects[1].radius: must be from 0.01 to 16383"),
+    (changed("radius = 20", "radius = inf"), "objects[1].radius: must be from"),
+    (changed("radius = 20", "radius = -1"), "objects[1].radius: must be from"),
+    (changed("radius = 20", 'radius = "20"'), "objects[1].radius: must be a number, not text"),
+    (changed("radius = 20", f"radius = 0x1{'0' * 5000}"), "objects[1].radius: must be from"),
+    (changed("radius = 20\n", ""), "objects[1].radius: is missing"),
+    (changed("centre = [30, 20]", "centre = [30]"),
+     "objects[1].centre: must have 2 entries, not 1"),
+    (changed("centre = [30, 20]", 'centre = [30, "a"]'), "objects[1].centre[1]: must be a number"),
+    (changed("centre = [30, 20]", "centre = 30"), "objects[1].centre: must be a list"),
+    (placed("color = 3"), "objects[0].color: unknown field; known are sides, radius"),
+    (placed("orbit = {turns = 1}"), "objects[0].orbit.radius: is missing"),
+    (placed("orbit = {radius = [1, 2], turns = 1, speed = 2}"), "orbit.speed: unknown field"),
+    (placed("scale = [1, 2, 3]"), "objects[0].scale: must have 2 entries"),
+    (placed("scale = -1"), "objects[0].scale: must be from 0 to 256"),
+    (placed("first = 8"), "objects[0].first: the scene ends with frame 7"),
+    (placed("first = 4\nlast = 3"), "objects[0].last: must be from 4 to 7"),
+    (placed("last = 8"), "objects[0].last: must be from 0 to 7"),
+    (placed("move = [9000, 0]"),
+     "objects[0]: reaches 16384 pixels or more from the corner of the screen in frame 2"),
+    (placed("first = 2\nmove = [9000, 0]"), "in frame 4"),
+    (placed("centre = [16380, 0]"), "objects[0]: reaches 16384 pixels"),
+    (placed("centre = [0, 9000]\nscale = [1, 256]\norbit = {radius = [16000, 9000], turns = 9}"),
+     "objects[0]: reaches 16384 pixels"),
+    (cornered("[[0, 0, 0, 0], [8, 0, 0, 0]]"), "objects[2].vertices: must have 3 to 64 entries"),
+    (cornered("[[0, 0], [8, 0], [0, 8]]"), "objects[2].vertices[0]: must be [x, y, s, t]"),
+    (cornered("[[0, 0, 0], [8, 0, 0], [0, 8, 0]]"), "objects[2].vertices[0]: must be [x, y, s, t]"),
+    (cornered("[[0, 0, 0, 0], [8, 0, nan, 0], [0, 8, 0, 0]]"),
+     "objects[2].vertices[1][2]: must be from"),
+    (cornered("[[0,0,0,0], [8,0,0,0], [2,2,0,0], [0,8,0,0]]"),
+     "objects[2].vertices: the polygon is not convex"),
+    (cornered("[[0,0,0,0], [8,8,0,0], [8,0,0,0], [0,8,0,0]]"),
+     "objects[2].vertices: the polygon is not convex"),
+    (cornered(str(STAR)), "objects[2].vertices: the polygon crosses itself"),
+    (changed("wall.png", "roof.png"), "scene.toml: textures.wall.image: roof.png: no such file"),
+    (changed("wall.png", "a\\u0000b"), "textures.wall.image: must be text on one line"),
+])
+def test_refused(folder, text, message):
+    """One line that names file and field."""
+    assert message in refusal(folder, text)
+
+
+def test_other_files_are_refused(tmp_path):
+    """None, a directory, bytes that are no text."""
+    with pytest.raises(UserError, match="scene.toml: No such file"):
+        compile_scene(tmp_path / "scene.toml")
+    with pytest.raises(UserError, match="Is a directory"):
+        compile_scene(tmp_path)
+    (tmp_path / "scene.toml").write_bytes(b"title = '\xff'")
+    with pytest.raises(UserError, match="scene.toml: is not UTF-8"):
+        compile_scene(tmp_path / "scene.toml")
+
+
+def test_too_many_poses(folder):
+    """The object that is one too many is named."""
+    limits = layout.load().constants
+    most, frames = limits["SCENE_COUNT_MAX"], limits["SCENE_FRAMES_MAX"]
+    text = changed("frames = 8", f"frames = {frames}") + \
+        '[[objects]]\nmaterial = "red"\nsides = 3\nradius = 9\n' * (most // frames)
+    assert f"objects[{most // frames}]: more than {most} frames of objects" in refusal(folder, text)
+
+
+def test_too_many_flat_colours(folder):
+    """Textures need entries of the palette too."""
+    colours = "".join(f'c{i}.colour = "#0000{i:02x}"\n' for i in range(200))
+    message = refusal(folder, changed("[materials]\n", "[materials]\n" + colours))
+    assert ("scene.toml: materials: 202 palette entries for flat colours, ramps and the "
+            "background; 192 at most beside textures") in message
+
+
+def test_default_scene_is_a_loop():
+    """One frame past the end looks as the first; what crosses is off the screen at both. Of both
+    poses each number is rounded by half a unit, which counts as often as a corner has pixels, and
+    two products are rounded down by less than one each: |x| + |y| + 1 + 2 units between them."""
+    made = compile_scene(SCENES / "default.toml", 51)
+    assert (made.width, made.height, made.frames) == (320, 256, 51)
+    assert len(made.textures) == 5 and 10 <= len(made.objects) <= 16
+    flat = sum(made.materials[obj.material].mapper == "flat" for obj in made.objects)
+    assert 0 < flat < len(made.objects)
+    for obj in made.objects:
+        ends = [scene_file.vertices_at(made, obj, frame) for frame in (0, 50)]
+        if not any(ends):
+            for frame in (obj.first_frame, obj.first_frame + obj.poses - 1):
+                xs = [v[0] for v in scene_file.vertices_at(made, obj, frame)]
+                assert max(xs) <= 0 or min(xs) >= 320 * ONE
+            continue
+        first, last = (sorted(v[:2] for v in end) for end in ends)
+        if made.materials[obj.material].texture >= 0:  # each corner of a map at its own place
+            first, last = ([v[:2] for v in end] for end in ends)
+        corners = made.vertices[obj.vertex:obj.vertex + obj.vertices, :2]
+        check_within(last, first, abs(corners).sum(1).max() / ONE + 3, f"object {obj}")

@@ -1,0 +1,69 @@
+"""The texture unit's model run over the text of reference data; rules of the unit by fractions."""
+
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from tmap.glide.chain import Point, pixel
+from tmap.glide.lod import base
+from tmap.glide.registers import modes_of
+from tmap.glide.state import Modes, Unit, packed, unpacked
+from tmap.vectors import glide_text
+from tmap.vectors.vector_text import Line
+
+FOLDER = Path(__file__).parent / "vectors"
+
+
+class Question(NamedTuple):
+    """A pixel that was asked for: the unit as it stood, and the answer."""
+
+    line: Line
+    unit: Unit
+    point: Point
+    other: np.ndarray
+    answer: int
+
+
+def questions(path: Path, fraction_bits: int):
+    """The questions of a file, answered by the model, one after another."""
+    unit, gradients = Unit(), (0, 0, 0, 0)
+    for line in glide_text.read(path):
+        values = line.arguments
+        if line.command == "texrand":
+            unit.memory = glide_text.random_memory(*values)
+        elif line.command == "palrand":
+            unit.palette = glide_text.random_palette(*values)
+        elif line.command == "nccrand":
+            unit.ncc = glide_text.random_ncc(*values)
+        elif line.command == "regs":
+            unit.modes = replace(modes_of(*values, fraction_bits), table_quotients=1)
+        elif line.command == "grad":
+            gradients = values
+        else:
+            s, t, w, colour, x, y = values
+            point, other = Point(s, t, w, int(base(*gradients)), x, y), unpacked(colour)
+            now = Unit(unit.modes, unit.memory, unit.palette, unit.ncc)
+            answer = int(packed(pixel(now, point, other)))
+            yield Question(line, now, point, other, answer)
+
+
+def only(level: int, linear: int, **others) -> Modes:
+    """Modes by which one level alone is drawn; ``linear``: 0 point, 1 bilinear."""
+    return Modes(minify=linear, magnify=linear, lod_min=4 * level, lod_max=4 * level, **others)
+
+
+def table_quotient(s: int, w: int) -> int:
+    """s * 2^30 / w through the reciprocal of the rules, by fractions: rounded down, within 32 bits; 0
+    where w is 0."""
+    if not w:
+        return 0
+    shift = 32 - abs(w).bit_length()
+    place = Fraction((abs(w) << shift) - (1 << 31), 1 << 22)  # 0 to 512, of entries
+    i, part = int(place), int(place % 1 * 256)
+    entries = [(1 << 31) // (512 + n) for n in (i, i + 1)]
+    inverse = (entries[0] * (256 - part) + entries[1] * part) // 256
+    value = s * inverse * Fraction(2) ** (shift - 23) * (1 if w > 0 else -1)
+    return max(-1 << 31, min(value.numerator // value.denominator, (1 << 31) - 1))

@@ -1,0 +1,136 @@
+"""The texture unit's combine unit and chains: Glide's functions, detail, trilinear filtering."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.arrays import check_equal, check_within
+from tests.glide.reference import only
+from tmap.base.errors import UserError
+from tmap.glide.chain import Point, chain_pixel, pixel
+from tmap.glide.combine import combined, detail_factor
+from tmap.glide.filters import sample
+from tmap.glide.functions import (FACTORS, FUNCTIONS, combination, combine, trilinear_pair,
+                                  trilinear_passes)
+from tmap.glide.state import ONE_W, UNIT_MEMORY, Modes, Unit, packed, unpacked
+
+
+@pytest.mark.parametrize("bias, lod, want", [
+    (4, 0x280, 48), (4, 0, 128), (4, 0x433, 0), (8, 0x100, 200), (-3, 0, 0)])
+def test_detail_factor(bias, lod, want):
+    """(bias - level) times 2^scale, from 0 to the most; both in steps of 1/256."""
+    modes = Modes(detail_bias=bias, detail_scale=5, detail_max=200)
+    assert detail_factor(modes, np.array(lod)) == want
+
+
+#: What Glide's functions are to be: of the factor's multiplication, other, local, local alpha.
+MEANT = {
+    "zero": lambda f, o, c, a: 0 * c,
+    "local": lambda f, o, c, a: c,
+    "local_alpha": lambda f, o, c, a: a + 0 * c,
+    "scale_other": lambda f, o, c, a: f(o),
+    "scale_other_add_local": lambda f, o, c, a: f(o) + c,
+    "scale_other_add_local_alpha": lambda f, o, c, a: f(o) + a,
+    "scale_other_minus_local": lambda f, o, c, a: f(o - c),
+    "blend": lambda f, o, c, a: f(o - c) + c,
+    "blend_add_local_alpha": lambda f, o, c, a: f(o - c) + a,
+    "blend_local": lambda f, o, c, a: f(-c) + c,
+    "blend_local_add_local_alpha": lambda f, o, c, a: f(-c) + a,
+}
+
+
+@pytest.mark.parametrize("factor", FACTORS)
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_combine_functions(function, factor):
+    """As Glide's names say, for random colours and the extremes."""
+    random = np.random.default_rng(5)
+    local, other = random.integers(0, 256, (2, 500, 4))
+    local[:4], other[:4] = [[0], [255], [0], [255]], [[0], [0], [255], [255]]
+    lod = random.integers(0, 0x801, 500)
+    modes = Modes(detail_bias=5, detail_scale=3, detail_max=190)
+    own = {"local": local, "other_alpha": other[:, 3:], "local_alpha": local[:, 3:],
+           "lod_fraction": lod[:, None] % 256, "zero": 0,
+           "detail": np.clip((1280 - lod) * 8 // 256, 0, 190)[:, None]}
+    m = own[factor.removeprefix("one_minus_")] if factor != "one" else 255
+    if factor.startswith("one_minus_"):
+        m = 255 - m
+    meant = MEANT[function](lambda x: x * (m + 1) // 256, other, local, local[:, 3:])
+    want = np.clip(meant, 0, 255)
+    for invert in (0, 1):
+        found = combined(combine(modes, function, factor, invert), lod, local, other)
+        check_equal(found, 255 - want if invert else want, f"inverted {invert}: case, channel")
+
+
+def test_colour_and_alpha_are_combined_each_by_its_own():
+    """And names that are none are refused."""
+    modes = Modes(rgb=combination("local"), alpha=combination("scale_other", "one"))
+    colour = combined(modes, np.array(0), unpacked(0x11223344), unpacked(0xAABBCCDD))
+    assert packed(colour) == 0xAA223344
+    with pytest.raises(UserError, match="function 'mix' is none"):
+        combination("mix")
+    with pytest.raises(UserError, match="factor 'two' is none"):
+        combination("local", "two")
+
+
+def test_two_units():
+    """Decal over what comes from upstream, a multiplication, and a sum."""
+    random = np.random.default_rng(8)
+    units = [Unit(only(0, 0, format=12, rgb=combination("local"), alpha=combination("local")),
+                  random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)) for _ in range(2)]
+    s, t = random.integers(-1 << 31, 1 << 31, (2, 300))
+    points = [Point(s, t), Point(t, s)]
+    near, far = (pixel(u, p, np.zeros(4, np.int64)) for u, p in zip(units, points))
+    check_equal(chain_pixel(units, points), near, "local: pixel, channel")
+    units[0].modes = combine(units[0].modes, "scale_other", "local")
+    check_equal(chain_pixel(units, points), far * (near + 1) // 256, "product: pixel, channel")
+    units[0].modes = combine(units[0].modes, "scale_other_add_local", "one")
+    check_equal(chain_pixel(units, points), np.minimum(far + near, 255), "sum: pixel, channel")
+
+
+def weight_odd(lod: np.ndarray) -> np.ndarray:
+    """The odd level's weight at a level of detail."""
+    return np.where(lod >> 8 & 1, 255 - (lod & 255), lod & 255)[..., None]
+
+
+def test_trilinear_blends():
+    """Of all levels' fractions: one pass is even + ((odd - even) (w + 1) >> 8) where the first
+    unit has the even levels. Where it has the odd ones, odd is weighed by w instead of w + 1:
+    values less than 1 apart, so 1 after rounding down. Of two passes each loses less than 1 and
+    the odd level weighs w: 0 to 2 less."""
+    even, odd = (c[..., None] * np.ones(4, np.int64)
+                 for c in np.meshgrid(np.arange(0, 256, 5), np.arange(0, 256, 5)))
+    dark = np.zeros(4, np.int64)
+    for n in (0, 1):
+        for fraction in range(256):
+            lod = np.full(even.shape[:2], n << 8 | fraction)
+            what = f"level {n}, {fraction} / 256: 1/5 of odd, of even, channel"
+            want = even + ((odd - even) * (weight_odd(lod) + 1) >> 8)
+            first, _ = trilinear_pair(Modes())
+            check_equal(combined(first, lod, even, odd), want, what)
+            first, _ = trilinear_pair(Modes(), 1)
+            check_within(combined(first, lod, odd, even), want, 1, f"odd first, {what}")
+            passes = trilinear_passes(Modes())
+            total = sum(combined(m, lod, c, dark) for m, c in zip(passes, (even, odd)))
+            check_within(total, want - 1, 1, f"two passes, {what}")
+
+
+@pytest.mark.parametrize("split", [0, 1])
+def test_trilinear_pixels(split):
+    """Through levels and filters: whole pixels against two samples of a level each."""
+    random = np.random.default_rng(4)
+    memory = random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)
+    s, t = random.integers(-1 << 31, 1 << 31, (2, 400))
+    lod = random.integers(0, 0x701, 400)
+    modes = Modes(minify=1, magnify=1, format=8, split=split)
+    levels = [combine(replace(modes, split=split, trilinear=1, odd=odd), "local")
+              for odd in (0, 1)]
+    even, odd = (sample(Unit(m, memory), s, t, lod) for m in levels)
+    want = even + ((odd - even) * (weight_odd(lod) + 1) >> 8)
+    point = Point(s, t, ONE_W, lod)
+    dark = np.zeros(4, np.int64)
+    if split:
+        pair = [Unit(m, memory) for m in trilinear_pair(modes)]
+        check_equal(chain_pixel(pair, [point, point]), want, "one pass: pixel, channel")
+    total = sum(pixel(Unit(m, memory), point, dark) for m in trilinear_passes(modes))
+    check_within(total, want - 1, 1, "two passes, 0 to 2 less: pixel, channel")

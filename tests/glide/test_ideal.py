@@ -1,0 +1,243 @@
+"""The texture unit's ideal: exact coordinates and levels; how far the model may be off it."""
+
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tests.arrays import check_equal, check_within
+from tmap.base.errors import UserError
+from tmap.glide import combine
+from tmap.glide.chain import Point, chain_pixel
+from tmap.glide.coordinates import TOO_LARGE, coordinates
+from tmap.glide.filters import sample
+from tmap.glide.functions import FACTORS, FUNCTIONS, combine as combine_by, trilinear_pair
+from tmap.glide.lod import base, level_of_detail
+from tmap.glide.state import ARGB4444, ONE_W, UNIT_MEMORY, Modes, Unit
+from tmap.ideal import glide
+from tmap.ideal.glide import Corner, Surface
+from tmap.ideal.texels import Coordinate
+
+ONE = 1 << 18  # of 14.18
+N = 65536  # of 16.16
+ROUNDING = 2.0**-36  # of the ideal itself
+#: A polygon that recedes: s/w, t/w, 1/w.
+FAR = [Corner(0, 0, 0, 0, ONE_W), Corner(60 * N, 3 * N, 100 * ONE, 7 * ONE, ONE_W // 2),
+       Corner(5 * N, 50 * N, -9 * ONE, 40 * ONE, ONE_W // 7)]
+FLAT = [corner._replace(w=ONE_W) for corner in FAR]
+Y, X = (c.ravel() for c in np.mgrid[0:20:3, 0:30:4])
+
+
+def unit(**modes) -> Unit:
+    """A unit with noise in its memory."""
+    memory = np.random.default_rng(2).integers(0, 256, UNIT_MEMORY).astype(np.uint8)
+    return Unit(Modes(format=ARGB4444, minify=1, magnify=1, **modes), memory)
+
+
+def share(polygon: list[Corner], x: int, y: int) -> list[Fraction]:
+    """s/w, t/w and 1/w at a point, by barycentric coordinates."""
+    (ax, ay), (bx, by), (cx, cy) = (corner[:2] for corner in polygon)
+    area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
+    b = Fraction((x - ax) * (cy - ay) - (cx - ax) * (y - ay), area)
+    c = Fraction((bx - ax) * (y - ay) - (x - ax) * (by - ay), area)
+    return [(1 - b - c) * polygon[0][k] + b * polygon[1][k] + c * polygon[2][k] for k in (2, 3, 4)]
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+@pytest.mark.parametrize("polygon", [FAR, FLAT, FAR[::-1]])
+def test_coordinates_are_exact(polygon, perspective):
+    """Whole texels and the nearest double to the fraction, by barycentric coordinates."""
+    found = Surface(polygon, perspective).at(X, Y)
+    for x, y, s_at, t_at in zip(X, Y, *(zip(*c) for c in found)):
+        s, t, w = share(polygon, int(x) * N, int(y) * N)
+        for name, value, at in (("s", s, s_at), ("t", t, t_at)):
+            exact = value / (w if perspective else ONE_W) * Fraction(ONE_W, ONE)
+            assert tuple(at) == (exact // 1, float(exact % 1)), f"{name} at pixel ({x}, {y})"
+
+
+def test_levels_are_those_of_derivatives():
+    """A quotient's change over any distance h, times the divisor there and over h, is its slope
+    times the divisor here."""
+    def at(x, y):
+        s, t, w = share(FAR, x, y)
+        return [s / w * 4096, t / w * 4096], w
+
+    found = Surface(FAR, True).level(X, Y)
+    for x, y, level in zip((X * N).tolist(), (Y * N).tolist(), found):
+        here, w = at(x, y)
+        most = 0
+        for dx, dy in ((N, 0), (0, N)):
+            there, divisor = at(x + dx, y + dy)
+            most = max(most, sum(((b - a) * divisor / w) ** 2 for a, b in zip(here, there)))
+        assert abs(level - np.log2(float(most)) / 2) < ROUNDING, f"at ({x / N:g}, {y / N:g})"
+    still = [corner._replace(s=5, t=7) for corner in FLAT]
+    assert (Surface(still, False).level(X, Y) == -np.inf).all()
+
+
+def test_level_of_the_unit():
+    """Without a change of w the unit's level is the true one but for its rounding: half of 1/256
+    for the gradients, and as much for w."""
+    for w in (ONE_W, ONE_W // 3, 12345):
+        polygon = [corner._replace(w=w) for corner in FAR]
+        s, t = ([share(polygon, x, y)[k] for x, y in ((0, 0), (N, 0), (0, N))] for k in (0, 1))
+        steps = [int(c[k] - c[0]) for k in (1, 2) for c in (s, t)]
+        corners = [Corner(0, 0, 0, 0, w), Corner(N, 0, steps[0], steps[1], w),
+                   Corner(0, N, steps[2], steps[3], w)]
+        true = Surface(corners, True).level(np.array([0]), np.array([0]))
+        limits = Modes(perspective=1)
+        found = level_of_detail(limits, base(*steps), np.array(w), np.array(0), np.array(0))
+        check_within(found / 256, glide.limited(limits, true), 1 / 256 + ROUNDING, f"w {w}")
+
+
+def test_levels_are_biased_and_limited():
+    """All three in quarters."""
+    modes = Modes(lod_min=2, lod_max=20, lod_bias=-6)
+    assert glide.limited(modes, np.array([-np.inf, 1, 3, 9])).tolist() == [0.5, 0.5, 1.5, 5]
+
+
+@pytest.mark.parametrize("clamp", [0, 1])
+@pytest.mark.parametrize("level", [0, 3, 7, 8])
+def test_texel_centres(level, clamp):
+    """There nothing is between texels: point, bilinear and the unit agree."""
+    on = unit(lod_min=4 * level, lod_max=4 * level, aspect=2, wide=1, clamp_s=clamp, clamp_t=clamp)
+    half = (ONE << level) // 2
+    i, j = np.random.default_rng(1).integers(-300, 300, (2, 200))
+    s, t = (2 * i + 1) * half, (2 * j + 1) * half
+    drawn = sample(on, s, t, np.full(200, 256 * level))
+    at = [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
+    for linear in (False, True):
+        check_equal(drawn, glide.sample_level(on, *at, level, linear),
+                    f"{('point', 'bilinear')[linear]}: place, channel")
+
+
+def placed(s: np.ndarray, t: np.ndarray) -> list[Coordinate]:
+    """Coordinates of 14.18, exact."""
+    return [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
+
+
+def weights_error(bits: int) -> float:
+    """How far a bilinear sample may be below and above the ideal: fractions of both axes are cut
+    to so many bits, each less than a step, and colours change by 255 a texel; a cut result
+    besides."""
+    return 2 * 255 / (1 << bits) + 1
+
+
+@pytest.mark.parametrize("bits", [4, 8])
+@pytest.mark.parametrize("clamp", [0, 1])
+def test_bilinear_and_point_samples(bits, clamp):
+    """Bilinear ones within what weights are cut by; the others show the ideal's texel."""
+    random = np.random.default_rng(6)
+    on = unit(fraction_bits=bits, clamp_s=clamp, clamp_t=clamp, aspect=1)
+    s, t = random.integers(-1 << 28, 1 << 28, (2, 2000))
+    level = random.integers(0, 9, 2000)
+    drawn = sample(on, s, t, level * 256)
+    wanted = glide.sample(on, *placed(s, t), level * 1.0, "bilinear")
+    check_within(drawn, wanted, weights_error(bits), "bilinear: place, channel")
+    on.modes = replace(on.modes, minify=0, magnify=0)
+    wanted = glide.sample(on, *placed(s, t), level * 1.0, "point")
+    check_equal(sample(on, s, t, level * 256), wanted, "point: place, channel")
+
+
+def test_perspective():
+    """Iterated numbers are rounded by half a unit each, so that s is off by half of one of s/w and
+    s times half of one of 1/w, over the rounded 1/w; the quotient is cut, and off by the reciprocal
+    where it is by the table."""
+    shares = [share(FAR, int(x) * N, int(y) * N) for x, y in zip(X, Y)]
+    iterated = [np.array([round(three[k]) for three in shares]) for k in range(3)]
+    exacts = Surface(FAR, True).at(X, Y)
+    ways = [(coordinates(Modes(perspective=1, table_quotients=k), *iterated), k * TOO_LARGE)
+            for k in (0, 1)]
+    for found, exact, part in ((*two, part) for drawn, part in ways for two in zip(drawn, exacts)):
+        most = (0.5 / ONE + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE
+        most += (abs(exact.value) + most) * part
+        check_within(found / ONE, exact.value, most + ROUNDING, f"table's part {part}: pixel")
+
+
+@pytest.mark.parametrize("size", [8, 16])
+def test_perspective_in_pieces(size):
+    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs: a value is that
+    of the line between exact quotients, which bends off the true one by up to
+    |difference of the ends| * |r - 1| / (r + 1), less what ``size`` roundings take from it."""
+    random, bent = np.random.default_rng(5), 0
+    for count in (1, 2, size, size + 1, 2 * size, 70, 70, 70, 70):
+        ends = np.exp(random.uniform(0, 5.7, 2)) * random.choice((1, -1)) * 3e6
+        w = np.linspace(*ends, count).astype(np.int64)
+        w = w[0] + np.arange(count) * ((w[-1] - w[0]) // max(count - 1, 1))
+        place = np.arange(count)
+        s = place * int(random.integers(-90000, 90000)) + int(random.integers(-1 << 20, 1 << 20))
+        modes = Modes(perspective=1, subdivision=size)
+        found, _ = coordinates(modes, s, s, w, place, count - 1 - place)
+        exact = [Fraction(int(a) << 30, int(b)) for a, b in zip(s, w)]
+        for n in range(count):
+            first = n // size * size
+            last = min(first + size, count - 1)
+            r = np.sqrt(w[last] / w[first])
+            most = float(abs(exact[last] - exact[first])) * abs(r - 1) / (r + 1) * (1 + ROUNDING)
+            off = float(found[n] - exact[n])
+            assert -most - size <= off <= most + ROUNDING, (
+                f"{count} pixels, w {w[0]} to {w[-1]}, pixel {n}: off by {off} units of 1/2^18; "
+                f"from {-most - size} to {most} may be")
+            bent = max(bent, abs(off) - size)
+    assert bent > ONE / 64  # some lines do bend
+
+
+def test_trilinear_samples():
+    """Of one pass against the ideal at the same level: both samples' errors, mixed, so the larger;
+    the weight of w + 1 instead of w, 255/256; and the result cut."""
+    random = np.random.default_rng(7)
+    s, t = random.integers(-1 << 28, 1 << 28, (2, 2000))
+    lod = random.integers(0, 0x801, 2000)
+    for bits in (4, 8):
+        on = unit(fraction_bits=bits, split=1)
+        units = [Unit(modes, on.memory) for modes in trilinear_pair(on.modes)]
+        point = Point(s, t, ONE_W, lod)
+        drawn = chain_pixel(units, [point, point])
+        wanted = glide.sample(units[0], *placed(s, t), lod / 256, "trilinear", units[1])
+        inside = lod < 0x800  # level 8 has no next one: the unit of odd ones shows what it likes
+        check_within(drawn[inside], wanted[inside], weights_error(bits) + 255 / 256 + 1,
+                     f"weights of {bits} bits: place, channel")
+
+
+def test_trilinear_is_continuous():
+    """Just below a level, at it, and of that level alone."""
+    on, near = unit(), np.random.default_rng(3).integers(0, 1 << 27, (2, 100))
+    for level in range(1, 9):
+        at = np.full(100, float(level))
+        alone = glide.sample(on, *placed(*near), at, "bilinear")
+        check_equal(glide.sample(on, *placed(*near), at, "trilinear"), alone, f"level {level}")
+        below = glide.sample(on, *placed(*near), at - 2.0**-20, "trilinear")
+        check_within(below, alone, 255 * 2.0**-20 + ROUNDING, f"just below level {level}")
+
+
+@pytest.mark.parametrize("factor", FACTORS)
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_combine_unit(function, factor):
+    """(m + 1) / 256 is less than m / 255, or more than m / 256, by 1/256 at most, and a detail
+    factor is cut to 1/256 besides and limited by max of 255: 1/256 more each; differences of
+    colours are up to 255; the product is cut. Sums and limits add nothing."""
+    random = np.random.default_rng(9)
+    local, other = random.integers(0, 256, (2, 400, 4))
+    lod = random.integers(0, 0x801, 400)
+    steps = 3 if "detail" in factor else 1
+    for trilinear in (0, 1):
+        for invert in (0, 1):
+            modes = combine_by(Modes(trilinear=trilinear, detail_bias=6, detail_scale=5,
+                                     detail_max=170), function, factor, invert)
+            drawn = combine.combined(modes, lod, local, other)
+            wanted = glide.combined(modes, lod / 256, local * 1.0, other * 1.0)
+            check_within(drawn, wanted, steps * 255 / 256 + 1,
+                         f"trilinear {trilinear}, inverted {invert}: case, channel")
+
+
+def test_refusals():
+    on = unit(split=1, odd=1)
+    at = placed(*np.zeros((2, 3), np.int64))
+    with pytest.raises(UserError, match="the map lacks a level"):
+        glide.sample(on, *at, np.zeros(3), "bilinear")
+    with pytest.raises(UserError, match="filter 'cubic' is none of point"):
+        glide.sample(on, *at, np.zeros(3), "cubic")
+    with pytest.raises(UserError, match="behind the viewer"):
+        Surface([corner._replace(w=-5) for corner in FAR], True).at(X, Y)
+    with pytest.raises(UserError, match="no area"):
+        Surface([FAR[0]] * 3, True)

@@ -1,0 +1,357 @@
+"""The texture unit's model: reference data, and hand-made examples of each rule."""
+
+from dataclasses import replace
+from fractions import Fraction
+from math import floor
+
+import numpy as np
+import pytest
+
+from tests.arrays import check_equal
+from tests.glide import reference
+from tests.glide.reference import FOLDER, only, questions
+from tmap.base.errors import UserError
+from tmap.glide.coordinates import (TOO_LARGE, TOO_SMALL, coordinates, nearest, quotient,
+                                    table_quotient, taps)
+from tmap.glide.filters import filters_linearly, sample
+from tmap.glide.lod import LEAST, base, chosen, level_of_detail
+from tmap.glide.logarithm import log2
+from tmap.glide.registers import modes_of, ncc_of, words_of, words_of_ncc
+from tmap.glide.state import AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination, Modes, Ncc, Unit
+from tmap.glide.texels import decoded, level_bases, level_size
+from tmap.vectors.glide_text import random_ncc, random_palette, read
+
+#: File to bits of its filter's weights.
+FILES = {"tmu_combine": 4, "tmu_decal": 4, "tmu_fixedlod": 4, "tmu2_decal": 8}
+ONE = 1 << 18  # of 14.18
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_agrees_with_reference_data(name):
+    """Every answer, though with perspective some might differ."""
+    asked = list(questions(FOLDER / f"{name}.txt.gz", FILES[name]))
+    wrong = [q for q in asked if q.answer != q.line.expected[0]]
+    shown = "\n".join(f"{name}.txt.gz:{q.line.number}: {q.line.arguments}: expected "
+                      f"{q.line.expected[0]:08x}, the model gives {q.answer:08x}"
+                      for q in wrong[:3])
+    assert len(asked) == 1000 and not wrong, f"{len(wrong)} of {len(asked)} differ:\n{shown}"
+
+
+@pytest.mark.parametrize("text, message", [
+    ("regs 1 2 3", "regs: 4 arguments expected, 3 found"),
+    ("pix 1 2 3 4 5 6", "an answer of 1 numbers expected, 0 found"),
+    ("tmemrand 5", "no command 'tmemrand'"), ("mode detail 1", "no command 'mode'"),
+    ("grad 1 2 3 f", "'f' is not a decimal number")])
+def test_bad_text(text, message, tmp_path):
+    path = tmp_path / "x.txt"
+    path.write_text(f"texrand 1\n{text}\n")
+    with pytest.raises(UserError, match="x.txt:2: .*" + message):
+        list(read(path))
+
+
+def test_registers():
+    """Every field by itself, and there and back."""
+    modes = modes_of(0x40000001 | 10 << 8 | 0x2A << 12 | 0x111 << 21, 1 | 31 << 6 | 63 << 12
+                     | 1 << 18 | 3 << 21, 200 | 32 << 8 | 7 << 14, 3, 4)
+    assert modes == Modes(
+        perspective=1, trilinear=1, format=10, lod_min=1, lod_max=31, lod_bias=-1, odd=1, aspect=3,
+        detail_max=200, detail_bias=-32, detail_scale=7, base=24,
+        rgb=Combination(sub_local=1, mselect=2, reverse=1),
+        alpha=Combination(zero_other=1, mselect=4, invert=1))
+    random = np.random.default_rng(3)
+    for mode, lod, detail, start in random.integers(0, 1 << 32, (500, 4)).tolist():
+        words = (mode & 0x7FFFF0FF | int(random.choice(list(FORMATS))) << 8, lod & 0x7FFFFF,
+                 detail & 0x1FFFF, start & 0x7FFFF)
+        assert words_of(modes_of(*words, 4)) == words
+    with pytest.raises(UserError, match="format 7"):
+        modes_of(7 << 8, 0, 0, 0, 4)
+
+
+def test_tables_of_ncc():
+    """Each field by itself, and there and back: of any tables."""
+    words = np.arange(12, dtype=np.int64)
+    words[0], words[4], words[11] = 0x44332211, 0x1FF << 18 | 0x100 << 9 | 0xFF, 5 << 18
+    table = ncc_of(words)
+    assert list(table.y[:5]) == [0x11, 0x22, 0x33, 0x44, 1]
+    assert list(table.i[0]) == [-1, -256, 255] and list(table.q[3]) == [5, 0, 0]
+    for seed in range(1, 9):
+        for made in random_ncc(seed):
+            again = ncc_of(words_of_ncc(made))
+            for name in ("y", "i", "q"):
+                check_equal(getattr(again, name), getattr(made, name), f"seed {seed}, {name}")
+
+
+def signed(value: int) -> int:
+    """A number modulo 2^32."""
+    return (value + (1 << 31)) % (1 << 32) - (1 << 31)
+
+
+def pieces_of(line: list[int], size: int) -> list[int]:
+    """A line of exact quotients, followed at the ends of pieces alone."""
+    found, end = [], len(line) - 1
+    for first in range(0, len(line), size):
+        last = min(first + size, end)
+        way = signed(line[last] - line[first])
+        step = floor(Fraction(way, last - first)) if last > first else 0
+        found += [signed(line[first] + i * step) for i in range(min(size, len(line) - first))]
+    return found
+
+
+def test_pieces_of_lines():
+    """Pieces are counted from each line's first pixel; the last one ends at its last pixel; s and t
+    may go round the 32 bits. Nothing of this where quotients go by the table, or there are none."""
+    random = np.random.default_rng(4)
+    counts = (1, 7, 8, 9, 17, 40, 2, 16)
+    s, t = random.integers(-1 << 31, 1 << 31, (2, sum(counts)))
+    w = random.integers(-1 << 30, 1 << 30, sum(counts))
+    w[3] = w[20] = 0
+    before = np.concatenate([np.arange(n) for n in counts])
+    sides = before, np.repeat(counts, counts) - 1 - before
+    for size in (8, 16):
+        for behind in (0, 1):
+            modes = Modes(perspective=1, subdivision=size, clamp_negative_w=behind)
+            exact = coordinates(replace(modes, subdivision=0), s, t, w)
+            for found, ends in zip(coordinates(modes, s, t, w, *sides), exact):
+                lines = np.split(ends, np.cumsum(counts)[:-1])
+                wanted = [value for line in lines for value in pieces_of(line.tolist(), size)]
+                check_equal(found, wanted, f"pieces of {size}, clamp_negative_w {behind}: pixel")
+    for others in ({"table_quotients": 1}, {"perspective": 0}):
+        modes = Modes(subdivision=8, **{"perspective": 1} | others)
+        check_equal(coordinates(modes, s, t, w, *sides),
+                    coordinates(replace(modes, subdivision=0), s, t, w), f"{others}: axis, pixel")
+
+
+@pytest.mark.parametrize("form, value, want", [
+    (0, 0b101_110_01, (182, 219, 85, 255)), (0, 0b111_000_11, (255, 0, 255, 255)),
+    (2, 0x5A, (0x5A,) * 4), (3, 0x5A, (0x5A, 0x5A, 0x5A, 255)), (4, 0x2C, (204, 204, 204, 34)),
+    (5, 9, (10, 11, 12, 255)), (8, 0x77_E3, (255, 0, 255, 0x77)), (9, 0x80_00, (7, 0, 255, 128)),
+    (1, 0x00, (7, 0, 255, 255)), (1, 0x11, (255, 250, 249, 255)),
+    (10, 0b10001_100001_00100, (140, 134, 33, 255)), (10, 0xFFFF, (255,) * 4),
+    (11, 0x8000 | 1 << 10 | 30 << 5 | 2, (8, 247, 16, 255)), (11, 0x7C00, (255, 0, 0, 0)),
+    (12, 0x4F0A, (255, 0, 170, 68)), (13, 0x1234, (0x34, 0x34, 0x34, 0x12)),
+    (14, 0x2109, (10, 11, 12, 0x21))])
+def test_formats(form, value, want):
+    """A texel's bits to R G B A, through the palette and the NCC table where it is an index."""
+    palette = np.arange(768).reshape(256, 3) % 256 - np.array([17, 17, 17])
+    table = Ncc()
+    table.y[0], table.y[1] = 7, 250
+    table.i[0] = 0, -100, 250
+    table.q[0], table.q[1] = (0, 0, 5), (200, 100, -251)
+    assert tuple(decoded(form, np.array(value), palette, table)) == want
+
+
+@pytest.mark.parametrize("modes, want", [
+    # whole, 1 byte; odd levels only; even ones of 2 bytes, 8:1, where small levels take 4 texels
+    (Modes(format=I8), [0, 65536, 81920, 86016, 87040, 87296, 87360, 87376, 87380]),
+    (Modes(format=I8, split=1, odd=1), [0, 0, 16384, 16384, 17408, 17408, 17472, 17472, 17476]),
+    (Modes(split=1, aspect=3, wide=1, base=8),
+     [8, 8 + 16384, 8 + 16384, 8 + 17408, 8 + 17408, 8 + 17472, 8 + 17472, 8 + 17480, 8 + 17480])])
+def test_places_of_levels(modes, want):
+    assert level_bases(modes) == want
+
+
+def test_sizes_of_levels():
+    """The longer side has 256 >> level texels, the shorter as many less as the aspect says; none
+    less than 1."""
+    for aspect in range(4):
+        for wide in (0, 1):
+            for level in range(9):
+                size = level_size(Modes(aspect=aspect, wide=wide), level)
+                want = 256 >> level, max(256 // 2**aspect >> level, 1)
+                assert size == (want if wide else want[::-1])
+
+
+def numbered(modes: Modes) -> Unit:
+    """A unit whose 16-bit texels hold their own places in memory."""
+    memory = np.arange(UNIT_MEMORY // 2).astype("<u2").view(np.uint8)
+    return Unit(replace(modes, format=AI88), memory)
+
+
+def places(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray) -> np.ndarray:
+    """Which of a numbered unit's texels is shown."""
+    found = sample(unit, s, t, lod)
+    return found[..., 3] << 8 | found[..., 0]
+
+
+#: Glide's table for square maps: side, texel's width, first and last centre.
+SQUARE = [(256, 1, .5, 255.5), (128, 2, 1, 255), (64, 4, 2, 254), (32, 8, 4, 252),
+          (16, 16, 8, 248), (8, 32, 16, 240), (4, 64, 32, 224), (2, 128, 64, 192),
+          (1, 256, 128, 128)]
+
+
+@pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
+@pytest.mark.parametrize("side, texel, first, last", SQUARE)
+def test_glide_table_of_square_maps(side, texel, first, last, linear, bits):
+    """Both texels, and what lies 256 beside them, where the map is repeated."""
+    level = SQUARE.index((side, texel, first, last))
+    assert texel == 1 << level and first == 128 / side
+    unit = numbered(only(level, linear, fraction_bits=bits))
+    start = level_bases(unit.modes)[level] // 2
+    for centre, want in ((first, 0), (last, side * side - 1)):
+        for moved in (-256, 0, 256):
+            c = np.array(int((centre + moved) * ONE))
+            check_equal(places(unit, c, c, np.array(256 * level)), start + want & 0xFFFF,
+                        f"s = t = {centre + moved}")
+
+
+@pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
+@pytest.mark.parametrize("wide", [0, 1])
+@pytest.mark.parametrize("aspect", range(4))
+def test_all_texel_centres(aspect, wide, linear, bits):
+    """Of every level of every aspect: at (i + 1/2) 2^n texel i alone is shown. The longer side
+    ends at 256, the shorter at 256 >> aspect; where a side has one texel any coordinate will do,
+    so that its middle is also that of the side's range."""
+    for level in range(9):
+        unit = numbered(only(level, linear, aspect=aspect, wide=wide, fraction_bits=bits))
+        width, height = level_size(unit.modes, level)
+        start = level_bases(unit.modes)[level] // 2
+        j, i = np.mgrid[:height, :width]
+        want = start + j * width + i & 0xFFFF
+        s, t = ((2 * c + 1) * (ONE << level) // 2 for c in (i, j))
+        lod = np.full(i.shape, 256 * level)
+        for moved in (0, 256 * ONE, -512 * ONE):
+            for name, at in (("s", (s + moved, t)), ("t", (s, t + moved))):
+                check_equal(places(unit, *at, lod), want,
+                            f"level {level}, {name} {moved // ONE} farther: row, column")
+        longer, shorter = (s, t) if wide else (t, s)
+        assert longer.max() + (ONE << level) // 2 == 256 * ONE
+        if 256 >> aspect >= 1 << level:
+            assert shorter.max() + (ONE << level) // 2 == (256 >> aspect) * ONE
+        else:
+            shorter[:] = (256 >> aspect) * ONE // 2
+            check_equal(places(unit, s, t, lod), want, f"level {level}, one texel: row, column")
+
+
+def test_filter_positions():
+    """64 x 64: s = 2.0 is the first texel's centre, s = 0 lies half way to the last one."""
+    modes = Modes()
+    assert nearest(modes, np.array(524288), np.array(2), 0) == 0
+    assert taps(modes, np.array(524288), np.array(2), 0) == (0, 1, 0)
+    assert taps(modes, np.array(0), np.array(2), 0) == (63, 0, 8)
+    assert taps(replace(modes, clamp_s=1), np.array(0), np.array(2), 0) == (0, 0, 8)
+    assert taps(replace(modes, clamp_t=1), np.array(255 * ONE), np.array(2), 1) == (63, 63, 4)
+    assert taps(replace(modes, fraction_bits=8), np.array(0), np.array(2), 0) == (63, 0, 128)
+
+
+@pytest.mark.parametrize("bits", [4, 8])
+def test_bilinear_weights(bits):
+    """Of two colours only, at a fraction of a texel: weights add up to 1, cut off."""
+    unit = Unit(only(0, 1, format=I8, fraction_bits=bits), np.zeros(UNIT_MEMORY, np.uint8))
+    unit.memory[1] = unit.memory[256] = 255
+    one = 1 << bits
+    fs, ft = np.meshgrid(np.arange(one), np.arange(one))
+    s, t = (ONE // 2 + f * (ONE >> bits) for f in (fs, ft))
+    found = sample(unit, s, t, np.zeros(fs.shape, np.int64))[..., 0]
+    check_equal(found, 255 * (fs * (one - ft) + (one - fs) * ft) // one**2, "fractions of t, s")
+    unit.memory[:] = 255
+    check_equal(sample(unit, s, t, np.zeros(fs.shape, np.int64)), 255, "all white")
+
+
+def test_quotients():
+    """The exact one; that of the table by its rules, within its bounds, and exact for powers of two."""
+    random = np.random.default_rng(1)
+    c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
+    w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
+    c[:4], w[:4] = (-1 << 31, -1 << 31, 5, 7), (-1, 1, 0, -ONE_W)
+    least, most = -1 << 31, (1 << 31) - 1
+    both = zip(quotient(c, w).tolist(), table_quotient(c, w).tolist())
+    for a, b, (found, by_table) in zip(c.tolist(), w.tolist(), both):
+        exact = Fraction(a << 30, b) if b else Fraction(0)
+        want = max(least, min(floor(exact), most))
+        ends = [exact * (1 + part) for part in (Fraction(TOO_LARGE), -Fraction(TOO_SMALL))]
+        low, high = (max(least, min(floor(end), most)) for end in sorted(ends))
+        assert found == want, f"{a} / {b}"
+        assert low <= by_table <= high, f"{a} / {b} by the table"
+        assert by_table == reference.table_quotient(a, b), f"{a} / {b} by the table"
+        if b and abs(b) & abs(b) - 1 == 0:
+            assert by_table == want, f"{a} / {b} by the table: a power of two"
+
+
+def test_negative_w():
+    """Coordinates are what the division makes of it, or 0 where it is clamped."""
+    point = (np.array([ONE]), np.array([2 * ONE]), np.array([-ONE_W]))
+    for perspective, want in ((0, (1, 2)), (1, (-1, -2))):
+        modes = Modes(perspective=perspective)
+        assert coordinates(modes, *point) == tuple(c * ONE for c in want)
+        assert coordinates(replace(modes, clamp_negative_w=1), *point) == (0, 0)
+
+
+def exact_log2(x: int) -> int:
+    """round(256 * log2(x)) by the size of a power: with 2^(k - 1/2) <= x^256 < 2^(k + 1/2)
+    the square of that has 2k or 2k + 1 bits."""
+    return (x ** 512).bit_length() // 2
+
+
+def test_logarithm():
+    """Small numbers, numbers around powers of two, and around all steps between two; of large
+    ones 32 bits count."""
+    numbers = {*range(1, 600), *((1 << n) + d for n in range(2, 64) for d in (-1, 0, 1)),
+               (1 << 64) - 1}
+    for k in range(256):
+        for octave in (25, 40):
+            edge = round(2 ** (octave + (k + .5) / 256))
+            numbers |= {edge + d for d in range(-2, 3)}
+    numbers = sorted(numbers)
+    cut = [x >> (n := max(x.bit_length() - 32, 0)) << n for x in numbers]
+    found = log2(np.array(numbers, np.uint64)).tolist()
+    wrong = [(x, logarithm, exact) for x, logarithm, exact in
+             zip(numbers, found, map(exact_log2, cut), strict=True) if logarithm != exact]
+    assert not wrong, f"{len(wrong)} are wrong; the first (x, found, expected): {wrong[0]}"
+
+
+def test_level_of_detail():
+    """Of gradients: log2 of the longer one in texels, 8.8; w, bias and limits."""
+    start = base(4 * ONE, 0, 0, 0)
+    assert start == 0x200
+    x = y = np.array(0)
+    assert level_of_detail(Modes(), start, np.array(1 << 29), x, y) == 0x200
+    assert level_of_detail(Modes(perspective=1), start, np.array(1 << 29), x, y) == 0x300
+    assert level_of_detail(Modes(perspective=1), start, np.array(-1 << 29), x, y) == 0x300
+    assert level_of_detail(Modes(perspective=1), start, np.array(0), x, y) == 0x800
+    assert base(0, 0, 3, -4) == base(0, 0, 5, 0) == base(5, 0, 1, 1)
+    most = -1 << 31
+    assert base(most, most, 0, 0) == 256 * 13 + 128 and base(0, 0, 0, 0) == LEAST
+    bias = Modes(lod_bias=-6, lod_min=1)
+    assert level_of_detail(bias, start, np.array(ONE_W), x, y) == 0x80
+    assert level_of_detail(bias, base(ONE, 0, 0, 0), np.array(ONE_W), x, y) == 0x40
+    assert level_of_detail(Modes(lod_max=63), np.array(0xF00), np.array(ONE_W), x, y) == 0x800
+
+
+def test_dither_of_levels():
+    """Sixteenths of a level in the order of a square of 4x4 pixels, which is repeated."""
+    y, x = np.mgrid[:8, :8]
+    lod = level_of_detail(Modes(dither=1), np.array(0x100), np.array(ONE_W), x, y)
+    order = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]
+    check_equal(lod, 0x100 + 16 * np.tile(order, (2, 2)), "row, column")
+
+
+def test_levels_of_split_maps():
+    """A unit that has every other level shows the next smaller one where it lacks one; so does a
+    whole map whose other levels another unit blends in."""
+    lod = np.arange(0, 0x801, 0x80)
+    assert list(chosen(Modes(), lod)) == [n // 2 for n in range(17)]
+    even, odd = (list(chosen(Modes(split=1, odd=k), lod)[::2]) for k in (0, 1))
+    assert even == [0, 2, 2, 4, 4, 6, 6, 8, 8] and odd == [1, 1, 3, 3, 5, 5, 7, 7, 8]
+    whole = Modes(trilinear=1, odd=1)
+    assert list(chosen(whole, lod)[::2]) == odd
+
+
+def test_which_filter():
+    """At the least level that is allowed the one for magnification, else that for minification."""
+    modes = Modes(minify=1, lod_min=4)
+    assert list(filters_linearly(modes, np.array([0x100, 0x101, 0x800]))) == [False, True, True]
+    modes = Modes(magnify=1)
+    assert list(filters_linearly(modes, np.array([0, 1]))) == [True, False]
+
+
+def test_memory_is_a_ring():
+    """Addresses count modulo the memory's size."""
+    unit = numbered(only(0, 0, base=UNIT_MEMORY - 8))
+    s = np.arange(8) * ONE
+    assert list(places(unit, s, s * 0, s * 0)) == [n & 0xFFFF for n in (*range(-4, 0), 0, 1, 2, 3)]
+
+
+def test_random_palette():
+    """Seeds of any size make one; its first entry is xorshift's first number, R G B."""
+    assert random_palette(1549107668).shape == (256, 3)
+    assert list(random_palette(1)[0]) == [(270369 >> k & 255) for k in (16, 8, 0)]

@@ -1,0 +1,194 @@
+"""Glide's modes that are priced: what they are meant to draw, how far they are off, what is free."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.arrays import check_equal
+from tests.units import mode_points, mode_tables
+from tmap.accuracy import engines, glide_errors
+from tmap.base.paths import BASELINE
+from tmap.bench import bench
+from tmap.bench.modes import measure, modes
+from tmap.bench.modes.glide import EVERY, FORMATS, MODES, SMALL
+from tmap.bench.modes.modes import KINDS
+from tmap.glide.lod import level_of_detail
+from tmap.glide.polygon import points
+from tmap.glide.state import FORMATS as ALL_FORMATS
+from tmap.glide.words import FORMATS as NAMES
+from tmap.ideal.texels import error
+from tmap.model.model import Settings, render
+from tmap.report import readme_modes
+
+MACHINES = tuple(bench.CONDITIONS)
+
+
+def test_modes_show_what_their_names_say() -> None:
+    """Every format is there; names are used once; polygons are large and show several colours."""
+    assert len({mode.title for mode in EVERY.values()}) == len(EVERY)
+    assert FORMATS.keys() == NAMES.keys() and set(NAMES.values()) == ALL_FORMATS.keys()
+    assert {name for names in FORMATS.values() for name in names} <= EVERY.keys()
+    for mode in EVERY.values():
+        frames, pixels = measure.shown(mode)
+        assert 1900 < pixels < 2100 and len(np.unique(frames[measure.FIRST])) > 8, mode.name
+    assert {measure.shown(mode)[1] for mode in SMALL.values()} == {8}
+
+
+def test_steps_are_of_modes() -> None:
+    """Each is between two modes of one polygon on the screen; what is not called for shows the
+    same picture without, but for another level of the map."""
+    for step in (*readme_modes.STEPS, *readme_modes.UNCALLED):
+        assert EVERY[step.without].vertices[0][:2] == EVERY[step.on].vertices[0][:2], step
+        assert measure.shown(EVERY[step.without])[1] == measure.shown(EVERY[step.on])[1]
+    for step in readme_modes.UNCALLED:
+        assert step.small in SMALL
+        without, on = EVERY[step.without], EVERY[step.on]
+        if without.polygon == on.polygon or on.polygon == "level":
+            frames = [measure.shown(mode)[0][measure.FIRST] for mode in (without, on)]
+            check_equal(*reversed(frames), f"{step}: row, column")
+
+
+def drawn_levels(name: str, number: int = 0) -> np.ndarray:
+    """The levels of detail, 8.8, that a mode's unit finds for its pixels."""
+    mode = EVERY[name]
+    scene, corners = measure.scene_of(mode), mode.vertices[:mode.corners]
+    unit = glide_errors.pixels_of(mode, "noise").units[number]
+    frame = np.zeros((measure.HEIGHT, measure.WIDTH), np.uint32)
+    _, at = points([v[:2] for v in corners], [(*v[2:4], v[5]) for v in corners],
+                   bool(unit.modes.perspective), frame,
+                   Settings(scene.materials[0].edges, mapper="tiled"))
+    return level_of_detail(unit.modes, at.base, at.w, at.x, at.y)
+
+
+def factors(name: str) -> np.ndarray:
+    """The detail factors of a mode's pixels, before their limit."""
+    modes_ = glide_errors.pixels_of(EVERY[name], "noise").units[0].modes
+    return (modes_.detail_bias * 256 - drawn_levels(name) << modes_.detail_scale) >> 8
+
+
+def test_levels_are_priced_where_they_differ() -> None:
+    """Far polygons cross three levels; the constant ones have one; trilinear filtering that is
+    magnified has no fraction; a detail texture is there wholly, fades, and is gone."""
+    for name in ("tmu_mip_point", "tmu_mip_bilinear", "tmu_trilinear", "tmu_mip_bilinear_dither"):
+        assert len(np.unique(drawn_levels(name) >> 8)) >= 3, name
+    for name in ("tmu_mip_level", "tmu_trilinear_level"):
+        found = np.unique(drawn_levels(name))
+        assert len(found) == 1 and found[0] > 3 * 256 and found[0] & 255, name
+    assert np.unique(drawn_levels("tmu_trilinear_double")).tolist() == [3 * 256]
+    assert factors("tmu_detail_near").min() >= 255
+    assert factors("tmu_detail").min() < 64 and factors("tmu_detail").max() > 192
+    assert factors("tmu_detail_away").max() <= 0
+
+
+#: How far a coordinate is off, in texels of 8 units: steps of S and T are rounded to 1/2^17 unit
+#: and taken 80 times at most, those of W to 1/2^31 and count s times, 1,200 at most; over a W of
+#: 1/3.1 at least that is 0.0006 unit * 3.1 and 0.00005 * 3.1^2, below 1/1000 texel.
+COORDINATE = 1 / 1000
+#: How far a bilinear sample is off, in parts of what neighbours differ by: fractions of two axes
+#: are cut to steps of 1/16, or of 1/256 in Voodoo 2 (tests/glide/test_ideal.py: weights_error).
+STEP, STEP_8 = (2 * (1 / steps + COORDINATE) for steps in (16, 256))
+#: Neighbours of the smooth picture: along both axes of sin(x + y), rounded; and texels of 565 have
+#: 5 bits, each off by half of 8 at most.
+SLOPE = 100 * 2 * np.pi / 32 + 1 + 8
+CUT = 1  # of a result to 8 bits
+
+
+@pytest.mark.parametrize("name, steps", [
+    ("tmu_bilinear", STEP), ("tmu_bilinear_8", STEP_8), ("tmu_double", STEP),
+    ("tmu_eightfold", STEP), ("tmu_bilinear_perspective", STEP),
+    ("tmu_level_bilinear", STEP), ("tmu_decal", STEP), ("tmu_detail_away", STEP),
+    ("tmu_trilinear_double", STEP)])
+def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
+    """On the smooth picture, whose steps are small, and on noise, whose steps are up to 255."""
+    for kind, slope in zip(KINDS, (SLOPE, 255)):
+        off = glide_errors.error_of(EVERY[name], kind)
+        assert 0 < off.rms < off.most <= steps * slope + CUT, (kind, off)
+
+
+@pytest.mark.parametrize("name", [names[1] for names in FORMATS.values()])
+def test_bilinear_errors_of_formats(name) -> None:
+    """On noise: texels differ by up to 255 in any format."""
+    assert 0 < glide_errors.error_of(EVERY[name], "noise").most <= STEP * 255 + CUT
+
+
+@pytest.mark.parametrize("name, has_factor", [
+    ("tmu_modulate", 1), ("tmu_modulate_perspective", 1), ("tmu_projected", 1), ("tmu_add", 0),
+    ("tmu_blend", 1)])
+def test_errors_of_two_units(name, has_factor) -> None:
+    """Texels of both units count once each where they are multiplied or added; a blend is of one or
+    the other, and its factor, an alpha, is off as much as texels are, times a difference of
+    255 at most. A factor (m + 1) / 256 is off by 1/256 of 255; a combine unit cuts once more."""
+    texels = 2 * (STEP * 255 + CUT)
+    off = glide_errors.error_of(EVERY[name], "noise")
+    assert 0 < off.most <= texels + has_factor * 255 / 256 + CUT, off
+
+
+def test_trilinear_error_of_one_level() -> None:
+    """Both levels' samples, mixed, so the larger of their errors; the level to 1/256, rounded by
+    as much as the weight w + 1 for w; one cut (tests/glide/test_ideal.py: test_trilinear_samples)."""
+    off = glide_errors.error_of(EVERY["tmu_trilinear_level"], "noise")
+    assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, off
+
+
+@pytest.mark.parametrize("name", [
+    "tmu_copy", "tmu_point", "tmu_point_clamp", "tmu_point_inside", "tmu_level_point",
+    "tmu_point_565", *(names[0] for names in FORMATS.values())])
+def test_point_sampling_without_perspective_is_exact(name) -> None:
+    """On both pictures, in frames of both widths; frames of 565 show the bits that texels have."""
+    for kind in KINDS:
+        mode_points.check(EVERY[name], glide_errors, kind, lambda on: on.surfaces[0])
+
+
+def test_what_is_meant_is_nearer() -> None:
+    """Trilinear filtering, and dither for it, are nearer to the exact one than bilinear samples of
+    one level; 8 bits of weights than 4."""
+    def rms(name: str, how: str = "") -> float:
+        mode = EVERY[name]
+        on, scene = glide_errors.pixels_of(mode, "noise"), measure.scene_of(mode, "noise")
+        found = scene.pixel.picture(render(scene, measure.FIRST))[on.y, on.x]
+        return error(found, glide_errors.intended(on, how or mode.filter)).rms
+
+    one_level = rms("tmu_mip_bilinear", "trilinear")
+    assert rms("tmu_trilinear") < rms("tmu_mip_bilinear_dither") < one_level
+    assert rms("tmu_bilinear_8") < rms("tmu_bilinear") / 4
+
+
+def test_pictures_are_what_they_say() -> None:
+    """Smooth ones have small steps round all borders, noise large ones; one kind has alpha."""
+    for name, (side, seed, sheer) in modes.PICTURES.items():
+        for kind, most in zip(KINDS, (20 * 32 / side + 1, 255)):
+            found = modes.picture(kind, seed, side, sheer).astype(int)
+            steps = [abs(found - np.roll(found, 1, axis)).max() for axis in (0, 1)]
+            assert max(steps) <= most and (kind == "smooth" or min(steps) > 200), (name, kind)
+            assert (len(np.unique(found[..., 3])) > 1) == sheer, (name, kind)
+
+
+@pytest.fixture(scope="module")
+def baseline() -> dict:
+    """The committed figures."""
+    return json.loads(BASELINE.read_text())
+
+
+@pytest.mark.parametrize("step", readme_modes.UNCALLED, ids=lambda step: step.title)
+def test_only_what_is_called_for_costs(baseline, step) -> None:
+    """A step that is on and does nothing for a polygon costs once a polygon at most, and no more
+    than all that is done once a polygon for the plain one, since it looks at the same corners and
+    planes once more: what a triangle of 8 pixels costs, beside the doubt of two figures."""
+    rows = readme_modes.rows_of(baseline)
+    for machine in MACHINES:
+        with_it, without, small = (readme_modes.polygon(rows, name, machine)
+                                   for name in (step.on, step.without, step.small))
+        doubt = 2 * bench.DOUBT * bench.CYCLES_PER_TICK
+        assert with_it - without <= small + doubt, (
+            f"{step.title}, {machine}: {with_it - without:,.0f} cycles more a polygon of 2,003 "
+            f"pixels; setting one up takes {small:,.0f}; if the code is other than when these were "
+            "measured: scripts/tmap bench -o build/bench --accept")
+
+
+def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
+    """Some; the bench draws them all."""
+    few = {mode.name: mode for mode in MODES[:4]}
+    monkeypatch.setitem(engines.ENGINES, "tmu", replace(engines.TMU, every=few))
+    mode_tables.check(tmp_path, capsys, "tmu", list(few.values()))

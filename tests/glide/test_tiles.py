@@ -1,0 +1,112 @@
+"""Prefiltered tiles of Glide's texture units: frames are the model's, bit for bit, before tiles
+pay, while they are made and afterwards, with memory for many and for a few.
+
+TMU_SEED and TMU_COUNT choose others; TMU_CASE draws one of them alone.
+"""
+
+import os
+
+import numpy as np
+import pytest
+
+from tests.compiler import guest_runs
+from tests.compiler.guest_runs import Asked, Drawn
+from tests.glide.random_tiles import FRAMES, HEIGHT, KINDS, WIDTH, scene
+from tmap.base.pixel_formats import FORMATS
+from tmap.guest import guest_frames
+from tmap.model import model
+from tmap.run import run
+
+MACHINE = "a1200-fast"
+SEED = int(os.environ.get("TMU_SEED", "1"))
+COUNT = int(os.environ.get("TMU_COUNT", "14"))
+ALONE = os.environ.get("TMU_CASE")
+PIXELS = ("rgb565", "rgba8888")
+TILES = (8, 2, 1, 0)  # that there is memory for
+PAID = PIXELS[0], TILES[0]
+
+
+def numbers(first: int = 0) -> list[int]:
+    """Of the cases from one on, or the one that is asked for."""
+    return [int(ALONE)] if ALONE else list(range(first, first + COUNT))
+
+
+def room(pixels: str, tiles: int) -> int:
+    """Bytes of tiles."""
+    return tiles * FORMATS[pixels].bytes << 16
+
+
+def about(number: int, frame: int, pixels: str, tiles: int) -> str:
+    """For messages."""
+    return (f"seed {SEED}, case {number} ({KINDS[number % len(KINDS)]}), frame {frame % FRAMES}, "
+            f"{pixels}, {tiles} tiles")
+
+
+def again(number: int, pixels: str) -> str:
+    """The command that draws a case alone."""
+    return (f"; again, pixel by pixel: TMU_SEED={SEED} TMU_CASE={number} .deps/venv/bin/python -m "
+            f"pytest tests/glide/test_tiles.py -k 'counted and {pixels}'")
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[tuple, tuple[Asked, Drawn]]:
+    """By pixels and tiles that there is memory for: cases of their own; the PAID ones without the rule, too.
+    All of one boot."""
+    asked = {(pixels, tiles): Asked(scene(SEED, numbers(k * COUNT), pixels, room(pixels, tiles)),
+                                    counted=(pixels, tiles) == PAID)
+             for pixels in PIXELS for k, tiles in enumerate(TILES)}
+    asked["directly"] = Asked(asked[PAID].scene, "tmu_tiles", counted=False)
+    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()], MACHINE))))
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_frames_are_the_models(pixels: str, drawn) -> None:
+    """Cases of their own for each number of tiles."""
+    wrong = []
+    for k, tiles in enumerate(TILES):
+        (each, found), some = drawn[pixels, tiles], numbers(k * COUNT)
+        wrong += [(some[frame // FRAMES], frame, tiles) for frame in range(each.scene.frames)
+                  if not guest_frames.is_models(model.render(each.scene, frame), found.digests[frame])]
+    assert not wrong, (f"{len(wrong)} frames are wrong; the first: "
+                       f"{about(*wrong[0][:2], pixels, wrong[0][2])}{again(wrong[0][0], pixels)}")
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_what_is_counted(pixels: str) -> None:
+    """Frames are drawn once more to be counted, and are the model's then; some textures are drawn
+    directly first, then from tiles."""
+    some, tiles = numbers(), 3
+    made = scene(SEED, some, pixels, room(pixels, tiles))
+    done = run.render(made, MACHINE, "addx")
+    kinds = [set(figures["spans"]) for figures in done.figures]
+    for frame, found in enumerate(done.frames):
+        expected = model.render(made, frame)
+        differs = np.argwhere(found != expected)
+        number = some[frame // FRAMES]
+        where = "".join(f": {len(differs)} of {WIDTH}x{HEIGHT} pixels; ({x}, {y}) is "
+                        f"{found[y, x]:#x}, not {expected[y, x]:#x}; by {' '.join(kinds[frame])}"
+                        for y, x in differs[:1])
+        assert not where, about(number, frame, pixels, tiles) + where + again(number, pixels)
+    if ALONE:
+        return
+    rules = {rule for material in done.executed for rule in material["rules"]}
+    assert "tmu_tiles" in rules, rules
+    of_cases = [[*kinds[k:k + FRAMES]] for k in range(0, len(kinds), FRAMES)]
+    assert any({"tmu_passes"} == case[0] and {"tmu_tiles"} == case[-1] for case in of_cases)
+    assert any({"tmu_passes"} == case[-1] for case in of_cases)
+
+
+def test_tiles_pay(drawn) -> None:
+    """With the rule and without it: the same frames; and each texture that is drawn from tiles, once
+    they are made, for less."""
+    (each, on), (_, off) = drawn[PAID], drawn["directly"]
+    assert (on.digests["sum"] == off.digests["sum"]).all()
+    assert (on.digests["hash"] == off.digests["hash"]).all()
+    paid = 0
+    for k in range(0, each.scene.frames, FRAMES):
+        last = k + FRAMES - 1
+        if all(set(on.figures[f]["spans"]) == {"tmu_tiles"} for f in (last - 1, last)):
+            ticks = [int(found.digests["ticks"][last]) for found in (on, off)]
+            assert ticks[0] < ticks[1], f"case {k // FRAMES}: {ticks[0]} ticks, {ticks[1]} directly"
+            paid += 1
+    assert paid, "no texture was drawn from tiles"

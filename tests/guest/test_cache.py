@@ -1,0 +1,135 @@
+"""Results kept by content: measured once, and again when an input or the entry has changed."""
+
+import json
+
+import pytest
+
+from tmap.base.paths import SCENES
+from tmap.guest import cache
+
+
+class Measurement:
+    """Counts how often it is taken."""
+
+    def __init__(self):
+        self.taken = 0
+
+    def __call__(self, folder) -> dict:
+        self.taken += 1
+        (folder / "part").mkdir()
+        (folder / "part" / "picture.png").write_bytes(b"pixels" * 100)
+        return {"cycles": 16.9}
+
+
+def test_second_time_is_from_the_cache(tmp_path) -> None:
+    """The same result and files, without measuring."""
+    measure = Measurement()
+    first = cache.kept("bench", "0123", measure, tmp_path)
+    second = cache.kept("bench", "0123", measure, tmp_path)
+    assert measure.taken == 1 and first == second and first.result == {"cycles": 16.9}
+    assert (second.folder / "part" / "picture.png").read_bytes() == b"pixels" * 100
+    assert [path.name for path in tmp_path.iterdir()] == ["bench-0123"]
+    cache.kept("bench", "4567", measure, tmp_path)
+    cache.kept("polys", "0123", measure, tmp_path)
+    assert measure.taken == 3
+
+
+def truncated(folder, name) -> None:
+    """Half of a file."""
+    content = (folder / name).read_bytes()
+    (folder / name).write_bytes(content[:len(content) // 2])
+
+
+def other_figure(folder) -> None:
+    """JSON as good as before, with another number in it."""
+    text = (folder / cache.ENTRY).read_text()
+    (folder / cache.ENTRY).write_text(text.replace("16.9", "1.69"))
+
+
+@pytest.mark.parametrize("damage", [
+    lambda folder: truncated(folder, cache.ENTRY),
+    lambda folder: truncated(folder, "part/picture.png"),
+    lambda folder: (folder / cache.ENTRY).unlink(),
+    lambda folder: (folder / "part/picture.png").unlink(),
+    lambda folder: (folder / cache.ENTRY).write_text(""),
+    lambda folder: (folder / cache.ENTRY).write_text("[]"),
+    lambda folder: (folder / cache.ENTRY).write_bytes(b"\xff\xfe"), other_figure,
+    lambda folder: (folder / cache.ENTRY).write_text(json.dumps(
+        {"digest": cache.of_result(1), "files": [], "result": 1}))],
+    ids=["half an entry", "half a file", "no entry", "no file", "empty", "a list", "no text",
+         "another figure", "files of another kind"])
+def test_damaged_entries_are_measured_again(damage, tmp_path) -> None:
+    """Whatever is wrong with an entry, the next one is whole."""
+    measure = Measurement()
+    damage(cache.kept("bench", "0123", measure, tmp_path).folder)
+    entry = cache.kept("bench", "0123", measure, tmp_path)
+    assert measure.taken == 2 and entry.result == {"cycles": 16.9}
+    assert cache.load(entry.folder) == entry
+
+
+def test_failed_measurement_leaves_nothing(tmp_path) -> None:
+    """Neither an entry nor what it had written before it failed."""
+    def fail(folder):
+        (folder / "half").write_text("half")
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        cache.kept("bench", "0123", fail, tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
+    """Program bytes, tool sources, scene files, words, the emulator's version: each changes it."""
+    programs, tools = tmp_path / "programs", tmp_path / "tools"
+    programs.mkdir()
+    (tools / "tx").mkdir(parents=True)
+    (programs / "render").write_bytes(b"68020")
+    for name, text in {"bench": "from . import clock\nfrom .tx import draw\n", "clock": "TICK = 20\n",
+                       "tx/draw": "from .state import A\nfrom ..fixed import ONE\n", "tx/state": "A = 1\n",
+                       "fixed": "ONE = 1\n", "state": "\n", "tx/fixed": "\n", "other": "\n"}.items():
+        (tools / f"{name}.py").write_text(text)
+    scene = tmp_path / "scene.toml"
+    scene.write_text("frames = 1\n")
+    monkeypatch.setattr(cache, "PROGRAMS", programs)
+    monkeypatch.setattr(cache, "ROOT", tmp_path)
+    monkeypatch.setattr(cache.emulator, "emulator_version", lambda: "1")
+
+    def now() -> str:
+        return cache.key("bench", [scene], ["a1200"])
+
+    keys = [now()]
+    assert keys == [now()]
+    (programs / "render.map").write_text("addresses")
+    for name in ("other", "state", "tx/fixed"):
+        (tools / f"{name}.py").write_text("changed = 1\n")
+    assert keys == [now()], "what takes no part changed the key"
+    for change in (lambda: (programs / "render").write_bytes(b"68021"),
+                   lambda: (programs / "bench").write_bytes(b"68020"),
+                   lambda: (tools / "bench.py").write_text(
+                       "from . import clock, run\nfrom .tx import draw\n"),
+                   lambda: (tools / "clock.py").write_text("TICK = 10\n"),
+                   lambda: (tools / "tx" / "state.py").write_text("A = 2\n"),
+                   lambda: (tools / "fixed.py").write_text("ONE = 2\n"),
+                   lambda: scene.write_text("frames = 2\n"),
+                   lambda: monkeypatch.setattr(cache.emulator, "emulator_version", lambda: "2")):
+        change()
+        keys.append(now())
+    keys.append(cache.key("bench", [scene], ["a1200-fast"]))
+    assert len(set(keys)) == len(keys)
+
+
+def test_sources_are_all_that_is_imported() -> None:
+    """A tool's own file, imports of imports, and those inside functions; not what it is used by."""
+    names = {path.stem for path in cache.sources("bench")}
+    assert {"bench", "bench_cases", "emulator", "model", "paths"} <= names
+    assert not names & {"report", "report_page", "readme", "choose"}
+    assert "hard_report" in {path.stem for path in cache.sources("accuracy")}
+    assert {"tx/state.py", "tx/ideal.py", "fixed.py"} <= {
+        str(path.relative_to(cache.ROOT / "tools")) for path in cache.sources("accuracy")}
+
+
+def test_scene_files_are_those_it_names() -> None:
+    """Textures and meshes beside the scene; packages' pictures are pinned with the packages."""
+    assert {path.name for path in cache.scene_files(SCENES / "mappers.toml")} == {
+        "mappers.toml", "checker.png"}
+    assert "knot.obj" in {path.name for path in cache.scene_files(SCENES / "shaded.toml")}

@@ -1,0 +1,182 @@
+"""The contract parser, on broken blocks and on the real tree."""
+
+import json
+import re
+
+import pytest
+
+from tmap.base import paths
+from tmap.base.errors import UserError
+from tmap.build import contracts
+
+BAR = ";" + "=" * 78
+FIELDS = {
+    "in": "d0  int32  a\n;          a1  const struct plan*  the plan,\n;                  all of it",
+    "out": "d0:d1  wide  product",
+    "trashes": "d0-d2/a1",
+    "reads": "the plan",
+    "writes": "-",
+    "formats": "16.16\n;            x = a / b",
+    "error": "none: exact",
+    "cost": "about 50 cycles",
+}
+
+
+def source(code="        routine scale,d0,a1\n        rts\n", title="scale - scales a plan", **changes):
+    """A file with one routine; a field given as None is left out."""
+    fields = {name: text for name, text in (FIELDS | changes).items() if text is not None}
+    block = [BAR, f"; {title}", ";", *(f"; {name + ':':<9}{text}" for name, text in fields.items()), BAR]
+    return "\n".join(['        include "routine.i"', "", *block, code])
+
+
+@pytest.fixture
+def parse(tmp_path):
+    """Parses a text as a source file."""
+    def run(text):
+        path = tmp_path / "scale.s"
+        path.write_text(text)
+        return contracts.parse(path)
+    return run
+
+
+def complaint(parse, text):
+    """The error for a text, which must name the file and one of its lines."""
+    with pytest.raises(UserError) as caught:
+        parse(text)
+    place, message = str(caught.value).split(": ", 1)
+    file, number = place.rsplit(":", 1)
+    assert file.endswith("scale.s") and 1 <= int(number) <= len(text.splitlines())
+    return message
+
+
+def test_good_block(parse):
+    contract, = parse(source())
+    assert (contract.name, contract.summary, contract.line) == ("scale", "scales a plan", 4)
+    assert contract.inputs == (("d0", "int32", "a"),
+                               ("a1", "const struct plan*", "the plan, all of it"))
+    assert contract.outputs == (("d0:d1", "wide", "product"),)
+    assert contract.trashes == {"d0", "d1", "d2", "a1"}
+    assert (contract.reads, contract.writes) == ("the plan", "")
+    assert contract.formats == "16.16 x = a / b"
+    assert contract.error == "none: exact"
+    assert contract.cost == "about 50 cycles"
+    assert contract.is_routine
+
+
+def test_nothing_in_nothing_trashed(parse):
+    contract, = parse(source("        routine scale\n", **{"in": "-", "out": "-", "trashes": "-"}))
+    assert contract.inputs == contract.outputs == ()
+    assert contract.trashes == set()
+
+
+def test_everything_trashed(parse):
+    contract, = parse(source(trashes="everything"))
+    assert len(contract.trashes) == 15 and "a7" not in contract.trashes
+
+
+@pytest.mark.parametrize("field", FIELDS)
+def test_missing_field(parse, field):
+    assert complaint(parse, source(**{field: None})) == f"scale: field {field!r} is missing"
+
+
+@pytest.mark.parametrize("field", FIELDS)
+def test_empty_field(parse, field):
+    assert f"field {field!r} is empty" in complaint(parse, source(**{field: ""}))
+
+
+@pytest.mark.parametrize("changes, message", [
+    ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
+    ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
+    ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
+    ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
+    ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
+    ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
+    ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),
+    ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
+    ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
+    ({"colour": "blue"}, "unknown field 'colour'"),
+    ({"cost": "-\n; cost:    -"}, "second field 'cost'"),
+    ({"cost": "-\n        moveq #0,d0"}, "this line ends no contract block"),
+])
+def test_wrong_field(parse, changes, message):
+    assert message in complaint(parse, source(**changes))
+
+
+def test_wrong_order(parse):
+    text = source(cost=None).replace("; reads:", "; cost:    -\n; reads:")
+    assert "order" in complaint(parse, text)
+
+
+def test_wrong_title(parse):
+    assert "name - summary" in complaint(parse, source(title="scale: scales a plan"))
+
+
+def test_unclosed_block(parse):
+    text = source()
+    assert "not closed" in complaint(parse, text[:text.rindex(BAR)] + "        rts\n")
+
+
+def test_registers_of_macro_and_block_differ(parse):
+    assert "scale takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
+
+
+def test_assembly_only_routine(parse):
+    """Arguments that C cannot give: the macro then names no register at all."""
+    assert parse(source("        routine scale\n        rts\n"))[0].is_routine
+
+
+@pytest.mark.parametrize("code, name", [
+    ("        routine scale,d0,a1\n        rts\n        routine shrink,d0 ; comment\n", "shrink"),
+    ("        xdef grow,shrink\nscale:  rts\nshrink  moveq #0,d0\n", "shrink"),
+    ("        xdef shrink\nscale:\n        bra.s .on\n.on     jmp (a0)\nshrink:\n        rts\n", "shrink"),
+    ("        routine shrink\n", "shrink"),
+])
+def test_routine_without_block(parse, code, name):
+    assert complaint(parse, source(code)) == f"routine {name} has no contract block"
+
+
+@pytest.mark.parametrize("code", [
+    "        xdef shrink\nscale:\n        moveq #0,d0\nshrink: rts\n",           # second entry
+    "scale:  rts\nshrink: rts\n",                                                # not exported
+    "        xdef table,size\nscale:  rts\ntable   dc.b 1\nsize    equ 5\n",     # no code
+    "        xdef table\nscale:  rts\ntable:\n        dc.b 1\n",
+    "        xdef table\nscale:  rts\n        section .bss.x,bss\ntable ds.l 1\n",
+    "        xdef start\nstart:  rts\n",                                         # a command's entry
+    "shrink  macro\n        xdef shrink\nshrink: rts\n        endm\nscale:  rts\n",
+    "        xdef shrink\nscale:  rts   ; shrink:\n*shrink:\n",
+])
+def test_no_block_needed(parse, code):
+    contract, = parse(source(code))
+    assert not contract.is_routine
+
+
+def test_block_without_routine(parse):
+    assert "no routine scale" in complaint(parse, source("grow:   rts\n"))
+
+
+def test_two_blocks_of_one_routine(parse):
+    assert "second contract block" in complaint(parse, source("") + source())
+
+
+def test_files_written(tmp_path):
+    tree, out = tmp_path / "tree", tmp_path / "out"
+    for room in ("amiga", "span"):
+        (tree / room).mkdir(parents=True)
+        (tree / room / "scale.s").write_text(source().replace("scale", f"{room}_scale"))
+    contracts.main(str(tree), str(out))
+    rows = json.loads((out / "contracts.json").read_text())
+    assert [row["name"] for row in rows] == ["amiga_scale", "span_scale"]
+    assert rows[0]["trashes"] == ["a1", "d0", "d1", "d2"]
+    assert rows[0]["inputs"][0] == {"register": "d0", "type": "int32", "meaning": "a"}
+    table = (out / "kernel_table.s").read_text()
+    assert "span_scale" in table and "amiga_scale" not in table and "dc.l    0,0" in table
+
+
+def test_real_tree():
+    """Every routine of the tree has its block, under a name of its own, and every kernel is in the
+    table that bench was linked with."""
+    names = [contract.name for contract in contracts.all_contracts(paths.ROOT / "src68k")]
+    assert len(names) == len(set(names)) > 200
+    table = (paths.BUILD / "gen" / "kernel_table.s").read_text()
+    kernels = {contract.name for contract in contracts.kernels(paths.ROOT / "src68k")}
+    assert kernels <= set(re.findall(r"\w+", table)), kernels - set(re.findall(r"\w+", table))

@@ -1,0 +1,187 @@
+"""How programs end on the emulated machine: crashes, hangs, and what they leave behind."""
+
+import re
+import shutil
+
+import pytest
+
+from tests.guest import guest_program
+from tmap.base.errors import UserError
+from tmap.base.paths import PROGRAMS, ROOT, SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator, kernels
+from tmap.guest.kernels import Case
+from tmap.scene_file import scene_file
+
+SOURCE = ROOT / "tests" / "guest" / "trouble.s"
+#: What it does, by number.
+TROUBLES = ("illegal_one", "zero_divide", "odd_jump", "privileged", "trap_five", "line_f",
+            "jump_away", "quiet_illegal", "quiet_loop", "loud_loop", "reboot", "state")
+CRASHES = {
+    "illegal_one": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in illegal_one\+\$c",
+    "zero_divide": r"exception 5 \(division by zero\) at PC \$[0-9a-f]+, in zero_divide\+\$[24]",
+    # This emulator's 68020 takes odd PCs; the real one does not.
+    "odd_jump": r"exception (3 \(address error\)|4 \(ill.*\)) at PC \$[0-9a-f]+, in odd_(jump|place)",
+    "privileged": r"exception 8 \(privilege violation\) at PC \$[0-9a-f]+, in privileged\+\$0",
+    "trap_five": r"exception 37 \(unexpected\) at PC \$[0-9a-f]+, in trap_five\+\$2",
+    "line_f": r"exception 11 \(line F\) at PC \$[0-9a-f]+, in line_f\+\$0",
+    "jump_away": r"exception 10 \(line A\) at PC \$[0-9a-f]+, outside the program's code",
+    "quiet_illegal": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in quiet_illegal\+\$",
+    "quiet_loop": r"exception 256 \(no end: stopped by the watchdog\) at PC \$[0-9a-f]+, "
+                  r"in quiet_loop\+\$"}
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """A folder with ``trouble`` and the real programs."""
+    folder = tmp_path_factory.mktemp("programs")
+    guest_program.build(folder, SOURCE)
+    for name in ("render", "render.map", "bench", "bench.map"):
+        shutil.copyfile(PROGRAMS / name, folder / name)
+    return folder
+
+
+def trouble(name: str) -> str:
+    return f"trouble {TROUBLES.index(name)}"
+
+
+@pytest.fixture(scope="module")
+def ended(programs, tmp_path_factory):
+    """Every ending in one boot, the machine's state before and after each: {command: (Result,
+    state before, state after)}; the files are the ones the commands name."""
+    scene = compile_scene(SCENES / "default.toml", 1)
+    by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
+    files = {"good": scene_file.write(scene), "bad": b"TMAP", "kernels": kernels.plan([by_zero]),
+             "broken": b"PLAN"}
+    commands = [trouble(name) for name in CRASHES] + [trouble("quiet_loop")] + [
+        "render good COUNT", "render good FORM c CHIP", "render bad", "render none", "render",
+        "render good FORM none", "render good FRAMES 2", "bench kernels out", "bench kernels :S",
+        "bench broken out", "bench"]
+    state = trouble("state")
+    line = [state]
+    for command in commands:
+        line += [command, state]
+    results = emulator.run_many(line, files, "a1200", tmp_path_factory.mktemp("run"),
+                                programs=programs, apart=True)
+    return {command: (results[2 * n + 1], results[2 * n].output, results[2 * n + 2].output)
+            for n, command in enumerate(commands)}
+
+
+@pytest.mark.parametrize("name", CRASHES)
+def test_crash_is_reported(programs, ended, name):
+    result = ended[trouble(name)][0]
+    assert result.code == 20
+    fault = emulator.explain_fault(programs / "trouble", result.output)
+    assert re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+
+
+def test_registers_are_reported(programs, ended):
+    fault = emulator.explain_fault(programs / "trouble", ended[trouble("illegal_one")][0].output)
+    registers = [line.split()[1:] for line in fault.splitlines()[1:]]
+    assert [len(bank) for bank in registers] == [8, 8]
+    assert (registers[0][3], registers[1][4]) == ("12345678", "9abcdef0")
+
+
+def test_crash_of_a_kernel_is_reported(programs, ended):
+    result = ended["bench kernels out"][0]
+    assert result.output.startswith("case 0 of 1: mul_div\n")
+    assert re.match(r"bench crashed: exception 5 \(division by zero\) at PC \$[0-9a-f]+, in mul_div\+",
+                    emulator.explain_fault(programs / "bench", result.output))
+
+
+def test_everything_is_given_back(ended):
+    """Memory, interrupts, DMA and vector are as before, whichever way a program ended."""
+    for command, (_, before, after) in ended.items():
+        assert len(before.split()) == 4 and after == before, command
+
+
+def test_files_are_closed(ended):
+    """A program that crashed with the first file of its table open left it for the next one."""
+    for name in ("quiet_illegal", "quiet_loop"):
+        assert ended[trouble(name)][0].output.startswith("1\n"), name
+
+
+def test_return_codes(ended):
+    codes = {command: result.code for command, (result, _, _) in ended.items()}
+    good = {command for command, code in codes.items() if code == 0}
+    assert good == {"render good COUNT", "render good FORM c CHIP"}
+    assert codes["bench kernels out"] == 20
+    assert {code for command, code in codes.items()
+            if command.startswith(("render", "bench")) and command not in good
+            and command != "bench kernels out"} == {10}
+
+
+def test_program_that_is_loaded_once(programs, tmp_path):
+    """Run after run it finds its data as it was loaded, after a crash and the watchdog too; its
+    output and codes are those of each run."""
+    names = ["quiet_illegal", "illegal_one", "state", "quiet_loop", "state", "quiet_illegal"]
+    results = emulator.run_many([trouble(name) for name in names], {}, "a1200", tmp_path,
+                                programs=programs)
+    assert (tmp_path / "volume" / "0.run").exists()
+    for name, result in zip(names, results):
+        assert result.code == 20 * (name in CRASHES), name
+        if name in CRASHES:
+            fault = emulator.explain_fault(programs / "trouble", result.output)
+            assert re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+        if name.startswith("quiet"):  # the first file of its table was free
+            assert result.output.startswith("1\n"), name
+    assert results[2].output == results[4].output
+
+
+def test_run_raises_what_run_many_returns(programs, tmp_path):
+    with pytest.raises(UserError, match=f"^trouble crashed: {CRASHES['quiet_loop']}"):
+        emulator.run(*trouble("quiet_loop").split(), {}, "a1200-fast", tmp_path, programs=programs)
+
+
+@pytest.mark.parametrize("name", ["loud_loop", "reboot"])
+def test_silent_guest_is_stopped(programs, tmp_path, monkeypatch, name):
+    monkeypatch.setattr(emulator, "STALL_SECONDS", 4.0)
+    seen = []
+    with pytest.raises(UserError) as caught:
+        emulator.run(*trouble(name).split(), {}, "a1200-fast", tmp_path, seen.append, programs)
+    assert str(caught.value) == (f"{trouble(name)}: it did not end, 4 s of processor time after its "
+                                 "last sign of life; its last words: 'this far'")
+    assert seen[-1] == "this far\n"
+
+
+def replaced(folder, monkeypatch, script: str) -> None:
+    """Another emulator: a script, which may be silent for 0.2 seconds."""
+    fake = folder / "fs-uae"
+    fake.write_text(f"#!/bin/sh\n{script}\n")
+    fake.chmod(0o755)
+    monkeypatch.setenv("PATH", str(folder), prepend=":")
+    monkeypatch.setattr(emulator, "STALL_SECONDS", 0.2)
+
+
+@pytest.mark.parametrize("script, message", [
+    ("exit 0", "the emulator ended before it; it wrote nothing"),
+    ("echo '  FATAL: no display'; exit 1", "before it; the emulator says: FATAL: no display"),
+    ("while :; do :; done", "it did not end, 0.2 s of processor time after its last sign of life; it "
+                            "wrote nothing"),
+    ("exec sleep 60", "it did not end, 3 s after its last sign of life, stopped or blocked most of "
+                      "the time; it wrote nothing"),
+    ("kill -STOP $$", "it did not end, 3 s after its last sign of life, stopped or blocked most of"),
+])
+def test_emulator_in_trouble(tmp_path, monkeypatch, script, message):
+    replaced(tmp_path, monkeypatch, script)
+    with pytest.raises(UserError, match=message):
+        emulator.run("render", "x", {}, "a1200", tmp_path)
+
+
+def test_emulator_without_a_processor_is_waited_for(tmp_path, monkeypatch):
+    """It stands still for five times the patience, and goes on then."""
+    replaced(tmp_path, monkeypatch, "(sleep 1; kill -CONT $$) & kill -STOP $$; cd ${1%/*}/volume; "
+                                    "echo done >0.log; echo 0 >0.code; echo >end")
+    assert emulator.run("render", "x", {}, "a1200", tmp_path).output == "done\n"
+
+
+def test_no_emulator(tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    for call in (emulator.emulator_version,
+                 lambda: emulator.run("render", "x", {}, "a1200", tmp_path)):
+        with pytest.raises(UserError, match="fs-uae is not installed: run scripts/setup"):
+            call()
+
+
+def test_version_is_the_pinned_one():
+    assert emulator.emulator_version() == emulator.VERSION

@@ -1,0 +1,94 @@
+"""What counts as silence: processor time that a process used, whatever the host's clock says."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import time
+
+import pytest
+
+from tmap.base import silence
+from tmap.base.silence import SHARE, Silence
+
+BUSY = "while :; do :; done"
+
+
+@contextlib.contextmanager
+def shell(script: str):
+    """A shell that runs a script, ended afterwards with all that it started."""
+    process = subprocess.Popen(["sh", "-c", script], start_new_session=True)
+    try:
+        yield process
+    finally:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+
+
+def until_end(counted: Silence) -> tuple[str, float]:
+    """What is said at the end, and how long that took by the clock."""
+    since = time.monotonic()
+    while not (said := counted.end()):
+        time.sleep(0.02)
+    return said, time.monotonic() - since
+
+
+@pytest.mark.parametrize("script", [BUSY, f"({BUSY}) & wait", f"(({BUSY}) & wait) & wait"])
+def test_busy_silence_ends(script: str) -> None:
+    """Of a process, its child, its child's child, long before the clock's limit."""
+    with shell(script) as process:
+        said, _ = until_end(Silence(process.pid, 0.5))
+    assert said == "0.5 s of processor time after its last sign of life"
+
+
+def test_time_of_children_that_ended_counts() -> None:
+    """Short ones, one after the other, which nobody may have seen."""
+    with shell("while :; do sh -c 'i=0; while [ $i -lt 2000 ]; do i=$((i+1)); done'; done") as process:
+        said, _ = until_end(Silence(process.pid, 0.5))
+    assert "processor time" in said
+
+
+def test_a_stopped_process_is_waited_for() -> None:
+    """It is silent for many times its patience, and not ended; then it is busy, and is."""
+    with shell(BUSY) as process:
+        os.kill(process.pid, signal.SIGSTOP)
+        counted = Silence(process.pid, 0.3)
+        for _ in range(20):
+            time.sleep(0.1)
+            assert not counted.end()
+        os.kill(process.pid, signal.SIGCONT)
+        assert "processor time" in until_end(counted)[0]
+
+
+@pytest.mark.parametrize("script", ["exec sleep 60", "kill -STOP $$"])
+def test_a_stuck_process_ends_by_the_clock(script: str) -> None:
+    """After SHARE times its patience, and no sooner."""
+    with shell(script) as process:
+        said, passed = until_end(Silence(process.pid, 0.1))
+    assert said.startswith(f"{SHARE * 0.1:g} s after its last sign of life, stopped or blocked")
+    assert passed >= SHARE * 0.1
+
+
+def test_a_sign_of_life_begins_anew() -> None:
+    """Time used before it does not count."""
+    with shell(BUSY) as process:
+        counted = Silence(process.pid, 0.3)
+        for _ in range(5):
+            start = silence.processor_seconds(process.pid)
+            while silence.processor_seconds(process.pid) - start < 0.2:
+                time.sleep(0.01)
+            counted.heard()
+            assert not counted.end()
+
+
+def test_a_pause_of_the_observer_is_no_silence(monkeypatch) -> None:
+    """Ctrl-Z stops both: an hour until the next look counts as a second."""
+    now = [0.0]
+    monkeypatch.setattr(silence.time, "monotonic", lambda: now[0])
+    monkeypatch.setattr(silence, "processor_seconds", lambda pid: 0.0)
+    counted = Silence(1, 20.0)
+    for _ in range(int(SHARE * 20.0) - 1):
+        now[0] += 3600
+        assert not counted.end()
+    now[0] += 3600
+    assert counted.end()

@@ -1,0 +1,300 @@
+"""Calls kernels and holds what they left to their contract blocks.
+
+A trial is one call together with what must come out of it. Everything else must
+stay as it was: the stack pointer, the registers that the block lists neither under
+``out`` nor under ``trashes``, and every byte of memory that the trial does not
+expect to be written. Each block of memory lies between guards of noise.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.build import layout
+from tmap.build.contracts import Contract
+from tmap.guest import kernels
+from tmap.guest.kernels import M32
+
+MACHINE = "a1200-fast"
+GUARD = 64  # bytes before and behind each block, at least
+REPORTED = 4  # failed trials of one kernel that are shown
+RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_contract[{}]"'
+#: Bits of an ``out`` register that its C type covers.
+WIDTHS = {"uint8": 8, "int8": 8, "uint16": 16, "int16": 16}
+
+
+class Block(NamedTuple):
+    """A piece of an arena; with a ``shape`` it is an array of that struct."""
+
+    at: int
+    size: int
+    name: str
+    shape: layout.Struct | None
+
+
+class Place(NamedTuple):
+    """What an offset of an arena belongs to: its name, where that begins, its bytes."""
+
+    name: str
+    at: int
+    size: int
+
+
+class Memory(kernels.Arena):
+    """An arena whose blocks have names and lie between guards."""
+
+    def __init__(self, seed: int = 64) -> None:
+        super().__init__()
+        self.blocks: list[Block] = []
+        self.noise = np.random.default_rng(seed)
+        self.pad(GUARD)
+
+    def pad(self, size: int) -> None:
+        self.data += self.noise.bytes(size)
+
+    def add(self, content: bytes | bytearray, align: int = 4, name: str = "data",
+            shape: layout.Struct | None = None) -> int:
+        self.pad(-len(self.data) % align)
+        at = len(self.data)
+        self.data += content
+        self.blocks.append(Block(at, len(content), name, shape))
+        self.pad(GUARD + -(at + len(content)) % 4)
+        return at
+
+    def struct(self, name, pointers, far=None, **values) -> int:
+        at = super().struct(name, pointers, far, **values)
+        self.blocks[-1] = self.blocks[-1]._replace(name=name, shape=layout.load().struct(name))
+        return at
+
+    def room(self, struct: str, count: int = 1, name: str = "") -> int:
+        """Space for ``count`` structs, filled with noise."""
+        shape = layout.load().struct(struct)
+        return self.add(self.noise.bytes(shape.size * count), name=name or struct, shape=shape)
+
+    def place(self, offset: int) -> Place:
+        """What lies at an offset."""
+        def distance(block: Block) -> int:
+            return max(block.at - offset, offset - block.at - block.size + 1, 0)
+
+        if not self.blocks:
+            return Place("the guard", offset, 1)
+        block = min(self.blocks, key=distance)
+        beyond, inside = distance(block), offset - block.at
+        if beyond:
+            side = "before" if inside < 0 else "past the end of"
+            return Place(f"{beyond} byte{'s'[:beyond > 1]} {side} {block.name}", offset, 1)
+        if block.shape is None:
+            return Place(f"{block.name} + {inside}", offset, 1)
+        index, rest = divmod(inside, block.shape.size)
+        name, entry = next((n, e) for n, e in block.shape.fields.items()
+                           if e["offset"] <= rest < e["offset"] + e["size"] * e["count"])
+        start = inside - rest + entry["offset"]
+        if entry["count"] > 1 or entry["size"] == 1:  # an array, or a struct in the struct
+            size = entry["size"] if entry["size"] > 1 else 4
+            number = (inside - start) // size
+            return Place(f"{block.name}.{name}[{number}]", block.at + start + number * size, size)
+        which = f"[{index}]" if block.size > block.shape.size else ""
+        return Place(f"{block.name}{which}.{name}", block.at + start, entry["size"])
+
+
+class Write(NamedTuple):
+    """Bytes that the call writes; ``mask`` has the bits that count (all without one)."""
+
+    at: int
+    expected: bytes
+    mask: bytes | None = None
+    far: bool = False
+
+
+@dataclass
+class Trial:
+    """One call and what must come out of it.
+
+    ``outputs``, ``ends``: ``out`` registers, as values and as offsets of the far
+    arena. ``where`` names an offset (of the far arena where its second argument is
+    true) better than the arena can. ``also`` is one more check: an error text, or None.
+    """
+
+    case: kernels.Case
+    title: str
+    outputs: dict[str, int] = field(default_factory=dict)
+    ends: dict[str, int] = field(default_factory=dict)
+    writes: list[Write] = field(default_factory=list)
+    where: Callable[[int, bool], str | None] | None = None
+    also: Callable[[kernels.Result], str | None] | None = None
+
+
+def both(value: int, size: int = 4) -> str:
+    """A number in hexadecimal and, with its sign, in decimal."""
+    bits = 8 * size
+    value &= (1 << bits) - 1
+    signed = value - (value >> bits - 1 << bits) if size > 1 else value
+    return f"${value:0{2 * size}x} ({signed})"
+
+
+def values(**named: int) -> str:
+    """Numbers by name, for a title."""
+    return ", ".join(f"{name} {both(value)}" for name, value in named.items())
+
+
+def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
+                 name: str = ""):
+    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
+    offsets into the arena."""
+    shape = layout.load().struct(struct)
+    writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
+                    bytes(shape.fields[f]["size"])) for f in numbers | pointers]
+
+    def check(result: kernels.Result) -> str | None:
+        for field, wanted in [*numbers.items(), *pointers.items()]:
+            entry = shape.fields[field]
+            place = at + entry["offset"]
+            found = int.from_bytes(result.memory[place:place + entry["size"]], "big")
+            wanted += result.address if field in pointers else 0
+            if (found - wanted) % (1 << 8 * entry["size"]):
+                return (f"{name or struct}.{field}: expected {both(wanted, entry['size'])}, "
+                        f"found {both(found, entry['size'])}")
+        return None
+
+    return writes, check
+
+
+def first_of(checks):
+    """One check out of several: what the first that fails says."""
+    return lambda result: next(filter(None, (check(result) for check in checks)), None)
+
+
+def register_complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
+    """Registers that are not what the block and the trial say."""
+    case, found = trial.case, result.registers
+    types = {a.register: a.type for a in contract.outputs}
+    before = {name: kernels.POISON + n for n, name in enumerate(kernels.REGISTERS)} | case.registers
+    before |= {name: at + result.address for name, at in case.pointers.items()}
+    before |= {name: at + result.far_address for name, at in case.far_pointers.items()}
+    expected = trial.outputs | {name: at + result.far_address for name, at in trial.ends.items()}
+    if expected.keys() != types.keys():
+        raise ValueError(f"{contract.name}: the block's out is {', '.join(types) or '-'}, the trial's "
+                         f"{', '.join(expected) or '-'}")
+    lines = []
+    for name in kernels.REGISTERS:
+        if name in expected:
+            mask = (1 << WIDTHS.get(types[name], 32)) - 1
+            if (found[name] ^ expected[name]) & mask:
+                lines.append(f"{name}: expected {both(expected[name] & mask)}, "
+                             f"found {both(found[name] & mask)}")
+        elif name not in contract.trashes and found[name] != before[name] & M32:
+            lines.append(f"{name} is trashed, and the block does not say so: "
+                         f"was {both(before[name])}, is {both(found[name])}")
+    if result.stack:
+        lines.append(f"sp is off by {result.stack}")
+    return lines
+
+
+def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | None:
+    """The first byte of one arena that is not what it must be, in words."""
+    arena = trial.case.far if far else trial.case.arena
+    found = np.frombuffer(result.far_memory if far else result.memory, np.uint8)
+    expected = np.frombuffer(arena.image, np.uint8).copy()
+    for offsets, address in ((arena.pointers, result.address),
+                             (arena.far_pointers, result.far_address)):
+        for at in offsets:
+            value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
+            expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
+    before, writes = expected.copy(), [w for w in trial.writes if w.far == far]
+    for write in writes:  # bits that do not count are right as they are
+        part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
+        expected[part] = np.frombuffer(wanted, np.uint8)
+        if write.mask:
+            expected[part] ^= (expected[part] ^ found[part]) & ~np.frombuffer(write.mask, np.uint8)
+    if np.array_equal(found, expected):
+        return None
+    mask, writable = np.full(len(expected), 255, np.uint8), np.zeros(len(expected), bool)
+    for write in writes:
+        part = slice(write.at, write.at + len(write.expected))
+        writable[part] = True
+        mask[part] = np.frombuffer(write.mask, np.uint8) if write.mask else 255
+    wrong = np.flatnonzero(found != expected)
+    at = int(wrong[0])
+    place = arena.place(at) if isinstance(arena, Memory) else Place(f"offset {at}", at, 1)
+    better = trial.where(at, far) if trial.where else None
+    if better:
+        place = place._replace(name=better)
+
+    def shown(memory: np.ndarray, is_masked: bool = True) -> str:
+        part = slice(place.at, place.at + place.size)
+        content = memory[part] & mask[part] if is_masked else memory[part]
+        return both(int.from_bytes(content.tobytes(), "big"), place.size)
+
+    if writable[at]:
+        return f"{place.name}: expected {shown(expected)}, found {shown(found)}"
+    return (f"{place.name} is written, and the block does not say so: "
+            f"was {shown(before, False)}, is {shown(found, False)}")
+
+
+def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
+    """All that is wrong with what one call left."""
+    lines = register_complaints(trial, result, contract)
+    lines += filter(None, (memory_complaint(trial, result, far) for far in (False, True)))
+    also = trial.also(result) if trial.also else None
+    return lines + [also] if also else lines
+
+
+def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | str | None]:
+    """Calls all trials in a few boots: results in their order.
+
+    A crash ends a boot: then it is sought among the trials of the routine that it was
+    in, and by halves. Its trial gets the crash report instead of a result, and no other
+    trial of that kernel is called any more (None).
+    """
+    results: list[kernels.Result | str | None] = [None] * len(trials)
+    crashed: set[str] = set()
+
+    def attempt(part: list[int]) -> None:
+        part = [index for index in part if trials[index].case.kernel not in crashed]
+        if not part:
+            return
+        try:
+            called = kernels.call_batch([trials[index].case for index in part], machine, None)
+        except UserError as error:
+            if "crashed" not in str(error):
+                raise
+            if len(part) == 1:
+                results[part[0]] = str(error)
+                crashed.add(trials[part[0]].case.kernel)
+                return
+            blamed = [i for i in part if f" in {trials[i].case.kernel}+" in str(error)]
+            others = [i for i in part if i not in blamed]
+            middle = len(part) // 2
+            for some in (others, blamed) if blamed and others else (part[:middle], part[middle:]):
+                attempt(some)
+            return
+        for index, result in zip(part, called):
+            results[index] = result
+
+    done = 0
+    for batch in kernels.batches([trial.case for trial in trials], machine):
+        attempt(list(range(done, done + len(batch))))
+        done += len(batch)
+    return results
+
+
+def report(contract: Contract, trials: list[Trial],
+           results: list[kernels.Result | str | None]) -> str | None:
+    """What is wrong with one kernel, over all its trials, and how to run them again."""
+    failed = []
+    for trial, result in zip(trials, results):
+        lines = [result] if isinstance(result, str) else \
+            complaints(trial, result, contract) if result else []
+        if lines:
+            failed.append("\n".join([f"{contract.name}: {trial.title}",
+                                     *(f"  {line}" for line in lines)]))
+    if not trials:
+        failed.append(f"{contract.name} ({contract.file}:{contract.line}) has no trial: "
+                      "add some to tests/kernel_trials_*.py")
+    if not failed:
+        return None
+    return "\n".join([*failed[:REPORTED], f"{len(failed)} of {len(trials)} calls failed; again:",
+                      "  " + RERUN.format(contract.name)])

@@ -1,0 +1,59 @@
+"""Every routine of src68k/math, mesh, polygon, edge, span, tx, tmu and screen,
+called on the emulated A1200 and held to its contract block and to a reference in Python."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import pytest
+
+from tests.kernels import checker
+from tests.kernels.trials import (dithered, edge, glide, lit, logarithm, mappers, math, mesh, n64,
+                                  perspective, pixel, polygon, reciprocal, scanline, screen, span,
+                                  texturing, tiled, wide)
+from tmap.base import paths
+from tmap.build import contracts
+
+#: Written in C and without a block: the compilers' rules are its contract.
+IN_C = contracts.Contract(
+    "span_affine_c", "c/span/affine.c", 1, "span_affine_swap in C", (), (),
+    contracts.expand("d0-d1/a0-a1"), *[""] * 5)
+ALL_IN_C = [IN_C,
+            replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
+                    summary="where a column map has its texels"),
+            replace(IN_C, name="logarithms_make", file="c/polygon/logarithms.c",
+                    summary="tables of logarithms and powers"),
+            *(replace(IN_C, name=name, file=file, summary=summary) for file, summary, names in (
+                ("c/tx", "a pass in C", n64.IN_C),
+                ("c/tmu", "a pass in C", glide.IN_C),
+                ("c/screen", "in C", screen.IN_C)) for name in names)]
+CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL_IN_C]}
+ROOMS = (mappers, reciprocal, span, tiled,
+         lit, pixel, polygon, texturing,
+         perspective, edge, math, mesh,
+         scanline, logarithm, wide, n64,
+         glide, screen, dithered)
+TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
+BOOTS = 2  # emulators that run side by side, while the next trials are made
+
+
+@pytest.fixture(scope="module")
+def called(request):
+    """Trials and results by kernel, of the kernels that this run asks for; rooms share boots."""
+    wanted = {item.callspec.params["kernel"] for item in request.session.items
+              if item.path == request.path and hasattr(item, "callspec")}
+    with ThreadPoolExecutor(BOOTS) as boots:
+        begun = []
+        for first in range(0, len(ROOMS), TOGETHER):
+            trials = [trial for room in ROOMS[first:first + TOGETHER] for trial in room.trials()
+                      if trial.case.kernel in wanted]
+            begun.append((trials, boots.submit(checker.run, trials)))
+        done = [pair for trials, results in begun for pair in zip(trials, results.result())]
+    return {kernel: [pair for pair in done if pair[0].case.kernel == kernel] for kernel in wanted}
+
+
+@pytest.mark.parametrize("kernel", CONTRACTS)
+def test_contract(called, kernel):
+    trials, results = zip(*called[kernel]) if called[kernel] else ((), ())
+    wrong = checker.report(CONTRACTS[kernel], trials, results)
+    if wrong:
+        pytest.fail(wrong, pytrace=False)

@@ -1,0 +1,148 @@
+"""Trials of the lit spans and of edge_shade."""
+
+from functools import cache
+
+import numpy as np
+
+from tests.kernels.checker import Memory, Trial, values
+from tests.kernels.trials.edge import BIAS, ONE
+from tests.kernels.trials.scanline import held, table_of, table_write
+from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
+                                       random_starts, sizes, steps_text, table_trial, texels,
+                                       texture)
+from tmap.base.fixed import signed
+from tmap.build import layout
+from tmap.guest.kernels import M32, Case
+from tmap.setup.scanline import pack_shade
+
+LEVELS = 64
+FALLS = layout.load().constants["SHADE_FALLS"]
+
+
+@cache
+def lit_memory() -> tuple[Memory, int, int, int, np.ndarray]:
+    """A far arena, where its frame, its map and its light table begin, and that table. It is
+    the second quarter of a page."""
+    memory = Memory(8)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    map_at = memory.add(texture().tobytes(), MAP_ALIGN, "map")
+    table = np.random.default_rng(9).integers(0, 256, (LEVELS, 256), dtype=np.uint8)
+    page = memory.add(memory.noise.bytes(table.size) + table.tobytes(), MAP_ALIGN, "light")
+    return memory, frame, map_at, page + table.size, table
+
+
+def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:
+    """One table at one level."""
+    *far, light_at, table = lit_memory()
+    (counts, pitch), level = size, int(rng.integers(LEVELS))
+    starts = random_starts(counts, rng)
+    if kernel in ("span_lit", "span_lit_short"):
+        starts = [once_wrapping(*start, *steps, rng) for start in starts]
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return table[level, texels(u, v, *steps, count)].tobytes()
+
+    return table_trial(kernel, "addx", starts, pitch, rng, upwards, tuple(far), drawn,
+                       f"level {level}, {steps_text(*steps)}", light_at=light_at + 256 * level,
+                       dudx=steps[0], dvdx=steps[1])
+
+
+def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
+    """One table, each pixel at its level."""
+    *far, light_at, table = lit_memory()
+    (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
+    for count, u, v in random_starts(counts, rng):
+        if step:
+            count = min(count, ((LEVELS << 16) - 4) // abs(step) + 1)
+        travel = step * max(count - 1, 0)
+        low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
+        shades.append((low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))])
+        starts.append((count, u, v))
+    level = {start: shade for start, shade in zip(starts, shades)}
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        rows = level[count, u, v] + np.arange(count, dtype=np.int64) * step >> 16
+        return table[rows, texels(u, v, *steps, count)].tobytes()
+
+    added = (light_at & 0xFFFF) + FALLS * (signed(steps[1], 24) < 0)
+    return table_trial("span_lit_gouraud", "addx", starts, pitch, rng, upwards, tuple(far), drawn,
+                       f"{values(dcdx=dcdx)}, {steps_text(*steps)}", light_at=light_at,
+                       shades=[pack_shade(shade, added) for shade in shades], dudx=steps[0],
+                       dvdx=steps[1], dcdx=dcdx)
+
+
+def pairs_of(rng) -> list[tuple[int, int]]:
+    """Steps of u and v of all kinds."""
+    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
+    steps = [steps[k] for k in rng.choice(len(steps), 48, replace=False)]
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(8)]
+    return steps + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+
+
+def lit_trials(kernel: str, rng) -> list[Trial]:
+    """Steps of all kinds, on short and on long lines."""
+    return [lit_trial(kernel, pair, size, rng, k % 8 == 7)
+            for size in sizes(kernel) for k, pair in enumerate(pairs_of(rng))]
+
+
+def gouraud_trials(rng) -> list[Trial]:
+    """The same; levels rise and fall, by whole ones too, or stay, and v wraps all it can."""
+    levels = [0, 4, -4, 0x100, -0x100, 0xFC, -0xFC, 0x1000, -0x1000, 63 << 8, -63 << 8, ONE, -ONE,
+              -0x10100, 0x18003, -0x18001, 63 * ONE, -63 * ONE]
+    levels += [int(n) for n in rng.integers(-0x4000, 0x4000, 20)]
+    most = [(u, v) for u in (0, ONE, -0x18000) for v in (128 * ONE - 1, -128 * ONE, -128 * ONE + 0x100)]
+    trials = []
+    for size in (SHORT, LONG):
+        pairs = [*pairs_of(rng), *most, (0, -0x100), (0, -ONE), (ONE, -0x8000)]
+        for k, pair in enumerate(pairs):
+            trials.append(gouraud_trial(pair, levels[k % len(levels)], size, rng, k % 8 == 7))
+    trials += [gouraud_trial(pair, step, LONG, rng, False) for pair in most
+               for step in (0, 4, -4, 0x100, -0x100)]
+    return trials
+
+
+def shade_trial(rng, most: int, inside: bool) -> Trial:
+    """A table with lines of up to ``most`` pixels, shades near their range and far from it;
+    ``inside``: the caller says that none leaves it, and nothing is held."""
+    counts = [int(rng.integers(-3, most + 1)) for _ in range(int(rng.integers(1, 30)))]
+    lefts = [BIAS + int(rng.integers(0, 1024)) for _ in counts]
+    low = int(rng.integers(0, LEVELS)) << 16
+    high = (int(rng.integers(low >> 16, LEVELS)) << 16 | 0xFFFF) - 3
+    dcdx = int(rng.integers(-20 * ONE, 20 * ONE)) >> int(rng.integers(0, 20)) & ~3
+    dcdy = int(rng.integers(-20 * ONE, 20 * ONE)) >> int(rng.integers(0, 20)) & ~3
+    if rng.integers(8) == 0:
+        dcdx = int(rng.integers(-1 << 31, 1 << 31)) & ~3
+    shade = (int(rng.integers(low, high + 1)) & ~3) - dcdx * lefts[0] & M32
+    longest, limited = max(max(counts), 1) - 1, dcdx
+    if longest and not inside:
+        largest = (high - low) // longest & ~3
+        limited = min(max(dcdx, -largest), largest)
+    added = int(rng.choice((0, FALLS))) + (int(rng.integers(0, 193)) << 8)
+    memory = Memory(int(rng.integers(1 << 30)))
+    at = memory.add(table_of([{"left": left, "last": left + count - 1}
+                              for left, count in zip(lefts, counts)]), name="lines",
+                    shape=layout.load().struct("scanline"))
+    shades_at = memory.add(memory.noise.bytes(4 * len(counts)), name="shades")
+    plan = memory.struct("shade_plan", dict(lines=at, shades=shades_at), count=len(counts),
+                         added=added, shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high,
+                         inside=int(inside))
+    writes = [table_write(plan + layout.load().struct("shade_plan").fields["dcdx"]["offset"],
+                          limited)]
+    for k, (left, count) in enumerate(zip(lefts, counts)):
+        start = signed(shade + k * dcdy + left * dcdx)
+        if count > 0 or inside:
+            kept = start if inside else held(start, limited, count, low, high)
+            writes.append(table_write(shades_at + 4 * k, pack_shade(kept, added)))
+    return Trial(Case("edge_shade", memory, pointers={"a0": plan}),
+                 values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added),
+                 writes=writes)
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    rng = [np.random.default_rng([11, seed]) for seed in range(6)]
+    return [*lit_trials("span_lit", rng[0]), *lit_trials("span_lit_wrap", rng[1]),
+            *gouraud_trials(rng[2]), *lit_trials("span_lit_short", rng[4]),
+            *lit_trials("span_lit_short_wrap", rng[5]),
+            *(shade_trial(rng[3], most, inside) for most in (1, 2, 3, 40, 320)
+              for inside in (False, True) for _ in range(20))]

@@ -1,0 +1,143 @@
+"""Trials of the Gouraud span, the map of any size and the generated code."""
+
+from functools import cache, partial
+
+import numpy as np
+
+from tests.kernels.checker import Memory, Trial
+from tests.kernels.trials.edge import ONE
+from tests.kernels.trials.span import (FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory,
+                                       random_starts, sizes, steps_text, table_trial, texture)
+from tmap.setup import spans
+
+#: Maps of any size: columns, rows.
+SIZES = (1, 1), (1, 7), (7, 1), (3, 5), (100, 37), (255, 257), (320, 200), (1024, 1024)
+#: Steps of u and v as parts of the map's side in 1/65536; None: any number.
+PARTS = ((0, 0), (256, 0), (0, 256), (400, 256), (-400, 256), (400, -256), (-400, -256),
+         (None, None), (None, None), (3000, 20000), (-ONE, 700), (700, ONE), (0, -300), (-300, 0))
+#: And as they are.
+SMALL = ((1, 0), (0, -1), (ONE, ONE), (-ONE, ONE), (-ONE, -ONE), (0x18000, 0x14000),
+         (-0x18000, -0x14000), (0x18000, -0x14000), (-0x18000, 0x14000), (0x8000, ONE),
+         (-0x8000, ONE), (0x8000, -ONE), (ONE, 0x8000), (-ONE, 0xFFFF), (-1, 1), (1, -1), (-1, -1),
+         (ONE - 1, -ONE + 1), (0x8000, 0), (-0x8000, 0), (2 * ONE, -0x8000), (0, 0x4000))
+
+
+@cache
+def any_map(columns: int, rows: int) -> tuple[Memory, int, int, np.ndarray]:
+    """A far arena with a frame and a map at an odd address."""
+    memory = Memory(columns + rows)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    picture = np.random.default_rng(rows).integers(0, 256, (rows, columns), dtype=np.uint8)
+    return memory, frame, memory.add(b"\x5c" + picture.tobytes(), name="map") + 1, picture
+
+
+@cache
+def margins_memory() -> tuple[Memory, int, int]:
+    """A far arena with a frame and a map between margins: a page's halves once more."""
+    memory = Memory(5)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    page = texture().tobytes()
+    at = memory.add(bytes(32768) + page[32768:] + page + page[:32768], 65536, "map")
+    return memory, frame, at + 65536
+
+
+def fitting(count: int, size: tuple[int, int], steps: tuple[int, int], rng):
+    """A line whose texels all lie inside the map, often up to its first and last ones."""
+    for side, step in zip(size, steps):
+        if step:
+            count = min(count, (side * ONE - 1) // abs(step) + 1)
+    start = []
+    for side, step in zip(size, steps):
+        travel = step * (max(count, 1) - 1)
+        low, high = max(0, -travel), side * ONE - 1 - max(0, travel)
+        start.append((low, high, int(rng.integers(low, high + 1)))[min(2, int(rng.integers(5)))])
+    return count, *start
+
+
+def arbitrary_trial(size: tuple[int, int], steps: tuple[int, int], counts, rng, upwards) -> Trial:
+    """One table from a map of any size."""
+    *far, picture = any_map(*size)
+    (dudx, dvdx), (counts, pitch) = steps, counts
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        n = np.arange(count, dtype=np.int64)
+        return picture[(v + n * dvdx) >> 16, (u + n * dudx) >> 16].tobytes()
+
+    starts = [fitting(count, size, steps, rng) for count in counts for _ in range(4)]
+    return table_trial(
+        "span_arbitrary", "plain", starts, pitch, rng, upwards, far, drawn,
+        f"map {size[0]}x{size[1]}, {steps_text(dudx, dvdx)}", dudx=dudx, dvdx=dvdx,
+        map_width=size[0], map_height=size[1])
+
+
+def arbitrary_trials(rng) -> list[Trial]:
+    """Maps of all sizes with steps of all kinds."""
+    trials = []
+    for size in SIZES:
+        steps = [tuple(part * side // ONE if part is not None else
+                       int(rng.integers(1 - side * ONE, side * ONE)) for part, side in zip(parts, size))
+                 for parts in PARTS]
+        steps += [s for s in SMALL if all(abs(a) < side * ONE for a, side in zip(s, size))]
+        if size[0] * size[1] > 1 << 18:  # a megabyte each
+            steps = [steps[k] for k in rng.choice(len(steps), 8, replace=False)]
+        for k, pair in enumerate(steps):
+            trials.append(arbitrary_trial(size, pair, (SHORT, LONG)[k % 4 == 3], rng, k % 8 == 7))
+    return trials
+
+
+def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
+    """One table of shades."""
+    counts, pitch = size
+    reduced = abs((step + (128 << 16)) % (256 << 16) - (128 << 16)) / ONE
+    longest = int(64000 / reduced) if reduced else 64000
+    starts = [(min(count, longest), u, v) for count, u, v in random_starts(counts, rng)]
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return ((u + np.arange(count, dtype=np.int64) * step) >> 16 & 255).astype(np.uint8).tobytes()
+
+    return table_trial(kernel, "plain", starts, pitch, rng, upwards, picture_memory(), drawn,
+                       steps_text(step, 0), dudx=step, dvdx=int(rng.integers(1 << 31)))
+
+
+def gouraud_trials(kernel: str, rng) -> list[Trial]:
+    """Steps of all kinds, on short and on long lines."""
+    steps = [*STEPS, *(a for a, _ in PAIRS), *(int(n) for n in rng.integers(-ONE, ONE, 8)),
+             *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
+    return [gouraud_trial(kernel, step, size, rng, k % 8 == 7)
+            for size in sizes(kernel) for k, step in enumerate(steps)]
+
+
+def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
+    """One table drawn by generated code; the code itself is compared too."""
+    counts, pitch = size
+    far = margins_memory()
+    lying = np.frombuffer(bytes(far[0].data), np.uint8)
+    starts = random_starts(counts, rng)
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return lying[far[2] + spans.texel_generated(u, v, dudx, dvdx, count)].tobytes()
+
+    offsets = spans.generated_offsets(dudx, dvdx, -(-max(0, *counts) // 8) * 8)
+    code = b"".join(b"\x13\x2a" + int(o & 0xFFFF).to_bytes(2, "big") for o in offsets[::-1])
+    return table_trial("span_generated", "plain", starts, pitch, rng, upwards, far, drawn,
+                       steps_text(dudx, dvdx), code + b"\x4e\xd3" if len(offsets) else b"",
+                       dudx=dudx, dvdx=dvdx)
+
+
+def generated_trials(rng) -> list[Trial]:
+    """Steps of all kinds, on short and on long lines, and a table without a pixel."""
+    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
+    steps += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+    long_steps = [*PAIRS, *(steps[k] for k in rng.choice(len(steps), 16, replace=False))]
+    tables = (((0, -1, -16), 128), [(0, ONE)]), (SHORT, steps), (LONG, long_steps)
+    return [generated_trial(*pair, size, rng, k % 8 == 7)
+            for size, chosen in tables for k, pair in enumerate(chosen)]
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    makers = (partial(gouraud_trials, "span_gouraud"), arbitrary_trials, generated_trials,
+              partial(gouraud_trials, "span_gouraud_short"))
+    return [trial for seed, make in enumerate(makers)
+            for trial in make(np.random.default_rng([7, seed]))]

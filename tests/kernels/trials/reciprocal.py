@@ -1,0 +1,178 @@
+"""Trials of perspective by a table of reciprocals: constants, lines and spans against the
+model, and what the table costs in precision against exact fractions."""
+
+from fractions import Fraction
+
+import numpy as np
+
+from tests.kernels.checker import Memory, Trial, Write, fields_check, first_of
+from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
+from tmap.base.fixed import signed
+from tmap.bench import perspective as bench_perspective, reciprocal
+from tmap.build import layout
+from tmap.guest.kernels import Case
+from tmap.setup import reciprocal as model
+from tmap.setup.edges import measure
+from tmap.setup.perspective import perspective
+
+WIDTH, HEIGHT = 320, 200
+PITCH = 1152
+STATED = 2048  # a texel in 32
+DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
+
+
+def triangles(rng, count: int):
+    """Planes of triangles on the screen whose w differs up to some ratio, and the lines
+    between their sides, straight ones."""
+    while count:
+        points = [tuple(int(c) for c in rng.integers(-20 << 16, (side + 20) << 16, 3))
+                  for side in (WIDTH, HEIGHT)]
+        ratio = float(rng.choice(DEPTHS))
+        reach = int(rng.choice((16, 128, 256))) << 16
+        vertices = [(x, y, *(int(c) for c in rng.integers(-reach, reach, 2)),
+                     int(65536 * ratio ** float(rng.random()))) for x, y in zip(*points)]
+        sides = measure(vertices, WIDTH, HEIGHT)
+        deep = sides and perspective(vertices, sides.corners, sides.box)
+        if not deep:
+            continue
+        left, top, right, bottom = sides.box
+        lines = []
+        for y in range(top, bottom):
+            ends = [x0 + (x1 - x0) * ((y << 16) - y0) / (y1 - y0)
+                    for (x0, y0, *_), (x1, y1, *_) in zip(vertices, vertices[1:] + vertices[:1])
+                    if min(y0, y1) <= y << 16 < max(y0, y1)]
+            ends = [-int(-x // 65536) for x in sorted(ends)] if len(ends) == 2 else [left, left]
+            lines.append((max(ends[0], left), min(ends[1], right), y))
+        if any(b > a for a, b, _ in lines):
+            count -= 1
+            yield deep, right - left, lines
+
+
+def constants_of(deep, piece: int, width: int, lines):
+    """The polygon's constants, and the pixel they are found at."""
+    x, y = next((a - deep.i, k) for k, (a, b, _) in enumerate(lines) if b > a)
+    return model.find(deep, piece, width, x, y), x, y
+
+
+def find_trial(deep, width: int, lines) -> Trial:
+    """reciprocal_find on a polygon's planes."""
+    memory = Memory()
+    found, x, y = constants_of(deep, 4, width, lines)
+    planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
+    at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
+                       limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
+    fields = layout.load().struct("reciprocal_plan").fields
+    if not found:
+        taken = None not in [model.asymptote(deep.q, plane) for plane in (deep.s, deep.t)]
+        first, last = fields["cu"]["offset"], fields["kv"]["offset"] + 4
+        return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
+                     f"{deep}, pixel {x}, {y}", {"d0": int(taken)},
+                     writes=[Write(at + first, bytes(last - first), bytes(last - first))])
+    numbers = {name: (k - base - raised, 4) for name, k, base, raised
+               in zip(("ku", "kv"), found.k, deep.base, found.raised)}
+    numbers |= {name: (n, 8) for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)}
+    writes = [Write(at + fields[f]["offset"], (n % (1 << 8 * size)).to_bytes(size, "big"))
+              for f, (n, size) in numbers.items()]
+    return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
+                 f"{deep}, pixel {x}, {y}", {"d0": 1}, writes=writes)
+
+
+def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> str | None:
+    """Some pixels against the planes themselves: as far as ``bound`` and what is stated, from where they
+    are ``raised`` to."""
+    for x in pixels:
+        at = line.left + x - deep.i, y - deep.j
+        q = Fraction(deep.q.value(*at), 1 << 32)
+        for found, plane, base, more in zip((u[x], v[x]), (deep.s, deep.t), deep.base, raised):
+            off = signed(int(found) - base - more - int(plane.value(*at) / q), 32)
+            if abs(off) > min(bound, STATED):
+                return f"line {y}, pixel {x}: the model is {off} units off"
+    return None
+
+
+def emptied_lines(memory: Memory, planes: int, lines, made: list) -> list[Write]:
+    """What a plan's lines are to others: empty those that were ``made``, if others were not."""
+    entry = layout.load().struct("scanline")
+    table = int.from_bytes(memory.data[planes:planes + 4], "big")
+    some_left = any(right > left and not line for (left, right, _), line in zip(lines, made))
+    return [Write(table + k * entry.size + entry.fields["last"]["offset"],
+                  ((left if line and some_left else right) - 1 + BIAS).to_bytes(2, "big"))
+            for k, ((left, right, _), line) in enumerate(zip(lines, made))]
+
+
+def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
+    """reciprocal_lines on all lines of a polygon, those it leaves among them."""
+    constants, *_ = constants_of(deep, piece, width, lines)
+    if constants is None:
+        return None
+    memory, shape = Memory(), layout.load().struct("reciprocal_line")
+    out = memory.room("reciprocal_line", len(lines))
+    planes = bench_perspective.add_perspective_plan(memory, deep, lines, out)
+    at = reciprocal.add_reciprocal_plan(memory, planes, constants,
+                                        reciprocal.table(memory), out)
+    blank = bytes(shape.size)
+    made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
+    parts, others, worst = [], 0, None
+    for k, (each, line) in enumerate(zip(lines, made)):
+        wanted = {"n": -1 if each[1] > each[0] else each[1] - each[0] - 1}
+        others += each[1] > each[0] and line is None
+        if line:
+            wanted = shape.unpack(reciprocal.entry(line))
+            del wanted["scale"]
+            if not line.n >> piece:  # it takes no step
+                del wanted["dq"]
+            ends = {*range(0, line.n + 1, 1 << piece), line.n}  # of pieces
+            worst = worst or error(deep, line, ends, *model.coordinates(line), each[2],
+                                   model.bound(line), constants.raised)
+        parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
+    return Trial(Case("reciprocal_lines", memory, pointers={"a0": at}),
+                 f"{deep}, pieces of 2^{piece}, {len(lines)} lines, {others} left",
+                 {"d0": others}, writes=[Write(out, blank * len(lines), blank * len(lines)),
+                                         *emptied_lines(memory, planes, lines, made)],
+                 also=first_of([*(part[1] for part in parts), lambda _: worst]))
+
+
+def span_trial(piece: int, counts, rng) -> Trial:
+    """A table of lines whose q and constants are any that stay inside the table."""
+    far, frame_at, map_at = picture_memory()
+    memory = Memory(int(rng.integers(1 << 30)))
+    shape = layout.load().struct("reciprocal_line")
+    table, writes = b"", []
+    for k, pixels in enumerate(counts):
+        left, n = k % 4, pixels - 1
+        if pixels <= 0:
+            table += shape.pack(**dict.fromkeys(shape.fields, 0) | {"n": n})
+            continue
+        q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65534, 2))
+        if n < 3 << piece:  # what r grows stays inside 16 bits
+            q1 = (q0 + q1 >> 17 if q0 < q1 else q0 >> 16) << 16
+        dq = int((q1 - q0 << piece) / max(n, 1))
+        c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(1, 15, 2)]
+        r = [model.TABLE[(q >> 16) - model.LOWEST] for q in (q0, q1)]
+        line = model.Reciprocal(left, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
+                                model.swap(q0 - (model.ORIGIN << 16) & 0xFFFFFFFF),
+                                model.swap(dq & 0xFFFFFFFF), tuple(c), *r,
+                                -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
+        table += reciprocal.entry(line)
+        u, v = model.coordinates(line)
+        writes.append(Write(frame_at + 64 + k * PITCH + left,
+                            texture()[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
+    at = memory.struct("reciprocal_span",
+                       dict(lines=memory.add(table, name="lines", shape=shape),
+                            table=reciprocal.table(memory)),
+                       dict(row=frame_at + 64 - BIAS, map=map_at), count=len(counts), pitch=PITCH)
+    return Trial(Case(f"span_reciprocal_{1 << piece}", memory, pointers={"a0": at}, far=far),
+                 f"{len(counts)} lines", writes=writes)
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    rng = np.random.default_rng(8)
+    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
+    polygons = list(triangles(rng, 60))
+    made = [lines_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
+            for piece in (3, 4)]
+    return [*(find_trial(*each) for each in polygons),
+            *filter(None, made),
+            *(span_trial(piece, counts[:FRAME // PITCH - 1], rng) for piece in (3, 4)
+              for _ in range(20))]

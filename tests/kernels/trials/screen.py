@@ -1,0 +1,88 @@
+"""Trials of chunky to planar: random pixels, decoded again by tools/tmap/base/planar.py."""
+
+import numpy as np
+
+from tests.kernels.checker import Memory, Trial, Write
+from tmap.base import planar
+from tmap.bench import screen
+from tmap.guest.kernels import Case, Result
+
+IN_C = [f"{name}_c" for name in planar.FORMS] + ["ham8_control"]
+GROUPS = (1, 2, 3, 10, 11, 40)  # of 32 dots in a row
+ROWS = (1, 2, 5)
+FAR_APART = 0x2404  # bytes: four planes are more than 16 bits with a sign
+
+
+def layouts(row: int, rows: int) -> list[tuple[int, int]]:
+    """Bytes from row to row and from plane to plane: planes one behind the other, row by row by
+    turns, either with gaps, upside down, planes in falling order, and far apart."""
+    return [(row, row * rows), (8 * row, row), (row + 8, (row + 8) * rows + 12),
+            (8 * (row + 4) + 16, row + 4), (-row, row * rows), (-8 * row, row),
+            (row + 4, -(row + 4) * rows), (row, FAR_APART)]
+
+
+def where_of(planes: planar.Planes, out: int):
+    """Names a byte of the planes' block."""
+    offsets = planes.offsets
+
+    def where(offset: int, far: bool) -> str | None:
+        for plane, y, byte in np.argwhere(offsets == offset - out) if far else ():
+            return f"plane {planes.numbers[plane]}, row {y}, dots {8 * byte} to {8 * byte + 7}"
+        return None
+
+    return where
+
+
+def writes_of(planes: planar.Planes, dots: np.ndarray, out: int) -> list[Write]:
+    """What the planes' rows must be; the bytes between them stay."""
+    return [Write(out + int(at[0]), row.tobytes(), far=True)
+            for rows, plane in zip(planes.offsets, planes.encoded(dots))
+            for at, row in zip(rows, plane)]
+
+
+def frame_trial(kernel: str, groups: int, rows: int, layout: tuple[int, int], pitches: int,
+                seed: int) -> Trial:
+    """A frame of noise; ``pitches`` 0: rows without gaps, 1: with some, 2: upside down."""
+    name = kernel.removesuffix("_c")
+    form, rng = planar.FORMS[name], np.random.default_rng(seed)
+    near, far = Memory(seed), Memory(seed + 1)
+    planes = planar.Planes(32 * groups, rows, *layout, form.planes)
+    pixels = planar.noise(name, rng, 32 * groups // form.dots, rows)
+    row = pixels[0].nbytes
+    case, out = screen.place(kernel, pixels, (row, row + 24, -row - 8)[pitches], planes, near,
+                             far, rng.bytes(planes.size))
+    dots = form.convert(pixels)
+
+    def decoded(result: Result) -> str | None:
+        block = np.frombuffer(result.far_memory, np.uint8, planes.size, out)
+        return planar.difference(dots, planes.decoded(block))
+
+    return Trial(case, f"{pixels.shape[1]} x {rows} pixels, row pitch {layout[0]}, "
+                 f"plane pitch {layout[1]}, pixels' pitch {pitches}, seed {seed}",
+                 writes=writes_of(planes, dots, out), where=where_of(planes, out), also=decoded)
+
+
+def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) -> Trial:
+    """The planes of HAM8 that say which colour a dot changes."""
+    near, far = Memory(seed), Memory(seed + 1)
+    planes = planar.Planes(32 * groups, rows, *layout, planar.CONTROL)
+    out = far.add(near.noise.bytes(planes.size))
+    plan = near.struct("planar_plan", {"pixels": 0}, {"planes": out + planes.first}, pitch=0,
+                       width=8 * groups, rows=rows, row_pitch=layout[0], plane_pitch=layout[1])
+    dots = np.tile(planar.ham8_control(planes.width), (rows, 1))
+    return Trial(Case("ham8_control", near, pointers={"a0": plan}, far=far),
+                 f"{planes.width} x {rows} dots, row pitch {layout[0]}, plane pitch {layout[1]}",
+                 writes=writes_of(planes, dots, out), where=where_of(planes, out))
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    made, shapes = [], [(groups, rows) for groups in GROUPS for rows in ROWS]
+    for k, (groups, rows) in enumerate(shapes):
+        for n, layout in enumerate(layouts(4 * groups, rows)):
+            seed = 100 * k + n
+            in_c = IN_C[:-1] if n == k % 8 else []  # slow, and plain
+            made += [frame_trial(kernel, groups, rows, layout, seed % 3, seed)
+                     for kernel in [*planar.FORMS, *in_c]]
+            made.append(control_trial(groups, rows, layout, seed))
+    return made

@@ -1,0 +1,302 @@
+"""Trials of the span routines: every pixel against the texel of its own u and v."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from tests.kernels.checker import Memory, Trial, Write, both, values
+from tests.kernels.trials.edge import BIAS, ONE
+from tmap.build import layout
+from tmap.guest.kernels import Case
+from tmap.setup.scanline import add_span_plan, pack
+
+MAP_ALIGN = 65536
+FRAME = 65024
+#: Pixels of the lines and bytes from line to line: room for a guard between lines.
+SHORT = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41)), 128
+LONG = (0, 48, 49, 63, 64, 65, 80, 127, 128, 255, 256, 257, 320, 1024), 1152
+#: As LONG, for two bytes a pixel in the same frame.
+LONG_WIDE = (0, 48, 63, 64, 65, 257, 1024), LONG[1]
+STEPS = (0, 1, -1, ONE, -ONE, 0x18000, -0x18000, 128 * ONE - 1, -128 * ONE + 1)
+#: Pairs (dudx, dvdx) that the grid of STEPS leaves out: negative dvdx with an integer
+#: dudx and a low byte, or none; slopes that a byte can just hold, or not.
+PAIRS = ((0, -0x80), (0, -0x100), (0, -0x180), (3 * ONE, -0x12345), (-2 * ONE, -0x100),
+         (-ONE, -0x30000), (5 * ONE, -0x8001), (0x100, -0x100), (0xFFFF, -0xFFFF), (0x8000, -7 * ONE),
+         (0xFF, 0xFF), (-0xFF, 0x1FF), (2, 0x40), (2, -0x40), (0, -128 * ONE), (-128 * ONE, ONE))
+#: The most pixels of a line, and as SHORT and LONG, of the spans for short lines.
+MOST = {f"span_{name}": layout.load().constants[f"SHORT_{constant}"] for name, constant in (
+    ("affine_short", "AFFINE"), ("affine_short_wrap", "AFFINE_WRAP"),
+    ("affine_row_short", "AFFINE_ROW"), ("gouraud_short", "GOURAUD"), ("lit_short", "LIT"),
+    ("lit_short_wrap", "LIT_WRAP"))}
+#: The chain of two registers: v wraps at most once in a line.
+ONCE_WRAPPING = ("span_affine_addx", "span_affine_short", "span_affine_16", "span_affine_32")
+COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
+TURN = 1 << 24  # u and v repeat after 256 texels
+
+
+@cache
+def texture() -> np.ndarray:
+    """A 256x256 map without equal neighbours in a row: a texel beside is another."""
+    rows = np.tile(np.arange(256, dtype=np.uint8), (256, 1))
+    return np.random.default_rng(256).permuted(rows, axis=1)
+
+
+@cache
+def picture_memory() -> tuple[Memory, int, int]:
+    """The far arena of all spans and where its frame and its map begin."""
+    memory = Memory(3)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
+
+
+def sizes(kernel: str) -> tuple:
+    """The lines of its tables: SHORT and LONG, or all that a span for short lines can draw."""
+    if kernel not in MOST:
+        return SHORT, LONG
+    return ((0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, MOST[kernel] + 1)), 128),
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What spans are drawn on and from: a far arena, where its frame and map begin, bytes
+    of a pixel; ``texels(u, v, dudx, dvdx, count)`` gives a span's pixels."""
+
+    memory: Memory
+    frame_at: int
+    map_at: int
+    texels: Callable[[int, int, int, int, int], np.ndarray]
+    pixel_bytes: int = 1
+    columns: dict[str, int] | None = None  # struct column_layout
+    name: str = ""
+
+
+def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
+    """The pixels of a span."""
+    n = np.arange(count, dtype=np.int64)
+    return texture()[(v + n * dvdx) >> 16 & 255, (u + n * dudx) >> 16 & 255]
+
+
+def random_starts(counts, rng) -> list[tuple[int, int, int]]:
+    """Lines (count, u, v), each count at all four alignments of the pixels, with any u and v."""
+    counts = [count for count in counts for _ in range(4)]
+    return [(count, *start) for count, start in zip(
+        counts, rng.integers(0, 1 << 32, (len(counts), 2)).tolist())]
+
+
+def once_wrapping(count: int, u: int, v: int, dudx: int, dvdx: int, rng) -> tuple[int, int, int]:
+    """count, u and v changed to what the addx chain can draw: v wraps at most once in
+    the line, and where it does, the lowest bit of u is free for it."""
+    speed = (dvdx + TURN // 2) % TURN - TURN // 2
+    if speed:
+        count = min(count, (TURN - 1) // abs(speed) + 1)
+    travel = abs(speed) * max(count - 1, 0)
+    wraps = bool(travel) and dudx % 2 == 0 and bool(rng.integers(2))
+    start = TURN - 1 - int(rng.integers(travel)) if wraps else int(rng.integers(TURN - travel))
+    if speed < 0:
+        start = TURN - 1 - start
+    if wraps:
+        u = u & ~1 | (speed < 0)
+    return count, u, v // TURN * TURN + start
+
+
+def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
+                upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
+                code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
+                wide: int = 1, columns: dict[str, int] | None = None, light_at: int | None = None,
+                shades: list[int] | None = None, placed: bool = False, **plan_values: int) -> Trial:
+    """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
+    the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
+    the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
+    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel.
+    ``light_at``: in the far arena; ``shades``: one a line. ``placed``: ``drawn`` is told the
+    first pixel's x and the line's number too."""
+    far, frame_at, map_at = where_far
+    shape = layout.load().struct("scanline")
+    entries = []
+    lines = []      # count, u, v and where the first pixel is
+    places = []     # x of that pixel and the line's number
+    used, right = (rng.integers(0, most, len(starts)).tolist() for most in (0x8000, 4))
+    for index, (count, u, v) in enumerate(starts):
+        packed = pack(form, u, v)
+        if form == "addx":  # room in v--U, used by the edges' additions
+            packed["start2"] |= used[index] << 8
+        left = BIAS + index % 4 + 4 * right[index]
+        packed |= {"left": left, "last": left + count - 1}
+        entries.append(tuple(packed[field] for field in shape.dtype.names))
+        places.append((left - BIAS, index) if placed else ())
+        row = len(starts) - 1 - index if upwards else index
+        lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))
+    table = np.array(entries, shape.dtype)
+    memory = Memory(int(rng.integers(1 << 30)))
+    first_row = lines[0][3] - int(table["left"][0]) * wide
+    pitch *= wide
+    near = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
+    if code is not None:
+        size = layout.load().constants["CODE_BYTES"]
+        near["code"] = memory.add(memory.noise.bytes(size), name="code")
+    if own_steps:
+        shape_of_steps = layout.load().struct("scanline_step")
+        near["steps"] = memory.add(
+            b"".join(shape_of_steps.pack(dudx=du, dvdx=dv) for du, dv in own_steps),
+            name="steps", shape=shape_of_steps)
+    if columns:
+        near["columns"] = memory.struct("column_layout", {}, **columns)
+    if shades:
+        near["shades"] = memory.add(b"".join(s.to_bytes(4, "big") for s in shades), name="shades")
+    light = {} if light_at is None else {"light": light_at}
+    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at) | light, count=len(lines),
+                         pitch=-pitch if upwards else pitch, **plan_values)
+
+    def where(offset: int, far: bool) -> str | None:
+        if not far or not frame_at <= offset < frame_at + FRAME:
+            return None
+        index = min(range(len(lines)), key=lambda k: max(
+            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) * wide + 1))
+        count, u, v, at = lines[index]
+        line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
+        if count <= 0:
+            return f"{line}: byte {offset - at}"
+        if offset < at:
+            return f"{line}: {at - offset} byte(s) before its start"
+        beyond = offset - at - count * wide + 1
+        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
+            f"{line}: pixel {(offset - at) // wide}"
+
+    writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else places[k])), far=True)
+              for k, (count, u, v, at) in enumerate(lines) if count > 0]
+    if code:
+        writes.append(Write(near["code"] + size - 2 - len(code), code))
+    return Trial(
+        Case(kernel, memory, pointers={"a0": plan}, far=far),
+        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
+
+
+def form_of(kernel: str) -> str:
+    """How the lines of a span routine are packed."""
+    chained = ("_addx", "_row", "_column", "_scanline", "_wrap", "_copy",
+               "_short", "_16", "_32")
+    return "addx" if "affine" in kernel and any(part in kernel for part in chained) else "plain"
+
+
+def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
+               ground: Ground | None = None) -> Trial:
+    """One table: every count at all four alignments, with a start of its own."""
+    ground = ground or Ground(*picture_memory(), texels)
+    is_fill = kernel.startswith("span_fill")
+    counts, pitch = size
+    starts = random_starts(counts, rng)
+    if kernel in ONCE_WRAPPING:
+        starts = [once_wrapping(*start, dudx, dvdx, rng) for start in starts]
+
+    def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
+        wide = ground.pixel_bytes
+        return (colour & (1 << 8 * wide) - 1).to_bytes(wide, "big") * count if is_fill else \
+            ground.texels(u, v, dudx, dvdx, count).tobytes()
+
+    own_steps = None
+    if kernel == "span_affine_scanline":
+        own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
+                     for k in range(len(starts))]
+    return table_trial(
+        kernel, form_of(kernel), starts, pitch, rng, upwards,
+        (ground.memory, ground.frame_at, ground.map_at), drawn,
+        ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
+        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx,
+        colour=colour)
+
+
+ALONE_MOST = 64000  # texels that u or v alone may travel in a line
+
+
+def alone_trials(kernel: str, rng, ground: Ground | None = None, tables=None) -> list[Trial]:
+    """Steps of all kinds with the other one 0, or whole maps; ``tables`` instead of the kernel's
+    sizes."""
+    moving = [*STEPS, *(a for pair in PAIRS for a in pair),
+              *(int(n) for n in rng.integers(-ONE, ONE, 8)),
+              *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
+    trials = []
+    for counts, pitch in tables or sizes(kernel):
+        for k, step in enumerate(moving):
+            still = (0, TURN, -3 * TURN)[k % 3]
+            reduced = abs((step + TURN // 2) % TURN - TURN // 2) / ONE
+            longest = int(ALONE_MOST / reduced) if reduced else ALONE_MOST
+            size = [min(count, longest) for count in counts], pitch
+            pair = (step, still) if "_row" in kernel else (still, step)
+            trials.append(span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, ground))
+    return trials
+
+
+def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwards: bool,
+               kernel: str = "span_affine_copy", ground: Ground | None = None) -> Trial:
+    """One table of copied texels: every count at all four alignments of the pixels, from
+    texels at ``source`` modulo 4. ``near``: some of each line lies behind its row's end."""
+    steps = ONE + TURN * int(rng.integers(-3, 4)), TURN * int(rng.integers(-3, 4))
+    starts = []
+    for count, u, v in random_starts(counts, rng):
+        first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
+        starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
+
+    on = ground or Ground(*picture_memory(), texels)
+
+    def drawn(count: int, u: int, v: int) -> bytes:
+        return on.texels(u, v, ONE, 0, count).tobytes()
+
+    return table_trial(kernel, "addx", starts, pitch, rng, upwards,
+                       (on.memory, on.frame_at, on.map_at), drawn, steps_text(*steps),
+                       wide=on.pixel_bytes, dudx=steps[0], dvdx=steps[1])
+
+
+def copy_trials(rng) -> list[Trial]:
+    """Lines of all lengths up to 72 pixels, and longer ones, at all alignments."""
+    tables = ((*SHORT[0], *range(41, 73)), SHORT[1]), LONG, \
+        ((253, 254, 255, 256, 257, 258, 511, 512, 513, 768, 1000, 1021, 1022, 1023), LONG[1])
+    return [copy_trial(counts, pitch, source, near, rng, upwards=source == 3)
+            for counts, pitch in tables for near in (False, True) for source in range(4)]
+
+
+def steps_text(dudx: int, dvdx: int) -> str:
+    """Steps, for a title."""
+    return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
+
+
+def fill_trials(kernel: str, ground: Ground, long, rng) -> list[Trial]:
+    """Every colour."""
+    return [span_trial(kernel, 0, 0, colour, size, rng, upwards, ground) for colour in COLOURS
+            for size in (SHORT, long) for upwards in (False, True)]
+
+
+def steps_of(rng) -> list[tuple[int, int]]:
+    """Pairs of all kinds."""
+    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
+    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
+    return steps + [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+
+
+def span_trials(kernel: str, rng) -> list[Trial]:
+    """Steps of all kinds on short lines, some of them on long ones."""
+    if kernel.startswith("span_fill"):
+        wide = kernel == "span_fill_16"
+        ground = Ground(*picture_memory(), texels, 1 + wide)
+        return fill_trials(kernel, ground, LONG_WIDE if wide else LONG, rng)
+    steps = steps_of(rng)
+    if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
+        steps = steps[::4]
+    long_steps = [*PAIRS[:8], *(steps[k] for k in rng.choice(len(steps), 24, replace=False))]
+    return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7)
+            for size, chosen in zip(sizes(kernel), (steps, long_steps))
+            for k, pair in enumerate(chosen)]
+
+
+def trials() -> list[Trial]:
+    """All of them, the same in every run."""
+    names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
+             "span_affine_c", "span_affine_scanline", "span_fill_16", "span_affine_short",
+             "span_affine_short_wrap")
+    made = [trial for seed, name in enumerate(names)
+            for trial in span_trials(name, np.random.default_rng([3, seed]))]
+    alone = "span_affine_row", "span_affine_column", "span_affine_row_short"
+    made += [trial for seed, name in enumerate(alone)
+             for trial in alone_trials(name, np.random.default_rng([4, seed]))]
+    return made + copy_trials(np.random.default_rng([4, 100]))

@@ -1,0 +1,55 @@
+"""Scene files whose meshes, instances or views cannot be: file, place, value, field."""
+
+import numpy as np
+
+from tests.compiler.wrong_fields import M32, Row, WrongFields
+from tests.mesh import mesh_cases
+from tmap.scene_file.scene_file import Material, Texture
+
+UNIT = 1 << 30
+
+
+def wrong_meshes() -> list[Row]:
+    """As wrong_pipes of tmu_bad_files."""
+    made = mesh_cases.boxes(1)
+    made.textures = [Texture(np.zeros((8, 8), np.uint8)),
+                     Texture(np.zeros((30, 7), np.uint8), "linear")]
+    made.instances[1].flags = 0
+    made.materials = [*made.materials, Material("arbitrary", texture=1)]
+    rows: list[Row] = []
+    wrong = WrongFields(made, rows)
+    entry = wrong.entry
+    for field, values in (("near_plane", (0, 255, 1 << 30, M32)), ("guard", (0, 5, 14, M32))):
+        wrong.header(field, *values)
+    for field in "xyz":
+        entry("points", 3, field, (2048 << 16) + 1, 2**31, said="point")
+        entry("faces", 5, field, UNIT + 1, -UNIT - 1, said="face.x, y or z")
+    entry("normals", 2, "x", 16385 << 16, 0xBFFF << 16, 16385, said="normal")
+    entry("normals", 2, "z", 16385 << 16, said="normal")
+    for field in ("xx", "yz", "zz"):
+        entry("views", 4, field, UNIT + 1, 2**31, said="view.xx to zz")
+    for field in ("x0", "y0", "z0"):
+        entry("views", 4, field, 10240 << 16, -10240 << 16, said="view.x0, y0 or z0")
+    entry("corners", 6, "point", 8 << 16, M32)
+    entry("corners", 6, "point", 6, said="corner.normal")  # the lower word is the normal's
+    entry("faces", 1, "corner", 21, 24, M32, said="face.corners")
+    entry("faces", 1, "corners", 0, 2, 33, M32)
+    for many, one, past in (("points", "point", 9), ("normals", "normal", 7), ("faces", "face", 13)):
+        entry("meshes", 0, many, 0, 4097, M32)
+        entry("meshes", 0, one, past, M32, said=f"mesh.{many}")
+    entry("meshes", 0, "corners", 61, M32)
+    entry("meshes", 0, "corners", 3, said="face.corners")
+    entry("meshes", 0, "corner", 61, M32, said="mesh.corners")
+    entry("instances", 1, "mesh", 2, M32)
+    entry("instances", 1, "material", 7, M32)
+    entry("instances", 1, "material", 4, said="instance.flags")  # shades need light
+    entry("instances", 1, "material", 6, said="corner.s or t")
+    entry("instances", 2, "before", 3, M32)
+    entry("instances", 1, "view", 33, M32, said="instance.views")
+    entry("instances", 1, "views", 0, 33, M32)
+    entry("instances", 1, "first_frame", 4, M32)
+    entry("instances", 1, "flags", 4, M32)
+    entry("instances", 4, "dark", -1, 221 << 16, said="instance.dark or bright")
+    entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
+    entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles
+    return rows

@@ -1,0 +1,125 @@
+"""Scenes of random meshes: what the compiler could write, and what only a hostile file holds."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from tmap.scene_file.meshes import COLUMNS, ENVIRONMENT, LIT, Instance, Mesh
+from tmap.scene_file.scene_file import IDENTITY, SETTINGS, Material, Object, Scene, Texture
+
+ONE, UNIT = 1 << 16, 1 << 30
+MATERIALS = [Material(colour=200), Material("affine", texture=0),
+             Material("affine", "exact", "scanline", texture=0),
+             Material("affine", "subpixel", "polygon", texture=0),
+             Material("gouraud", "exact"), Material("affine", clip="vertices", texture=0)]
+
+
+def box(half: int, corners: int = 4) -> tuple[list, list, list, list]:
+    """Points, normals, corners and faces of a cube, of triangles where corners is 3."""
+    points = [[x * half, y * half, z * half] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    normals, rows, faces = [], [], []
+    texels = ((0, 0), (256 * ONE, 0), (256 * ONE, 256 * ONE), (0, 256 * ONE))
+    for number, side in enumerate(sides):
+        middle = np.sign(np.array(points)[list(side)].sum(axis=0))
+        normals.append([*(middle * 16384).tolist(), 0])
+        for part in ([(0, 1, 2, 3)] if corners == 4 else [(0, 1, 2), (0, 2, 3)]):
+            faces.append([*(middle * UNIT).tolist(), half, len(rows), len(part)])
+            rows += [[side[k], number, *texels[k]] for k in part]
+    return points, normals, rows, faces
+
+
+def turned(random) -> np.ndarray:
+    """Any rotation."""
+    q = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    return q * np.sign(np.linalg.det(q))
+
+
+def view(random, away: float) -> list[int]:
+    """A view of a mesh whose origin is about this far away, somewhere near the middle."""
+    turn = turned(random)
+    move = np.array([*random.uniform(-1, 1, 2) * away, away])
+    looks = [np.rint(turn[k] * 127 * 128) for k in (0, 1)] + [np.rint(turn[2] * 100 * 128)]
+    return [*np.rint(turn * UNIT).astype(int).ravel().tolist(),
+            *np.rint(move * ONE).astype(int).tolist(),
+            *np.rint(-turn.T @ move * ONE).astype(int).tolist(),
+            *np.array(looks).astype(int).ravel().tolist(), 0]
+
+
+def base(random, side: int = 64) -> Scene:
+    """A scene with materials and a map, and nothing else."""
+    settings = SETTINGS["perspective"]
+    materials = [replace(m, perspective=settings[random.integers(len(settings))])
+                 if (m.mapper, m.gradients) == ("affine", "plane") else m for m in MATERIALS]
+    return Scene(width=side, height=side // 4 * 3, frames=1, background=7,
+                 palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
+                 textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))],
+                 materials=materials, objects=[], vertices=np.zeros((0, 6), np.int64),
+                 poses=np.array([IDENTITY]), near_plane=int(random.choice((256, 9000, ONE))),
+                 guard=int(random.integers(6, 11)))
+
+
+def boxes(seed: int, frames: int = 4) -> Scene:
+    """Cubes of all materials: some through the near plane and the guard band, some at the
+    same depth; two flat polygons among them."""
+    random = np.random.default_rng(seed)
+    scene = base(random)
+    scene.frames = frames
+    tables = {name: [] for name in ("points", "normals", "corners", "faces")}
+    for corners in (4, 3):
+        made = box(ONE, corners)
+        firsts = [(len(stored), len(rows)) for stored, rows in zip(tables.values(), made)]
+        scene.meshes.append(Mesh(*(n for pair in firsts for n in pair)))
+        for stored, rows in zip(tables.values(), made):
+            stored += rows
+    for name, rows in tables.items():
+        setattr(scene, name, np.array(rows))
+    triangle = [[0, 0, 0, 0, 0, ONE], [30 * ONE, 0, 0, 0, 0, ONE], [0, 30 * ONE, 0, 0, 0, ONE]]
+    scene.vertices = np.array(triangle)
+    scene.poses = np.array([IDENTITY] * frames)
+    scene.objects = [Object(0, 0, 3, 0, frames, 0)] * 2
+    views = []
+    for number in range(9):
+        material = number % len(MATERIALS)
+        flags = LIT if material == 4 else ENVIRONMENT * int(random.integers(2))
+        mesh = 1 if material == 3 else int(random.integers(2))
+        scene.instances.append(Instance(mesh, material, min(number // 3, 2), len(views), frames,
+                                        0, flags, 20 * ONE, 220 * ONE))
+        away = float(random.choice((0.3, 1.5, 4, 40)))
+        row = view(random, away)
+        views += [view(random, away) if number % 2 else row for _ in range(frames)]
+    scene.views = np.array(views)
+    return scene
+
+
+def hostile(seed: int) -> Scene:
+    """Meshes that no compiler writes: random numbers wherever the file may hold them."""
+    random = np.random.default_rng(seed)
+    scene = base(random, 48)
+    scene.materials = [m for m in scene.materials if m.gradients != "polygon"]
+    sizes = random.choice((3, 4, 5, 31, 32), 40)
+    count, points = int(sizes.sum()), 50
+
+    def rows(table: str, most: dict, many: int) -> np.ndarray:
+        return np.column_stack([random.integers(-most.get(c, 0), most.get(c, 0) + 1, many)
+                                for c in COLUMNS[table]])
+
+    near = int(random.choice((4 * ONE, 2048 * ONE)))
+    scene.points = rows("points", dict.fromkeys("xyz", near), points)
+    scene.normals = rows("normals", dict.fromkeys("xyz", 16384), 20)
+    scene.corners = np.column_stack([random.integers(0, points, count), random.integers(0, 20, count),
+                                     *random.integers(-2**31, 2**31, (2, count))])
+    firsts = sizes.cumsum() - sizes
+    planes = random.integers(-UNIT, UNIT + 1, (40, 3)) * random.integers(0, 2, (40, 1))
+    distances = random.choice((-1, -2**31, 0, 2**31 - 1), 40)
+    scene.faces = np.column_stack([planes, distances, firsts, sizes])
+    scene.meshes = [Mesh(0, points, 0, 20, 0, count, 0, 40)]
+    most = dict.fromkeys(COLUMNS["views"][:9], UNIT) | dict.fromkeys(("x0", "y0"), 2 * near) \
+        | dict.fromkeys(COLUMNS["views"][12:15], 2**31 - 1) \
+        | dict.fromkeys(COLUMNS["views"][15:24], 32767)
+    scene.views = rows("views", most, 5)
+    scene.views[:, 11] = random.integers(0, 2 * near, 5)
+    flags = (0, ENVIRONMENT, LIT, ENVIRONMENT | LIT)
+    scene.instances = [Instance(0, k, 0, k, 1, 0, LIT if scene.materials[k].mapper == "gouraud"
+                                else flags[k % 4], 0, 255 * ONE) for k in range(5)]
+    return scene

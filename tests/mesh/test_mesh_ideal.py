@@ -1,0 +1,160 @@
+"""Points of meshes against exact numbers, within the bounds that tools/tmap/ideal/mesh.py derives."""
+
+from fractions import Fraction
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from tmap.compiler import mesh_build, objects
+from tmap.compiler.mesh_file import Shape
+from tmap.ideal import mesh
+from tmap.model import mesh as model_mesh
+
+ONE = 65536
+UNIT = 1 << 30
+
+
+def about(guard: int = 9, near: int = 256) -> SimpleNamespace:
+    return SimpleNamespace(near_plane=near, guard=guard, width=320, height=256)
+
+
+def turned(random) -> np.ndarray:
+    q = np.linalg.qr(random.normal(size=(3, 3)))[0]
+    return q * np.sign(np.linalg.det(q))
+
+
+def row_of(factors: np.ndarray, move) -> list[int]:
+    """A view's numbers, rounded as the compiler rounds them."""
+    return [*objects.rounded(factors, 30), *objects.rounded(move, 16)]
+
+
+@pytest.mark.parametrize("reach, away", [(1, 3), (1, 0.05), (40, 60), (2048, 3000), (2048, 10000),
+                                         (0.01, 0.02), (500, 0)])
+def test_projection_is_within_its_bound(reach, away):
+    """Points near and far, small and large meshes, narrow and wide lenses."""
+    random = np.random.default_rng(round(1000 * away + reach))
+    worst, seen = 0.0, 0
+    for k in range(60):
+        guard = int(random.integers(6, 14))
+        lens = np.array([random.uniform(0.5, 1)] * 2 + [1.0])
+        factors = lens[:, None] * turned(random)
+        move = lens * np.array([*random.uniform(-0.3, 0.3, 2) * away, away])
+        points = np.rint(random.uniform(-reach, reach, (30, 3)) * ONE).astype(int).tolist()
+        scene = about(guard)
+        for point, made in zip(points, model_mesh.transform(scene, points, row_of(factors, move))):
+            exact = mesh.camera(factors.tolist(), move.tolist(), point)
+            error = max(abs(Fraction(a, ONE) - b) for a, b in zip((made.x, made.y, made.w), exact))
+            assert error <= mesh.camera_error(reach)
+            if made.screen:
+                bound = mesh.screen_error(guard, float(exact[2]), reach)
+                right = mesh.screen(guard, scene.width, scene.height, *exact)
+                off = max(abs(Fraction(a, ONE) - b) for a, b in zip(made.screen, right))
+                assert off <= bound, (k, point)
+                worst, seen = max(worst, float(off / Fraction(bound))), seen + 1
+    assert seen > 100 and worst > 0.1  # the bound is not idle
+
+
+def test_environment_and_shade_are_within_their_bound():
+    random = np.random.default_rng(8)
+    for radius in (127.0, 255.0, 3.0):
+        vectors = turned(random) * radius
+        normals = random.normal(size=(300, 3))
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        stored = [(*objects.rounded(n, 14), 0) for n in normals]
+        for vector in vectors:
+            factors = objects.rounded(vector, objects.FACTOR_BITS)
+            found = model_mesh.looks(stored, factors, 128 * ONE, -1 << 31, (1 << 31) - 1)
+            error = abs(np.array(found) / ONE - 128 - normals @ vector).max()
+            assert error <= mesh.look_error(radius)
+            assert error > mesh.look_error(radius) / 20
+
+
+def random_face(random, most: float, count: int) -> list[tuple]:
+    """A convex polygon on a plane before, across or behind the camera: x, y, s, t, shade, w."""
+    turn, middle = turned(random), random.uniform(-1, 1, 3) * most * 10 ** -random.uniform(0, 5)
+    angles = np.sort(random.uniform(0, 2 * np.pi, count))
+    ring = np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]) * most @ turn + middle
+    rest = random.integers(-200 * ONE, 200 * ONE, (count, 3))
+    return [(*map(int, np.rint(np.array(p[:2]) * ONE)), *map(int, r), int(round(p[2] * ONE)))
+            for p, r in zip(ring, rest)]
+
+
+def as_exact(vertex) -> tuple:
+    """x, y, w, s, t, shade as fractions."""
+    x, y, s, t, shade, w = (Fraction(value, ONE) for value in vertex)
+    return x, y, w, s, t, shade
+
+
+@pytest.mark.parametrize("near", [256, ONE, 999 * ONE + 1])
+def test_what_the_near_plane_cuts_is_within_half_a_unit(near):
+    """x and y at most as large as the near plane is far, so that no other border cuts."""
+    random, cuts = np.random.default_rng(near), 0
+    for _ in range(200):
+        face = [tuple(int(random.integers(-most, most + 1)) for most in
+                      (near, near, 9000 * ONE, 40 * ONE, 255 * ONE, (1 << 30) - 1))
+                for _ in range(int(random.integers(3, 6)))]
+        cut = model_mesh.clip(face, near)
+        exact = mesh.clip([as_exact(v) for v in face], Fraction(near, ONE))
+        assert len(cut) == len(exact)
+        for found, right in zip(cut, exact):
+            assert max(abs(a - b) for a, b in zip(as_exact(found), right)) <= Fraction(1, 2 * ONE)
+            cuts += found[5] == near
+    assert cuts > 200
+
+
+@pytest.mark.parametrize("near", [256, 5000, ONE])
+def test_whatever_is_cut_lies_inside_and_on_the_screen(near):
+    """All borders, any size and place, depths from 1/256 to nearly 16,384 in one polygon: what is
+    left lies within a unit of the borders, stays convex in number, and its screen is small."""
+    random, scene, widest = np.random.default_rng(near), about(13, near), 0.0
+    for most in (0.01, 1, 100, 4000, 16000):
+        for _ in range(200):
+            count = int(random.integers(3, 33))
+            face = [(*(max(min(c, 2**30 - 1), 1 - 2**30) for c in v[:2]), *v[2:5],
+                     max(min(v[5], 2**30 - 1), 1 - 2**30)) for v in random_face(random, most, count)]
+            cut = model_mesh.clip(face, near)
+            assert len(cut) <= count + 5
+            for x, y, s, t, shade, w in cut:
+                assert w >= near and max(abs(x), abs(y)) <= w + 1
+                assert all(abs(c) < 16384 * ONE for c in model_mesh.project(scene, x, y, w))
+                assert max(map(abs, (s, t, shade))) <= 200 * ONE
+            if cut:
+                widest = max(widest, max(v[5] for v in cut) / min(v[5] for v in cut))
+    assert widest > 10000
+
+
+def test_shared_edges_are_cut_at_the_same_points():
+    """Two triangles with an edge in common, which runs the other way round in the second."""
+    random, shared = np.random.default_rng(3), 0
+    for _ in range(400):
+        a, b, c, d = random_face(random, 20, 4)
+        first, second = (set(model_mesh.clip(face, ONE)) for face in ([a, b, c], [c, b, d]))
+        inner = [min(model_mesh.depths(v[0], v[1], v[5], ONE)) >= 0 for v in (b, c)]
+        if inner[0] == inner[1]:
+            continue
+        ends = {b if inner[0] else c}
+        new = (first & second) - ends
+        assert ends <= first & second and new, (a, b, c, d)
+        shared += 1
+    assert shared > 40
+
+
+def test_back_faces_of_a_cube():
+    """From any place outside, at least one face of a cube is seen and at most three, those whose
+    planes the eye is beyond."""
+    random = np.random.default_rng(4)
+    corners = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    made = mesh_build.build(Shape(np.array(corners, float), faces), mesh_build.Wishes(1.5), "x")
+    counts = set()
+    for _ in range(300):
+        eye = random.normal(size=3) * 10 ** random.uniform(0.4, 4)
+        if max(abs(eye)) <= 1.5 or min(abs(abs(eye) - 1.5)) < mesh.seen_error(eye, 1.5):
+            continue
+        row = [0] * 12 + objects.rounded(eye, 16)
+        seen = [model_mesh.is_seen(face, row) for face in made.faces.tolist()]
+        middles = [np.array(corners, float)[face].mean(axis=0) for face in faces]
+        assert seen == [bool(m @ eye > 1.5) for m in middles]
+        counts.add(sum(seen))
+    assert counts == {1, 2, 3}

@@ -1,0 +1,149 @@
+"""Meshes on the emulated A1200: the model's frames, bit for bit; and scenes against exact numbers.
+
+``make test`` takes some frames of each scene from all its length; SCENES=all takes every one.
+"""
+
+import os
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tests.mesh import mesh_cases
+from tmap.base.paths import SCENES
+from tmap.compiler import objects
+from tmap.compiler.scene import compile_scene
+from tmap.guest import guest_frames
+from tmap.ideal import faces as ideal_faces
+from tmap.ideal.faces import Camera
+from tmap.model import mesh, model
+from tmap.scene_file.scene_file import ONE
+
+MACHINE = "a1200-fast"
+PLAIN = 4  # random scenes that are drawn in the plain forms too
+NAMES = ("cube", "face", "floor", "corridor", "environment", "shaded")
+EVERY = 1 if os.environ.get("SCENES") == "all" else 13
+
+
+def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
+                  more: tuple = ()) -> dict[str, list[np.ndarray]]:
+    """Each frame of each scene is the model's, whose frames are given back; at least a part of them
+    shows more than one colour. ``more``: (name, form) of what is drawn in other forms too."""
+    right = {name: [model.render(scene, number) for number in range(scene.frames)]
+             for name, scene in scenes.items()}
+    drawings = [*((name, "addx") for name in scenes), *more]
+    drawn = guest_frames.draw([(scenes[name], form) for name, form in drawings], MACHINE)
+    for (name, form), digests in zip(drawings, drawn, strict=True):
+        for number, (frame, digest) in enumerate(zip(right[name], digests, strict=True)):
+            which = f"{name}, frame {number}, form {form}"
+            assert guest_frames.is_models(frame, digest), (
+                f"{which} is not the model's; again: .deps/venv/bin/python -m pytest "
+                "tests/mesh/test_meshes.py")
+            assert int(digest["result"]) in results, f"{which}: result {digest['result']}"
+    shown = [(frame != frame[0, 0]).any() for frames in right.values() for frame in frames]
+    assert sum(shown) >= part * len(shown)
+    return right
+
+
+def test_scenes_are_the_models():
+    """The scenes with meshes; every frame shows something else."""
+    scenes = {}
+    for name in NAMES:
+        scene = compile_scene(SCENES / f"{name}.toml")
+        kept = range(0, scene.frames, EVERY)
+        for instance in scene.instances:
+            assert (instance.first_frame, instance.views) == (0, scene.frames)
+            scene.views[[instance.view + k for k in range(len(kept))]] = \
+                scene.views[[instance.view + number for number in kept]]
+        scene.frames = len(kept)
+        scenes[name] = scene
+    for name, frames in assert_models(scenes).items():
+        assert len({frame.tobytes() for frame in frames}) == scenes[name].frames
+        assert all(len(np.unique(frame)) > 4 for frame in frames)
+
+
+def fractions(rows) -> list:
+    """Numbers as they are, rows of them as lists."""
+    return [Fraction(row) if np.ndim(row) == 0 else fractions(row) for row in rows]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_scenes_are_as_exact_as_is_derived(name: str, monkeypatch) -> None:
+    """Every pixel, texel and shade of their faces, against exact faces before the camera as it was before
+    its numbers were rounded."""
+    seen, rounding = [], objects.Space.view
+
+    def view(self, *arguments):
+        seen.append(self.seen(*arguments[:-1]))
+        return rounding(self, *arguments)
+
+    monkeypatch.setattr(objects.Space, "view", view)
+    scene = compile_scene(SCENES / f"{name}.toml")
+    total, near = ideal_faces.Verdict(), Fraction(scene.near_plane, ONE)
+    for number in range(0, scene.frames, 20 if EVERY > 1 else 1):
+        for instance in scene.instances:
+            numbers = map(fractions, seen[instance.view + number - instance.first_frame])
+            camera = Camera(*numbers, scene.guard, scene.width, scene.height, near)
+            material = scene.materials[instance.material]
+            longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+            faces = ideal_faces.exact_faces(scene, instance, camera, longer)
+            found = ideal_faces.judge(scene, number, instance, faces)
+            assert not found.complaint, f"frame {number}: {found.complaint}"
+            total.merge(found)
+    assert total.faces >= 4 and total.pixels > 10000 and not total.unsure
+    assert total.texel_ratio > 0.1  # the bounds are not idle
+
+
+def test_random_meshes_are_the_models():
+    """Cubes of every kind of material, before, in and behind the camera; some in plain forms too."""
+    scenes = {f"seed {seed}": mesh_cases.boxes(seed) for seed in range(12)}
+    plain = list(scenes)[:PLAIN]
+    cut = sum(len(vertices) > 4 for name in plain for number in range(scenes[name].frames)
+              for _, vertices in mesh.polygons_at(scenes[name], number))
+    assert cut > 20
+    assert_models(scenes, more=tuple((name, form) for form in ("swap", "c") for name in plain))
+
+
+def test_hostile_meshes_are_the_models():
+    """Faces of random points, dented and bent, with numbers of any size; many lie behind the camera."""
+    assert_models({f"seed {seed}": mesh_cases.hostile(seed) for seed in range(24)},
+                  results=(0, 2, 3), part=0.25)
+
+
+def test_many_faces_at_one_depth_keep_their_order():
+    """40 squares on one another, nearer ones later, several at the same depth."""
+    random = np.random.default_rng(5)
+    scene = mesh_cases.base(random)
+    scene.guard = 6  # 64 pixels for a unit at a depth of one: several are seen
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    depths = random.integers(2, 6, 40).tolist()
+    centres = random.uniform(-1.5, 1.5, (40, 2)).tolist()
+    scene.points = np.array([[round((x + cx) * ONE), round((y + cy) * ONE), z * ONE]
+                             for z, (cx, cy) in zip(depths, centres) for x, y in corners])
+    scene.normals = np.array([[0, 0, 16384, 0]])
+    scene.corners = np.array([[k, 0, 0, 0] for k in range(160)])
+    scene.faces = np.array([[0, 0, 0, -1, 4 * k, 4] for k in range(40)])
+    scene.materials = [mesh_cases.Material(colour=9 + k) for k in range(3)]
+    scene.meshes = [mesh_cases.Mesh(0, 160, 0, 1, 0, 160, 0, 40)]
+    row = [0] * 25
+    row[0] = row[4] = row[8] = 1 << 30
+    scene.views = np.array([row, row, row])
+    scene.views[:, 9] = [ONE, 0, -ONE]  # so that no one hides all others
+    scene.instances = [mesh_cases.Instance(0, k, 0, k, 1, 0) for k in range(3)]
+    drawn = mesh.polygons_at(scene, 0)
+    assert len(np.unique(model.render(scene, 0))) > 1
+    assert [material for material, _ in drawn] != sorted(material for material, _ in drawn)
+    order = [vertices[0][5] for _, vertices in drawn]
+    assert order == sorted(order, reverse=True) and len(order) == 120
+    assert_models({"squares": scene})
+
+
+def test_meshes_and_polygons_take_turns():
+    """Instances are drawn before the object they name, whatever their depth."""
+    scene = mesh_cases.boxes(1)
+    drawn = mesh.polygons_at(scene, 1)
+    shown = [material for material, _ in drawn]
+    flat = [k for k, (material, vertices) in enumerate(drawn)
+            if vertices[0][:2] == (0, 0) and len(vertices) == 3 and material == 0]
+    assert len(flat) == 2 and set(shown[:flat[0]]) <= {0, 1, 2}
+    assert set(shown[flat[0] + 1:flat[1]]) <= {3, 4, 5} and set(shown[flat[1] + 1:]) <= {0, 1, 2}

@@ -1,0 +1,211 @@
+"""Pictures in the texture formats: there and back, through DRAM and through TMEM."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.arrays import check_equal, check_within
+from tests.n64.scene import memory, noise, smooth, unit
+from tmap.base.errors import UserError
+from tmap.n64 import commands, images
+from tmap.n64.filters import sample
+from tmap.n64.mipmap import load_chain
+from tmap.n64.state import CI, I, IA, RGBA, YUV, State
+from tmap.n64.texels import fetch
+from tmap.n64.words import List
+
+FORMATS = [(RGBA, 2), (RGBA, 3), (CI, 0), (CI, 1), (IA, 0), (IA, 1), (IA, 2), (I, 0), (I, 1),
+           (YUV, 2)]
+
+
+def grown(picture: np.ndarray) -> np.ndarray:
+    """The picture with alpha at random."""
+    picture = picture.copy()
+    picture[..., 3] = np.random.default_rng(9).integers(0, 256, picture.shape[:2])
+    return picture
+
+
+@pytest.mark.parametrize("form, size", FORMATS)
+@pytest.mark.parametrize("width, height", [(16, 8), (13, 5), (1, 1)])
+def test_what_a_texture_shows_stays(form, size, width, height):
+    """A picture that a format can show is encoded without loss. YUV, whose texels share chroma by
+    twos, only keeps its size: ``test_yuv_is_near`` has the rest."""
+    picture = grown(noise(width, height))
+    first = images.encode(picture, form, size)
+    shown = images.decode(first)
+    assert shown.shape == picture.shape
+    assert len(first.data) == first.row_texels * height << size >> 1
+    if form == YUV:
+        return
+    again = images.encode(shown, form, size)
+    check_equal(images.decode(again), shown)
+
+
+def test_all_16_bit_colours_are_exact():
+    """Each of RGBA's texels is what its colour is encoded as."""
+    values = np.arange(65536).reshape(256, 256)
+    texture = images.Texture(RGBA, 2, 256, 256, 256, values.astype(">u2").tobytes())
+    assert images.encode(images.decode(texture), RGBA, 2) == texture
+
+
+@pytest.mark.parametrize("form, size, bits", [(RGBA, 2, 5), (RGBA, 3, 8), (IA, 2, 8), (IA, 1, 4),
+                                              (IA, 0, 3), (I, 1, 8), (I, 0, 4)])
+def test_formats_are_as_near_as_their_bits_allow(form, size, bits):
+    """Bits are repeated to make 8: what two values differ by is at most 255 / (2^bits - 1) rounded
+    up, and from one of them nothing is farther than half of that. Intensities are of grey
+    pictures, whose own they are."""
+    picture = noise(64, 64)
+    if form in (IA, I):
+        picture[..., 1] = picture[..., 2] = picture[..., 0]
+    shown = images.decode(images.encode(picture, form, size))[..., :3]
+    check_within(shown, picture[..., :3], -(-255 // ((1 << bits) - 1)) // 2, "row, column, channel")
+
+
+def test_yuv_is_near():
+    """Of a grey picture only the rounding of Y is lost, 298/256 of half a step, and half a step of
+    the result: less than 2. A colour has U and V rounded besides, which count up to 445/256, and
+    is rounded before it is multiplied, too: (1/2 + 445/512 + 1/2) 298/256 + 1/2 is less than 3."""
+    picture = np.repeat(np.arange(256, dtype=np.uint8).reshape(16, 16, 1), 4, -1)
+    picture[..., 3] = 255
+    check_within(images.decode(images.encode(picture, YUV, 2)), picture, 1, "grey: row, column")
+    pairs = np.repeat(smooth(32)[:, ::2], 2, 1)  # two texels share their chroma
+    check_within(images.decode(images.encode(pairs, YUV, 2)), pairs, 2, "row, column, channel")
+
+
+@pytest.mark.parametrize("form, size", [f for f in FORMATS if f[0] != YUV])
+@pytest.mark.parametrize("block", [True, False])
+def test_tmem_shows_what_dram_holds(form, size, block):
+    """Loaded by the macros and fetched texel by texel."""
+    texture = images.encode(grown(noise(32, 16)), form, size, ia=block)
+    state = unit(texture, block=block)
+    t, s = np.mgrid[:16, :32]
+    check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture))
+
+
+def test_yuv_through_tmem():
+    """The samples of both loads, converted, make the texture's colours by the combiner's
+    multiplication."""
+    texture = images.encode(noise(32, 16), YUV, 2)
+    for block in (True, False):
+        state = unit(texture, block=block, filter0=0, filter1=0)
+        state.k = list(images.CONSTANTS)
+        t, s = np.mgrid[:16, :32]
+        found = sample(state, 0, s * 32, t * 32)
+        found = np.where(found >= 384, found - 512, found)[..., :3]
+        bright = np.clip((found - 114) * 42 + (found << 8) + 128 >> 8, 0, 255)
+        check_equal(bright, images.decode(texture)[..., :3], f"block {block}")
+
+
+def rms(shown: np.ndarray, picture: np.ndarray) -> float:
+    """How far colours are off."""
+    return np.sqrt(((shown.astype(float) - picture) ** 2).mean())
+
+
+@pytest.mark.parametrize("size, count, fixed", [(0, 16, (2, 4, 2)), (1, 256, (8, 8, 4))])
+def test_palettes(size, count, fixed):
+    """Few colours are exact; of many a palette is nearer than one of fixed steps."""
+    few = noise(count, 1)[0][np.random.default_rng(1).integers(0, count, (16, 16))]
+    texture = images.encode(few, CI, size)
+    check_equal(images.decode(texture), images.decode(images.encode(few, RGBA, 2)))
+    many = images.encode(smooth(64), CI, size)
+    assert len(many.tlut) <= 2 * count
+    steps = 256 / np.array(fixed)
+    coarse = (smooth(64)[..., :3] // steps + 0.5) * steps
+    assert rms(images.decode(many)[..., :3], smooth(64)[..., :3]) < rms(coarse, smooth(64)[..., :3])
+
+
+@pytest.mark.parametrize("size", [0, 1])
+def test_palettes_of_alpha(size):
+    """Entries of IA16 are nearer than fixed steps of intensity and alpha."""
+    picture = grown(smooth(64))
+    shown = images.decode(images.encode(picture, CI, size, ia=True))
+    grey = images.decode(images.encode(picture, IA, 2))
+    steps = 64 if size == 0 else 16  # of a fixed palette, in both channels
+    coarse = (grey // steps + 0.5) * steps
+    assert rms(shown, grey) < rms(coarse, grey)
+
+
+def test_transparency_of_palettes():
+    """What cannot be seen has an entry of its own."""
+    picture = smooth(64)
+    picture[:32, :, 3] = 0
+    for size in (0, 1):
+        check_equal(images.decode(images.encode(picture, CI, size))[..., 3], picture[..., 3])
+
+
+def test_sixteen_palettes():
+    """In one TLUT, each read by a tile of its own; there are no more, and CI 4 alone has them."""
+    textures = [images.encode(noise(4, 4, seed), CI, 0) for seed in range(16)]
+    tlut = images.join_palettes(textures)
+    dram, places, _ = memory(*textures)
+    palette = len(dram)
+    dram = np.concatenate([dram, np.frombuffer(tlut, np.uint8)])
+    state, words = State(dram=dram), List()
+    words.load_tlut(256, 256, palette)
+    words.texture_lut("rgba16")
+    for n, (texture, place) in enumerate(zip(textures, places)):
+        words.load_texture_tile(place, CI, 0, texture.row_texels, (0, 0, 3, 3), n, tmem=4 * n)
+        start, words.words = words.words, []
+        commands.replay(state, start)
+        t, s = np.mgrid[:4, :4]
+        check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture), f"palette {n}")
+    with pytest.raises(UserError, match="17 palettes"):
+        images.join_palettes(textures + textures[:1])
+    with pytest.raises(UserError, match="only 4-bit"):
+        images.join_palettes([images.encode(noise(4, 4), I, 0)])
+
+
+def test_levels_are_means_of_four():
+    """Of two where a side has one texel already; sides have to have halves."""
+    levels = images.chain(noise(8, 2), 4)
+    assert [level.shape[:2] for level in levels] == [(2, 8), (1, 4), (1, 2), (1, 1)]
+    mean = levels[0][:2, 2:4].astype(int).sum((0, 1)) + 2 >> 2
+    check_equal(levels[1][0, 1], mean, "level 1")
+    check_equal(levels[2][0, 0], levels[1][0, :2].astype(int).sum(0) + 1 >> 1, "level 2")
+    with pytest.raises(UserError, match="6 x 3 texels has no half"):
+        images.chain(noise(12, 6), 3)
+
+
+@pytest.mark.parametrize("form, size", [(RGBA, 2), (I, 0), (CI, 1)])
+def test_levels_in_tmem(form, size):
+    """Each in a tile of its own with the shift of its level; CI ones as indices."""
+    textures = [images.encode(p, form, size) for p in images.chain(noise(32, 16), 6)]
+    dram, places, _ = memory(*textures)
+    state, words = State(dram=dram), List()
+    load_chain(words, textures, places, 1)
+    commands.replay(state, words.words)
+    for n, texture in enumerate(textures):
+        tile = state.tiles[1 + n]
+        assert (tile.s.shift, tile.s.mask) == (n, texture.width.bit_length() - 1)
+        t, s = np.mgrid[:texture.height, :texture.width]
+        found = fetch(state, tile, s, t)
+        if form == CI:
+            want = np.frombuffer(texture.data, np.uint8).reshape(texture.height, -1)
+            want = np.repeat(want[:, :texture.width, None], 4, -1)
+        else:
+            want = images.decode(texture)
+        check_equal(found, want, f"level {n}")
+
+
+@pytest.mark.parametrize("sizes, first, message", [
+    ([(64, 32), (32, 16)], 0, "level 1 ends at word 640 of 512"), ([(8, 8)] * 8, 0, "8 levels"),
+    ([(12, 8)], 0, "12 texels is not a power"), ([], 0, "0 levels"), ([(8, 8)] * 3, 5, "3 levels")])
+def test_chains_that_do_not_fit(sizes, first, message):
+    textures = [images.encode(noise(*size), RGBA, 2) for size in sizes]
+    with pytest.raises(UserError, match=message):
+        load_chain(List(), textures, [0] * len(textures), first)
+
+
+def test_files(tmp_path):
+    """Pictures are read as they are; one that is not there is named."""
+    picture = grown(noise(16, 8))
+    Image.fromarray(picture).save(tmp_path / "a.png")
+    check_equal(images.read("a.png", tmp_path, "here", 16, 8), picture)
+    with pytest.raises(UserError, match="here: b.png: no such file"):
+        images.read("b.png", tmp_path, "here", 16, 8)
+
+
+@pytest.mark.parametrize("form, size", [(RGBA, 0), (YUV, 3), (IA, 3), (7, 2)])
+def test_unknown_formats(form, size):
+    with pytest.raises(UserError, match="texture: there is no"):
+        images.encode(noise(8, 8), form, size)

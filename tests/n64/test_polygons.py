@@ -1,0 +1,85 @@
+"""Random polygons and rectangles of texture engines: every frame of the guest is the model's, bit
+for bit.
+
+TX_SEED and TX_COUNT choose others; TX_CASE draws one of them alone.
+"""
+
+from dataclasses import astuple
+
+import numpy as np
+import pytest
+
+from tests.n64.random_scenes import HEIGHT, WIDTH, Case, case, scene
+from tests.units.engine_polygons import Polygons, vertex_lines
+from tmap.model import model
+from tmap.n64.combiner import samples
+from tmap.scene_file.scene_file import ONE
+from tmap.scene_file.units import PRIMITIVES, RECTANGLES, state_at
+
+PIXELS = ("rgba5551", "rgba8888")
+
+
+def lines(each: Case) -> list[str]:
+    """All there is to know of a polygon."""
+    is_rectangle = each.primitive in RECTANGLES
+    raw = "st" if is_rectangle else ("shade",) * (each.primitive == "coloured")
+    return [f"  modes {each.modes}, edges {each.edges}, clip {each.clip}",
+            *(f"  tile {n}: {tile}" for n, tile in enumerate(each.tiles)),
+            f"  {each.primitive}" + ", s and t in s10.5, then s5.10 a step" * is_rectangle,
+            *vertex_lines(each.vertices, raw)]
+
+
+POLYGONS = Polygons("TX", 100, case, scene, lines)
+SEED = POLYGONS.seed
+
+
+def test_the_polygons_differ() -> None:
+    """The generator reaches what it should: formats, modes, samples, edges beyond the frame."""
+    cases = POLYGONS.first("rgba5551")
+    made = scene(cases, SEED, "rgba5551")
+    formats = {(t.format, t.size) for each in cases for t in each.tiles}
+    assert len(formats) == 10
+    for key, count in (("cycles", 3), ("detail", 3), ("lod", 2), ("filter", 3), ("convert", 3),
+                       ("perspective", 2), ("tlut", 2)):
+        assert len({each.modes[key] for each in cases}) == count, key
+    read = [frozenset(samples(state_at(made, n, 0))) for n in range(len(cases))]
+    assert set(read) >= {frozenset({0}), frozenset({0, 1}), frozenset()}
+    assert len({astuple(t.s) for each in cases for t in each.tiles}) > 100
+    check_rectangles(cases)
+    drawn = [len(np.unique(model.render(made, n))) for n in range(len(cases))]
+    assert sum(n > 2 for n in drawn) > 0.8 * len(cases)
+    assert sum(n > 9 for n in drawn) > len(cases) / 3
+
+
+def check_rectangles(cases: list[Case]) -> None:
+    """Rectangles of each kind, cut by every side of the frame, copies of whole lines among them."""
+    found = [each for each in cases if each.primitive in RECTANGLES]
+    assert {each.primitive for each in cases} == set(PRIMITIVES)
+    edges = np.array([[c >> 16 for v in each.vertices for c in v[:2]] for each in found])
+    assert ((edges[:, :2] < 0).sum(0) > 1).all()
+    assert ((edges[:, 2:] > (WIDTH, HEIGHT)).sum(0) > 1).all()
+    steps = [each.vertices[1][2:4] for each in found]
+    assert any(min(step) < 0 for step in steps)
+    assert any(dsdx == 1024 for dsdx, _ in steps) and any(dsdx & 1023 for dsdx, _ in steps)
+    copies = [each for each in found if each.modes["cycles"] == "copy"]
+    assert {each.vertices[1][2] == 4096 for each in copies} == {False, True}
+    assert any(each.vertices[0][0] <= 0 and each.vertices[1][0] >= WIDTH * ONE for each in copies)
+    assert {each.modes["tlut"] for each in copies} == {False, True}
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_frames_are_the_models(pixels: str) -> None:
+    """Each polygon in a frame of its own, by the rules of lowering."""
+    rules, spans = POLYGONS.check(pixels)
+    if not POLYGONS.asked("CASE"):
+        assert rules >= {"tx_flat", "tx_plain", "tx_passes", "equal_shades", "constant_w"}, rules
+        assert {"tx_pixels", "tx_passes"} < spans, spans
+        assert pixels != "rgba5551" or "affine_16_copy" in spans, spans
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_frames_are_the_models_without_rules(pixels: str) -> None:
+    """Fewer polygons, and other ones."""
+    _, spans = POLYGONS.check(pixels, "all")
+    if not POLYGONS.asked("CASE"):
+        assert "tx_pixels" in spans and "tx_passes" not in spans, spans

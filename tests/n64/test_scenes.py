@@ -1,0 +1,295 @@
+"""Scenes with texture engines: what TOML may say, what it becomes, and the guest's frames."""
+
+import numpy as np
+import pytest
+
+from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
+from tests.units.engine_scenes import HEAD, check_refused, explain, run_command, save_noise
+from tmap.base.errors import UserError
+from tmap.base.paths import ROOT, SCENES
+from tmap.compiler.n64 import TEXELS
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator, guest_frames
+from tmap.model import model
+from tmap.n64 import images
+from tmap.run import run
+from tmap.scene_file import scene_file, units
+
+NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv", "tx_rectangles")
+MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16, half 16x5."""
+    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), wide=(4, 1030), palettes=(16, 16),
+               half=(5, 16))
+    return tmp_path
+
+
+WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
+
+
+@pytest.fixture(scope="module")
+def drawn() -> dict[str | None, dict[str, tuple]]:
+    """By the rules that are off, then by name: a scene, the model's frames and the guest's digests,
+    all of one boot."""
+    scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
+    right = {name: [model.render(scene, number) for number in range(scene.frames)]
+             for name, scene in scenes.items()}
+    found = iter(guest_frames.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
+                           "a1200-fast", patience=emulator.PATIENT_SECONDS))
+    return {off: {name: (scene, right[name], next(found)) for name, scene in scenes.items()}
+            for off in WAYS}
+
+
+def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
+    """Compares the guest's first frames with the model's."""
+    scene, right, digests = found
+    for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
+        assert guest_frames.is_models(expected, digest), explain(
+            f"{name}, frame {number}", expected,
+            run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
+            run_command(name, scene.frames, off))
+        assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_frames_are_the_models(name: str, drawn) -> None:
+    """With all rules of lowering; where lists run each frame, two frames."""
+    check_frames(name, drawn[None][name], 1 + (name in MOVING), None)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
+    """The first of them."""
+    check_frames(name, drawn["all"][name], 1, "all")
+
+
+def test_a_frame_of_one_colour_fails():
+    """Where the model shows more."""
+    scene = compile_scene(SCENES / "tx_wall.toml", 1)
+    empty = np.full((scene.height, scene.width), scene.background, np.uint16)
+    with pytest.raises(UserError, match="frame 0: one colour only"):
+        run.check_frame(empty, scene, 0)
+
+
+@pytest.mark.parametrize("texels", TEXELS)
+@pytest.mark.parametrize("load", ["block", "tile"])
+def test_every_format_shows_its_picture(folder, texels, load):
+    """A texel a pixel: the picture as tmap.n64.images reads it back, which goes neither through
+    display lists nor through TMEM."""
+    side = 16 if texels == "yuv16" else 32 if texels != "rgba32" else 16
+    tile = (f'image = "noise.png", format = "{texels}", width = {side}, height = {side}, '
+            f'load = "{load}"')
+    more = 'convert = "convert", combine = "convert", ' if texels == "yuv16" else ""
+    scene = make(folder, f"{more}tiles = [{{ {tile} }}]")
+    written = scene_file.write(scene)
+    assert scene_file.write(scene_file.read(written, "x")) == written
+    picture = images.read("noise.png", folder, "x", side, side)
+    expected = images.decode(images.encode(picture, *TEXELS[texels]))
+    found = scene.pixel.colours(model.render(scene, 0)[:side, :side])
+    assert np.array_equal(found, expected)
+
+
+def test_odd_sizes_and_parts(folder):
+    """A clamped tile of 20 columns, whose rows end in the middle of a word, from 2 texels on."""
+    tile = ('image = "odd.png", format = "i4", s = { wrap = "clamp", low = 2 }, '
+            't = { wrap = "clamp", low = 2 }')
+    scene = make(folder, f"tiles = [{{ {tile} }}]")
+    picture = images.read("odd.png", folder, "x", 24, 20)
+    full = images.decode(images.encode(picture, *TEXELS["i4"]))
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])
+    at = (np.arange(32) - 2).clip(0)
+    assert np.array_equal(found, full[at.clip(0, 19)][:, at.clip(0, 23)])
+
+
+def test_a_tile_slides_and_palettes_change(folder):
+    """Whole texels a frame: each frame is the first one, moved; palettes follow the frame."""
+    scene = make(folder, f"tiles = [{{ {TILE}, slide = [3, -2] }}]", frames=40)
+    first = model.render(scene, 0)[:32, :32]
+    for number in (1, 7, 39):
+        moved = np.roll(first, (-2 * number, 3 * number), (0, 1))
+        assert np.array_equal(model.render(scene, number)[:32, :32], moved), number
+    tile = 'image = "noise.png", format = "ci4", colours = 0, palette = [0, 5]'
+    scene = make(folder, f'palettes = "palettes.png", tiles = [{{ {tile} }}]', frames=4)
+    frames = [model.render(scene, number) for number in range(4)]
+    assert np.array_equal(frames[0], frames[2]) and np.array_equal(frames[1], frames[3])
+    colours = images.to_rgba16(images.read("palettes.png", folder, "x", 16, 16))
+    for number, row in ((0, 0), (1, 5)):
+        shown = scene.pixel.colours(frames[number][:32, :32]).reshape(-1, 4)
+        assert {int(n) for n in images.to_rgba16(shown[None])[0]} <= set(colours[row].tolist())
+
+
+def test_levels_are_means(folder):
+    """Level 2 drawn on its own: each texel covers 4x4 texels of the picture, and is what is left
+    of their mean after two roundings and 5 bits of quantisation: 2 * 0.5 + 255 / 62 away at
+    most."""
+    scene = make(folder, f"tile = 2, tiles = [{{ {TILE}, levels = 4 }}]")
+    found = scene.pixel.colours(model.render(scene, 0)[:32, :32])[..., :3].astype(float)
+    picture = images.read("noise.png", folder, "x", 32, 32)[..., :3].astype(float)
+    mean = picture.reshape(8, 4, 8, 4, 3).mean((1, 3))
+    assert np.array_equal(found, np.kron(found[::4, ::4], np.ones((4, 4, 1))))
+    assert abs(found[::4, ::4] - mean).max() <= 1 + 255 / 62
+
+
+def test_equal_engines_and_texels_are_there_once(folder):
+    """Two materials of one engine; tiles that share DRAM and TMEM."""
+    tx = f"cycles = 2, combine = 'interference', tiles = [{{ {TILE} }}, {{ {TILE}, s.shift = 1 }}]"
+    text = scene_of(tx) + SQUARE.replace("vertices", '[[objects]]\nmaterial = "other"\nvertices')
+    other = f'[materials.other]\nedges = "exact"\ntx = {{ {tx} }}\n'
+    (folder / "scene.toml").write_text(text.replace("[[objects]]", other + "[[objects]]", 1))
+    scene = compile_scene(folder / "scene.toml")
+    assert [m.unit for m in scene.materials] == [0, 0] and len(scene.units) == 1
+    assert [m.edges for m in scene.materials] == ["subpixel", "exact"]
+    assert len(scene.dram) == 32 * 32 * 2
+    tiles = units.state_at(scene, 0, 0).tiles
+    assert tiles[0].tmem == tiles[1].tmem == 0 and tiles[1].s.shift == 1
+
+
+def test_tiles_have_places_of_their_own(folder):
+    """Split texels in both halves, others where there is room, and one at its own place."""
+    kinds = ['format = "i8", height = 8, width = 16', 'format = "rgba32", height = 8, width = 8',
+             'format = "ia16", height = 8, tmem = 40', 'format = "i4", height = 16']
+    tiles = ", ".join(f'{{ image = "noise.png", {kind} }}' for kind in kinds)
+    scene = make(folder, f"tiles = [{tiles}]")
+    found = units.state_at(scene, 0, 0).tiles
+    assert [tile.tmem for tile in found[:4]] == [16, 0, 40, 104]
+    assert [tile.line for tile in found[:4]] == [2, 2, 8, 2]
+
+
+def two(tile: str, other: str = TILE) -> str:
+    return f"tiles = [{{ {tile} }}, {{ {other} }}]"
+
+
+CI = 'image = "noise.png", format = "ci4"'
+MESSAGES = [
+    ("cycles = 3, " + ONE, "tx.cycles: must be from 1 to 2"),
+    ("mode = 1, " + ONE, "tx.mode: unknown field; known are cycles, combine, "),
+    ("combine = 'decals', " + ONE, "tx.combine: 'decals' is not one of primitive, shade, decal, "),
+    ("combine = ['decal', 'pass'], " + ONE, 'tx.combine: has two cycles: "cycles" must be 2'),
+    ("combine = { rgb = [['noise', '0', '0', '0']], alpha = [['0', '0', '0', '0']] }, " + ONE,
+     "tx.combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
+    ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0']] }, " + ONE,
+     "tx.combine.alpha[0]: must have 4 entries, not 3"),
+    ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0', 'k5']] }, " + ONE,
+     "tx.combine.alpha[0][3]: 'k5' is no input D"),
+    ("lod = true, " + ONE, 'tx.lod: the level of detail needs "cycles" 2'),
+    ("convert = 'filter, convert', " + ONE, 'tx.convert: "filter, convert" needs "cycles" 2'),
+    ("k = [1, 2, 3], " + ONE, "tx.k: must have 6 entries, not 3"),
+    ("primitive = '#12', " + ONE, 'tx.primitive: must be a colour like "#8040ff"'),
+    ("filter = 'bilinear', " + ONE, "tx.filter: 'bilinear' is not one of point, bilerp, average"),
+    ("perspective = 1, " + ONE, "tx.perspective: must be true or false"),
+    ("tlut = 'ia16', " + ONE, 'tx.tlut: "ia16", but no tile is CI'),
+    ("palettes = 'palettes.png', " + ONE, "tx.palettes: there is no tile that is CI"),
+    ("tile = 1, " + ONE, "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+    ("cycles = 2, combine = 'trilinear', " + ONE,
+     "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+    ("cycles = 2, lod = true, max_level = 2, " + two(TILE),
+     "tx.tiles: tile 2 would be drawn; there are tiles 0 to 1"),
+    ("tiles = []", "tx.tiles: must have 1 to 8 entries, not 0"),
+    (two(TILE, TILE.replace("rgba16", "rgba8")),
+     "tx.tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
+    (two(TILE, CI), 'tx.tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
+    ("tlut = 'none', tiles = [{ " + CI + " }]", 'tx.tlut: "none", but tiles[0] is ci4'),
+    (two(CI, CI.replace("ci4", "ci8")),
+     'tx.palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
+    ("tiles = [{ " + CI + ", palette = [0, 3] }]", "tx.tiles[0].palette: palette 3 has no colours"),
+    ("palettes = 'half.png', tiles = [{ " + CI + ", colours = 9 }]",
+     "tx.tiles[0].colours: half.png has no row 9"),
+    ("palettes = 'odd.png', tiles = [{ " + CI + " }]",
+     "tx.palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
+    ("tiles = [{ " + TILE + ", palette = 1 }]", 'tx.tiles[0].palette: is for "ci4", not "rgba16"'),
+    ("tiles = [{ image = 'no.png', format = 'i8' }]",
+     "tx.tiles[0].image: no.png: no such file"),
+    ("tiles = [{ image = 'wide.png', format = 'i8' }]",
+     "tx.tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
+    ("tiles = [{ image = 'odd.png', format = 'i8' }]",
+     'tx.tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
+    ("tiles = [{ " + TILE + ", s.mask = 6 }]",
+     "tx.tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
+    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', high = 40 } }]",
+     "tx.tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
+    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', low = 9, high = 4 } }]",
+     "tx.tiles[0].t.high: lies before low"),
+    ("tiles = [{ " + TILE + ", s = { low = 1000 } }]",
+     "tx.tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
+    ("tiles = [{ " + TILE + ", s.wrap = 'clamp', slide = [1, 0] }]",
+     "tx.tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
+    ("tiles = [{ " + TILE + ", width = 24, levels = 2 }]",
+     "tx.tiles[0].levels: 24x32 texels are not powers of two"),
+    ("tiles = [{ " + TILE + ", levels = 7 }]", "tx.tiles[0].levels: 32x32 texels have 6 levels"),
+    (two(TILE + ", levels = 5", TILE + ", levels = 4"),
+     "tx.tiles[1].levels: makes 9 tiles; an engine has 8"),
+    ("tiles = [{ " + TILE + ", levels = 4, s.shift = 9 }]",
+     "tx.tiles[0].s.shift: is more than 10 at level 2"),
+    ("tiles = [{ " + TILE + ", width = 64, height = 40, load = 'block', t.wrap = 'clamp' }]",
+     "tx.tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
+    ("tiles = [{ image = 'noise.png', format = 'i4', width = 176, height = 40, load = 'block', "
+     "s.wrap = 'clamp', t.wrap = 'clamp' }]",
+     'tx.tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
+     "load them"),
+    (two(TILE + ", tmem = 400"),
+     "tx.tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
+    (two("image = 'noise.png', format = 'rgba32', width = 64, height = 16",
+         "image = 'odd.png', format = 'rgba32', s.wrap = 'clamp', t.wrap = 'clamp'"),
+     "tx.tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
+     "there"),
+    ("tiles = [{ " + CI.replace("ci4", "ci8") + ", width = 64, height = 64 }]",
+     "tx.tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
+]
+
+
+@pytest.mark.parametrize("tx, message", MESSAGES)
+def test_refused(folder, tx, message):
+    """One line that names file and field."""
+    check_refused(folder, scene_of(tx), f"materials.it.{message}")
+
+
+@pytest.mark.parametrize("kinds, message", [
+    ({"pixels": "rgb565"}, "materials.it.tx: a scene in rgb565 has no texture engine of this kind; "
+                           "one in rgba5551 or rgba8888 has"),
+    ({"pixels": "chunky"}, "materials.it.tx: a scene in chunky has no texture engine of this kind"),
+    ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
+    ({"more": 'gradients = "scanline", '}, "materials.it.gradients: is not for a texture engine"),
+    ({"more": 'perspective = "fine", '}, "materials.it.perspective: "),
+    ({"more": 'mapper = "affine", '}, "materials.it.mapper: 'affine' is not one of unit"),
+    ({"obj": SQUARE.replace("32, 0]", "32, 0, 1]")},
+     "objects[0].vertices[1]: must be [x, y, s, t]"),
+    ({"obj": SQUARE.replace("32, 0]", "1200, 0]")},
+     "objects[0].vertices: s must be from -1024 to 1023.96875 texels"),
+    ({"obj": "vertices = [[0, 0, 0, -600], [32, 0, 32, 0], [32, 32, 32, 500]]"},
+     "objects[0].vertices: t of two corners: 1024 texels apart or more"),
+])
+def test_refused_besides(folder, kinds, message):
+    """What does not fit the scene, the material or the vertices."""
+    check_refused(folder, scene_of(ONE, **kinds), message)
+
+
+def test_the_pages_example(folder):
+    """It compiles, and what it says of vertices is right."""
+    text = (ROOT / "c" / "tx" / "README.md").read_text()
+    example = text.split("```")[1].removeprefix("toml")
+    example = example.replace("tx/pavement.png", "noise.png")
+    corners = [[0, 0, 0, 0, 4, 0], [64, 0, 90, 0, 4, 255], [64, 48, 90, 90, 1, 255]]
+    (folder / "scene.toml").write_text(
+        HEAD.format(frames=2, pixels="").replace('format = ""', "") + example
+        + f'[[objects]]\nmaterial = "floor"\nvertices = {corners}\n')
+    scene = compile_scene(folder / "scene.toml")
+    frames = [model.render(scene, number) for number in range(2)]
+    assert len(np.unique(frames[0])) > 100 and (frames[0] != frames[1]).any()
+
+
+def test_vertices_have_what_the_engine_takes(folder):
+    """w with perspective, a shade where the combiner reads it, from 0 to 255."""
+    corners = [[0, 0, 0, 0, 1, 0], [32, 0, 32, 0, 2, 255], [32, 32, 32, 32, 2, 255]]
+    tx = "perspective = true, combine = 'modulate', " + ONE
+    scene = make(folder, tx, f"vertices = {corners}")
+    assert scene.vertices[:, 4:].tolist() == [[32768, 65536], [255 * 65536 + 32768, 131072],
+                                              [255 * 65536 + 32768, 131072]]
+    corners[1][5] = 256
+    with pytest.raises(UserError, match=r"vertices\[1\]\[5\]: must be from 0 to 255"):
+        make(folder, tx, f"vertices = {corners}")
+    scene = make(folder, "combine = 'modulate', " + ONE, "sides = 4\nradius = 20")
+    assert set(scene.vertices[:, 4].tolist()) == {255 * 65536 + 32768}
+    assert scene.vertices[:, 2].max() == 32 << 16  # the whole picture

@@ -1,0 +1,185 @@
+"""Command words: the manual's macros, their readable lines, and what cannot be encoded."""
+
+import numpy as np
+import pytest
+
+from tests.arrays import check_equal
+from tmap.base.errors import UserError
+from tmap.n64 import commands
+from tmap.n64.disassemble import line, listing
+from tmap.n64.opcodes import NAMES
+from tmap.n64.state import CI, I, IA, RGBA, YUV, Inputs, Modes, State
+from tmap.n64.words import Cycle, List, Wrap
+
+
+def test_load_texture_block():
+    """The manual's macro as lines, one of its words by hand."""
+    words = List()
+    words.load_texture_block(0x1000, RGBA, 2, 32, 16, s=Wrap(mask=5), t=Wrap(1, 1, 4, 2))
+    assert listing(words.words).splitlines() == [
+        "   0 set texture image RGBA 16 bits, width 1, address 0x1000",
+        "   1 set tile 7: RGBA 16 bits, line 0, tmem 0, palette 0, s mask 5 shift 0, "
+        "t clamp mirror mask 4 shift 2",
+        "   2 load sync",
+        "   3 load block 7: from (0, 0) to texel 511, dxt 256/2048",
+        "   4 pipe sync",
+        "   5 set tile 0: RGBA 16 bits, line 8, tmem 0, palette 0, s mask 5 shift 0, "
+        "t clamp mirror mask 4 shift 2",
+        "   6 set tile size 0: (0, 0) to (31, 15)"]
+    assert words.words[1] == (0x35100000, 7 << 24 | 3 << 18 | 4 << 14 | 2 << 10 | 5 << 4)
+
+
+@pytest.mark.parametrize("form, size, width, load_size, last, dxt, row", [
+    (CI, 0, 64, 2, 64 * 8 // 4 - 1, 512, 4), (I, 1, 64, 2, 64 * 8 // 2 - 1, 256, 8),
+    (RGBA, 3, 32, 3, 32 * 8 - 1, 128, 8), (IA, 0, 48, 2, 48 * 8 // 4 - 1, 683, 3),
+    (YUV, 2, 32, 2, 32 * 8 - 1, 256, 4)])
+def test_blocks_of_sizes(form, size, width, load_size, last, dxt, row):
+    """What is loaded as which size, up to which texel, with which dxt; the words of a row."""
+    words = List()
+    words.load_texture_block(8, form, size, width, 8, 5, tmem=17, tile=3)
+    image, load, _, block, _, draw, edges = words.words
+    assert image[0] >> 19 & 31 == load[0] >> 19 & 31 == form << 2 | load_size
+    assert block[1] & 0xFFFFFF == last << 12 | dxt
+    assert draw == (0x35 << 24 | form << 21 | size << 19 | row << 9 | 17, 3 << 24 | 5 << 20)
+    assert edges == (0x32000000, 3 << 24 | (width - 1) << 14 | 7 << 2)
+
+
+def test_load_texture_tile_of_4_bits():
+    """Loaded as texels of 8 bits, half as many."""
+    words = List()
+    words.load_texture_tile(0, CI, 0, 64, (16, 2, 31, 9))
+    assert [line(*word) for word in words.words[3:4]] == ["load tile 7: (8, 2) to (15.5, 9)"]
+    assert line(*words.words[0]) == "set texture image CI 8 bits, width 32, address 0x0"
+    assert line(*words.words[-1]) == "set tile size 0: (16, 2) to (31, 9)"
+
+
+def test_load_tlut():
+    """16 entries behind those of three other palettes in the upper half of TMEM, with syncs."""
+    words = List()
+    words.load_tlut_pal16(3, 0x100)
+    assert [line(*word).split(":")[0] for word in words.words] == [
+        "set texture image RGBA 16 bits, width 1, address 0x100", "tile sync", "set tile 7",
+        "load sync", "load TLUT 7", "pipe sync"]
+    assert words.words[2][0] & 511 == 256 + 48
+    assert words.words[4] == (0x30000000, 7 << 24 | 15 << 14)
+
+
+def test_modes():
+    """All fields in one word, at the manual's places; run, they are the modes."""
+    words = List()
+    for call, choice in ((words.texture_perspective, True), (words.texture_detail, "sharpen"),
+                         (words.texture_lod, True), (words.texture_lut, "ia16"),
+                         (words.texture_filter, "average"),
+                         (words.texture_convert, "filter, convert"), (words.cycle_type, "two")):
+        call(choice)
+    want = Modes(cycle=1, perspective=1, sharpen=1, lod=1, tlut=1, tlut_type=1, quad=1, mid=1,
+                 filter0=1, convert_one=1)
+    # the fields' places in the manual's macros
+    assert words.words[-1] == (0x2F << 24 | 1 << 20 | 1 << 19 | 1 << 17 | 1 << 16 | 3 << 14
+                               | 3 << 12 | 5 << 9, 0)
+    state = State()
+    commands.replay(state, words.words)
+    assert state.modes == want == words.modes
+
+
+def test_combine():
+    """Both cycles' inputs at the manual's places, read back, as a line."""
+    words = List()
+    zero = ("0", "0", "0", "texel0")
+    words.combine_mode(Cycle(("texel1", "texel0", "lod fraction", "texel0"), zero),
+                       Cycle(("combined", "0", "shade", "0"), ("0", "0", "0", "combined")))
+    assert words.words == [(0x3C << 24 | 2 << 20 | 13 << 15 | 7 << 12 | 7 << 9 | 0 << 5 | 4,
+                            1 << 28 | 15 << 24 | 7 << 21 | 7 << 18 | 1 << 15 | 7 << 12 | 1 << 9
+                            | 7 << 6 | 7 << 3)]
+    assert line(*words.words[0]) == (
+        "set combine (texel1 - texel0) * lod fraction + texel0; (0 - 0) * 0 + texel0; "
+        "(combined - 0) * shade + 0; (0 - 0) * 0 + combined")
+    state = State()
+    commands.replay(state, words.words)
+    assert state.combine.rgb == (Inputs(2, 1, 13, 1), Inputs(0, 15, 4, 7))
+
+
+def test_colours_and_constants():
+    """Run, they are the state's; read, they are what was said."""
+    words = List()
+    words.set_convert(175, -43, -89, 222, 114, 42)
+    words.prim_colour(7, 130, (1, 2, 3, 4))
+    words.env_colour((255, 254, 253, 252))
+    words.texture(5, 6)
+    state = State()
+    commands.replay(state, words.words)
+    assert state.k == [175, -43, -89, 222, 114, 42]
+    assert (state.min_level, state.primitive_fraction, state.primitive) == (7, 130, (1, 2, 3, 4))
+    assert state.environment == (255, 254, 253, 252)
+    assert (state.max_level, state.primitive_tile) == (5, 6)
+    assert [line(*word) for word in words.words] == [
+        "set convert 175 -43 -89 222 114 42",
+        "set primitive colour #01020304, lowest level 7/32, fraction 130/256",
+        "set environment colour #fffefdfc", "texture 6, highest level 5"]
+
+
+@pytest.mark.parametrize("call, message", [
+    (lambda w: w.load_texture_block(4, RGBA, 2, 32, 32), "address 0x4 is not a multiple of 8"),
+    (lambda w: w.load_texture_block(1 << 24, RGBA, 2, 32, 32), "address: 16777216 is not"),
+    (lambda w: w.load_texture_block(0, RGBA, 2, 30, 32), "rows of 60 bytes"),
+    (lambda w: w.load_texture_block(0, RGBA, 3, 2, 32), "multiple of 16"),
+    (lambda w: w.load_texture_block(0, RGBA, 2, 64, 64), "4096 texels; there may be 2048"),
+    (lambda w: w.load_texture_block(0, I, 1, 8 * 43, 8), "rows of 43 words drift"),
+    (lambda w: w.load_texture_block(0, RGBA, 0, 32, 32), "no format 0 of size 0"),
+    (lambda w: w.load_texture_tile(0, RGBA, 2, 32, (8, 0, 7, 0)), "no texels"),
+    (lambda w: w.load_texture_tile(0, I, 0, 31, (0, 0, 7, 0)), "must be even"),
+    (lambda w: w.load_texture_tile(0, I, 1, 1025, (0, 0, 7, 0)), "width - 1: 1024 is not"),
+    (lambda w: w.load_texture_tile(0, I, 1, 1024, (0, 0, 1024, 0)), "sh: 4096 is not"),
+    (lambda w: w.load_tlut(17, 500, 0), "words 256 to 511"),
+    (lambda w: w.load_tlut(0, 256, 0), "0 entries"),
+    (lambda w: w.load_tlut_pal16(16, 0), "palette: 16 is not"),
+    (lambda w: w.set_tile(8, 0, 0, 0, 0), "tile: 8 is not"),
+    (lambda w: w.set_tile(0, 0, 0, 0, 0, s=Wrap(shift=16)), "shift of s: 16 is not"),
+    (lambda w: w.set_convert(256, 0, 0, 0, 0, 0), "k0: 256 is not a whole number from -256"),
+    (lambda w: w.set_convert(1), "six constants"),
+    (lambda w: w.texture_filter("cubic"), "'cubic' is none of 'point', 'bilerp'"),
+    (lambda w: w.prim_colour(0, 0, (0, 0, 256, 0)), "b: 256 is not"),
+    (lambda w: w.texture(8, 0), "highest level: 8"),
+])
+def test_refusals(call, message):
+    """What does not fit a field, or would not do what it says."""
+    with pytest.raises(UserError, match=message):
+        call(List())
+
+
+def test_unknown_inputs_of_the_combiner():
+    words, zero = List(), ("0",) * 4
+    with pytest.raises(UserError, match="colour B: 'one' is none of combined"):
+        words.combine_mode(Cycle(("one", "one", "0", "0"), zero), Cycle(zero, zero))
+
+
+@pytest.mark.parametrize("operation", range(64))
+def test_random_words_are_read(operation):
+    """Every word has a line, whatever its other bits: of a known command it begins with the name, of
+    others it is the word."""
+    rng = np.random.default_rng(operation)
+    for hi, lo in rng.integers(0, 1 << 32, (30, 2)).tolist():
+        hi = hi & ~(63 << 24) | operation << 24
+        said = line(hi, lo)
+        if operation in NAMES:
+            assert said.startswith(NAMES[operation]) and "\n" not in said, f"{hi:08x} {lo:08x}: {said}"
+        else:
+            assert said == f"{hi:08x} {lo:08x}"
+
+
+@pytest.mark.parametrize("form, size", [(RGBA, 2), (RGBA, 3), (CI, 1), (CI, 0), (IA, 2), (YUV, 2)])
+def test_block_and_tile_fill_tmem_alike(form, size):
+    """The two ways to load the same texels leave the same bytes."""
+    rng = np.random.default_rng(size)
+    dram = rng.integers(0, 256, 4096, np.uint8)
+    found = []
+    for how in ("block", "tile"):
+        state, words = State(dram=dram), List()
+        if how == "block":
+            words.load_texture_block(64, form, size, 32, 16)
+        else:
+            words.load_texture_tile(64, form, size, 32, (0, 0, 31, 15))
+        commands.replay(state, words.words)
+        found.append((state.tmem, state.tiles[0]))
+    check_equal(found[1][0], found[0][0], "byte of TMEM")
+    assert found[0][1] == found[1][1] and found[0][0].any()

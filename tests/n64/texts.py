@@ -1,0 +1,18 @@
+"""Texts of scenes with one of the N64's texture engines."""
+
+from tests.units.engine_scenes import compiled, scene_text
+from tmap.scene_file.scene_file import Scene
+
+SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32], [0, 32, 0, 32]]"
+TILE = 'image = "noise.png", format = "rgba16"'
+ONE = f"tiles = [{{ {TILE} }}]"
+
+
+def scene_of(tx: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
+    """A scene's text: one material, one object."""
+    return scene_text(f"{more}tx = {{ {tx} }}", obj, **kinds)
+
+
+def make(folder, *args, **kinds) -> Scene:
+    """The compiled scene of ``scene_of``."""
+    return compiled(folder, scene_of(*args, **kinds))

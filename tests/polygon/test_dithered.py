@@ -1,0 +1,76 @@
+"""Dithered points: how far they are moved, that the pattern is the frame's, what it gains."""
+
+import numpy as np
+import pytest
+
+from tmap.accuracy import dither_errors
+from tmap.base.paths import SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.model import model
+from tmap.setup.dithered import EIGHTH, MOST, MOVES
+
+SETTINGS = model.Settings(edges="exact", mapper="dithered")
+SIZE = 64
+#: x, y, u and v: a square whose map is turned, beyond the frame on all sides.
+SQUARE = [(x << 16, y << 16, 40000 * x + 9000 * y, 38000 * y - 9000 * x)
+          for x, y in ((-5, -9), (70, -9), (70, 81), (-5, 81))]
+
+
+def drawn(*polygons, width: int = SIZE, height: int = SIZE) -> np.ndarray:
+    """A frame with polygons of a map of noise."""
+    frame = np.zeros((height, width), np.uint8)
+    texels = np.random.default_rng(3).integers(1, 256, (256, 256), dtype=np.uint8)
+    for vertices in polygons:
+        made = model.set_up(vertices, width, height, True, SETTINGS, (256, 256))
+        model.draw(frame, made, texels, 0)
+    return frame
+
+
+def test_moves_part_a_texel_evenly() -> None:
+    """Along each axis the four of any 2x2 pixels lie in the middles of its quarters, and there is
+    one in each quarter of its square; so the mean of them is the place itself."""
+    for k in (0, 1):
+        assert sorted(MOVES[..., k].ravel()) == [-3, -1, 1, 3]
+    assert {(u > 0, v > 0) for u, v in MOVES.reshape(-1, 2).tolist()} == {
+        (a, b) for a in (False, True) for b in (False, True)}
+    assert abs(MOVES).max() * EIGHTH == MOST * 65536
+
+
+def test_places_are_moved_by_no_more() -> None:
+    """u and v of every pixel are those that the line's steps lead to, moved as its x and y say."""
+    made = model.set_up(SQUARE, SIZE, SIZE, True, SETTINGS, (256, 256))
+    for y, line in enumerate(made.lines):
+        found = model.coordinates(line, "dithered", y)
+        wanted = MOVES[y & 1, np.arange(line.left, line.right) & 1].T * EIGHTH
+        for moved, place, move in zip(found, model.coordinates(line), wanted, strict=True):
+            assert np.array_equal(moved, place + move & model.M32), y
+
+
+def test_the_pattern_is_the_frames() -> None:
+    """Two triangles show what their square does; a frame that cuts more off shows the same."""
+    whole = drawn(SQUARE)
+    assert np.array_equal(drawn(SQUARE[:3], [SQUARE[0], *SQUARE[2:]]), whole)
+    assert np.array_equal(drawn(SQUARE, width=40, height=33), whole[:33, :40])
+    shifted = drawn([(x - (2 << 16), y - (4 << 16), u, v) for x, y, u, v in SQUARE])
+    assert np.array_equal(shifted[:-4, :-2], whole[4:, 2:])
+
+
+@pytest.mark.parametrize("kind", dither_errors.maps())
+def test_means_gain_where_texels_are_large(kind: str) -> None:
+    """What the README says: means of 2x2 pixels are nearer to the filter's than those of points are
+    where texels are 4 pixels long and more, not where they are 2; single pixels never are."""
+    for scale in dither_errors.SCALES:
+        found = dither_errors.errors(dither_errors.maps()[kind], scale)
+        (points, of_points), (dithered, of_dithered) = found["points"], found["dithered"]
+        assert points < dithered, (kind, scale)
+        assert (of_dithered < of_points) == (scale >= 4), (kind, scale)
+
+
+def test_a_unit_draws_what_the_mapper_does() -> None:
+    """The scene's picture by the plain mapper and, 128 lines below, by Glide's unit. Each rounds the
+    picture's colours to 5 and 6 bits in its own way: by a step of 8 more or less."""
+    scene = compile_scene(SCENES / "dithered.toml", 1)
+    frame = scene.pixel.colours(model.render(scene, 0)).astype(int)
+    mapper, unit = frame[:128, 160:], frame[128:, 160:]
+    assert abs(mapper - unit).max() <= 8
+    assert abs(mapper - frame[:128, :160]).max() > 100

@@ -1,0 +1,140 @@
+"""The same bytes on every machine: what is made here, under the settings of several processors, and
+no function in it that rounds by processor."""
+
+import ast
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy._core._multiarray_umath import __cpu_dispatch__, __cpu_features__
+
+from tests.polygon import host_digests
+from tmap.base.paths import ROOT
+
+#: NumPy's versions of its functions for more than the least processor, that this one can run.
+DISPATCHED = [name for name in __cpu_dispatch__ if __cpu_features__.get(name)]
+#: As the oldest processor has it: OpenBLAS, NumPy and the C library without what came later.
+OLDEST = {"OPENBLAS_CORETYPE": "Prescott", "NPY_DISABLE_CPU_FEATURES": " ".join(DISPATCHED),
+          "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA"}
+#: OpenBLAS's kernels, and what of NumPy's names a processor has that can run them.
+KERNELS = {"Haswell": "X86_V3", "Zen": "X86_V3", "SkylakeX": "X86_V4"}
+SETTINGS = {"the oldest processor": (OLDEST, ["scenes", "textures", "inputs", "files", "probes"])} | {
+    name: ({"OPENBLAS_CORETYPE": name}, ["textures", "inputs"])
+    for name, needed in KERNELS.items() if __cpu_features__.get(needed)}
+NAMES = {"OPENBLAS_CORETYPE", "NPY_DISABLE_CPU_FEATURES", "GLIBC_TUNABLES"}
+
+
+def digests(parts: list[str], settings: dict[str, str]) -> dict[str, str]:
+    """Those of a process of its own."""
+    clean = {name: value for name, value in os.environ.items() if name not in NAMES}
+    done = subprocess.run([sys.executable, host_digests.__file__, *parts], cwd=ROOT, text=True,
+                          env=clean | {"PYTHONPATH": str(ROOT)} | settings, capture_output=True)
+    assert not done.returncode, f"{settings}: {done.stderr[-2000:]}"
+    return json.loads(done.stdout)
+
+
+@pytest.fixture(scope="module")
+def own() -> dict[str, str]:
+    """Everything, as this machine makes it."""
+    return digests(list(host_digests.PARTS), {})
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_same_bytes_as_on(name: str, own) -> None:
+    """What this machine makes, made under other settings; those of the oldest processor do change
+    what is not made the same everywhere, where this one has fused multiplication."""
+    settings, parts = SETTINGS[name]
+    found = digests(parts, settings)
+    probes = {probe: found.pop(probe) for probe in ("BLAS", "libm") if probe in found}
+    wrong = [made for made, digest in found.items() if digest != own[made]]
+    assert not wrong, (f"{', '.join(wrong)}: other bytes with "
+                       + " ".join(f'{key}="{value}"' for key, value in settings.items()))
+    if __cpu_features__.get("FMA3"):
+        assert all(digest != own[probe] for probe, digest in probes.items()), \
+            f"{name}: the settings change nothing"
+
+
+def test_noise_has_room(monkeypatch, own) -> None:
+    """The Fourier transform takes its sines from the C library. Noise that is off by ten thousand
+    times as much as last bits are makes the same pictures."""
+    transform, rng, calls = np.fft.irfft2, np.random.default_rng(1), []
+
+    def moved(*arguments) -> np.ndarray:
+        found = transform(*arguments)
+        calls.append(found.size)
+        return found * (1 + rng.uniform(-1e-11, 1e-11, found.shape))
+
+    monkeypatch.setattr(np.fft, "irfft2", moved)
+    wrong = [name for name, made in host_digests.files()
+             if hashlib.sha256(made).hexdigest() != own[name]]
+    assert calls and not wrong, f"other bytes where noise differs by 1e-11 of it: {wrong}"
+
+
+#: Functions of np, math and cmath that have versions for processors, and those, whatever their module,
+#: that use these or add in an order that depends on the processor.
+ELEMENTARY = set("""exp exp2 expm1 log log2 log10 log1p sin cos tan sinh cosh tanh asin acos atan atan2 asinh
+    acosh atanh arcsin arccos arctan arctan2 arcsinh arccosh arctanh sinc i0 power pow cbrt rect polar
+    float_power logaddexp""".split())
+OTHERS = set("""gauss normalvariate dot vdot inner matmul tensordot einsum convolve correlate polyfit cov
+    corrcoef linalg fft""".split())
+MODULES = ("math", "cmath", "np", "numpy")
+#: Where they are used all the same, by file in tools/, and why no stored byte or figure shows it.
+HARMLESS = {
+    "assets/noise.py": {"fft"},  # test_noise_has_room
+    "bounds_perspective.py": {"log2", "**"},  # a bound, of which no page shows as many digits
+    "elementary.py": {"atan2"},  # a first guess that is made exact
+    "fuzz_depths.py": {"log10", "log2", "**"},  # random questions, of which none is stored
+    "mesh_build.py": {"atan2"},  # a sum of angles, 2 pi or 4 pi and more, compared with 3 pi
+    "model_logarithm.py": {"log", "log2", "**"},  # rounded down, and never that near to an integer
+    "model_perspective.py": {"**"},  # of integers
+    "palette.py": {"@"},  # of integers below 2^24, exact whatever the order
+    "polygon_sets.py": {"gauss"},  # all is settled numbers, which test_same_bytes_as_on has
+    "random_meshes.py": {"cos", "sin", "**"},  # random questions
+    "random_polygons.py": {"cos", "sin", "**"},
+    "scene_polygons.py": {"atan2"},  # as in mesh_build.py
+    "tmu/lod.py": {"**"}}  # of integers
+
+
+def is_exact(base: ast.expr, exponent: ast.expr) -> bool:
+    """Whether a power looks like one of a constant to an integer: not a fraction, nor anything divided
+    or drawn."""
+    return isinstance(base, ast.Constant) and not any(
+        isinstance(node, ast.Div) or isinstance(node, ast.Constant) and isinstance(node.value, float)
+        or isinstance(node, ast.Attribute) and node.attr == "uniform" for node in ast.walk(exponent))
+
+
+def rounding_by_processor(text: str) -> Iterator[str]:
+    """What a module uses of these."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+            yield "@"
+        elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) \
+                and not is_exact(node.left, node.right):
+            yield "**"
+        elif isinstance(node, ast.Attribute) and (
+                node.attr in OTHERS or node.attr in ELEMENTARY and ast.unparse(node.value) in MODULES):
+            yield node.attr
+        elif isinstance(node, ast.ImportFrom) and node.module in MODULES:
+            yield from {alias.name for alias in node.names} & (ELEMENTARY | OTHERS)
+
+
+def test_nothing_rounds_by_processor() -> None:
+    """In all tools, but for what is harmless; what is no longer used is no longer listed."""
+    found = {str(path.relative_to(ROOT / "tools")): set(rounding_by_processor(path.read_text()))
+             for path in (ROOT / "tools").rglob("*.py")}
+    found = {name: used for name, used in found.items() if used}
+    assert found == HARMLESS, "tools/tmap/base/elementary.py and tools/tmap/base/linear.py have what is the same everywhere"
+
+
+@pytest.mark.parametrize("text, used", [
+    ("a @ b", {"@"}), ("x ** 0.5", {"**"}), ("x ** (1 / n)", {"**"}), ("x ** 3", {"**"}),
+    ("2.0 ** -12", set()),
+    ("np.linalg.norm(x)", {"linalg"}), ("from math import sin", {"sin"}), ("x.dot(y)", {"dot"}),
+    ("from .elementary import sin\nsin(x)", set()), ("elementary.power(x, y)", set())])
+def test_what_rounds_by_processor_is_found(text: str, used: set[str]) -> None:
+    assert set(rounding_by_processor(text)) == used

@@ -1,0 +1,149 @@
+"""Lowering: what each rule saves, that the picture stays as it is and that nothing else runs."""
+
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmap.bench import rules as bench_rules
+from tmap.bench.rules import AFFINE, CASES, DEEP, GROUPS, TURNED, WIDE, Case
+from tmap.build import layout
+from tmap.fuzz import polygons as fuzz_polygons
+from tmap.guest import emulator, guest_frames
+from tmap.ideal import bounds
+from tmap.model import model
+from tmap.run import run
+from tmap.scene_file.scene_file import ONE, write
+
+MACHINE = "a1200-fast"
+SEED, BLOCKS, COUNT = 6, 3, 400
+#: By the format of their frames: cases of one share a scene.
+BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
+             for pixels in dict.fromkeys(case.pixels for case in CASES)}
+
+
+def test_every_exact_rule_has_its_case():
+    """Those of tolerances change the picture: they are below."""
+    rules = set(layout.load().names("RULE_")) - set(bench_rules.INEXACT)
+    units = {rule for rule in rules if rule.startswith(("tx_", "tmu_"))}  # tests/test_t*_polygons.py
+    assert rules - units == {case.rule for case in CASES}
+
+
+@pytest.mark.parametrize("cases", GROUPS, ids=lambda group: f"{group[0].pixels}-{group[0].rule}")
+def test_counts_show_that_nothing_else_ran(cases):
+    """With each rule on and off: the spans of its frame, and that it was counted, or not. Those of
+    perspective are apart: all others would make its tables in every run."""
+    scene = bench_rules.scene_of(cases)
+    ways = [None] + [case.rule for case in cases]
+    commands = ["render rules.scene COUNT" + (f" OFF {rule}" if rule else "") for rule in ways]
+    with emulator.workspace() as directory:
+        done = emulator.run_many(commands, {"rules.scene": write(scene)}, MACHINE, directory)
+    parsed = [run.parse_output(each.output, scene.frames, len(scene.materials)) for each in done]
+    (figures, executed), *others = parsed
+    for number, (case, (without, executed_without)) in enumerate(zip(cases, others), 1):
+        spans = figures[number]["spans"], without[number]["spans"]
+        wanted = [[kind] if kind else [] for kind in (case.lowered, case.asked)]
+        assert [list(found) for found in spans] == wanted, case.rule
+        counted = executed[scene.materials.index(case.material)]["rules"]
+        assert counted.get(case.rule, 0) >= 1, f"{case.rule} was not counted: {counted}"
+        assert not any(case.rule in each["rules"] for each in executed_without), case.rule
+        changed = [k for k in range(1, scene.frames) if figures[k]["spans"] != without[k]["spans"]]
+        assert all(cases[k - 1].material.mapper == case.material.mapper
+                   or cases[k - 1].lowered == case.lowered for k in changed), (case.rule, changed)
+
+
+def test_pictures_without_rules_of_other_groups():
+    """The bench compares each group's pictures without its own rules; here they are without those
+    of the other groups of their format."""
+    runs = []
+    for number, group in enumerate(GROUPS):
+        rules = {case.rule for case in BY_PIXELS[group[0].pixels]} - {case.rule for case in group}
+        runs += [(number, rule, bench_rules.scene_of(group)) for rule in sorted(rules)]
+    drawn = guest_frames.draw([(scene, f"addx OFF {rule}") for _, rule, scene in runs], MACHINE)
+    assert {number for number, *_ in runs} == {0, 1}  # chunky frames, with and without perspective
+    for (number, rule, _), digests in zip(runs, drawn):
+        for frame, (picture, digest) in enumerate(zip(bench_rules.shown(number), digests, strict=True)):
+            assert guest_frames.is_models(picture, digest), (
+                f"without {rule}: frame {frame} ({GROUPS[number][frame - 1].name}) is not the model's; "
+                "again: .deps/venv/bin/python -m pytest tests/polygon/test_lowering.py -k other_groups")
+
+
+def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polygons.Fuzzed:
+    """The polygon changed such that a rule or two may apply."""
+    vertices = np.array(each.vertices, dtype=object)
+    if rng.random() < 0.4:
+        vertices[:, 4] = rng.choice((0, 3 * ONE, 100 * ONE + 5, 252 * ONE, 256 * ONE - 1))
+    if rng.random() < 0.5:
+        vertices[:, 5] = rng.choice((ONE, 5 * ONE + 3))
+    column, along = rng.choice(((2, 1), (3, 1), (2, 0)))  # s or t stands still along lines, or
+    if rng.random() < 0.5 and abs(vertices[:, along]).max() < fuzz_polygons.FAR // 2:
+        vertices[:, column] = vertices[:, along] + rng.randrange(256 * ONE)  # goes with them
+        if column == 2 and along == 0:
+            vertices[:, 3] = vertices[:, 1]
+    if each.settings.mapper == "arbitrary":  # it stays inside its map
+        vertices[:, 2:4] = np.array(each.vertices, dtype=object)[:, 2:4]
+    return replace(each, vertices=tuple(map(tuple, vertices.tolist())),
+                   settings=replace(each.settings, tolerance=0))
+
+
+def test_random_scenes_are_the_same_without_rules():
+    """All rules against none: the same digests, and fewer cycles in all."""
+    rng = random.Random("lowering")
+    scenes = []
+    for block in range(BLOCKS):
+        polygons = [calls_for_less(rng, fuzz_polygons.polygon(SEED, block * fuzz_polygons.BLOCK + k))
+                    for k in range(COUNT)]
+        scenes.append(fuzz_polygons.scene(SEED, block, polygons))
+    drawn = guest_frames.draw([(scene, way) for way in ("addx", "addx OFF all") for scene in scenes], MACHINE)
+    spent = [0, 0]
+    for block, (on, off) in enumerate(zip(drawn[:BLOCKS], drawn[BLOCKS:])):
+        for field in ("sum", "hash", "result"):
+            wrong = np.flatnonzero(on[field] != off[field])
+            assert not len(wrong), (f"seed {SEED}, block {block}, polygon {wrong[0]}: {field} is "
+                                    f"{on[field][wrong[0]]} with rules, {off[field][wrong[0]]} without; "
+                                    f"{scenes[block].materials[scenes[block].objects[wrong[0]].material]}")
+        spent = [spent[0] + int(on["ticks"].sum()), spent[1] + int(off["ticks"].sum())]
+    assert spent[0] < spent[1], spent
+
+
+#: w of a triangle's vertices, its tolerance in texels, the rule, the spans it leads to.
+TOLERANT = (((4, 4.02, 4.01), 0.5, "tolerance", {"affine_addx"}),
+            ((4, 4.02, 4.01), 0.01, "coarser", {"perspective_pieces"}),
+            ((4, 4.4, 4.2), 0.25, "coarser", {"perspective_pieces"}),
+            ((2, 5, 3), 1.0, None, {"logarithm"}))
+
+
+def test_tolerances_are_kept_and_pay():
+    """Less perspective where the derived error allows it: cheaper, the model's picture, and within
+    the tolerance of the exact one; not where it does not."""
+    cases = [Case("tolerance", replace(DEEP, tolerance=round(tolerance * ONE)), WIDE, TURNED, None,
+                  None, depths=depths) for depths, tolerance, _, _ in TOLERANT]
+    scene = bench_rules.scene_of(cases)
+    on = run.render(scene, MACHINE, "addx")
+    off = run.render(scene, MACHINE, "addx", ",".join(bench_rules.INEXACT))
+    for number, (case, (depths, tolerance, rule, spans)) in enumerate(zip(cases, TOLERANT), 1):
+        where = f"w {depths}, tolerance {tolerance}"
+        assert np.array_equal(on.frames[number], model.render(scene, number)), where
+        assert set(on.figures[number]["spans"]) == spans, where
+        cycles = [drawn.figures[number]["cycles"] for drawn in (on, off)]
+        if rule:
+            assert cycles[0] < cycles[1], where
+        else:
+            assert np.array_equal(on.frames[number], off.frames[number]), where
+        settings = model.Settings(perspective="pixel", tolerance=case.material.tolerance)
+        verdict = bounds.judge(case.vertices, settings, bench_rules.WIDTH, bench_rules.HEIGHT)
+        assert not verdict.complaint and verdict.pixels, f"{where}: {verdict.complaint}"
+    fired = [sum(each["rules"].get(rule, 0) for each in on.executed) for rule in bench_rules.INEXACT]
+    assert fired == [1, 2]
+
+
+@pytest.mark.parametrize("points", [WIDE, [(x - 40, y) for x, y in WIDE]], ids=["inside", "cut"])
+def test_asking_costs_little(points):
+    """A polygon that no rule but those of its place can make cheaper pays less than 1 % for them."""
+    case = Case("outside", replace(AFFINE, mapper="generated"), points, TURNED, None, None)
+    scene = bench_rules.scene_of([case])
+    scene.textures[0].layout = "margins"
+    on, off = guest_frames.draw([(scene, "addx"), (scene, "addx OFF all")], MACHINE)
+    cycles = [int(each["ticks"][1]) - int(each["ticks"][0]) for each in (on, off)]
+    assert cycles[0] < 1.01 * cycles[1], cycles

@@ -1,0 +1,85 @@
+"""Every mapper with every setting, from a scene file to the frame: bit for bit the model."""
+
+import itertools
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.units.engine_scenes import explain
+from tmap.compiler.scene import compile_scene
+from tmap.model import model
+from tmap.run import run
+from tmap.scene_file.scene_file import ON_PLANE, SETTINGS
+
+HEAD = """\
+width = 96
+height = 64
+background = "#102030"
+[textures]
+full = {image = "noise.png"}
+odd = {image = "noise.png", width = 100, height = 37}
+high = {image = "noise.png", width = 64, height = 512}
+small = {image = "noise.png", width = 64, height = 128}
+[materials]
+"""
+#: mapper: (what the material has besides, radius on the map)
+LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
+         "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
+         "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
+         "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
+         "affine": ('texture = "small"', 700), "dithered": ('texture = "small"', 300)}
+#: Format: the mappers that draw it (of chunky ones tests/compiler/test_run.py has the affine one), machine.
+DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
+         "rgb565": (["columns", "affine", "dithered"], "a1200"),
+         "rgba5551": (["columns", "affine", "dithered"], "a1200-fast"),
+         "rgba8888": (["affine", "dithered"], "a1200")}
+#: Generated code draws what stays in a row of the map; of wider polygons it has every other one.
+NARROW = {"generated": 3}
+SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap",
+                    "affine_addx", "affine_addx_wrap", "affine_scanline"} - {"dithered"},
+         "rgb565": {"columns_16", "affine_16", "affine_16_wrap", "dithered_16_wrap"},
+         "rgba8888": {"affine_32", "affine_32_wrap", "dithered_32_wrap"}}
+SPANS["rgba5551"] = SPANS["rgb565"]
+
+
+def scene(pixels: str) -> str:
+    """A frame for each mapper and combination of settings, polygons of 3 to 7 corners,
+    some larger than the frame."""
+    choices = {kind: names for kind, names in SETTINGS.items()
+               if kind not in ("mapper", "perspective")}
+    materials = objects = ""
+    mappers = DRAWN[pixels][0]
+    wanted = [(mapper, *names) for mapper, *names in itertools.product(mappers, *choices.values())
+              if mapper not in ON_PLANE or {"plane", "subtexel"} <= set(names)]
+    for n, (mapper, *names) in enumerate(wanted):
+        look, map_radius = LOOKS[mapper]
+        settings = dict(zip(choices, names)) | ({"mapper": mapper} if map_radius else {})
+        materials += f"m{n} = {{{look}" + "".join(f', {k} = "{v}"' for k, v in settings.items())
+        materials += "}\n"
+        sides = 3 if settings["gradients"] == "polygon" else 3 + n % 5
+        map_radius //= NARROW.get(mapper, 1) if n % 2 else 1
+        objects += (f'[[objects]]\nmaterial = "m{n}"\nsides = {sides}\nangle = {7 * n}\n'
+                    f"radius = {47.3 if n % 3 else 11.7}\nmap_radius = {map_radius}\n"
+                    f"centre = [53.4, 25.7]\nfirst = {n}\nlast = {n}\n"
+                    + "shades = [130]\n" * (mapper == "lit"))
+    return f"frames = {n + 1}\nformat = \"{pixels}\"\n" + HEAD + materials + objects
+
+
+@pytest.mark.parametrize("pixels", DRAWN)
+def test_every_mapper_is_the_models(tmp_path, pixels):
+    noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
+    Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
+    (tmp_path / "all.toml").write_text(scene(pixels))
+    made = compile_scene(tmp_path / "all.toml")
+    done = run.render(made, DRAWN[pixels][1], "addx")
+    wrong = []
+    for number, (obj, found) in enumerate(zip(made.objects, done.frames, strict=True)):
+        expected = model.render(made, number)
+        if (found != expected).any():
+            wrong.append(explain(f"frame {number}, {made.materials[obj.material]}", expected, found,
+                                 f".deps/venv/bin/python -m pytest tests/polygon/test_mappers.py -k {pixels}"))
+    assert not wrong, "\n".join(wrong)
+    assert made.format == pixels
+    assert set(run.total(done.figures)["spans"]) == SPANS[pixels]
+    assert all(frame["pixels"] > 100 for frame in done.figures)

@@ -1,0 +1,71 @@
+"""The limits in the C headers, each against its derivation in tmap.ideal.bounds_perspective."""
+
+from math import ceil, log2
+
+import numpy as np
+import pytest
+
+from tmap.base.fixed import M32
+from tmap.build import layout
+from tmap.ideal import bounds_perspective
+from tmap.ideal.bounds import judge_set_up
+from tmap.ideal.ideal import UNIT
+from tmap.model import model
+from tmap.setup import logarithm, perspective, reciprocal
+from tmap.setup.perspective import CURVES, PIECES
+
+
+@pytest.mark.parametrize("setting", CURVES)
+def test_curves_bend_is_rounded_up(setting: str) -> None:
+    """So that no piece is longer than its tolerance allows."""
+    way = perspective.way(setting)
+    assert way.bend == ceil(bounds_perspective.bend(setting, way.piece))
+
+
+def test_straight_pieces_have_their_names_pixels() -> None:
+    """And no bend, which is how the C tells them from curves."""
+    for setting, pixels in PIECES.items():
+        way = perspective.way(setting)
+        assert (way.piece, way.bend) == (log2(pixels), 0)
+
+
+@pytest.mark.parametrize("setting", [*PIECES, *CURVES])
+def test_level_lines_keep_the_tolerance(setting: str) -> None:
+    """What they may be off is what their bound has, and at the widest there is room for it."""
+    way = perspective.way(setting)
+    assert way.off * UNIT == bounds_perspective.LEVEL.get(setting, 0)
+    assert way.width <= layout.load().constants["SCENE_SIDE_MAX"]
+    if setting in CURVES:
+        assert bounds_perspective.level_bound(0, setting, way.width - 1) < bounds_perspective.TOLERANCE[setting]
+
+
+@pytest.mark.parametrize("piece", [3, 4])
+def test_lines_by_reciprocals_keep_to_a_texel_in_32(piece: int) -> None:
+    """Whatever the width, and hardly a line is left to others for nothing."""
+    most = {width: bounds_perspective.reach(piece, width) for width in (1, 2, 6, 7, 13, 64, 320, 1023, 1024)}
+    for width, derived in most.items():
+        assert reciprocal.reach(piece, width) <= derived, f"width {width}"
+    assert reciprocal.reach(piece, 1) > 0.99 * most[1]
+
+
+def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
+    """At the worst index of each limit, and hardly a line is left to others for nothing."""
+    for bucket, power in enumerate(logarithm.LIMITS):
+        high = 1024 * (bucket - 23) - 1
+        smallest = int(np.searchsorted(-logarithm.logs(), -high)) + logarithm.LOWEST
+        q = reciprocal.swap((smallest - logarithm.ORIGIN << 16) & M32)
+        line = logarithm.Logarithmic(0, 0, q, 0, (0, 0), (power - high,) * 2, 0)
+        bound = logarithm.bound(line)
+        assert bound <= bounds_perspective.TOLERANCE["pixel"] / UNIT, bucket
+        assert bound > 0.98 * bounds_perspective.TOLERANCE["pixel"] / UNIT or power == logarithm.POWERS - 4
+
+
+def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
+    """Far from K, where C's logarithm is half a unit off: a quarter of K's move was not enough."""
+    corners = [(7012352, -8192000, 8158985, 6421967, 0, 190741), (458752, -7274496, 1967522, 3064356, 0, 144700),
+               (5046272, 7602176, 9281033, 14032907, 0, 172775)]
+    settings = model.Settings("integer", perspective="pixel")
+    corners = model.adapt(corners, settings, 256)
+    polygon = model.set_up(corners, 96, 72, True, settings, (256, 256))
+    verdict = judge_set_up(corners, polygon, settings, 96, 72, (256, 256))
+    assert verdict.pixels > 2000 and not verdict.complaint

@@ -1,0 +1,266 @@
+"""Polygons of more than three vertices: those whose values lie on planes but for rounding stay in one
+piece, the others are drawn as triangles, in scene files and by polygon_draw alike."""
+
+import random
+from dataclasses import replace
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from tests.accuracy.properties import Case, covers_once
+from tests.accuracy.property_cases import HEIGHT, WIDTH, convex, uneven_case
+from tests.units.engine_scenes import compiled, save_noise
+from tmap.base.fixed import ONE, fix, mul
+from tmap.guest import guest_frames
+from tmap.ideal import planarity
+from tmap.model import model
+from tmap.model.model import Settings
+from tmap.run import run
+from tmap.scene_file.scene_file import (IDENTITY, Material, Object, Scene, Texture, read,
+                                        vertices_at, write)
+from tmap.setup import clip, planarity as model_planar
+
+HEAD = """\
+width = 64
+height = 48
+frames = 2
+format = "{format}"
+background = "#102030"
+[textures]
+noise = {{ image = "noise.png", width = 256, height = 256 }}
+odd = {{ image = "noise.png", width = 96, height = 64 }}
+[materials]
+"""
+NOISE = 'image = "noise.png", format = "rgb565"'
+#: What a scene says of one material and of four corners on no plane; format of the frame.
+SCENES = {
+    "affine": ('texture = "noise"', "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
+    "integer": ('texture = "noise", edges = "integer"',
+                "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
+    "arbitrary": ('texture = "odd", mapper = "arbitrary"',
+                  "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 200, 170], [6, 40, 90, 20]]"),
+    "tiled": ('texture = "noise", mapper = "tiled"',
+              "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
+    "gouraud": ('shades = ["#000000", "#ffff00"]',
+                "[[4, 4, 0], [60, 6, 255], [56, 44, 10], [6, 40, 200]]"),
+    "lit_gouraud": ('texture = "noise", mapper = "lit_gouraud"',
+                    "[[4, 4, 0, 0, 0], [60, 6, 200, 0, 255], [56, 44, 200, 136, 10], [6, 40, 0, 128, 250]]"),
+    "perspective": ('texture = "noise", perspective = "every8"',
+                    "[[4, 4, 0, 0, 1], [60, 6, 255, 0, 2], [56, 44, 255, 255, 2], [6, 40, 0, 255, 2]]"),
+    "unit": ('tx = { tiles = [{ image = "noise.png", format = "rgba16" }] }',
+             "[[4, 4, 0, 0], [60, 6, 32, 0], [56, 44, 32, 32], [6, 40, 20, 12]]"),
+    "colours": ('tx = { combine = "modulate", tiles = [{ image = "noise.png", format = "rgba16" }] }',
+                "[[4, 4, 0, 0], [60, 4, 32, 0], [60, 44, 32, 32], [4, 44, 0, 32]]\n"
+                'colours = ["#ffffff", "#ff0000", "#00ff00", "#0000ff"]'),
+    "glide": (f"glide = {{ units = [{{ {NOISE} }}] }}",
+              "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
+    "glide_divided": (f"glide = {{ perspective = true, units = [{{ {NOISE}, min = 'bilinear' }}] }}",
+                      "[[4, 4, 0, 0, 1], [60, 6, 255, 0, 2], [56, 44, 255, 255, 2], [6, 40, 0, 255, 2]]"),
+    "glide_own": (f"glide = {{ units = [{{ {NOISE}, combine = {{ function = 'scale_other', "
+                  f"factor = 'local' }} }}, {{ {NOISE}, own = true }}] }}",
+                  "[[4, 4, 0, 0], [60, 4, 255, 0], [60, 44, 255, 255], [4, 44, 0, 255]]\n"
+                  "st1 = [[0, 0], [64, 0], [64, 64], [40, 0]]"),
+}
+FORMATS = {"unit": "rgba8888", "colours": "rgba8888", "glide": "rgb565", "glide_divided": "rgb565",
+           "glide_own": "rgba8888"}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with a picture: noise 32x32."""
+    save_noise(tmp_path, 5, noise=(32, 32))
+    return tmp_path
+
+
+def made(folder, name: str) -> Scene:
+    """The compiled scene of one of SCENES: as it stands, and turned."""
+    material, vertices = SCENES[name]
+    head = HEAD.format(format=FORMATS.get(name, "chunky"))
+    if name in FORMATS:
+        head = head.replace(head[head.index("[textures]"):head.index("[materials]")], "")
+    return compiled(folder, head + f'it = {{ {material} }}\n[[objects]]\nmaterial = "it"\n'
+                    f"vertices = {vertices}\ncentre = [0, 0]\nturns = 0.02\n")
+
+
+def cut(scene: Scene) -> Scene:
+    """The same with its polygons as triangles."""
+    objects, vertices = [], []
+    for obj in scene.objects:
+        corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices].tolist()
+        halves = [corners]
+        if scene.pipes.size and scene.pipes[0][2]:
+            halves = [corners[:len(corners) // 2], corners[len(corners) // 2:]]
+        for parts in zip(*map(model_planar.fan, halves)):
+            part = sum(parts, [])
+            objects.append(replace(obj, vertex=len(vertices), vertices=len(part), planar=model_planar.ALL))
+            vertices += part
+    return replace(scene, objects=objects, vertices=np.array(vertices))
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_a_scene_is_drawn_as_its_triangles(folder, name: str) -> None:
+    """The file does not vouch for its polygon; the model draws the triangles that one would write, and
+    not what three corners alone say."""
+    scene = made(folder, name)
+    assert [obj.planar for obj in scene.objects] != [model_planar.ALL]
+    data = write(scene)
+    assert write(read(data, "x")) == data
+    vouched = replace(scene, objects=[replace(obj, planar=model_planar.ALL) for obj in scene.objects])
+    for number in (0, 1):
+        found = model.render(scene, number)
+        assert np.array_equal(found, model.render(cut(scene), number))
+        assert (found != model.render(vouched, number)).sum() > 100
+
+
+@pytest.mark.parametrize("off", [None, "all"])
+def test_the_guest_draws_scenes_as_the_model(folder, off: str | None) -> None:
+    """With rules of lowering and without; what the file vouches for and what it leaves to the set-up."""
+    scenes = [made(folder, name) for name in SCENES]
+    scenes += [replace(s, objects=[replace(obj, planar=0) for obj in s.objects]) for s in scenes]
+    drawn = guest_frames.draw([(s, "addx" + (f" OFF {off}" if off else "")) for s in scenes], "a1200-fast")
+    for name, scene, digests in zip([*SCENES, *SCENES], scenes, drawn):
+        for number, digest in enumerate(digests):
+            assert not digest["result"], name
+            assert guest_frames.is_models(model.render(scene, number), digest), (name, number, off)
+
+
+def test_triangles_are_counted(folder) -> None:
+    """`make run` counts what is drawn: two polygons for a quad on no plane, their pixels once."""
+    scene = made(folder, "affine")
+    found = run.render(scene, "a1200-fast", "addx")
+    polygons = [model.prepare_polygon(scene, 0, part)
+                for number in (0, 1) for part in model.parts(vertices_at(
+                    scene, scene.objects[0], number), scene.materials[0])]
+    assert [frame["polygons"] for frame in found.figures] == [2, 2]
+    assert sum(frame["pixels"] for frame in found.figures) == sum(p.pixels for p in polygons)
+    assert found.executed[0]["polygons"] == 4
+
+
+def test_the_fourth_vertex_shows_its_own(folder) -> None:
+    """By hand: below the diagonal from the first vertex s grows by -2 a pixel and 3 a line, t by 1 a
+    line."""
+    scene = made(folder, "affine")
+    scene.vertices[:, :4] = np.array([[4, 4, 0, 0], [44, 4, 40, 0], [44, 44, 40, 40], [4, 44, 120, 40]]) * ONE
+    frame, texels = model.render(scene, 0), scene.textures[0].texels
+    for x, y in ((4, 43), (5, 43), (9, 40), (20, 30)):
+        assert frame[y, x] == texels[y - 4, 3 * (y - 4) - 2 * (x - 4)], (x, y)
+
+
+def exact(rng: random.Random):
+    """A plane's value at a point, in fractions of units."""
+    steps = [Fraction(rng.choice((0, 1, -1, rng.uniform(-4, 4), rng.uniform(-40, 40)))) for _ in range(2)]
+    base = Fraction(rng.uniform(-300, 300)) * ONE
+    return lambda x, y: base + steps[0] * x + steps[1] * y
+
+
+def written(rng: random.Random) -> tuple[list[tuple], list]:
+    """A polygon's exact corners and planes for s, t and shade; no thinner than fan.c says."""
+    while True:
+        points = convex(rng, 4)
+        _, area = model_planar.corners_of(points)
+        if abs(area) > 256 * max(abs(p[k] - q[k]) for p in points for q in points for k in (0, 1)):
+            turned = [tuple(Fraction(c) + Fraction(rng.uniform(0, 1)) for c in p) for p in points]
+            return turned, [exact(rng) for _ in range(3)]
+
+
+def rounded(points, planes) -> list[tuple]:
+    """Vertices as a person writes them: each number the nearest of 16.16."""
+    return [(round(x), round(y), *(round(plane(x, y)) for plane in planes), ONE) for x, y in points]
+
+
+PLANES = Settings(mapper="lit_gouraud")
+
+
+@pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
+def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
+    """Written and rounded; turned and enlarged by two products each, rounded down; cut at the frame."""
+    rng, settings = random.Random(f"planar {edges}"), replace(PLANES, edges=edges)
+    for number in range(400):
+        points, planes = written(rng)
+        vertices = rounded(points, planes)
+        assert model.parts(vertices, settings) == [vertices], number
+        cos, sin = fix(rng.uniform(-1, 1)), fix(rng.uniform(-1, 1))
+        if abs(cos) + abs(sin) > ONE // 2:  # else it shrinks, and the numbers' rounding grows
+            turned = [(mul(cos, x) - mul(sin, y), mul(sin, x) + mul(cos, y), *rest)
+                      for x, y, *rest in vertices]
+            assert model.parts(turned, settings) == [turned], number
+        left = clip.clip(vertices, clip.frame_window(WIDTH, HEIGHT))
+        if len(left) > 3:
+            assert model.parts(left, settings) == [left], number
+
+
+def test_what_is_planar_in_space_stays_in_one_piece() -> None:
+    """1/w, s/w and t/w on planes, every number rounded."""
+    rng, kept = random.Random("depths"), 0
+    for number in range(400):
+        points, planes = written(rng)
+        middle = [sum(p[k] for p in points) / len(points) for k in (0, 1)]
+        tilt = [Fraction(rng.uniform(-1, 1)) / (200 * ONE) for _ in range(2)]
+        far = Fraction(rng.choice((1, 4, 100))) * ONE
+        near = [1 + sum(t * (c - m) for t, c, m in zip(tilt, p, middle)) for p in points]
+        if min(near) < Fraction(1, 8):
+            continue
+        kept += 1
+        vertices = [(round(x), round(y), *(round(plane(x, y) / n) for plane in planes[:2]), 0,
+                     round(far / n)) for (x, y), n in zip(points, near)]
+        assert model.parts(vertices, Settings(perspective="every16")) == [vertices], number
+    assert kept > 200
+
+
+@pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
+def test_triangles_leave_no_gap(edges: str) -> None:
+    """They cover the polygon as neighbours do: with exact edges each pixel once; with the others no
+    pixel inside is left out, and only one beside a sliver is drawn twice."""
+    rng, fans = random.Random(f"gap {edges}"), 0
+    for number in range(600):
+        case = uneven_case(rng, f"{edges}, number {number}")
+        settings = replace(case.settings, edges=edges, clip=rng.choice(("scissor", "vertices")))
+        case = Case(case.origin, case.vertices, WIDTH, HEIGHT, replace(settings, mapper="flat"))
+        parts = model_planar.fan(list(case.vertices))
+        if case.keeps_shape():
+            fans += 1
+            assert not covers_once(case, parts), "\n".join(covers_once(case, parts))
+    assert fans > 300
+
+
+def uneven(count: int) -> list[Case]:
+    """Polygons that polygon_draw has to look at."""
+    return [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(count)]
+
+
+@pytest.mark.parametrize("form", ["addx", "swap", "addx OFF all"])
+def test_polygon_draw_is_the_model(form: str) -> None:
+    """Any mapper, edges, gradients and perspective, nothing vouched for: the same bytes."""
+    cases, layouts = uneven(300), {"arbitrary": "linear", "generated": "margins"}
+    layouts |= {name: name for name in ("tiled", "columns")}
+    names = ["page", "linear", "tiled", "columns", "margins", "light"]
+    noise = np.random.default_rng(3)
+    maps = [Texture(noise.integers(0, 256, (64 if name == "light" else 256, 256), dtype=np.uint8), name)
+            for name in names]
+    materials, objects, vertices = {}, [], []
+    for number, case in enumerate(cases):
+        s = case.settings
+        texture = -1 if s.mapper == "gouraud" else names.index(layouts.get(s.mapper, "page"))
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective, texture,
+                            light=5 if s.mapper == "lit_gouraud" else -1)
+        objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
+                              len(case.vertices), 0, 1, number, 0))
+        vertices += case.vertices
+    scene = Scene(WIDTH, HEIGHT, len(cases), 7, np.zeros((256, 3), np.uint8), maps, list(materials),
+                  objects, np.array(vertices), np.array([IDENTITY]))
+    digests, = guest_frames.draw([(scene, form)], "a1200-fast")
+    for number, (case, digest) in enumerate(zip(cases, digests)):
+        assert not digest["result"] and guest_frames.is_models(model.render(scene, number), digest), \
+            case.complaint("it differs", ("?", "?"), "the model's pixels", "others")
+
+
+def test_wrong_numbers_of_pieces_are_noticed() -> None:
+    """By exact planes: a polygon on none that stays whole, a planar one that is cut."""
+    square = [(x * ONE, y * ONE, x * ONE, y * ONE, 0, ONE) for x, y in ((0, 0), (40, 0), (40, 40), (0, 40))]
+    off = [*square[:3], (0, 40 * ONE, 9 * ONE, 40 * ONE, 0, ONE)]
+    deep = [*square[:3], (*square[3][:5], 2 * ONE)]
+    for settings, bad in ((Settings(), off), (Settings(perspective="pixel"), deep)):
+        assert not planarity.judge(square, settings, 1) and not planarity.judge(bad, settings, 2)
+        assert "units off the plane" in planarity.judge(bad, settings, 1)
+        assert "drawn in 2 pieces" in planarity.judge(square, settings, 2)

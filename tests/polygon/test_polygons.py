@@ -1,0 +1,166 @@
+"""Random polygons, drawn by the 68020: bit for bit the model, and near the ideal.
+
+2,800 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; 800 of them
+in frames of 16 and 32 bits. All runs of one machine share a boot.
+The guest itself checks the guard bands round the frame (4,096 bytes each side).
+"""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tmap.bench import scenes
+from tmap.corpus import random_polygons
+from tmap.guest import guest_frames
+from tmap.ideal import ideal
+from tmap.model import model
+from tmap.run.polygon_report import explain
+from tmap.scene_file import scene_file
+
+#: seed: (polygons, width, height)
+SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
+WIDE = {3: "rgba5551", 4: "rgba8888"}  # by seed: formats of pixels that are not chunky
+SCENES |= {3: (400, 320, 256), 4: (400, 192, 144)}
+USUAL = model.Settings()
+EXACT = model.Settings("exact")
+RUNS = [("addx", "a1200-fast", 1, USUAL), ("addx", "a1200-fast", 2, USUAL),
+        ("swap", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
+        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL),
+        ("addx", "a1200-fast", 1, EXACT), ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
+        ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices")),
+        ("addx", "a1200-fast", 3, USUAL), ("addx", "a1200-fast", 4, EXACT),
+        ("swap", "a1200", 3, EXACT), ("addx", "a1200", 4, replace(USUAL, clip="vertices"))]
+
+
+def called(run: tuple) -> str:
+    """A run's name in the tests' names."""
+    form, machine, seed, settings = run
+    return f"{form}-{machine}-{seed}-{settings.edges}-{settings.clip}"
+
+
+@cache
+def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
+    """The scene of a seed."""
+    made = random_polygons.scene(seed, *SCENES[seed], pixels=WIDE.get(seed, "chunky"))
+    made.materials = [replace(m, edges=settings.edges, clip=settings.clip) for m in made.materials]
+    return made
+
+
+@cache
+def expected(seed: int, settings: model.Settings) -> list[tuple[int, int]]:
+    """The digests of the model's frames of a seed."""
+    this = scene(seed, settings)
+    return [guest_frames.digest_of(model.render(this, k)) for k in range(this.frames)]
+
+
+@pytest.fixture(scope="module")
+def drawn(request) -> dict[str, np.ndarray]:
+    """The guest's digests of the runs that are asked for, by their names."""
+    names = {item.name.partition("[")[2].removesuffix("]") for item in request.session.items}
+    asked = [run for run in RUNS if called(run) in names]
+    found = {}
+    for machine in dict.fromkeys(run[1] for run in asked):
+        runs = [run for run in asked if run[1] == machine]
+        digests = guest_frames.draw([(scene(seed, settings), form) for form, _, seed, settings in runs],
+                            machine)
+        found |= dict(zip(map(called, runs), digests, strict=True))
+    return found
+
+
+@pytest.mark.parametrize("run", RUNS, ids=called)
+def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
+    """No byte differs, none outside the frame is touched, whatever the form."""
+    form, machine, seed, settings = run
+    this = scene(seed, settings)
+    found = [(int(d["result"]), int(d["sum"]), int(d["hash"])) for d in drawn[called(run)]]
+    wrong = [k for k, (digest, right) in enumerate(zip(found, expected(seed, settings), strict=True))
+             if digest != (0, *right)]
+    if wrong:
+        again = (".deps/venv/bin/python -m pytest -q 'tests/polygon/test_polygons.py::"
+                 f"test_every_polygon_is_the_models[{called(run)}]'")
+        frame = guest_frames.frame_of(scenes.some_frames(this, wrong[:1]), form, machine)
+        pytest.fail(f"{len(wrong)} polygons are wrong; the first one's result is "
+                    f"{found[wrong[0]][0]}, which must be 0\n"
+                    + explain(this, wrong[0], frame, f"seed {seed}, polygon {wrong[0]}", again))
+
+
+@pytest.mark.parametrize("seed", sorted(SCENES.keys() - WIDE))
+def test_error_is_within_the_derived_bounds(seed: int) -> None:
+    """Edges and texels are off the exact rational ideal by no more than tools/tmap/ideal/ideal.py derives; with
+    exact edges, however long, thin or steep, every pixel is the rational polygon's."""
+    this = scene(seed)
+    worst = {USUAL: ideal.Deviation(), EXACT: ideal.Deviation()}
+    for number, obj in enumerate(this.objects):
+        vertices = scene_file.vertices_at(this, obj, number)
+        for settings, total in worst.items():
+            polygon = model.set_up(vertices, this.width, this.height, True, settings)
+            if polygon:
+                found = ideal.deviation(vertices, polygon, this.width)
+                assert found.edge_ratio <= 1 and found.texel_ratio <= 1 and not (
+                    settings is EXACT and found.coverage_errors), (
+                    f"seed {seed}, polygon {number}, edges {settings.edges}: {found}, vertices "
+                    f"{vertices}")
+                total.merge(found)
+    # The scene is what it claims to be: much is drawn, and the bounds are nearly reached.
+    assert min(total.pixels for total in worst.values()) > 1_000_000
+    assert worst[USUAL].edge_ratio > 0.9 and worst[USUAL].texel_ratio > 0.9
+
+
+def from_far_above() -> scene_file.Scene:
+    """Edges that begin 16,384 lines above the frame, their exact slopes just beyond half a
+    unit: stepped from there, they would be off by 1/8 pixel. A right edge would leave the
+    frame beside the last column, a left one the map that its gradient follows."""
+    one = 65536
+    far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
+    right, left = 320 * one - one // 64, 200 * one + one // 5
+    vertices = [(right - half, far, 0, 0, 0, one), (right, 250 * one, 0, 0, 0, one),
+                (100 * one, 100 * one, 0, 0, 0, one),
+                (left, far, one // 16, 30 * one, 0, one),
+                (left - half, 250 * one, one // 16, 30 * one, 0, one),
+                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0, one)]
+    noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
+    return scene_file.Scene(
+        320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],
+        [scene_file.Material(colour=200), scene_file.Material("arbitrary", texture=0)],
+        [scene_file.Object(k, 3 * k, 3, 0, 1, k) for k in range(2)], np.array(vertices),
+        np.array([scene_file.IDENTITY]))
+
+
+def test_edges_from_far_above() -> None:
+    """Nothing is written outside the frame or read outside the map, wherever edges begin."""
+    this = from_far_above()
+    for number in range(2):
+        vertices = scene_file.vertices_at(this, this.objects[number], number)
+        polygon = model.set_up(vertices, 320, 256, False)
+        found = ideal.deviation(vertices, polygon, 320)
+        assert found.edge_ratio <= 1, f"polygon {number}: {found}"
+        assert all(edge.column(y) <= 320 for edge in polygon.right_edges
+                   for y in range(edge.top, edge.end)), f"polygon {number}"
+    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
+    for number, digest in enumerate(digests):
+        if not guest_frames.is_models(model.render(this, number), digest):
+            one = scenes.some_frames(this, [number])
+            pytest.fail(explain(this, number, guest_frames.frame_of(one, "addx", "a1200-fast"),
+                                f"far above, polygon {number}",
+                                ".deps/venv/bin/python -m pytest -q tests/polygon/test_polygons.py -k far"))
+    assert digests["result"].tolist() == [0, 0]
+
+
+def test_scenes_hold_what_they_promise() -> None:
+    """Many thin ones, many partly off screen, both wrap modes, every vertex count."""
+    this = scene(1)
+    counts, off, thin, wraps = set(), 0, 0, 0
+    for number, obj in enumerate(this.objects):
+        vertices = scene_file.vertices_at(this, obj, number)
+        polygon = model.set_up(vertices, this.width, this.height, True)
+        counts.add(len(vertices))
+        off += any(not (0 <= x < this.width << 16 and 0 <= y < this.height << 16)
+                   for x, y, *_ in vertices)
+        if polygon:
+            widths = [line.right - line.left for line in polygon.lines]
+            thin += max(widths) <= 2
+            wraps += polygon.texturing.wraps
+    assert counts == set(range(3, 9))
+    assert off > 300 and thin > 50 and wraps > 20, (off, thin, wraps)

@@ -1,0 +1,263 @@
+"""Programs built for one scene: they draw what the full renderer draws, as fast, and hold nothing
+else."""
+
+import json
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tmap.__main__ import main
+from tmap.base.errors import UserError
+from tmap.base.paths import PROGRAMS, SCENES
+from tmap.build import elf_object
+from tmap.build.elf_object import Relocation, Section
+from tmap.product import program_layout, program_parts, scene_program
+
+MESH = """\
+title = "A pyramid"
+width = 96
+height = 64
+frames = 2
+background = "#101420"
+[textures]
+wall.image = "wall.png"
+[materials]
+wall = { texture = "wall", perspective = "every16" }
+[camera]
+eye = [0, 1, 3]
+target = [0, 0, 0]
+fov = 60
+[[objects]]
+points = [[-1, -1, -1], [1, -1, -1], [1, -1, 1], [-1, -1, 1], [0, 1, 0]]
+faces = [[0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0]]
+uvs = [[[0, 256], [128, 0], [256, 256]]]
+material = "wall"
+turns = 0.1
+"""
+FLAT = """\
+width = 64
+height = 48
+frames = 3
+background = "#102030"
+[materials]
+red.colour = "#ff0000"
+[[objects]]
+material = "red"
+sides = 5
+radius = 20
+centre = [30, 24]
+turns = 0.4
+"""
+#: A point-sampled tile, which becomes a page for the plain mappers, and a filtered one.
+UNITS = """\
+width = 64
+height = 32
+frames = 2
+format = "rgba5551"
+background = "#102030"
+[materials.page.tx]
+tiles = [{ image = "tile.png", format = "rgba16" }]
+[materials.filtered.tx]
+filter = "bilerp"
+tiles = [{ image = "tile.png", format = "ia8", s.wrap = "mirror" }]
+[[objects]]
+material = "page"
+vertices = [[1, 1, 0, 0], [30, 2, 40, 0], [28, 30, 40, 40], [2, 28, 0, 40]]
+centre = [0, 0]
+[[objects]]
+material = "filtered"
+vertices = [[1, 1, 0, 0], [30, 2, 20, 0], [28, 30, 20, 20], [2, 28, 0, 20]]
+centre = [32, 0]
+"""
+#: A program's file without maps, bytes, by gcc: the figure reached, and a dozen by which holes
+#: between held cache lines differ.
+MOST = {"triangle": 10_660}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """The scenes' files."""
+    made = tmp_path_factory.mktemp("scenes")
+    texels = np.indices((64, 64)).sum(axis=0) // 8 % 2 * 200 + 30
+    Image.fromarray(np.repeat(texels[..., None], 3, axis=2).astype(np.uint8)).save(
+        made / "wall.png")
+    Image.fromarray(np.stack([texels[:16, :16]] * 3 + [255 - texels[:16, :16]], -1).astype(
+        np.uint8)).save(made / "tile.png")
+    (made / "units.toml").write_text(UNITS)
+    (made / "mesh.toml").write_text(MESH)
+    (made / "flat.toml").write_text(FLAT)
+    return made
+
+
+def make(path, out, capsys) -> dict:
+    """Makes a program by the command and returns its program.json."""
+    assert main(["scene-program", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
+    return json.loads((out / "program.json").read_text())
+
+
+def routines(out, name: str) -> set[str]:
+    """What stands in a program's map."""
+    return {line.split()[1] for line in (out / f"{name}.map").read_text().splitlines()}
+
+
+def check(about: dict, out, name: str) -> None:
+    """Holds a program to the full renderer's times, and its table to its file.
+
+    That its frames are the full renderer's, byte for byte, is what the command refuses else;
+    ``test_wrong_frame_is_refused`` has a look at that.
+    """
+    ticks = about["ticks"]
+    apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)]
+    assert max(apart) <= scene_program.LONGER, (
+        f"{name}: ticks beside the full renderer's by {apart}; "
+        f"scripts/tmap scene-program {name}.toml")
+    size = (out / name).stat().st_size
+    assert about["bytes"]["file"] == size
+    assert about["bytes"]["code"] + about["bytes"]["scene"] + about["bytes"]["maps"] == size
+    assert about["full_bytes"]["code"] == (PROGRAMS / "render").stat().st_size
+    if name in MOST and about["compiler"].startswith("gcc"):
+        assert about["bytes"]["without_maps"] <= MOST[name], (
+            f"{name}: {about['bytes']['without_maps']} bytes without its maps")
+
+
+def test_textured_triangle(tmp_path, capsys):
+    about = make(SCENES / "triangle.toml", tmp_path, capsys)
+    check(about, tmp_path, "triangle")
+    inside = routines(tmp_path, "triangle")
+    assert {"span_affine_addx", "span_fill", "edge_addx"} <= inside or "draw.c" in inside
+    assert not inside & {"span_affine_row", "span_lit", "span_tiled", "span_gouraud",
+                         "edge_addx_exact", "perspective_lines", "mesh_transform", "mesh_draw"}
+
+
+def test_mesh_in_perspective(folder, tmp_path, capsys):
+    about = make(folder / "mesh.toml", tmp_path, capsys)
+    check(about, tmp_path, "mesh")
+    inside = routines(tmp_path, "mesh")
+    assert {"mesh_transform", "mesh_faces"} <= inside
+    assert not inside & {"span_lit", "span_tiled", "span_generated", "logarithm_lines"}
+
+
+def test_flat_polygon(folder, tmp_path, capsys):
+    about = make(folder / "flat.toml", tmp_path, capsys)
+    check(about, tmp_path, "flat")
+    assert about["bytes"]["maps"] == 0
+    inside = routines(tmp_path, "flat")
+    assert {"span_fill", "edge_flat"} <= inside
+    assert not {name for name in inside if name.startswith("span_")} - {"span_fill"}
+    assert not inside & {"edge_addx", "texturing_plane", "mesh_transform"}
+
+
+def test_texture_units(folder, tmp_path, capsys):
+    """Their engine too, as far as the scene calls for it: no levels, divides or combiner."""
+    about = make(folder / "units.toml", tmp_path, capsys)
+    check(about, tmp_path, "units")
+    inside = routines(tmp_path, "units")
+    assert {"span_affine_16", "span_affine_16_wrap"} & inside
+    assert {"tx_threepoint_16", "tx_weights", "tx_command"} <= inside
+    assert not inside & {"tx_divide", "tx_lod", "tx_combiner", "tx_lerp", "tx_convert",
+                         "tx_draw_pixel", "span_affine_addx"}
+
+
+def test_wrong_frame_is_refused():
+    full = scene_program.Run({"frame_000.chunky": b"ab"}, [10])
+    scene_program.compare(full, full, "toy")
+    with pytest.raises(UserError, match="toy: frame_000.chunky is not what the full renderer"):
+        scene_program.compare(full, scene_program.Run({"frame_000.chunky": b"ax"}, [10]), "toy")
+    with pytest.raises(UserError, match="toy: 0 frames drawn and 0 timed where the full renderer "
+                       "has 1 and 1"):
+        scene_program.compare(full, scene_program.Run({}, []), "toy")
+
+
+@pytest.mark.parametrize("text, wanted", [
+    (FLAT.replace("width = 64", "width = 63"), "width"),
+    (FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "materials.red"),
+    (None, "none.toml"),
+])
+def test_bad_input_is_one_line(folder, tmp_path, capsys, text, wanted):
+    path = tmp_path / ("bad.toml" if text else "none.toml")
+    if text:
+        path.write_text(text)
+    out = tmp_path / "out"
+    assert main(["scene-program", str(path), "-o", str(out)]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and wanted in message
+    assert not out.exists()
+
+
+def test_name_that_is_no_program(folder, tmp_path, capsys):
+    path = tmp_path / "two words.toml"
+    path.write_text(FLAT)
+    assert main(["scene-program", str(path), "-o", str(tmp_path / "out")]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and "two words" in message and "letters" in message
+
+
+def section(name: str, data: bytes, room: str = "amiga", **more) -> Section:
+    """A section of code."""
+    return Section(f"build/obj/asm/{room}/{name}.o", f".text.{name}", data, len(data), 4,
+                   code=True, **more)
+
+
+def test_calls_of_what_never_ran_stop():
+    """A pointer to a routine that was not executed leads to an ILLEGAL."""
+    entry = section("start", bytes(8), symbols={"start": 0},
+                    relocations=[Relocation(2, 4, False, "other", 0)])
+    other = section("other", bytes(64), "span", symbols={"other": 0})
+    program = program_parts.Program([entry, other], {}, {})
+    assert other not in program.parts
+    layout = program_layout.Layout(program, {})
+    image, code, bss = layout.link()
+    assert code == [2] and bss == []
+    stop = int.from_bytes(image[2:6], "big")
+    assert image[stop:stop + 2] == program_parts.ILLEGAL
+
+
+def test_calls_need_no_relocation():
+    """jsr and jmp of an address become a 68000's branches, a 68020's where code is timed once; where
+    it is timed again and again they stay, and so do addresses of data and of cleared memory."""
+    calls = bytes.fromhex("4eb900000000 4ef900000000 4eb900000000 223c00000000")
+    other = section("other", bytes(64), symbols={"other": 0})
+    cleared = Section("build/obj/asm/amiga/x.o", ".bss.x", b"", 8, 4, bss=True, symbols={"x": 0})
+    entry = section("start", calls, symbols={"start": 0}, relocations=[
+        Relocation(place, 4, False, target, addend) for place, target, addend in
+        ((2, "other", 8), (8, "other", 10), (14, "x", 4), (20, "other", 0))])
+    images = []
+    for timed in range(3):
+        program = program_parts.Program([entry, other, cleared], {}, {entry: ([], timed)})
+        image, code, bss = program_layout.Layout(program, {}).link()
+        assert (sorted(code), bss) == ([2, 8, 20] if timed == 2 else [20], [14])
+        assert image[12:18].hex() == "4eb900000004"
+        images.append(image[:12].hex())
+    at = int.from_bytes(image[20:24], "big")
+    assert images == [f"6100{at + 6:04x}4e716000{at + 2:04x}4e71", f"61ff{at + 6:08x}60ff{at + 2:08x}",
+                      f"4eb9{at + 8:08x}4ef9{at + 10:08x}"]
+    assert program_layout.branch(bytes.fromhex("4eb9"), 1 << 15, 0) is None
+
+
+def test_strings_are_parts_of_their_own():
+    """A program holds those of a section of strings that it refers to."""
+    whole = Section("build/obj/gcc/system/x.o", ".rodata.x.str1.1", b"ab\0\0cde\0", 8, 4)
+    strings = elf_object.split_strings(whole)
+    assert {at: part.data for at, part in strings.items()} == {0: b"ab\0", 3: b"\0", 4: b"cde\0"}
+    assert elf_object.part_at(strings, 5) == (strings[4], 1)
+    assert elf_object.part_at(strings, 3) == (strings[3], 0)
+
+
+def test_what_nothing_defines_is_refused():
+    entry = section("start", bytes(8), symbols={"start": 0},
+                    relocations=[Relocation(2, 4, False, "gone", 0)])
+    with pytest.raises(UserError, match="start.o: gone: nothing defines it"):
+        program_parts.Program([entry], {}, {})
+
+
+def test_fixed_places_keep_their_cache_lines():
+    """Timed sections lie as in the full renderer, modulo the cache's size, apart."""
+    entry = section("start", bytes(8), symbols={"start": 0}, relocations=[
+        Relocation(0, 4, False, "a", 0), Relocation(4, 4, False, "b", 0)])
+    a = section("a", bytes(40), symbols={"a": 0})
+    b = section("b", bytes(40), symbols={"b": 0})
+    program = program_parts.Program([entry, a, b], {}, None)
+    layout = program_layout.Layout(program, {a: 0x1234, b: 0x5230})
+    assert layout.at[a] % program_layout.CACHE == 0x34 and layout.at[b] % program_layout.CACHE == 0x30
+    assert abs(layout.at[a] - layout.at[b]) >= 40 + program_layout.AHEAD

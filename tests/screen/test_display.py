@@ -1,0 +1,287 @@
+"""The display as programs take it: what its copper lists and planes show, that its two sets take
+turns, and that the machine is as before, whichever way a program ends."""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+
+from tests.guest import guest_program
+from tests.screen import copper_lists
+from tmap.base import maps, planar
+from tmap.base.paths import ROOT
+from tmap.build import layout
+from tmap.guest import emulator
+
+GUEST = ROOT / "tests" / "guest"
+MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
+FRAMES = 3
+BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
+TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and places of the beam: where pictures may be
+LAST_START = 20  # the line in which a list may still be started
+MACHINE = "a1200"
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A form of frames as the guest shows them."""
+
+    kernel: str
+    width: int
+    height: int
+    colours: object = None  # of pixels; None: the palette has them
+
+    @property
+    def format(self) -> int:
+        name = {"c2p_8": "CHUNKY", "c2p_ham8_16": "RGB565", "c2p_ham8_5551": "RGBA5551",
+                "c2p_ham8_32": "RGBA8888"}[self.kernel]
+        return layout.load().constants[f"PIXEL_{name}"]
+
+    @property
+    def arguments(self) -> str:
+        return f"{self.format} {self.width} {self.height}"
+
+
+SHOWN = {
+    "whole": Shown("c2p_8", 320, 256),
+    "odd": Shown("c2p_8", 200, 61),  # its columns end within 32, its middle between two lines
+    "high": Shown("c2p_ham8_16", 136, 59, maps.from_rgb565),
+    "super": Shown("c2p_ham8_5551", 184, 33, maps.from_rgba5551),
+    "tall": Shown("c2p_ham8_32", 104, 130, maps.from_rgba8888),
+}
+
+
+def command(mode: str, rest: str = "0 320 256") -> str:
+    """The guest's arguments."""
+    return f"display {MODES.index(mode)} {rest}"
+
+
+#: How programs end, and what they return.
+ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64"): 0,
+           command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20,
+           command("REFUSED", "0 324 256"): 10, command("REFUSED", "0 320 257"): 10}
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """A folder with the guest, linked as the Makefile does."""
+    folder = tmp_path_factory.mktemp("programs")
+    guest_program.build(folder, GUEST / "display.c", GUEST / "events.s")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def pixels():
+    """Random frames by name: [frame][row][x]."""
+    rng = np.random.default_rng(9)
+    return {name: np.stack([planar.noise(s.kernel, rng, s.width, s.height) for _ in range(FRAMES)])
+            for name, s in SHOWN.items()}
+
+
+@pytest.fixture(scope="module")
+def palette():
+    return np.random.default_rng(10).integers(0, 256, (256, 4), np.uint8)
+
+
+@pytest.fixture(scope="module")
+def ended(programs, pixels, palette, tmp_path_factory):
+    """All of it in one boot, the machine's state before and after each: {command: (Result, state
+    before, state after)}; and the volume."""
+    files = {"palette": palette.tobytes()} | {
+        name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
+    commands = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()] + [*ENDINGS]
+    # Once: the system frees what it can spare, and makes what it needs when it is asked first.
+    line = [command("SHORT"), command("AGAIN"), command("STATE")]
+    for each in commands:
+        line += [each, command("STATE")]
+    results = emulator.run_many(line, files, MACHINE, tmp_path_factory.mktemp("run"),
+                                programs=programs, apart=True)
+    return {each: (results[2 * n + 3], results[2 * n + 2].output, results[2 * n + 4].output)
+            for n, each in enumerate(commands)}
+
+
+@dataclass
+class Dump:
+    """The screen's memory after a swap, and what the guest said of it."""
+
+    memory: bytes
+    address: int
+    shown: int  # the list the copper is at
+    lists: tuple[int, int]
+    hidden: int
+    fields: int
+    last_line: int  # of the beam
+
+    @property
+    def regions(self) -> list[copper_lists.Region]:
+        words = np.frombuffer(self.memory, ">u2", offset=self.shown - self.address)
+        return copper_lists.regions(words[:len(words) & -2])
+
+
+def dumps(ended, name: str) -> list[Dump]:
+    """Of all frames of a form."""
+    result = ended[command("SHOW", f"{SHOWN[name].arguments} {name}")][0]
+    assert result.code == 0, result.output
+    lines = [[int(n) for n in line.split()] for line in result.output.splitlines()]
+    return [Dump((result.directory / f"{name}.{k}").read_bytes(), line[0], line[1],
+                 (line[2], line[3]), *line[4:]) for k, line in enumerate(lines)]
+
+
+def expected(name: str, pixels, number: int) -> np.ndarray:
+    """The dots of a frame: the last one is a box over the one before the one before."""
+    frames = pixels[name]
+    frame = frames[number]
+    if number == FRAMES - 1:
+        frame = frames[0].copy()
+        frame[BOX] = frames[-1][BOX]
+    dots = planar.FORMS[SHOWN[name].kernel].convert(frame)
+    if SHOWN[name].colours:
+        dots = dots | planar.ham8_control(dots.shape[1])
+    return dots
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_planes_of_the_shown_list_are_the_frame(ended, pixels, name):
+    """Bit for bit, walked from the list the copper is at; in the middle of the screen."""
+    shown = SHOWN[name]
+    for number, dump in enumerate(dumps(ended, name)):
+        region = dump.regions[0]
+        found = copper_lists.picture(region, dump.memory, dump.address)
+        dots = expected(name, pixels, number)
+        half = shown.colours and shown.width <= 160 and shown.height <= 128
+        assert copper_lists.resolution(region) == (1 if half else 2 if shown.colours else 0)
+        assert bool(region.registers[copper_lists.BPLCON0] & 0x0800) == bool(shown.colours)
+        if half:
+            dots = np.repeat(dots, 2, axis=0)
+        wrong = planar.difference(dots, found.dots)
+        assert wrong is None, f"{name}, frame {number}, seed 9: {wrong}"
+        assert abs(found.top + found.bottom - TOP - BOTTOM) <= 1
+        assert abs(found.left + found.right - 2 * LEFT - 320) <= 1
+        assert found.top >= TOP and found.bottom <= BOTTOM and found.left >= LEFT
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_sets_take_turns(ended, name):
+    """Lists and planes; of the hidden set nothing is shown but HAM8's planes 0 and 1."""
+    made = dumps(ended, name)
+    assert [d.hidden for d in made] == [1, 0, 1]
+    assert [d.lists.index(d.shown) for d in made] == [0, 1, 0]
+    assert made[0].fields < made[1].fields < made[2].fields
+    first, second = ([d.regions[0].registers[copper_lists.BPL1PTH + k] for k in range(0, 32, 2)]
+                     for d in made[:2])
+    planes = [[high << 16 | low for high, low in zip(one[::2], one[1::2])] for one in (first, second)]
+    shared = set(planes[0]) & set(planes[1])
+    assert len(shared) == (2 if SHOWN[name].colours else 0)
+    assert shared <= set(planes[0][:2])
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_all_colours(ended, palette, name):
+    """256 of 24 bits; of HAM8 the one that lines begin with."""
+    for dump in dumps(ended, name):
+        found = dump.regions[0].palette
+        if SHOWN[name].colours:
+            assert (found[0] == 2).all()
+        else:
+            assert (found == palette[:, 1:]).all()
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_list_is_through_before_the_picture_begins(ended, name):
+    """Even where it is started as late as it may be."""
+    for dump in dumps(ended, name):
+        lines = dump.regions[0].moves * copper_lists.MOVE / copper_lists.LINE
+        assert LAST_START + 1 + lines < TOP
+        assert dump.regions[1].line == BOTTOM
+
+
+def test_half_frames_show_colours(ended, pixels):
+    """From the guest's dots to colours: what tests/screen/test_screen.py says of the right halves."""
+    for name, shown in SHOWN.items():
+        if not shown.colours:
+            continue
+        dump = dumps(ended, name)[1]
+        dots = copper_lists.picture(dump.regions[0], dump.memory, dump.address).dots
+        seen = planar.ham8_shown(dots, tuple(dump.regions[0].palette[0]))[:, 3::4]
+        colours = shown.colours(pixels[name][1])[..., :3]
+        assert (seen[::len(seen) // shown.height] >> 2 == colours >> 2).all(), name
+
+
+def letters(dump: Dump, line: int) -> np.ndarray:
+    """A status line as 80 characters of 8 rows."""
+    region = dump.regions[1]
+    found = copper_lists.picture(region, dump.memory, dump.address)
+    assert found.dots.shape[1] == 640 and found.top > BOTTOM and found.bottom <= 312
+    rows = np.packbits(found.dots.astype(bool), axis=1)[9 * line:9 * line + 8]
+    return rows.T
+
+
+def test_status_lines(ended):
+    """Characters are alike where they are the same; what is behind a text is cleared, and what the
+    font lacks is blank."""
+    first, second, third = dumps(ended, "whole")
+    line = letters(first, 0)
+    text = "0 first line"
+    glyphs = {}
+    for character, rows in zip(text.ljust(80), line):
+        assert glyphs.setdefault(character, rows.tobytes()) == rows.tobytes(), character
+    assert len(set(glyphs.values())) == len(glyphs) and not any(glyphs[" "])
+    assert not letters(first, 1).any()
+    assert (letters(second, 0) == line).all()
+    other = letters(second, 1)
+    assert other[0].any() and other[2:11].any(axis=1).all() and not other[13].any()
+    assert other[13:].any(axis=1).sum() == len("beyond") + 1 - 1
+    assert letters(third, 0)[0].any() and not letters(third, 0)[1:].any()
+    colours = first.regions[1].palette
+    assert (colours[0] == 0).all() and (colours[1] == 0xCC).all()
+
+
+def test_machine_is_as_before(ended):
+    """Memory, interrupts, DMA, view, vector and the beam's last line."""
+    for each, (_, before, after) in ended.items():
+        assert len(before.split()) == 7 and after == before, each
+
+
+def test_return_codes(ended):
+    for each, code in ENDINGS.items():
+        assert ended[each][0].code == code, (each, ended[each][0].output)
+
+
+def test_keys(ended):
+    """Pressed ones alone, in their order, 15 at most; the mouse is none. Ctrl-C is a signal."""
+    words = ended[command("KEYS", "0 32 32")][0].output.split()
+    assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
+
+
+def test_lists_are_shown_in_their_fields(ended):
+    """A list that was posted waits for its field; one whose field is over is shown in the next."""
+    assert ended[command("POST", "0 32 32")][0].output == "1 0 1 11\n"
+
+
+def test_screens_one_after_the_other(ended):
+    """The second fits the first one's memory, the third does not."""
+    assert ended[command("AGAIN", "1 160 64")][0].output.split()[-1] == "10"
+
+
+def test_refusals(ended):
+    planes = 16 * 320 * 256 // 8
+    said = re.fullmatch(r"screen: not enough memory for planes and copper lists: (\d+) bytes of chip "
+                        r"RAM; the largest free piece has (\d+)\n",
+                        ended[command("SHORT")][0].output)
+    assert planes < int(said[1]) < planes + 10_000 and int(said[2]) < 100_000
+    assert ended[command("REFUSED", "0 324 256")][0].output == \
+        "screen: the frame's width is not 8 to 320 in steps of 8\n"
+    assert ended[command("REFUSED", "0 320 257")][0].output == \
+        "screen: the frame's height is not 1 to 256\n"
+
+
+def test_machine_without_aga(programs, tmp_path, monkeypatch):
+    """The same processor, the chips before."""
+    monkeypatch.setitem(emulator.MACHINES, "ecs", ECS)
+    result = emulator.run("display", command("SHOW").partition(" ")[2], {}, "ecs", tmp_path,
+                          programs=programs)
+    assert (result.code, result.output) == (20, "screen: needs AGA: an A1200 or A4000\n")
+
+
+ECS = {"amiga_model": "A500+", "cpu": "68020", "uae_cpu_model": "68020", "chip_memory": "2048"}

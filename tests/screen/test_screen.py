@@ -1,0 +1,75 @@
+"""The way to the screen: what bitplanes mean, and what HAM8 shows of a frame.
+
+The routines themselves are held to this bit for bit by tests/kernels/test_kernels.py.
+"""
+
+import numpy as np
+import pytest
+
+from tmap.base import maps, planar
+
+BACKGROUND = (2, 2, 2)  # palette entry 0, as c/screen/planar.h advises
+ROUNDED = -1, 2  # what the lower two bits of the background make of others: 2 - 3 to 2 - 0
+
+
+def bit(block: np.ndarray, at: int, x: int) -> int:
+    """A dot's bit in the row of a plane that begins at ``at``."""
+    return int(block[at + x // 8]) >> 7 - x % 8 & 1
+
+
+@pytest.mark.parametrize("row_pitch, plane_pitch", [(8, 24), (64, 8), (-8, 24), (12, -40)])
+def test_decoder_reads_each_bit(row_pitch, plane_pitch):
+    """Of noise, bit by bit, however the planes lie; and the encoder is its inverse."""
+    planes = planar.Planes(64, 3, row_pitch, plane_pitch, planar.FORMS["c2p_8"].planes)
+    block = np.random.default_rng(1).integers(0, 256, planes.size, np.uint8)
+    dots = planes.decoded(block)
+    for y in range(planes.rows):
+        for x in range(planes.width):
+            at = planes.first + y * row_pitch
+            expected = sum(bit(block, at + k * plane_pitch, x) << k for k in range(8))
+            assert dots[y, x] == expected, (row_pitch, plane_pitch, x, y)
+    assert (planes.encoded(dots) == block[planes.offsets]).all()
+
+
+def shown(dots: np.ndarray) -> np.ndarray:
+    """The screen, by the four dots of each pixel: int [row][x][dot][channel]."""
+    coded = dots | planar.ham8_control(dots.shape[1])
+    screen = planar.ham8_shown(coded, BACKGROUND).astype(int)
+    return screen.reshape(len(dots), -1, len(planar.ORDER), 3)
+
+
+@pytest.mark.parametrize("name, colours_of", [("c2p_ham8_16", maps.from_rgb565),
+                                              ("c2p_ham8_5551", maps.from_rgba5551),
+                                              ("c2p_ham8_32", maps.from_rgba8888)])
+def test_pixels_right_halves_have_their_colour(name, colours_of):
+    """The last two dots, to the upper six bits; the first two have green or blue of the left."""
+    pixels = planar.noise(name, np.random.default_rng(2), 160, 64)
+    found = shown(planar.FORMS[name].convert(pixels))
+    colours = colours_of(pixels)[..., :3].astype(int)
+    for dot in (2, 3):
+        error = found[:, :, dot] - colours
+        assert error.min() == ROUNDED[0] and error.max() == ROUNDED[1], (name, dot)
+        assert (found[:, :, dot] >> 2 == colours >> 2).all(), (name, dot)
+    last = found[:, :, 3]
+    left = np.concatenate([np.full_like(last[:, :1], BACKGROUND), last[:, :-1]], axis=1)
+    red, green, blue = range(3)
+    means, ones = found.mean(axis=2), np.array((0, 1 / 4, 1 / 2))
+    from_left = np.concatenate([np.full_like(colours[:, :1], 2), colours[:, :-1]], axis=1) - colours
+    assert (abs(means - colours) <= 2 + abs(from_left) * ones).all()
+    assert (found[:, :, 0] == np.stack([last[..., red], left[..., green], left[..., blue]], -1)).all()
+    assert (found[:, :, 1] == np.stack([last[..., red], last[..., green], left[..., blue]], -1)).all()
+
+
+def test_every_rgb565_colour_keeps_its_bits():
+    """All 65,536: five bits of red and blue and six of green come back from the screen."""
+    pixels = np.arange(65536, dtype=maps.RGB565).reshape(256, 256)
+    last = shown(planar.FORMS["c2p_ham8_16"].convert(pixels))[:, :, 3]
+    again = last[..., 0] >> 3 << 11 | last[..., 1] >> 2 << 5 | last[..., 2] >> 3
+    assert (again == pixels).all()
+
+
+def test_alpha_does_not_count():
+    """Frames that differ in alpha alone are the same dots."""
+    pixels = planar.noise("c2p_ham8_32", np.random.default_rng(3), 32, 4)
+    convert = planar.FORMS["c2p_ham8_32"].convert
+    assert (convert(pixels) == convert(pixels ^ 0xFF)).all()

@@ -1,0 +1,66 @@
+"""Scene files of texture engines: small ones, and how they and their frames are judged."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tests.arrays import first_wrong
+from tmap.base.errors import UserError
+from tmap.compiler.scene import compile_scene
+from tmap.scene_file.scene_file import Scene
+
+HEAD = """\
+width = 64
+height = 48
+frames = {frames}
+format = "{pixels}"
+background = "#102030"
+"""
+
+
+def save_noise(folder, seed: int, **sizes: tuple[int, int]) -> None:
+    """Pictures of random colours by their names: (height, width)."""
+    rng = np.random.default_rng(seed)
+    for name, size in sizes.items():
+        pixels = rng.integers(0, 256, (*size, 3), np.uint8)
+        Image.fromarray(pixels).save(folder / f"{name}.png")
+
+
+def scene_text(material: str, obj: str, pixels: str = "rgba8888", frames: int = 1) -> str:
+    """A scene of one material, "it", and one object."""
+    return (HEAD.format(frames=frames, pixels=pixels) + f"[materials]\nit = {{ {material} }}\n"
+            + f'[[objects]]\nmaterial = "it"\n{obj}\n')
+
+
+def many_text(width: int, height: int, pixels: str, engines) -> str:
+    """A scene of one frame with texture engines as its materials m0, m1, ...; no object yet."""
+    return (f'width = {width}\nheight = {height}\nframes = 1\nformat = "{pixels}"\n'
+            'background = "#102030"\n[materials]\n'
+            + "".join(f"m{n} = {{ tx = {{ {tx} }} }}\n" for n, tx in enumerate(engines)))
+
+
+def compiled(folder, text: str) -> Scene:
+    (folder / "scene.toml").write_text(text)
+    return compile_scene(folder / "scene.toml")
+
+
+def check_refused(folder, text: str, message: str) -> None:
+    """One line that begins with the file and ``message``."""
+    with pytest.raises(UserError) as caught:
+        compiled(folder, text)
+    said = str(caught.value)
+    assert said.startswith(f"{folder / 'scene.toml'}: {message}"), said
+    assert "\n" not in said
+
+
+def explain(what: str, expected: np.ndarray, found: np.ndarray, again: str) -> str:
+    """How a frame, or a part of one, differs from the model's; the command to draw it again."""
+    count = int((found != expected).sum())
+    first = f"; {first_wrong(expected, found)}" if count else ""
+    return f"{what}: {count} pixels are not the model's{first}; again: {again}"
+
+
+def run_command(name: str, frames: int, off: str | None) -> str:
+    """What draws a scene of tests/scenes again."""
+    return (f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
+            + (f" --off {off}" if off else ""))

@@ -1,0 +1,13 @@
+"""What ``tmap accuracy`` tells of an engine's modes."""
+
+from tmap.accuracy import accuracy
+
+
+def check(folder, capsys, engine: str, modes: list) -> None:
+    """A line each in ENGINE.md, drawn by the machine, with errors."""
+    assert accuracy.command(folder, [engine], "a1200-fast", False) == 0
+    text = (folder / f"{engine}.md").read_text()
+    lines = [line for line in text.splitlines() if line.startswith("| ")]
+    assert len(lines) == 1 + len(modes) and lines[1] in capsys.readouterr().out
+    for mode, line in zip(modes, lines[1:]):
+        assert line.startswith(f"| {mode.title} | ") and line.count("|") == 7

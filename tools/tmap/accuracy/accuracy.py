@@ -1,0 +1,281 @@
+"""``tmap accuracy``: what each accuracy setting and mapper is off, and what it costs.
+
+Polygons of a named set are drawn under every combination on the emulated machine; each
+frame must be the model's, byte for byte, so the model's u and v are the renderer's. They
+are compared with the exact rational ideal (tools/tmap/ideal/ideal.py) pixel by pixel.
+"""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tmap.accuracy.rows import as_json, mark_frontier, report, table
+from tmap.base.errors import UserError
+from tmap.base.outputs import bars, check_directory
+from tmap.base.paths import ACCURACY_BASELINE
+from tmap.corpus import polygon_sets, random_maps
+from tmap.corpus.settings_grid import combinations, depth_combinations
+from tmap.guest import emulator, provenance
+from tmap.guest.emulator import CYCLES_PER_TICK, MEASURED
+from tmap.ideal import ideal, perspective
+from tmap.model import model
+from tmap.model.model import Settings
+from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture,
+                                        write)
+from tmap.setup.shading import LIT
+
+#: The sets whose rows are kept beside the bench's baseline, for README and tests.
+BASELINE_SETS = "medium", "depth"
+#: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
+#: of tmap.accuracy.engines), the page of hard cases.
+METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("tx", "tmu")
+
+
+def set_polygons(name: str, mapper: str) -> list:
+    """A set's polygons; where the map does not repeat, their coordinates stay inside."""
+    return polygon_sets.polygons(name, 256.0 if mapper == "arbitrary" else None)
+
+
+def scene_of(name: str, settings: list[Settings]) -> Scene:
+    """An empty frame, then one with the whole set for each combination."""
+    used = {MAPPER_LAYOUT[s.mapper] for s in settings}  # chip RAM alone has no room for all
+    layouts = [layout for layout in dict.fromkeys(MAPPER_LAYOUT.values()) if layout in used and layout]
+    textures = [Texture(random_maps.page(), layout) for layout in layouts]
+    if any(s.mapper in LIT for s in settings):
+        textures.append(Texture(random_maps.page()[:64], "light"))
+    materials, objects, vertices = [], [], []
+    for number, s in enumerate(settings):
+        layout = MAPPER_LAYOUT[s.mapper]
+        materials.append(Material(s.mapper, s.edges, s.gradients, s.start, perspective=s.perspective,
+                                  colour=200, texture=layouts.index(layout) if layout else -1,
+                                  light=len(layouts) if s.mapper in LIT else -1))
+        for polygon in set_polygons(name, s.mapper):
+            objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
+            vertices += polygon
+    return Scene(polygon_sets.WIDTH, polygon_sets.HEIGHT, len(settings) + 1, 7, random_maps.palette(),
+                 textures, materials, objects, np.array(vertices), np.array([IDENTITY]))
+
+
+def check_frame(scene: Scene, number: int, dump: Path, what: str) -> None:
+    """Refuses a dump of frame ``number`` that is not the model's."""
+    expected = model.render(scene, number)
+    found = np.fromfile(dump, np.uint8).reshape(expected.shape)
+    wrong = np.argwhere(found != expected)
+    if len(wrong):
+        y, x = wrong[0]
+        raise UserError(f"accuracy: {what}: frame {number} is not the model's: {len(wrong)} pixels, "
+                        f"the first at (x {x}, y {y}): expected {expected[y, x]}, found {found[y, x]}")
+
+
+def cycles(scene: Scene, machine: str, what: str) -> list[float]:
+    """Cycles a polygon of each frame but the first, checked against the model; ``what``: the scene, for
+    messages."""
+    with emulator.workspace() as directory:
+        done = emulator.run("render", "input.scene", {"input.scene": write(scene)}, machine, directory)
+        if done.code:
+            raise UserError(f"accuracy: {what} on {machine}: {emulator.last_words(done.output)}")
+        for number in range(scene.frames):
+            check_frame(scene, number, done.directory / f"frame_{number:03}.chunky",
+                        f"{what} on {machine}")
+    empty, *spent = (int(line.split()[3]) for line in done.output.splitlines())
+    return [(ticks - empty) * CYCLES_PER_TICK / polygon_sets.COUNT for ticks in spent]
+
+
+@dataclass
+class Errors:
+    """Sums over the pixels of a set. Where u and v are both off, the larger of the two counts."""
+
+    coverage: int = 0  # pixels lit or left out against the ideal
+    ideal_pixels: int = 0
+    pixels: int = 0  # drawn
+    worst: float = 0.0  # texels, of any pixel
+    squares: float = 0.0  # of texels
+    wrong: int = 0  # pixels that show another texel than the ideal
+
+    def add(self, polygon: model.Polygon | None, exact: ideal.Picture, settings: Settings) -> None:
+        """Adds a polygon as it was set up, compared with the exact one."""
+        lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
+        self.ideal_pixels += exact.pixels
+        for y in lines.keys() | exact.extents.keys():
+            line = lines.get(y)
+            left, right = (line.left, max(line.left, line.right)) if line else (0, 0)
+            first, end = exact.extents.get(y, (0, 0))
+            both = max(0, min(right, end) - max(left, first))
+            self.coverage += right - left + end - first - 2 * both
+            self.pixels += right - left
+            if right > left and settings.mapper != "flat":
+                self.texels(polygon.coordinates(line, y), line.left, y, exact)
+
+    def texels(self, found, left: int, y: int, exact: ideal.Picture) -> None:
+        """Adds u and v of a line's pixels from ``left`` on; where the ideal ends with the polygon,
+        of those in it."""
+        columns = np.arange(left, left + len(found[0]))
+        first, end = (left, columns[-1] + 1) if exact.endless else exact.extents.get(y, (0, 0))
+        inside = (columns >= first) & (columns < end)
+        if inside.any():
+            self.compare([c[inside] for c in found], columns[inside], y, exact)
+
+    def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
+        """Adds u and v that were found at pixels of a line, next to each other."""
+        worst, wrong = np.zeros(len(columns)), np.zeros(len(columns), bool)
+        for values, plane in zip(found, exact.planes):
+            error = plane.errors(values, columns, y)
+            worst = np.maximum(worst, abs(error))
+            fraction = (values & 0xFFFF) / 65536 - error  # of the exact value
+            wrong |= (fraction < 0) | (fraction >= 1)
+        self.worst = max(self.worst, float(worst.max()))
+        self.squares += float((worst * worst).sum())
+        self.wrong += int(wrong.sum())
+
+    @property
+    def rms(self) -> float:
+        """Root of the mean square over all pixels, of the larger of u's and v's errors, texels."""
+        return math.sqrt(self.squares / max(self.pixels, 1))
+
+    def figures(self) -> dict:
+        """The error columns of a row."""
+        pixels = max(self.pixels, 1)
+        return {"coverage_errors_per_million": round(1e6 * self.coverage / self.ideal_pixels, 2),
+                "texel_error_max": round(self.worst, 6),
+                "texel_error_rms": round(self.rms, 6),
+                "wrong_texels_percent": round(100 * self.wrong / pixels, 4)}
+
+
+def errors(name: str, settings: Settings) -> Errors:
+    """What a combination is off on a set."""
+    total = Errors()
+    size = polygon_sets.WIDTH, polygon_sets.HEIGHT
+    for vertices in set_polygons(name, settings.mapper):
+        if name in polygon_sets.DEPTHS:
+            exact = perspective.Picture([(*v[:4], v[5]) for v in vertices], *size)
+        else:
+            exact = ideal.Picture([(*v[:2], v[4], 0) if settings.mapper == "gouraud" else v[:4]
+                                   for v in vertices], *size)
+        polygon = model.set_up(model.adapt(vertices, settings, 256), *size,
+                               settings.mapper != "flat", settings, (256, 256))
+        total.add(polygon, exact, settings)
+    return total
+
+
+def measure(names: list[str], machines: list[str], settings: list[Settings],
+            on_step=None) -> list[dict]:
+    """The rows of accuracy.json."""
+    rows = []
+    for name in names:
+        scene, found = scene_of(name, settings), [errors(name, s) for s in settings]
+        for machine in machines:
+            spent = cycles(scene, machine, f"set {name}")
+            for s, total, each in zip(settings, found, spent):
+                rows.append({"name": name, "edges": s.edges, "gradients": s.gradients,
+                             "start": s.start, "perspective": s.perspective,
+                             "mapper": s.mapper, "machine": machine,
+                             "cycles_per_pixel": round(each * polygon_sets.COUNT
+                                                       / max(total.pixels, 1), 3),
+                             "cycles_per_polygon": round(each, 1), **total.figures()})
+            if on_step:
+                on_step()
+    mark_frontier(rows)
+    return rows
+
+
+def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
+    """Measures the sets, writes their report; returns the table to print."""
+    from tmap.accuracy import pictures
+    from tmap.accuracy import perspective_curves
+
+    flat = [name for name in names if name not in polygon_sets.DEPTHS]
+    rows = measure(flat, machines, combinations(), on_step) + measure(
+        [name for name in names if name not in flat], machines, depth_combinations(), on_step)
+    found = provenance.record() | {
+        "conditions": f"{polygon_sets.COUNT} triangles a set; cycles with set-up, DMA and "
+                      "interrupts off; texel error: the larger of u's and v's.", "rows": rows}
+    folder.mkdir(parents=True, exist_ok=True)
+    pictures.plot(rows, folder / "accuracy.png")
+    if flat != names:
+        perspective_curves.plot(folder / "pieces.png")
+    pictures.write_swimming(folder)
+    pictures.write_mappers(folder)
+    (folder / "accuracy.md").write_text(report(found))
+    (folder / "accuracy.json").write_text(as_json(found))
+    if accept:
+        kept = [r for r in rows if r["name"] in BASELINE_SETS]
+        ACCURACY_BASELINE.write_text(as_json(found | {"rows": kept}))
+    return table(rows, names[min(1, len(names) - 1)], machines[-1])
+
+
+def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
+    """Measures and writes the page of hard cases; returns what exceeds a bound."""
+    from tmap.accuracy import hard_report
+
+    about = provenance.record()
+    conditions = (f"Cycles on {machine}, set-up included, DMA and interrupts off; "
+                  f"{about['emulator']}, {about['compiler']}, commit {about['commit']}.")
+    rows = hard_report.write(folder, machine, conditions, on_part)
+    return [f"{row.case}, {row.mapper}, {row.edges}, {row.gradients}, {row.start}, {row.clip}, "
+            f"{row.perspective}: {row.complaint}" for row in rows if row.complaint]
+
+
+def write_other(folder: Path, name: str, machine: str, progress) -> str:
+    """What a set that is no set of polygons comes to: methods, scenes, texture engines' modes."""
+    folder.mkdir(parents=True, exist_ok=True)
+    if name in ENGINES:
+        from tmap.accuracy import engines
+
+        engine = engines.ENGINES[name]
+        progress.add_task(engine.title, total=None)
+        return engines.write(folder, engine, machine)
+    from tmap.accuracy import methods, showcase
+
+    tool, steps = {METHODS: (methods, methods.METHODS), SCENES: (showcase, showcase.NAMES)}[name]
+    task = progress.add_task(name, total=len(steps))
+    return tool.write(folder, machine, lambda: progress.advance(task))
+
+
+def measured_names(names: list[str] | None) -> list[str]:
+    """What is measured: what was asked for, or everything."""
+    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, METHODS, SCENES, *ENGINES, HARD]
+    for name in names or ():
+        if name not in every:
+            raise UserError(f"accuracy: no set is called {name}; "
+                            f"there are {', '.join(every[:-1])} and {every[-1]}")
+    return names or every
+
+
+def written_files(names: list[str], sets: list[str]) -> list[str]:
+    """What lies in the folder then, for people."""
+    files = {METHODS: ["methods.md", "methods.png", "methods.gif"],
+             SCENES: ["scenes.md and an animation of each"],
+             **{name: [f"{name}.md"] for name in ENGINES}, HARD: [f"{HARD}/index.html"]}
+    made = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+            "swimming.png"] if sets else []
+    if polygon_sets.DEPTHS.keys() & set(sets):
+        made.append("pieces.png")
+    return made + [file for name, some in files.items() if name in names for file in some]
+
+
+def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
+    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. 1: a hard
+    case exceeds its bound."""
+    if accept and (machine or names):
+        raise UserError("accuracy: --accept needs all machines and all sets")
+    check_directory(folder)
+    names = measured_names(names)
+    sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
+    machines, made, excess = [machine] if machine else list(MEASURED), [], []
+    with bars() as progress:
+        if sets:
+            task = progress.add_task("accuracy", total=len(sets) * len(machines))
+            made.append(write_sets(folder, sets, machines, accept, lambda: progress.advance(task)))
+        for name in (METHODS, SCENES, *ENGINES):
+            if name in names:
+                made.append(write_other(folder, name, machines[-1], progress) + "\n")
+        if HARD in names:
+            task = progress.add_task("hard cases", total=None)
+            excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
+                                      progress.update(task, completed=done, total=total))
+    print("\n".join(made) + f"written to {folder}: {', '.join(written_files(names, sets))}")
+    for line in excess:
+        print(f"exceeds its bound: {line}")
+    return 1 if excess else 0

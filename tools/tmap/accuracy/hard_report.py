@@ -1,0 +1,268 @@
+"""The hard-case page of ``tmap accuracy``: every named case under every setting it concerns, its
+worst error beside the derived bound, and its cycles; ideal, ours and their difference as pictures.
+
+The guest draws every case; its frames must be the model's. The pictures are the model's, on a map
+that eyes can read.
+"""
+
+import html
+import json
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from tmap.accuracy import hard_mesh_report
+from tmap.base.errors import UserError
+from tmap.base.fixed import ceil16
+from tmap.corpus import hard_cases, hard_meshes
+from tmap.corpus.hard_case import called
+from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case, Drawing
+from tmap.guest import guest_frames
+from tmap.guest.emulator import CYCLES_PER_TICK
+from tmap.ideal import bounds, ideal, perspective as ideal_perspective
+from tmap.model import model
+from tmap.run.diff import MARK
+from tmap.run.polygon_report import explain
+from tmap.scene_file.scene_file import SETTINGS
+from tmap.setup.texturing import Settings
+
+#: Drawings of one scene; a frame more is empty.
+PART = 999
+#: What a picture shows: the first of these that the case concerns.
+SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
+SCALE = 2  # screen pixels a pixel
+COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "perspective", "cycles",
+           "coverage_errors", "texel_error", "texel_bound", "worst_ratio")
+
+
+@dataclass
+class Row:
+    """One case under one setting. Errors in texels (shades), or None where no ideal is defined."""
+
+    case: str
+    mapper: str
+    edges: str
+    gradients: str
+    start: str
+    clip: str
+    perspective: str
+    tolerance: int
+    cycles: int
+    pixels: int
+    coverage_errors: int | None = None
+    texel_error: float | None = None
+    texel_bound: float | None = None  # at the same pixel
+    worst_ratio: float | None = None  # the largest error / bound of a pixel
+    complaint: str = ""
+
+
+def judged(case: Case, settings: Settings, cycles: int) -> Row:
+    """A row, held to its bounds."""
+    size = hard_cases.map_size(case, settings.mapper)
+    parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
+    made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size) for part in parts]
+    row = Row(case.name, **vars(settings), cycles=cycles, pixels=sum(each.pixels for each in made if each))
+    if all(bounds.has_ideal(part, settings) for part in parts):
+        verdict = bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size)
+        row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
+        if verdict.texel_bound:
+            row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
+            row.worst_ratio = verdict.texel_ratio
+    return row
+
+
+def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
+    """What each drawing takes on the guest. A frame that is not the model's ends it. ``on_part`` is
+    told how many of all are drawn."""
+    spent: list[int] = []
+    for first in range(0, len(drawings), PART):
+        part = drawings[first:first + PART]
+        scene = hard_cases.scene(part)
+        scene.frames += 1
+        digests, = guest_frames.draw([(scene, form)], machine)
+        wrong = [number for number, digest in enumerate(digests[:-1])
+                 if not guest_frames.is_models(model.render(scene, number), digest)]
+        if wrong:
+            alone = hard_cases.scene([part[wrong[0]]])
+            raise UserError(f"{len(wrong)} drawings are not the model's\n" + explain(
+                alone, 0, guest_frames.frame_of(alone, form, machine), called(*part[wrong[0]]),
+                f"scripts/tmap accuracy --set hard --machine {machine}"))
+        empty = int(digests[-1]["ticks"])
+        spent += [(int(digest["ticks"]) - empty) * CYCLES_PER_TICK for digest in digests[:-1]]
+        if on_part:
+            on_part(len(spent), len(drawings))
+    return spent
+
+
+def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
+    """A row for each drawing, held to its bounds."""
+    return [judged(case, settings, each) for (case, settings), each
+            in zip(drawings, cycles(drawings, machine, on_part=on_part))]
+
+
+def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:
+    """The same of meshes, drawings of a case together: rows of all faces of a mesh."""
+    rows, spent = [], iter(hard_mesh_report.cycles(drawings, machine))
+    for case, ways in hard_mesh_report.grouped(drawings).items():
+        for settings, found in zip(ways, hard_mesh_report.judge(case, ways)):
+            row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
+                      complaint=found.complaint)
+            if settings.clip == "scissor":
+                row.coverage_errors = found.coverage_errors
+            if found.texel_bound:
+                row.texel_error, row.texel_bound = found.texel_error, found.texel_bound
+                row.worst_ratio = found.texel_ratio
+            rows.append(row)
+    return rows
+
+
+def readable_map(width: int, height: int) -> np.ndarray:
+    """Palette indices: squares of 8 texels in two colours by turns, brighter to the right and
+    down; 16 levels each."""
+    v, u = np.mgrid[:height, :width]
+    level = (u * 8 // width + v * 8 // height).clip(0, 15)
+    return (16 + (u // 8 + v // 8) % 2 * 16 + level).astype(np.uint8)
+
+
+def palette() -> np.ndarray:
+    """uint8 (256, 3): shades as greys; 16 to 47 the readable map's colours."""
+    colours = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
+    level = np.arange(16)[:, None]
+    colours[16:32] = 40 + level * np.array([12, 8, 4])
+    colours[32:48] = 40 + level * np.array([4, 9, 13])
+    return colours
+
+
+def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
+    """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one.
+    ``vertices``: (x, y, u, v, w)."""
+    if not bounds.has_ideal(vertices, settings):
+        return None
+    frame = np.full((HEIGHT, WIDTH), -1, np.int16)
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    planes = [ideal.Plane([p[:2] for p in three], [p[k] for p in three]) for k in (2, 3)]
+    if not planes[0].d:
+        return frame
+    if settings.perspective != "none":
+        planes = ideal_perspective.curves(vertices)
+    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
+    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
+        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in extent(y))
+        u, v = (plane.texels(left, right, y) for plane in planes)
+        frame[y, left:right] = (200 if settings.mapper == "flat" else [value & 255 for value in u]
+                                if settings.mapper == "gouraud" else
+                                [texels[b % texels.shape[0], a % texels.shape[1]]
+                                 for a, b in zip(u, v)])
+    return frame
+
+
+def shown(case: Case) -> Settings:
+    """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts; where it
+    has depth, with the finest perspective."""
+    mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
+    return Settings("exact", perspective=SETTINGS["perspective"][-1] if case.depth else "none",
+                    mapper=mapper)
+
+
+def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
+    """The exact ideal and ours, int16 (HEIGHT, WIDTH), -1 outside the polygon."""
+    settings = shown(case)
+    size = hard_cases.map_size(case, settings.mapper)
+    texels = readable_map(*size)
+    ours, exact = np.full((HEIGHT, WIDTH), -1, np.int16), []
+    for part in model.parts(case.vertices, settings):
+        adapted = model.adapt(part, settings, max(size))
+        made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
+        if made:
+            model.draw(ours, made, texels, 200)
+        exact.append(exact_picture(adapted, settings, texels))
+    if any(picture is None for picture in exact):
+        return None, ours
+    return np.max(exact, axis=0), ours  # triangles share no pixel
+
+
+def picture(case: Case | hard_meshes.MeshCase) -> np.ndarray:
+    """uint8 RGB: the exact ideal, ours and the difference."""
+    if isinstance(case, Case):
+        exact, ours = both(case)
+    else:
+        exact, ours = hard_mesh_report.both(case, readable_map(256, 256))
+    colours, ground = palette(), np.array([24, 28, 48], np.uint8)
+    panels = [np.where((values < 0)[..., None], ground, colours[values.clip(0)])
+              for values in (ours if exact is None else exact, ours)]
+    marked = (panels[1] // 3).astype(np.uint8)
+    if exact is not None:
+        marked[exact != ours] = MARK
+    gap = np.full((HEIGHT, 4, 3), 255, np.uint8)
+    joined = np.concatenate([panels[0], gap, panels[1], gap, marked], axis=1)
+    return joined.repeat(SCALE, axis=0).repeat(SCALE, axis=1)
+
+
+def cell(value) -> str:
+    """A value of a table as text."""
+    return "-" if value is None else f"{value:.6f}" if isinstance(value, float) else html.escape(
+        f"{value:,}" if isinstance(value, int) else str(value))
+
+
+def section(case: Case | hard_meshes.MeshCase, rows: list[Row]) -> str:
+    """One case of the page."""
+    name = html.escape(case.name)
+    body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
+        f"<td>{cell(getattr(row, column))}" for column in COLUMNS) + "\n" for row in rows)
+    ratios = [row.worst_ratio for row in rows if row.worst_ratio is not None]
+    head = "".join(f"<th>{column.replace('_', ' ')}" for column in COLUMNS)
+    return (f'<section id="{name}"><h2>{name}</h2><p>{html.escape(case.sentence)}</p>'
+            f'<img src="{name}.png" alt="exact ideal, ours, difference" loading="lazy">'
+            f"<details><summary>{len(rows)} settings, {min(r.cycles for r in rows):,} to "
+            f"{max(r.cycles for r in rows):,} cycles, {max(r.pixels for r in rows):,} pixels"
+            + (f", error at most {max(ratios):.3f} of its bound" if ratios else "")
+            + f"</summary><div><table><tr>{head}\n{body}</table></div></details></section>\n")
+
+
+STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:auto;padding:1rem}
+img{max-width:100%;image-rendering:pixelated}div{overflow-x:auto}table{border-collapse:collapse}
+td,th{padding:.1rem .5rem;text-align:right;border-bottom:1px solid #ccc}.bad{background:#fbb}
+h2{margin:2rem 0 0}"""
+
+
+def page(rows: list[Row], conditions: str) -> str:
+    """index.html."""
+    by_case: dict[str, list[Row]] = {}
+    for row in rows:
+        by_case.setdefault(row.case, []).append(row)
+    excess = [row for row in rows if row.complaint]
+    summary = (f"{len(by_case)} cases, {len(rows)} drawings, every frame the integer model's; "
+               + (f"<b>{len(excess)} exceed a bound</b>" if excess else "none exceeds its bound"))
+    return (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Hard cases</title>'
+            f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
+            f"<h1>Hard cases</h1><p>{summary}. {html.escape(conditions)} Errors in texels (shades) "
+            "against the exact rational ideal; pictures: the ideal, ours (exact edges, plane, "
+            "sub-texel), and what differs. Of meshes the ideal is that of exact faces before an "
+            "exact camera: the first pixels that differ are those of points rounded on the way.</p>\n"
+            + "".join(section(case, by_case[case.name]) for case in every_case())
+            + "</html>\n")
+
+
+def every_case() -> list[Case | hard_meshes.MeshCase]:
+    """Polygons, then meshes."""
+    return [*hard_cases.cases(), *hard_meshes.cases()]
+
+
+def write(folder: Path, machine: str, conditions: str,
+          on_part: Callable[[int, int], None] | None = None) -> list[Row]:
+    """Measures and writes the page, its pictures and hard.json into ``folder``."""
+    rows = measure([(case, s) for case in hard_cases.cases() for s in hard_cases.combinations(case)],
+                   machine, on_part)
+    rows += measure_meshes([(case, s) for case in hard_meshes.cases()
+                            for s in hard_mesh_report.combinations(case)], machine)
+    folder.mkdir(parents=True, exist_ok=True)
+    for case in every_case():
+        Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
+    (folder / "index.html").write_text(page(rows, conditions))
+    lines = ",\n".join(json.dumps(asdict(row)) for row in rows)
+    head = f'{{"conditions": {json.dumps(conditions)}, "rows": ['
+    (folder / "hard.json").write_text(f"{head}\n{lines}\n]}}\n")
+    return rows

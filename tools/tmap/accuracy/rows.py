@@ -1,0 +1,58 @@
+"""Rows of accuracy.json: which are on the frontier, their tables, and their text."""
+
+import json
+
+from tmap.base import markdown
+
+#: Mappers without texture: all others draw the same picture, and a row is on the frontier among those
+#: that draw its own.
+UNTEXTURED = ("flat", "gouraud")
+COLUMNS = ("mapper", "edges", "gradients", "start", "perspective", "cycles_per_polygon",
+           "cycles_per_pixel", "coverage_errors_per_million", "texel_error_max", "texel_error_rms",
+           "wrong_texels_percent", "frontier")
+
+
+def beats(a: dict, b: dict, measures: tuple[str, ...]) -> bool:
+    """Whether ``a`` is nowhere worse than ``b``, and better in one."""
+    pairs = [(a[m], b[m]) for m in measures]
+    return all(x <= y for x, y in pairs) and any(x < y for x, y in pairs)
+
+
+def mark_frontier(rows: list[dict]) -> None:
+    """Sets ``frontier``: nothing of its kind is as cheap and as exact, and better in one."""
+    measures = ("cycles_per_polygon", "coverage_errors_per_million", "texel_error_rms")
+
+    def kind(row: dict) -> tuple:
+        return row["name"], row["machine"], row["mapper"] if row["mapper"] in UNTEXTURED else "texture"
+
+    for row in rows:
+        row["frontier"] = not any(kind(other) == kind(row) and beats(other, row, measures)
+                                  for other in rows)
+
+
+def table(rows: list[dict], name: str, machine: str) -> str:
+    """Markdown: one set on one machine, cheapest first within a mapper."""
+    chosen = [r for r in rows if r["name"] == name and r["machine"] == machine]
+    order = list(dict.fromkeys(r["mapper"] for r in chosen))
+    chosen.sort(key=lambda r: (order.index(r["mapper"]), r["cycles_per_polygon"]))
+    rows = [[*(f"{row[c]:,}" if isinstance(row[c], float) else row[c] for c in COLUMNS[:-1]),
+             "yes" if row["frontier"] else ""] for row in chosen]
+    return markdown.table([c.replace("_", " ") for c in COLUMNS], rows, "lllllrrrrrrl") + "\n"
+
+
+def report(found: dict) -> str:
+    """accuracy.md."""
+    text = ("# What accuracy costs\n\n" + found["conditions"] + f" {found['emulator']}, "
+            f"{found['compiler']}.\n")
+    rows = found["rows"]
+    for name in dict.fromkeys(r["name"] for r in rows):
+        for machine in dict.fromkeys(r["machine"] for r in rows):
+            text += f"\n## {name}, {machine}\n\n" + table(rows, name, machine)
+    return text
+
+
+def as_json(found: dict) -> str:
+    """JSON with a row a line."""
+    head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
+    rows = ",\n  ".join(map(json.dumps, found["rows"]))
+    return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'

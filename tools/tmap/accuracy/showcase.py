@@ -1,0 +1,99 @@
+"""The scenes of effects and depth, drawn on the emulated machine: animations, cycles, error.
+
+Errors are taken against the exact curve where a material has a perspective, and against the
+exact plane elsewhere, over every ERROR_STEP-th frame; those of texture engines are their modes'
+(tmap.accuracy.engines).
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tmap.accuracy.accuracy import Errors
+from tmap.base import markdown
+from tmap.base.errors import UserError
+from tmap.base.outputs import save_animation
+from tmap.base.paths import SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.ideal import ideal
+from tmap.ideal.bounds import has_ideal
+from tmap.ideal.perspective import Picture
+from tmap.model import model
+from tmap.model.mesh import polygons_at
+from tmap.model.model import Settings
+from tmap.run import run
+from tmap.scene_file.scene_file import Scene
+from tmap.scene_file.textures import UNITS
+
+NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
+ERROR_STEP = 8
+
+
+@dataclass
+class Shown:
+    """One scene as it was drawn."""
+
+    name: str
+    totals: dict  # as tmap.run.run.total gives them
+    frames: int
+    errors: Errors
+
+
+def errors_of(scene: Scene) -> Errors:
+    """What the polygons' u and v are off; those without texture or an ideal are left out."""
+    total, size = Errors(), (scene.width, scene.height)
+    for number in range(0, scene.frames, ERROR_STEP):
+        for which, vertices in polygons_at(scene, number):
+            m = scene.materials[which]
+            settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
+            texels = scene.textures[m.texture].texels.shape if m.texture >= 0 else (256, 256)
+            adapted = model.adapt(vertices, settings, max(texels))
+            if m.mapper in ("flat", *UNITS) or not has_ideal(adapted, settings):
+                continue
+            polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
+            exact = ideal.Picture([v[:4] for v in adapted], *size)
+            if polygon and polygon.perspective:
+                exact = Picture(adapted, *size)
+            elif not exact.planes[0].d:  # without an area
+                continue
+            total.add(polygon, exact, settings)
+    return total
+
+
+def show(name: str, machine: str, folder: Path) -> Shown:
+    """Draws a scene: its animation goes to ``folder``/NAME.gif."""
+    scene = compile_scene(SCENES / f"{name}.toml")
+    drawn = run.render(scene, machine, "addx")
+    if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
+        raise UserError(f"{name}: a frame of one colour")
+    pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
+    save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
+    return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
+
+
+def table(shown: list[Shown], machine: str) -> str:
+    """The figures in Markdown."""
+    rows = []
+    for each in shown:
+        t, e = each.totals, each.errors
+        errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
+        rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
+                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}",
+                     *errors, ", ".join(t["spans"])])
+    return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
+                           "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
+                          "lrrrrrrl")
+
+
+def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:
+    """scenes.md and an animation of each scene; returns the table."""
+    shown = []
+    for name in names:
+        shown.append(show(name, machine, folder))
+        if on_step:
+            on_step()
+    text = table(shown, machine)
+    pictures = "\n".join(f"## {name}\n\n![{name}]({name}.gif)\n" for name in names)
+    (folder / "scenes.md").write_text(f"# Scenes\n\n{text}\n\n{pictures}")
+    return text

@@ -1,0 +1,90 @@
+"""The meshes of the scenes, as Wavefront OBJ files: triangles and quadrilaterals, without texture
+coordinates and normals, counterclockwise seen from outside."""
+
+import math
+
+import numpy as np
+
+from tmap.base.elementary import cos, sin
+from tmap.base.linear import length, product
+
+Point = np.ndarray | tuple[float, float, float]
+
+
+def obj(title: str, points: list[Point], faces: list[tuple[int, ...]]) -> bytes:
+    """An OBJ file; faces count points from 1."""
+    lines = [f"# {title}", *("v " + " ".join(f"{c:.4f}" for c in point) for point in points),
+             *("f " + " ".join(map(str, face)) for face in faces)]
+    return ("\n".join(lines) + "\n").encode()
+
+
+def tube(along: int, around: int) -> list[tuple[int, ...]]:
+    """The faces of a closed tube: ``along`` sections of ``around`` points each."""
+    faces = []
+    for i in range(along):
+        here, there = i * around + 1, (i + 1) % along * around + 1
+        faces += [(here + k, here + n, there + n, there + k)
+                  for k, n in ((k, (k + 1) % around) for k in range(around))]
+    return faces
+
+
+def knot() -> bytes:
+    """A tube, 0.42 thick, round the (2, 3) torus knot, which reaches from 1 to 3."""
+    along, around, thick = 48, 8, 0.42
+    points = []
+    for i in range(along):
+        points += section(math.tau * i / along, around, thick)
+    return obj(f"A tube round the (2, 3) torus knot of {along} x {around} faces", points,
+               tube(along, around))
+
+
+def line(angle: float) -> np.ndarray:
+    """A point of the knot's line, for 0 to 2 pi."""
+    reach = 2 + cos(3 * angle)
+    return np.array([reach * cos(2 * angle), reach * sin(2 * angle), sin(3 * angle)])
+
+
+def section(angle: float, around: int, thick: float) -> list[np.ndarray]:
+    """The corners of a section of the knot, counterclockwise seen against the knot's way; the
+    first one points away from the knot's axis."""
+    along = line(angle + 1e-4) - line(angle - 1e-4)
+    along /= length(along)
+    out = line(angle) * (1, 1, 0)
+    out -= along * product(out, along)
+    out /= length(out)
+    side = np.cross(along, out)
+    turns = (math.tau * k / around for k in range(around))
+    return [line(angle) + thick * (cos(t) * out + sin(t) * side) for t in turns]
+
+
+def ring(along: int, around: int, thick: float) -> bytes:
+    """A ring of radius 1 about the y axis."""
+    points = []
+    for i in range(along):
+        way = math.tau * i / along
+        for k in range(around):
+            turn = math.tau * (k + 0.5) / around
+            reach = 1 + thick * cos(turn)
+            points.append((reach * cos(way), thick * sin(turn), reach * sin(way)))
+    return obj(f"A ring of {along} x {around} faces: radius 1, thickness {thick:g}", points,
+               tube(along, around))
+
+
+def crystal() -> bytes:
+    """Two pyramids, each 1.45 high, on one hexagon of radius 1.15."""
+    turns = [math.tau * k / 6 for k in range(6)]
+    points = [(0, 1.45, 0), (0, -1.45, 0),
+              *((1.15 * cos(t), 0, 1.15 * sin(t)) for t in turns)]
+    faces = []
+    for k in range(6):
+        here, there = 3 + k, 3 + (k + 1) % 6
+        faces += [(1, there, here), (2, here, there)]
+    return obj("Two pyramids on one hexagon", points, faces)
+
+
+FILES = {"knot.obj": knot,
+         "demo/ring8.obj": lambda: ring(8, 4, 0.45),
+         "demo/ring6.obj": lambda: ring(6, 4, 0.48),
+         "demo/ring5.obj": lambda: ring(5, 3, 0.55),
+         "demo/ring4.obj": lambda: ring(4, 3, 0.6),
+         "demo/crystal.obj": crystal}

@@ -1,0 +1,54 @@
+"""What commands leave behind: folders that change as a whole, animations; and bars meanwhile."""
+
+import os
+import shutil
+import sys
+import tempfile
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from PIL import Image
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+from tmap.base.errors import UserError
+
+
+def check_directory(out: Path) -> None:
+    """Refuses a place where no directory can be, before the work begins."""
+    for place in (out, *out.parents):
+        if os.path.lexists(place):
+            if not place.is_dir():
+                raise UserError(f"{place}: is not a directory")
+            return
+
+
+def bars() -> Progress:
+    """Bars on stderr that vanish at the end; none where that is no terminal."""
+    return Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+                    TimeElapsedColumn(), console=Console(stderr=True), transient=True,
+                    disable=not sys.stderr.isatty())
+
+
+@contextmanager
+def replaced(out: Path, old: Iterable[str], last: str) -> Iterator[Path]:
+    """A folder to write to. Its content comes into ``out`` once everything is on the disk, in place
+    of what the patterns ``old`` name there; ``last``: the file that describes the rest."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".tmap-", dir=out) as temporary:
+            made = Path(temporary)
+            yield made
+            for path in [path for pattern in old for path in out.glob(pattern)]:
+                shutil.rmtree(path) if path.is_dir() else path.unlink()
+            for path in sorted(made.iterdir(), key=lambda path: (path.name == last, path.name)):
+                path.replace(out / path.name)
+    except OSError as error:
+        raise UserError(f"{error.filename or out}: {error.strerror or error}") from None
+
+
+def save_animation(path: Path, pictures: Iterable[Image.Image], frame_ms: int, **options) -> None:
+    """A GIF that repeats for ever. ``options``: Pillow's."""
+    first, *others = pictures
+    first.save(path, save_all=True, append_images=others, duration=frame_ms, loop=0, **options)

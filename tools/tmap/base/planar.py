@@ -1,0 +1,125 @@
+"""Bitplanes: which bit of memory is which bit of which dot on the screen.
+
+The leftmost of 8 dots is a byte's highest bit, a dot's lowest bit is in plane 0; a row of a
+plane is whole longwords, as struct planar_plan (c/screen/planar.h) has it.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmap.base import maps
+
+
+@dataclass(frozen=True)
+class Planes:
+    """Where bitplanes lie in a block of memory, in bytes: ``numbers`` are the planes that
+    count, ``width`` (dots) and ``rows`` their size."""
+
+    width: int
+    rows: int
+    row_pitch: int
+    plane_pitch: int
+    numbers: tuple[int, ...]
+
+    @property
+    def lines(self) -> np.ndarray:
+        """Offsets of the rows from the first row of plane 0: [plane][row]."""
+        return (np.array(self.numbers)[:, None] * self.plane_pitch
+                + np.arange(self.rows) * self.row_pitch)
+
+    @property
+    def first(self) -> int:
+        """Where plane 0's first row is in the block, before it where plane 0 does not count."""
+        return -int(self.lines.min())
+
+    @property
+    def size(self) -> int:
+        """Bytes of the block."""
+        return self.first + int(self.lines.max()) + self.width // 8
+
+    @property
+    def offsets(self) -> np.ndarray:
+        """Of all bytes in the block: [plane][row][byte]."""
+        return self.first + self.lines[..., None] + np.arange(self.width // 8)
+
+    def encoded(self, dots: np.ndarray) -> np.ndarray:
+        """Dots, uint8 [row][x], as the planes' bytes: [plane][row][byte]."""
+        return np.packbits(dots >> np.array(self.numbers, np.uint8)[:, None, None] & 1, axis=2)
+
+    def decoded(self, block: np.ndarray) -> np.ndarray:
+        """The dots that a block of memory shows, uint8 [row][x]; planes that do not count are 0."""
+        bits = np.unpackbits(block[self.offsets], axis=2)
+        return sum((bits[k] << number for k, number in enumerate(self.numbers)),
+                   np.zeros((self.rows, self.width), np.uint8))
+
+
+@dataclass(frozen=True)
+class Form:
+    """A format of frames: bytes and dots a pixel, the planes that a frame sets, and the dots of
+    pixels, [row][x]."""
+
+    bytes: int
+    dots: int
+    planes: tuple[int, ...]
+    convert: Callable[[np.ndarray], np.ndarray]
+
+
+#: The planes of HAM8 that say which colour a dot changes, and what they say.
+CONTROL = (0, 1)
+BLUE, RED, GREEN = 1, 2, 3
+#: What the four dots of a pixel change, left to right.
+ORDER = (RED, GREEN, BLUE, BLUE)
+CHANNELS = {RED: 0, GREEN: 1, BLUE: 2}
+
+
+def ham8_dots(colours: np.ndarray) -> np.ndarray:
+    """Colours, uint8 [row][x][3 or more], as dots without control bits: [row][4 x]."""
+    dots = colours[..., [CHANNELS[code] for code in ORDER]] & 0xFC
+    return dots.reshape(len(colours), -1)
+
+
+def ham8_control(width: int) -> np.ndarray:
+    """The control bits of a row of so many dots."""
+    return np.resize(np.array(ORDER, np.uint8), width)
+
+
+def ham8_shown(dots: np.ndarray, background: tuple[int, int, int]) -> np.ndarray:
+    """What the display makes of dots with control bits, none of them 0: uint8 [row][x][3].
+
+    Each line begins with the background; a dot changes the upper six bits of one colour.
+    """
+    channels = np.array([CHANNELS.get(code, 0) for code in range(4)])
+    now = np.tile(np.array(background, np.uint8), (len(dots), 1))
+    shown = np.zeros((*dots.shape, 3), np.uint8)
+    for x, column in enumerate(dots.T):
+        channel = channels[column & 3]
+        rows = np.arange(len(dots))
+        now[rows, channel] = column & 0xFC | now[rows, channel] & 3
+        shown[:, x] = now
+    return shown
+
+
+UPPER = (2, 3, 4, 5, 6, 7)
+#: By routine.
+FORMS = {
+    "c2p_8": Form(1, 1, (*CONTROL, *UPPER), lambda pixels: pixels),
+    "c2p_ham8_16": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgb565(pixels))),
+    "c2p_ham8_5551": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba5551(pixels))),
+    "c2p_ham8_32": Form(4, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba8888(pixels)))}
+
+
+def noise(name: str, rng, width: int, rows: int) -> np.ndarray:
+    """Random pixels for a routine, big-endian: [row][x]."""
+    size = FORMS[name].bytes
+    return np.frombuffer(rng.bytes(rows * width * size), f">u{size}").reshape(rows, width)
+
+
+def difference(expected: np.ndarray, found: np.ndarray) -> str | None:
+    """The first dot that differs, or None."""
+    wrong = np.argwhere(expected != found)
+    if not len(wrong):
+        return None
+    y, x = wrong[0]
+    return f"dot {x}, {y} is {found[y, x]:#04x}, expected {expected[y, x]:#04x}"

@@ -1,0 +1,215 @@
+"""``tmap bench``: measures every kernel, checks what it drew, reports and compares.
+
+Cycles are exact in this emulator: repeats agree to within one tick of the clock (a colour clock,
+4 cycles) in a whole measurement. The cost of calling is measured with a routine
+that only returns, and subtracted.
+"""
+
+import fnmatch
+import json
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+from tmap.base import markdown
+from tmap.base.errors import UserError
+from tmap.base.outputs import bars, check_directory
+from tmap.base.paths import BASELINE
+from tmap.bench import cases, rules as bench_rules, scenes
+from tmap.bench.modes import measure as bench_modes
+from tmap.guest import provenance
+from tmap.guest.conditions import CONDITIONS
+from tmap.guest.emulator import CYCLES_PER_TICK
+from tmap.guest.kernels import Case, Result, call
+
+#: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
+TICKS = 25_000
+#: The same where something is displayed, of which a field's lines have the most and its ends
+#: nothing: 10 fields of 71,000 ticks.
+TICKS_SHOWN = 710_000
+ROUGH_CYCLES_PER_UNIT = 20
+NOTHING_REPEATS = 2000  # calls of the routine that only returns
+#: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
+UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
+         "instructions": "cycles_per_instruction",
+         "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
+         "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
+#: What stands over each kind's table.
+TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
+          "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
+          "instructions": "Cycles of instructions, with a loop's around 16 of them",
+          "frames": f"Cycles a frame, mean of {scenes.FRAMES}",
+          "rules": "Cycles a polygon, with each rule of lowering and without it",
+          "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
+          "first_frames": "Cycles that the first frame costs more: tables, texels decoded"}
+#: Kinds that depend on the C compiler.
+IN_C = ("frames", "rules", "modes", "first_frames")
+TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
+#: Ticks by which two measurements of the same may differ: each is the difference of two times, and
+#: each of those is off by less than one.
+DOUBT = 4
+
+
+def repeats(row: cases.Row) -> int:
+    """Calls that last about TICKS, or TICKS_SHOWN."""
+    ticks = TICKS if row.case.display == "OFF" else TICKS_SHOWN
+    return max(4, ticks * CYCLES_PER_TICK // (row.units * ROUGH_CYCLES_PER_UNIT))
+
+
+def measured(row: cases.Row, result: Result, per_call: float, unit: str, machine: str) -> dict:
+    """A kernel's row, of what its call drew and took; ``per_call``: what calling alone takes."""
+    wrong = row.check(result)
+    if wrong:
+        raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
+    spent = (result.cycles / row.case.repeats - per_call) / row.units
+    return {"name": row.name, "machine": machine, "length": row.length, unit: round(spent, 3),
+            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)}
+
+
+def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:
+    """The rows of kernels called one by one, by kind: in pixels, lines, points, instructions."""
+    condition = CONDITIONS[machine]
+    makers = {"rows": cases.pixel_rows, "lines": cases.line_rows,
+              "points": cases.point_rows, "instructions": cases.instruction_rows}
+    rows = [(kind, row) for kind, make in makers.items() for row in make(condition.chip)
+            if fnmatch.fnmatch(row.name, only)]
+    found: dict[str, list[dict]] = {kind: [] for kind in makers}
+    if not rows:
+        return found
+    for _, row in rows:
+        row.case.repeats = repeats(row)
+    nothing = Case("nothing", repeats=NOTHING_REPEATS)
+    overhead, *results = call([nothing, *(row.case for _, row in rows)], condition.machine, on_case)
+    for (kind, row), result in zip(rows, results, strict=True):
+        found[kind].append(measured(row, result, overhead.cycles / nothing.repeats, UNITS[kind], machine))
+    return found
+
+
+def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
+    """Rows of one machine by kind: those of kernels, then frames, polygons with and without a rule of
+    lowering, and modes of the texture engines. ``machine``: of CONDITIONS; ``only``: a pattern of
+    names; ``on_case``: told how many kernels were begun."""
+    def chosen(prefix: str, names) -> list[str]:
+        return [name for name in names if fnmatch.fnmatch(prefix + name, only)]
+
+    rules = chosen(bench_rules.ROW, (case.name for case in bench_rules.CASES))
+    return (measure_kernels(machine, only, on_case)
+            | {"frames": scenes.measure(machine, chosen(scenes.ROW, scenes.NAMES)),
+               "rules": bench_rules.measure(machine, rules)}
+            | bench_modes.measure(machine, chosen(bench_modes.ROW, bench_modes.EVERY)))
+
+
+def key(row: dict) -> tuple:
+    """What identifies a row."""
+    return row["name"], row["machine"], row["length"]
+
+
+def cycles(row: dict) -> float:
+    """Cycles a pixel, a line, a point, a frame or a polygon, or of a first frame."""
+    return next(row[unit] for unit in UNITS.values() if unit in row)
+
+
+def figures(rows: list[dict]) -> dict[tuple, float]:
+    """Cycles by what identifies a row."""
+    return {key(row): cycles(row) for row in rows}
+
+
+def compare(found: dict, baseline: dict) -> list[str]:
+    """Rows that left the baseline by more than TOLERANCE and DOUBT, in words."""
+    old = figures([row for kind in UNITS for row in baseline.get(kind, [])])
+    complaints = []
+    for kind in UNITS:
+        for row in found[kind]:
+            in_c = row["name"].endswith("_c") or kind in IN_C
+            if in_c and found["compiler"] != baseline["compiler"]:
+                continue  # another compiler's code: nothing to compare
+            before, now = old.get(key(row)), cycles(row)
+            where = "{} {} length {}".format(*key(row))
+            if before is None:
+                complaints.append(f"{where}: {now} cycles, not in the baseline")
+            elif abs(now - before) > max(TOLERANCE * abs(before), DOUBT * row["one_tick"]):
+                change = f" ({100 * (now - before) / before:+.1f} %)" if before else ""
+                complaints.append(f"{where}: {now} cycles, the baseline says {before}{change}")
+    return complaints
+
+
+def table(rows: list[dict], machines: list[str]) -> str:
+    """Markdown: a line for each name and length, a column for each machine."""
+    values = figures(rows)
+    cells = [[name, str(length), *(f"{values[name, m, length]:.2f}" if (name, m, length) in values else ""
+                                   for m in machines)]
+             for name, length in dict.fromkeys((row["name"], row["length"]) for row in rows)]
+    return markdown.table(["row", "length", *machines], cells, "l") + "\n"
+
+
+def plot(rows: list[dict], machines: list[str], path: Path) -> None:
+    """Bars: cycles a pixel of each row at its longest length."""
+    longest = {}
+    for row in rows:
+        longest[row["name"]] = max(longest.get(row["name"], 0), row["length"])
+    names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
+    figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
+    height = 0.8 / len(machines)
+    values = figures(rows)
+    for k, machine in enumerate(machines):
+        axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
+                  [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
+    axes.set_yticks(range(len(names)), [f"{n} ({longest[n]})" for n in names])
+    axes.set_xlabel("68020 cycles a pixel (or a step), emulated A1200; in brackets the length")
+    axes.grid(axis="x", alpha=0.3)
+    axes.legend()
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
+    """The content of bench.json."""
+    found = {kind: [] for kind in UNITS}
+    for machine in machines:
+        for kind, rows in measure(machine, only, on_case).items():
+            found[kind] += rows
+    return provenance.record() | {
+        "conditions": "DMA and interrupts off (but for rows ..._low, _high, _super: eight planes of "
+                      "320, 640, 1280 dots are displayed), instruction cache warm, 256x256 8-bit map, "
+                      "du 1.5, dv 1.25, the cost of the call subtracted", **found}
+
+
+def write(found: dict, out: Path) -> None:
+    """bench.json, bench.md and bench.png into ``out``."""
+    out.mkdir(parents=True, exist_ok=True)
+    machines = list(dict.fromkeys(row["machine"] for kind in UNITS
+                                  for row in found[kind]))
+    text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
+    text += "".join(f"\n{title}:\n\n" + table(found[kind], machines) for kind, title in TITLES.items())
+    if found["rows"]:
+        plot(found["rows"], machines, out / "bench.png")
+    (out / "bench.md").write_text(text)
+    (out / "bench.json").write_text(json.dumps(found, indent=1) + "\n")
+
+
+def command(out: Path, machine: str | None, only: str | None, accept: bool) -> int:
+    """``tmap bench``: prints the table; status 1 where the baseline is left."""
+    check_directory(out)
+    if accept and (machine or only):
+        raise UserError("bench: --accept needs all machines and all rows")
+    machines = [machine] if machine else list(CONDITIONS)
+    with bars() as progress:
+        task = progress.add_task("bench", total=None)
+        found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
+    rows = [row for kind in UNITS for row in found[kind]]
+    if not rows:
+        raise UserError(f"bench: no row is called {only}")
+    write(found, out)
+    print(table(rows, machines))
+    print(f"written to {out}: bench.json, bench.md" + ", bench.png" * bool(found["rows"]))
+    if accept:
+        BASELINE.write_text(json.dumps(found, indent=1) + "\n")
+        print("the baseline is these figures now; give the reason in the commit")
+        return 0
+    if not BASELINE.exists():
+        return 0
+    complaints = compare(found, json.loads(BASELINE.read_text()))
+    for line in complaints:
+        print(line, file=sys.stderr)
+    return 1 if complaints else 0

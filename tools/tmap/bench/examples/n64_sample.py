@@ -1,0 +1,174 @@
+"""Examples of the passes that find texels: coordinates, filter, points, stores."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmap.base.fixed import signed
+from tmap.bench.examples.example import (BENCH, Example, any_texels, longs, packed, pair, pairs,
+                                         pixels, some_coordinates, walked)
+from tmap.build import layout
+
+EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
+
+
+def coordinates(rng, count: int) -> np.ndarray:
+    """s and t, s10.5 modulo 2^16, [count][2]."""
+    return some_coordinates(rng, count, EDGES, 0.2)
+
+
+def walk(rng, count: int) -> Example:
+    start, step = rng.integers(-1 << 31, 1 << 31, (2, 2))
+    if rng.random() < 0.5:
+        step = rng.integers(-1 << 21, 1 << 21, 2)
+    return Example("tx_walk", longs([*start, 0]), pairs(walked(start, step, count) >> 16), count,
+                   "tx_iterators", dict(s=step[0], t=step[1], w=0))
+
+
+def quad_bytes(corners: np.ndarray) -> bytes:
+    """struct tx_quad of the corners c00, c10, c01, c11: [n][4][4]."""
+    corners = corners.astype(np.int64)
+    c00, c10, c01, c11 = (corners[:, k] for k in range(4))
+    rows = []
+    for corner, in_s, in_t in ((c00, c10, c01), (c11, c01, c10)):
+        for high, low in ((0, 2), (1, 3)):
+            rows += [8 * pair(in_s - corner, high, low), 8 * pair(in_t - corner, high, low),
+                     8 * pair(32 * corner + 16, high, low)]
+    mean = 8 * (c00 + c10 + c01 + c11) + 16
+    rows += [8 * pair(mean, 0, 2), 8 * pair(mean, 1, 3), 0 * c00[:, 0], 0 * c00[:, 0]]
+    return longs(np.stack(rows, 1))
+
+
+def quads(rng, count: int) -> Example:
+    step = int(rng.integers(1, 4)) if count != BENCH else 1
+    rows = any_texels(rng, 2 * (count + 1) * step).reshape(2, count + 1, step, 4)
+    above, below = rows[:, :, 0]
+    made = quad_bytes(np.stack([above[:-1], above[1:], below[:-1], below[1:]], 1))
+    apart = np.zeros((count, step, len(made) // count), np.uint8)
+    apart[:, 0] = np.frombuffer(made, np.uint8).reshape(count, -1)
+    return Example("tx_quads", pixels(rows[0]), apart.tobytes(), count, "tx_quad_row",
+                   {"step": step}, {"below": pixels(rows[1])})
+
+
+def filtered(corners, fs, ft) -> np.ndarray:
+    """The three-point filter: corners [n][4][channels], fractions [n]."""
+    c00, c10, c01, c11 = (corners[:, k] for k in range(4))
+    fs, ft = fs[:, None], ft[:, None]
+    lower = c00 + (fs * (c10 - c00) + ft * (c01 - c00) + 16 >> 5)
+    upper = c11 + ((32 - fs) * (c01 - c11) + (32 - ft) * (c10 - c11) + 16 >> 5)
+    return np.where(fs + ft < 32, lower, upper)
+
+
+@dataclass
+class Tile:
+    """A random decoded tile that wraps: ``texels`` [rows][columns][4]."""
+
+    texels: np.ndarray
+    has_quads: bool
+
+    @property
+    def bits(self) -> tuple[int, int]:
+        """log2 of columns and rows."""
+        rows, columns = self.texels.shape[:2]
+        return columns.bit_length() - 1, rows.bit_length() - 1
+
+    def corners(self, s, t) -> np.ndarray:
+        """c00, c10, c01, c11 at coordinates: [n][4][4]."""
+        rows, columns = self.texels.shape[:2]
+        x, y = s >> 5, t >> 5
+        return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
+                         for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
+
+    def decoded(self) -> tuple[str, dict[str, int], dict[str, bytes]]:
+        """struct tx_decoded: name, values, blocks."""
+        rows, columns = self.texels.shape[:2]
+        y, x = np.divmod(np.arange(rows * columns), columns)
+        blocks = {"texels": pixels(self.texels)}
+        if self.has_quads:
+            blocks["quads"] = quad_bytes(self.corners(32 * x, 32 * y))
+        bits = self.bits
+        return "tx_decoded", dict(
+            mask_s=columns - 1 << 5, mask_t=rows - 1 << 5, columns_bits=bits[0],
+            rows_bits=bits[1]) | ({} if self.has_quads else {"quads": 0}), blocks
+
+
+def tile(rng, has_quads: bool) -> Tile:
+    """Of any size, some a column or a row alone."""
+    columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
+    if rng.random() < 0.1:
+        columns, rows = (512, 1) if rng.random() < 0.5 else (1, 256)
+    return Tile(any_texels(rng, rows * columns).reshape(rows, columns, 4), has_quads)
+
+
+def threepoint(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, True)
+    drawn = filtered(ground.corners(*st.T), *(st.T & 31))
+    return Example("tx_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
+
+
+def threepoint_16(rng, count: int) -> Example:
+    made = threepoint(rng, count)
+    made.expected = packed(np.frombuffer(made.expected, np.uint8))
+    return made
+
+
+def average(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, True)
+    st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
+    corners, (fs, ft) = ground.corners(*st.T), st.T & 31
+    drawn = np.where((fs == 16)[:, None] & (ft == 16)[:, None], corners.sum(1) + 2 >> 2,
+                     filtered(corners, fs, ft))
+    return Example("tx_average", pairs(st), pixels(drawn), count, *ground.decoded())
+
+
+def point(rng, count: int) -> Example:
+    st, ground = coordinates(rng, count), tile(rng, False)
+    return Example("tx_point", pairs(st), pixels(ground.corners(*st.T)[:, 0]), count,
+                   *ground.decoded())
+
+
+def store_16(rng, count: int) -> Example:
+    texels = any_texels(rng, count)
+    return Example("tx_store_16", pixels(texels), packed(texels), count)
+
+
+def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
+    """Clamp, shift as the tile has it, low, high."""
+    if is_plain:
+        return 0, 0, int(rng.integers(4096)), 4095
+    low, high = (int(n) for n in rng.integers(0, 4096, 2))
+    if rng.random() < 0.7:
+        low, high = min(low, high) & ~3, max(low, high) & ~3
+    return int(rng.integers(2)), int(rng.integers(16)), low, high
+
+
+def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
+    """The coordinate c (16 bits signed) relative to the tile, modulo 2^16."""
+    c = c >> shift if shift <= 10 else signed(c << 16 - shift, 16)
+    is_over = c >> 3 >= high
+    c -= 8 * low
+    if clamp and is_over:
+        return 32 * ((high >> 2) - (low >> 2) & 0x3FF)
+    return 0 if clamp and c < 0 else c & 0xFFFF
+
+
+def axis_bytes(clamp: int, shift: int, low: int, high: int) -> list[int]:
+    """struct tx_axis_range."""
+    return list(layout.load().struct("tx_axis_range").pack(
+        shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low, high=8 * high,
+        last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
+
+
+def tiled(rng, count: int, kernel: str = "tx_tile") -> Example:
+    st = coordinates(rng, count)
+    axes = [axis(rng, kernel == "tx_tile_plain") for _ in "st"]
+    for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
+        border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
+        st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
+    found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
+    return Example(kernel, pairs(st), pairs(np.array(found)), count, "tx_axes",
+                   dict(zip("st", (axis_bytes(*a) for a in axes))))
+
+
+def tiled_plain(rng, count: int) -> Example:
+    return tiled(rng, count, "tx_tile_plain")

@@ -1,0 +1,69 @@
+"""Examples of the passes over YUV texels: chroma's coordinates, colour conversion."""
+
+import numpy as np
+
+from tmap.bench.examples.example import Example, any_texels, longs, pairs, pixels, words
+from tmap.bench.examples.n64_sample import coordinates
+
+USUAL = 175, -43, -89, 222
+NEUTRAL = 128  # the byte that stands for 0 of U and V
+
+
+def halved(rng, count: int) -> Example:
+    st = coordinates(rng, count)
+    s, t = st.T
+    column, fraction = s >> 5, s & 31
+    shared = 32 * column + (fraction >> 1) + 16 * (column & 1)
+    return Example("tx_chroma", pairs(st), pairs(np.stack([shared, t], 1)), count)
+
+
+def constants(rng) -> list[int]:
+    """K0 to K3: the usual ones, any, extremes."""
+    if rng.random() < 0.3:
+        return list(USUAL)
+    return [int(n) for n in np.where(rng.random(4) < 0.3, rng.choice((-256, 255), 4),
+                                     rng.integers(-256, 256, 4))]
+
+
+def matrix_bytes(k: list[int]) -> bytes:
+    """struct tx_matrix of K0 to K3."""
+    chroma = np.arange(256) - NEUTRAL
+    k0, k1, k2, k3 = (2 * n + 1 for n in k)
+    u = 256 * (k1 * chroma + 128), k3 * chroma + 128 >> 8
+    v = 256 * k2 * chroma, k0 * chroma + 128 >> 8
+    return b"".join(longs(np.stack([green, other & 0xFFFF], 1)) for green, other in (u, v))
+
+
+def matrix(rng, count: int) -> Example:
+    k = constants(rng)
+    return Example("tx_matrix", words(k), matrix_bytes(k), count)
+
+
+def converted(k: list[int], luma: np.ndarray, chroma: np.ndarray) -> np.ndarray:
+    """R, G, B, A of texels: 9 bits, [n][4]."""
+    y = luma[:, 3].astype(np.int64)
+    u, v = chroma.astype(np.int64).T[:2] - NEUTRAL
+    k0, k1, k2, k3 = (2 * n + 1 for n in k)
+    return np.stack([y + (k0 * v + 128 >> 8), y + (k1 * u + k2 * v + 128 >> 8),
+                     y + (k3 * u + 128 >> 8), y], 1) & 511
+
+
+def conversion(rng, count: int) -> tuple[bytes, np.ndarray, dict[str, bytes]]:
+    """Texels; what they are converted to; blocks of struct tx_yuv_conversion."""
+    k, luma, chroma = constants(rng), any_texels(rng, count), any_texels(rng, count)
+    return pixels(luma), converted(k, luma, chroma), {"chroma": pixels(chroma),
+                                                      "matrix": matrix_bytes(k)}
+
+
+def convert(rng, count: int) -> Example:
+    texels, found, blocks = conversion(rng, count)
+    colours = rng.integers(0, 256, (512, 4))
+    return Example("tx_convert", texels, pixels(colours[found, np.arange(4)]), count,
+                   "tx_yuv_conversion", {}, blocks | {"colours": pixels(colours)})
+
+
+def convert_wide(rng, count: int) -> Example:
+    texels, found, blocks = conversion(rng, count)
+    taken = np.where(found >> 7 == 3, found - 512, found)
+    return Example("tx_convert_wide", texels, words(taken), count, "tx_yuv_conversion",
+                   {"colours": 0}, blocks)

@@ -1,0 +1,86 @@
+"""Bench rows of perspective by logarithms: the lines of tmap.bench.perspective."""
+
+import numpy as np
+
+from tmap.base.elementary import log2
+from tmap.base.fixed import M32, ONE
+from tmap.bench.perspective import (LINES, RATIO, add_perspective_plan, case_of_lines,
+                                    first_wrong_line, polygon_lines)
+from tmap.bench.reciprocal import constants_fields, lines_left
+from tmap.build import layout
+from tmap.guest.kernels import Arena, Case, Result
+from tmap.setup import logarithm as logarithms, reciprocal as reciprocals
+from tmap.setup.reciprocal import swap
+
+NEAREST = 63000 << 16  # q of the nearer end as normalised
+
+
+def log_table(arena: Arena) -> int:
+    """Adds the table of logarithms; where its index 0 is."""
+    return arena.add(logarithms.logs().astype(">i2").tobytes()) \
+        + 2 * (logarithms.ORIGIN - logarithms.LOWEST)
+
+
+def power_table(arena: Arena, lines) -> int:
+    """Adds what lines read of the powers; where the whole table would begin."""
+    ends = [each.power[axis] + int(log) for each in lines for axis in (0, 1)
+            for log in logarithms.logs()[logarithms.indices(each)[[0, -1]]]]
+    low, high = min(ends) - 8, max(ends) + 8  # the last step may be a unit off
+    part = logarithms.powers()[max(low, 0):high] & 0xFFFF
+    return arena.add(part.astype(">u2").tobytes()) - 2 * max(low, 0)
+
+
+def line(k: int, length: int, rng) -> logarithms.Logarithmic:
+    """Line k of a row."""
+    n = length - 1
+    q0, q1 = (NEAREST, NEAREST // RATIO)[::1 if k % 2 else -1]
+    # u = K + C / q, from the first to the last pixel
+    c = [max(way * length, 1) / abs(1 / q0 - 1 / q1) for way in (1, 0.7)]
+    logs = np.rint(logarithms.OCTAVE * log2(256 * np.array(c) / ONE)).astype(int).tolist()
+    power = tuple(log - logarithms.MIDDLE for log in logs)
+    return logarithms.Logarithmic(
+        k % 4, n, swap(q0 - (logarithms.ORIGIN << 16) & M32), swap(((q1 - q0) // max(n, 1)) & M32),
+        tuple(int(x) for x in rng.integers(0, 1 << 16, 2)), power, 3 if q0 < q1 else 0)
+
+
+def entry(each: logarithms.Logarithmic) -> bytes:
+    """The line as logarithm_lines leaves it."""
+    shapes = layout.load()
+    return shapes.struct("logarithm_line").pack(
+        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, q=each.q, dq=each.dq,
+        u=each.k[0] & 0xFFFF, v=each.k[1] & 0xFFFF, power_u=2 * each.power[0],
+        power_v=2 * each.power[1], way=each.way, spare=0)
+
+
+def span_case(length: int):
+    """A table of lines of one length, by logarithms."""
+    return case_of_lines(
+        "span_logarithm", "logarithm_span", length, lambda k, rng: line(k, length, rng),
+        logarithms.coordinates,
+        lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), logs=log_table(arena),
+                                  powers=power_table(arena, lines)))
+
+
+def add_logarithm_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
+    """Adds a reciprocal_plan with its constants, and the tables but for the powers."""
+    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
+                        limit=0, piece=0, table=0, to=0)
+    return plan, arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
+                              parts=logarithms.parts())
+
+
+def lines_case():
+    """LINES lines of a turned triangle, all of which are taken."""
+    arena, shape = Arena(), layout.load().struct("logarithm_line")
+    deep, lines = polygon_lines()
+    constants = reciprocals.find(deep, None, 200, lines[0][0] - deep.i, 0)
+    expected = [logarithms.line(deep, constants, *each) for each in lines]
+    to_at = arena.add(bytes(shape.size * LINES))
+    planes_at = add_perspective_plan(arena, deep, lines, to_at)
+    plan, tables = add_logarithm_plan(arena, planes_at, constants)
+
+    def check(result: Result) -> str | None:
+        return lines_left(result) or first_wrong_line(
+            shape, result.memory[to_at:], [entry(each) for each in expected], ("spare",))
+
+    return LINES, Case("logarithm_lines", arena, pointers={"a0": plan, "a1": tables, "d0": to_at}), check

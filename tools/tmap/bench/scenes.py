@@ -1,0 +1,97 @@
+"""Bench rows of whole scenes: cycles a frame, clearing included, on the machines they run on.
+
+Some frames from all their length; each must be the model's. With texture engines the first, with
+Glide's units all of them are drawn twice, and count the second time: tables are made, tiles and
+levels decoded by then.
+"""
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from tmap.base.paths import SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.guest import guest_frames
+from tmap.guest.emulator import CYCLES_PER_TICK, MEASURED, PATIENT_SECONDS
+from tmap.model import model
+from tmap.scene_file.scene_file import Scene
+
+NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
+         "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
+         "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
+         "glide_lightmap", "dithered")
+FRAMES = 4
+ROW = "scene_"
+
+
+def runs(numbers: list[int]) -> list[list[int]]:
+    """Ascending numbers, those that follow each other together."""
+    found: list[list[int]] = []
+    for number in numbers:
+        if found and number == found[-1][-1] + 1:
+            found[-1].append(number)
+        else:
+            found.append([number])
+    return found
+
+
+def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, list, list[int]]:
+    """Objects (``row``: "pose") or instances ("view") in these frames alone, the rows of ``table`` that
+    they have there, and how many are kept of the first n, by n. One that comes again becomes two."""
+    kept, rows, places = [], [], [0]
+    for each in things:
+        first, count = getattr(each, row), getattr(each, f"{row}s")
+        ages = [number - each.first_frame for number in numbers]
+        for run in runs([k for k, age in enumerate(ages) if 0 <= age < count]):
+            kept.append(replace(each, first_frame=run[0], **{row: len(rows), f"{row}s": len(run)}))
+            rows += [table[first + ages[k]] for k in run]
+        places.append(len(kept))
+    return kept, rows, places
+
+
+def cut_lists(scene: Scene, numbers: list[int]) -> tuple[list, list]:
+    """The engines' units and lists for these frames: each has one for the start, and one a frame unless
+    it has no more."""
+    units, lists = [], []
+    for first, count in scene.units.tolist():
+        kept = [first] + [first + 1 + number for number in numbers if count > 1]
+        units.append([len(lists), len(kept)])
+        lists += scene.lists[kept].tolist()
+    return units, lists
+
+
+def some_frames(scene: Scene, numbers: list[int]) -> Scene:
+    """A scene of these frames alone, in this order; a frame may be there twice."""
+    objects, poses, places = cut(scene.objects, scene.poses, "pose", numbers)
+    instances, views, _ = cut(scene.instances, scene.views, "view", numbers)
+    instances = [replace(each, before=places[each.before]) for each in instances]
+    units, lists = cut_lists(scene, numbers)
+    return replace(scene, frames=len(numbers), objects=objects, instances=instances,
+                   poses=np.array(poses or scene.poses), views=np.array(views or scene.views),
+                   units=np.array(units or scene.units), lists=np.array(lists or scene.lists))
+
+
+@cache
+def shown(name: str) -> tuple[Scene, list[np.ndarray]]:
+    """Some frames of a scene, and the model's pictures of them."""
+    whole = compile_scene(SCENES / f"{name}.toml")
+    numbers = [k * whole.frames // FRAMES for k in range(FRAMES)]
+    before = numbers if len(whole.pipes) else numbers[:1] if len(whole.units) else []
+    scene = some_frames(whole, before + numbers)
+    return scene, [model.render(scene, number) for number in range(scene.frames)]
+
+
+def measure(machine: str, names: list[str]) -> list[dict]:
+    """A row for each scene, all in one boot; none where data is put elsewhere than programs do."""
+    if machine not in MEASURED or not names:
+        return []
+    rows = []
+    drawn = guest_frames.draw([(shown(name)[0], "addx") for name in names], machine,
+                              patience=PATIENT_SECONDS, apart=True)  # some fill all chip RAM
+    for name, digests in zip(names, drawn):
+        guest_frames.require_models(shown(name)[1], digests, f"bench: scene {name}, {machine}")
+        cycles = int(digests["ticks"][-FRAMES:].astype(int).sum()) * CYCLES_PER_TICK / FRAMES
+        rows.append({"name": f"{ROW}{name}", "machine": machine, "length": FRAMES,
+                     "cycles_per_frame": cycles, "one_tick": CYCLES_PER_TICK / FRAMES})
+    return rows

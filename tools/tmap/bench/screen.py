@@ -1,0 +1,71 @@
+"""Bench rows of the way to the screen: a frame to its planes, ends of rows included.
+
+Rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
+lines of 320, 640 or 1280 dots a field, which takes chip RAM's time: what a frame costs that is
+shown. They last some fields from a field's first line on, so that displayed lines and others are
+in their share but for the last field's.
+"""
+
+import numpy as np
+
+from tmap.base import planar
+from tmap.guest.kernels import Arena, Case, Result
+
+#: Pixels: HAM8's are four dots wide each, of 640 in a row.
+SCREENS = {"c2p_8": (320, 256), "c2p_ham8_16": (160, 256), "c2p_ham8_5551": (160, 256),
+           "c2p_ham8_32": (160, 256)}
+ROWS_IN_C = 16
+#: What is displayed while it is converted, by the end of a row's name.
+SHOWN = {"": "OFF", "_low": "LOW", "_high": "HIGH", "_super": "SUPER"}
+NAMES = [name + end for name in SCREENS
+         for end in ("", "_c", *(("_low",) if name == "c2p_8" else ("_high", "_super")))]
+
+
+def routine_of(row: str) -> str:
+    """The assembly routine that a row is of, or is the yardstick of."""
+    return next(name for name in sorted(SCREENS, key=len, reverse=True) if row.startswith(name))
+
+
+def frame(pixels: np.ndarray, pitch: int, padding: bytes) -> tuple[bytearray, int]:
+    """Rows of pixels in memory, ``padding`` between them, and where the first one is."""
+    lines = np.arange(len(pixels)) * pitch
+    first, size = -int(lines.min()), int(np.ptp(lines)) + pixels[0].nbytes
+    content = bytearray((padding * size)[:size])
+    for row, at in zip(pixels, lines):
+        content[first + at:first + at + row.nbytes] = row.tobytes()
+    return content, first
+
+
+def place(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, arena: Arena,
+          far: Arena, before: bytes) -> tuple[Case, int]:
+    """The call of a kernel, pixels in the near arena, planes in the far one, where the block of
+    planes holds ``before``; and where that is."""
+    content, first = frame(pixels, pitch, b"\xa5")
+    at, out = arena.add(content, 8), far.add(before)
+    plan = arena.struct(
+        "planar_plan", {"pixels": at + first}, {"planes": out + planes.first}, pitch=pitch,
+        width=pixels.shape[1], rows=planes.rows, row_pitch=planes.row_pitch,
+        plane_pitch=planes.plane_pitch)
+    return Case(kernel, arena, pointers={"a0": plan}, far=far), out
+
+
+def screen_case(row_name: str):
+    """A screen of noise, the maps' (a plan has it once), in one call; each plane behind the one
+    before."""
+    name = routine_of(row_name)
+    in_c = row_name == f"{name}_c"
+    form, (width, rows) = planar.FORMS[name], SCREENS[name]
+    rows = ROWS_IN_C if in_c else rows
+    pixels = planar.noise(name, np.random.default_rng(256), width, rows)
+    row = form.dots * width // 8
+    planes = planar.Planes(8 * row, rows, row, row * rows, form.planes)
+    case, out = place(f"{name}_c" if in_c else name, pixels, width * form.bytes, planes, Arena(),
+                      Arena(), bytes(planes.size))
+    case.display = SHOWN["" if in_c else row_name.removeprefix(name)]
+    expected = form.convert(pixels)
+
+    def check(result: Result) -> str | None:
+        block = np.frombuffer(result.far_memory, np.uint8, planes.size, out)
+        return planar.difference(expected, planes.decoded(block))
+
+    return width * rows, case, check

@@ -1,0 +1,338 @@
+"""Reads the contract block over each assembly routine and holds the tree to it.
+
+    ;==============================================================================
+    ; name - summary
+    ;
+    ; in:      d0  int32  meaning
+    ; out:     -
+    ; trashes: d0-d1/a0-a1, - or everything
+    ; reads: writes: formats: error: cost:    free text, or -
+    ;==============================================================================
+
+Every field is there, in this order; a longer one goes on indented. A routine is
+what the ``routine`` macro or an exported label of a code section begins. Other
+labels that a documented routine runs into are entries of that routine, and the
+entry ``start`` of a command may be documented under the command's name.
+
+``python -m tmap.build.contracts SRC OUT`` writes OUT/contracts.json and
+OUT/kernel_table.s: names and addresses of all kernels, for the program bench.
+"""
+
+import json
+import re
+import sys
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import NamedTuple
+
+from tmap.base.errors import UserError
+
+FIELDS = ("in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
+#: Folders whose routines are kernels: called one by one by the program bench.
+KERNELS = ("math", "mesh", "polygon", "edge", "span", "tx", "tmu", "screen")
+
+BAR = re.compile(r";={20,}\s*$")
+TITLE = re.compile(r"; (\w+) - (\S.*)$")
+FIELD = re.compile(r"; (\w+):\s*(.*)$")
+UNCOMMENTED = re.compile(r"""(?:[^;'"]|'[^']*'|"[^"]*"|['"])*""")
+STATEMENT = re.compile(r"([^\s:=]+:{0,2})?\s*(=|[^\s=]+)?\s*(.*)$")
+#: Statements that leave execution where it is.
+DIRECTIVES = {"xdef", "xref", "cnop", "even", "include", "=", "equ", "set", "reg", "rs",
+              "ifd", "ifnd", "ifb", "ifnb", "ifeq", "ifne", "if", "else", "endif", "endc"}
+#: Data: a label on it is no entry, and execution does not come past it.
+NO_CODE = {f"{name}{size}" for name in ("dc", "dcb", "ds", "blk") for size in ("", ".b", ".w", ".l")} \
+    | {"incbin"}
+#: After these, execution does not run into the next label.
+NO_RETURN = {"rts", "rte", "rtd", "rtr", "jmp", "bra"}
+
+
+class Argument(NamedTuple):
+    """One line of ``in`` or ``out``: register (or pair ``d0:d1``), C type, meaning."""
+
+    register: str
+    type: str
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Contract:
+    """One routine's block; texts are "" where the block says "-"."""
+
+    name: str
+    file: str
+    line: int
+    summary: str
+    inputs: tuple[Argument, ...]
+    outputs: tuple[Argument, ...]
+    trashes: frozenset[str]
+    reads: str
+    writes: str
+    formats: str
+    error: str
+    cost: str
+    is_routine: bool = False  # entered through the macro, so callable from C too
+
+
+class Statement(NamedTuple):
+    """One line of assembly: line number, label, operation in small letters, operands."""
+
+    line: int
+    label: str
+    operation: str
+    operands: list[str]
+
+
+class Entry(NamedTuple):
+    """A label of code. ``registers``: where the ``routine`` macro puts C's arguments,
+    None for a plain label; ``is_reached``: the code before it runs into it."""
+
+    line: int
+    name: str
+    registers: tuple[str, ...] | None
+    is_exported: bool
+    is_reached: bool
+
+
+def is_register(text: str) -> bool:
+    """Whether ``text`` names a register, the stack pointer or a pair d0:d1."""
+    return text == "sp" or 1 <= len(text.split(":")) <= 2 and all(
+        part in REGISTERS for part in text.split(":"))
+
+
+def expand(text: str) -> frozenset[str]:
+    """The registers of a list such as "d0-d2/a0"; ValueError names a wrong part."""
+    if text == "-":
+        return frozenset()
+    if text == "everything":
+        return frozenset(REGISTERS)
+    found: set[str] = set()
+    for part in text.split("/"):
+        first, _, last = part.partition("-")
+        last = last or first
+        if first not in REGISTERS or last not in REGISTERS or first[0] != last[0] or first > last:
+            raise ValueError(f"{part!r} is no register or range")
+        found.update(r for r in REGISTERS if r[0] == first[0] and first <= r <= last)
+    return frozenset(found)
+
+
+def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
+    """The arguments of an ``in`` or ``out`` field, first line's text first.
+
+    Lines at the first one's column begin an argument, deeper ones continue it.
+    """
+    if lines[0].strip() == "-" and len(lines) == 1:
+        return ()
+    column = len(lines[0]) - len(lines[0].lstrip())
+    arguments: list[Argument] = []
+    for line in lines:
+        if len(line) - len(line.lstrip()) > column and arguments:
+            last = arguments[-1]
+            arguments[-1] = last._replace(meaning=f"{last.meaning} {line.strip()}")
+            continue
+        register, *rest = re.split(r"\s{2,}", line.strip(), maxsplit=2)
+        if not is_register(register):
+            raise ValueError(f"{register!r} is no register")
+        if register == "sp" and len(rest) == 1:  # a stack frame has no C type
+            rest.insert(0, "")
+        if len(rest) != 2:
+            raise ValueError(f"{register} needs a C type and a meaning, two blanks between them")
+        arguments.append(Argument(register, *rest))
+    return tuple(arguments)
+
+
+def parse_block(file: str, first: int, lines: list[str]) -> Contract:
+    """The contract in the ``lines`` between two bars; ``first`` is their line number."""
+
+    def fail(number: int, text: str):
+        raise UserError(f"{file}:{number}: {text}")
+
+    title = TITLE.match(lines[0]) if lines else None
+    if title is None:
+        fail(first, 'a contract block begins with "; name - summary"')
+    name, summary = title[1], [title[2]]
+    fields: dict[str, tuple[int, list[str]]] = {}
+    current = summary
+    for number, line in enumerate(lines[1:], first + 1):
+        if not line.startswith(";"):
+            fail(number, f"{name}: this line ends no contract block: a bar is missing")
+        match = FIELD.match(line)
+        if match:
+            if match[1] not in FIELDS:
+                fail(number, f"{name}: unknown field {match[1]!r}")
+            if match[1] in fields:
+                fail(number, f"{name}: second field {match[1]!r}")
+            if not match[2]:
+                fail(number, f"{name}: field {match[1]!r} is empty: write - for nothing")
+            current = [" " * match.start(2) + match[2].rstrip()]
+            fields[match[1]] = number, current
+        elif line.strip() != ";":
+            current.append(" " + line[1:].rstrip())
+    for field in FIELDS:
+        if field not in fields:
+            fail(first, f"{name}: field {field!r} is missing")
+    if tuple(fields) != FIELDS:
+        fail(first, f"{name}: the fields' order is {', '.join(FIELDS)}")
+
+    def read(field: str, reader):
+        number, content = fields[field]
+        try:
+            return reader(content)
+        except ValueError as error:
+            fail(number, f"{name}: {field}: {error}")
+
+    def text(content: list[str]) -> str:
+        joined = " ".join(part.strip() for part in content)
+        return "" if joined == "-" else joined
+
+    return Contract(
+        name, file, first, text(summary), read("in", parse_arguments),
+        read("out", parse_arguments), read("trashes", lambda c: expand(text(c) or "-")),
+        *(read(field, text) for field in FIELDS[3:]))
+
+
+def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
+    """The contract blocks of a source file, by name."""
+    blocks: dict[str, Contract] = {}
+    bars = [number for number, line in enumerate(lines, 1) if BAR.match(line)]
+    for first, last in zip(bars[::2], bars[1::2] + [None]):
+        if last is None:
+            raise UserError(f"{file}:{first}: the contract block is not closed by a bar")
+        block = parse_block(file, first + 1, lines[first:last - 1])
+        if block.name in blocks:
+            raise UserError(f"{file}:{block.line}: second contract block of {block.name}")
+        blocks[block.name] = block
+    return blocks
+
+
+def statements(lines: list[str]) -> list[Statement]:
+    """The statements of a source file, without comments and macro definitions."""
+    found: list[Statement] = []
+    in_macro = False
+    for number, line in enumerate(lines, 1):
+        code = "" if line.startswith("*") else UNCOMMENTED.match(line)[0]
+        label, operation, operands = STATEMENT.match(code).groups("")
+        if in_macro:
+            in_macro = operation.lower() != "endm"
+        elif "macro" in (label.lower(), operation.lower()):
+            in_macro = True
+        elif label or operation:
+            found.append(Statement(number, label.rstrip(":"), operation.lower(),
+                                   re.split(r"\s*,\s*", operands.strip())))
+    return found
+
+
+def find_entries(file_statements: list[Statement]) -> list[Entry]:
+    """What a source file's code can be entered by, in its order."""
+    exported = {name for s in file_statements if s.operation == "xdef" for name in s.operands}
+    entries: list[Entry] = []
+    in_code, runs_on = True, False      # vasm begins in a code section
+    for statement, following in zip(file_statements, file_statements[1:] + [None]):
+        number, label, operation, operands = statement
+        if operation == "routine":
+            entries.append(Entry(number, operands[0], tuple(operands[1:]), True, False))
+            in_code = runs_on = True
+            continue
+        if operation == "section":
+            in_code = any(word in " ".join(operands).lower() for word in ("text", "code"))
+            runs_on = False
+            continue
+        if label and not operation and following and not following.label:
+            operation = following.operation     # a name alone on its line
+        if not in_code or operation in DIRECTIVES:
+            continue
+        if operation in NO_CODE:
+            runs_on = False
+            continue
+        if label and not label.startswith(".") and not label.endswith("$"):
+            entries.append(Entry(number, label, None, label in exported, runs_on))
+        runs_on = operation.partition(".")[0] not in NO_RETURN
+    return entries
+
+
+def parse(path: Path | str) -> list[Contract]:
+    """The contracts of a source file, in its order; UserError where one is wrong,
+    a routine has none, or one describes nothing."""
+    file = str(path)
+    lines = Path(path).read_text(encoding="utf-8").splitlines()
+    blocks = find_blocks(file, lines)
+    described: set[str] = set()
+    is_documented = False       # the code before the entry
+    for entry in find_entries(statements(lines)):
+        name = entry.name
+        if name == "start" and name not in blocks:
+            name = next((b.name for b in reversed(blocks.values()) if b.line < entry.line), name)
+        if name in blocks and name not in described:
+            is_documented = True
+            described.add(name)
+            if entry.registers is not None:
+                check_registers(file, entry, blocks[name])
+                blocks[name] = replace(blocks[name], is_routine=True)
+        elif not (is_documented and entry.is_reached):
+            is_documented = False
+            if entry.is_exported:
+                raise UserError(f"{file}:{entry.line}: routine {entry.name} has no contract block")
+    for block in blocks.values():
+        if block.name not in described:
+            raise UserError(f"{file}:{block.line}: no routine {block.name} for this block")
+    return list(blocks.values())
+
+
+def check_registers(file: str, entry: Entry, block: Contract) -> None:
+    """The registers C's arguments go to are those of the block, in its order.
+
+    A routine with arguments and no such registers is for assembly alone.
+    """
+    stated = tuple(r for argument in block.inputs for r in argument.register.split(":"))
+    if entry.registers and entry.registers != stated:
+        raise UserError(f"{file}:{entry.line}: {entry.name} takes {', '.join(entry.registers)} "
+                        f"from C, its block says in: {', '.join(stated) or '-'}")
+
+
+def all_contracts(root: Path | str) -> list[Contract]:
+    """The contracts of all source files under ``root``, by file name."""
+    return [c for path in sorted(Path(root).rglob("*.s")) for c in parse(path)]
+
+
+def kernels(root: Path | str, contracts: list[Contract] | None = None) -> list[Contract]:
+    """The contracts of the kernels under ``root``: what the program bench calls. ``contracts``: all of
+    them, where they are read already."""
+    return [c for c in contracts or all_contracts(root)
+            if c.is_routine and Path(c.file).relative_to(root).parts[0] in KERNELS]
+
+
+def kernel_table(contracts: list[Contract]) -> str:
+    """Assembly of ``kernel_table``: name and register entry of each, then zeros."""
+    lines = ["; Generated by tools/tmap/build/contracts.py: the kernels, by name.", ""]
+    lines += [f"        xref    {c.name}" for c in contracts]
+    lines += ["        xdef    _kernel_table", "        section .data.kernel_table,data",
+              "        cnop    0,4", "_kernel_table:"]
+    lines += [f"        dc.l    .name{i},{c.name}" for i, c in enumerate(contracts)]
+    lines += ["        dc.l    0,0"]
+    lines += [f".name{i:<6} dc.b    '{c.name}',0" for i, c in enumerate(contracts)]
+    return "\n".join(lines) + "\n"
+
+
+def as_json(contracts: list[Contract]) -> str:
+    """All contracts as a list of objects, registers as sorted lists."""
+    rows = [asdict(c) | {"trashes": sorted(c.trashes),
+                         "inputs": [a._asdict() for a in c.inputs],
+                         "outputs": [a._asdict() for a in c.outputs]} for c in contracts]
+    return json.dumps(rows, indent=1) + "\n"
+
+
+def main(source: str, out: str) -> None:
+    """Checks the tree ``source`` and writes both files into ``out``."""
+    Path(out).mkdir(parents=True, exist_ok=True)
+    contracts = all_contracts(source)
+    (Path(out) / "contracts.json").write_text(as_json(contracts))
+    (Path(out) / "kernel_table.s").write_text(kernel_table(kernels(source, contracts)))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: python -m tmap.build.contracts SRC OUT")
+    try:
+        main(*sys.argv[1:])
+    except UserError as error:
+        sys.exit(f"contracts: {error}")

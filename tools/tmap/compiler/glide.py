@@ -1,0 +1,183 @@
+"""What a scene's TOML says of Glide's texture units: materials with a table ``glide``.
+
+The words are Glide's where it has one; c/tmu/tmu.h tells what each does.
+"""
+
+import numpy as np
+
+from tmap.base.fields import REQUIRED, fail, flag, integer, number, one_of, rows, table, text
+from tmap.base.fixed import ONE, fix_all
+from tmap.glide.state import LAST_LEVEL, REACH, SIDE, SUBDIVISIONS, W_MAX
+from tmap.glide.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
+from tmap.images.mipmap import FILTERS as MIPMAP_FILTERS
+from tmap.scene_file.pipes import PREFILTER_KB
+
+FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
+LEAST_W = 1 / ONE  # how far w is from 0
+NO_MIPMAP = "none"  # the picture alone
+#: The bilinear filter, or moved points instead of it.
+BILINEAR = ("exact", "dithered")
+#: What becomes of the frame's pixels: replaced, or added to.
+BLENDS = ("replace", "add")
+PREFILTER_MOST = 8192  # KB of prefiltered tiles
+
+
+def quarters(low: float, high: float):
+    """A number of quarters."""
+    limits = number(low, high)
+
+    def check(value, where):
+        found = limits(value, where)
+        if found * 4 % 1:
+            fail(where, "must be a multiple of 1/4")
+        return found
+    return check
+
+
+def combine_schema():
+    """The check of a unit's functions and factors; what alpha lacks is as colour's."""
+    function, factor = one_of(*FUNCTIONS), one_of(*FACTORS)
+    return table({"function": (function, "local"), "factor": (factor, "zero"),
+                  "alpha_function": (function, None), "alpha_factor": (factor, None),
+                  "invert": (flag, False), "invert_alpha": (flag, False)})
+
+
+def unit_schema():
+    """The check of a unit."""
+    combined, level = combine_schema(), integer(0, LAST_LEVEL)
+    detail = table({"bias": (integer(-32, 31), 0), "scale": (integer(0, 7), 0),
+                    "max": (number(0, 1), 1.0)})
+    axis, wrap = one_of(*WRAPS), "wrap"
+    return table({
+        "image": (text, REQUIRED), "format": (one_of(*FORMATS), REQUIRED),
+        "width": (integer(1, SIDE), None), "height": (integer(1, SIDE), None),
+        "mipmap": (one_of(NO_MIPMAP, *MIPMAP_FILTERS), "box"),
+        "min": (one_of(*FILTERS), "point"), "mag": (one_of(*FILTERS), "point"),
+        "s": (axis, wrap), "t": (axis, wrap), "dither": (flag, False),
+        "lod_bias": (quarters(-8, 7.75), 0.0), "min_level": (level, None),
+        "max_level": (level, None), "detail": (detail, detail({}, "")),
+        "levels": (one_of(*LEVELS), "both"), "trilinear": (flag, False),
+        "combine": (combined, combined({}, "")), "weights": (one_of_numbers(4, 8), 4),
+        "bilinear": (one_of(*BILINEAR), BILINEAR[0]),
+        "subdivision": (one_of_numbers(*SUBDIVISIONS), 0),
+        "clamp_w": (flag, False), "own": (flag, False)})
+
+
+def one_of_numbers(*numbers: int):
+    """One of these whole numbers."""
+    def check(value, where):
+        if type(value) is not int or value not in numbers:
+            fail(where, "must be " + " or ".join(map(str, numbers)))
+        return value
+    return check
+
+
+def schema():
+    """The check of a material's ``glide``."""
+    return table({"perspective": (flag, False),
+                  "blend": (one_of(*BLENDS), BLENDS[0]),
+                  "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
+                  "units": (rows(unit_schema(), 1, 2), REQUIRED)})
+
+
+def coordinates_fields(corners: int) -> dict:
+    """The fields of a polygon for its corners' coordinates of the second unit, and for what moves
+    them."""
+    place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-W_MAX, W_MAX)
+    way = rows(place, 2, 2), None
+    return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None),
+            "w1": (rows(depth, 3, corners // 2), None), "slide": way, "slide1": way}
+
+
+def has_own(material: dict) -> bool:
+    """Whether a material's second unit has coordinates of its own."""
+    return "glide" in material and material["glide"]["units"][-1]["own"]
+
+
+def check_unit(unit: dict, number_: int, where: str) -> None:
+    """Refuses settings of a unit that do not go together; fills in what is left out."""
+    if unit["own"] and not number_:
+        fail(f"{where}.own", "is for the second unit: the first goes by the vertices")
+    if unit["mipmap"] == NO_MIPMAP and (unit["levels"] != "both" or unit["max_level"] is not None):
+        fail(f"{where}.mipmap", f'"{NO_MIPMAP}": there is one level only')
+    if unit["trilinear"] and unit["levels"] == "both":
+        fail(f"{where}.trilinear", 'needs "levels" even or odd: another unit blends the others in')
+    low, high = unit["min_level"], unit["max_level"]
+    if low is not None and high is not None and low > high:
+        fail(f"{where}.max_level", f"is below min_level, {low}")
+    combine = unit["combine"]
+    for kind in ("function", "factor"):
+        if combine[f"alpha_{kind}"] is None:
+            combine[f"alpha_{kind}"] = combine[kind]
+
+
+def check(glide: dict, where: str) -> None:
+    """Refuses units that do not go together; fills in what is left out."""
+    for n, unit in enumerate(glide["units"]):
+        check_unit(unit, n, f"{where}.units[{n}]")
+
+
+def with_own(corners: np.ndarray, obj: dict) -> np.ndarray:
+    """An object's vertices as the file has them, int64 [n, 6], and as many again with the second
+    unit's coordinates; their depth is the vertices' own where there is no other."""
+    own = corners.copy()
+    own[:, 2:4] = fix_all(obj["st1"])
+    own[:, 4] = 0
+    if obj["w1"] is not None:
+        own[:, 5] = fix_all(obj["w1"])
+    return np.concatenate([corners, own])
+
+
+def slid(corners: np.ndarray, obj: dict, material: dict, age: int, where: str) -> np.ndarray:
+    """An object's vertices as the file has them, so many frames after it appeared."""
+    made = corners.copy()
+    second = len(made) // 2 if has_own(material) else len(made)
+    for field, part in (("slide", made[:second]), ("slide1", made[second:])):
+        if obj[field] is not None:
+            part[:, 2:4] += fix_all([[age * step for step in obj[field]]])
+            check_range((part[:, 2:4] / ONE).tolist(), f"{where}.{field}: frame {age}")
+    return made
+
+
+def slides(obj: dict) -> bool:
+    """Whether an object's s and t move."""
+    return any(obj.get(field) is not None for field in ("slide", "slide1"))
+
+
+def check_object(obj: dict, material: dict, where: str) -> None:
+    """Refuses an object that lacks what its material's second unit needs, or has too much."""
+    st, name = obj.get("st1"), obj["material"]
+    if obj.get("slide") is not None and "glide" not in material:
+        fail(f"{where}.slide", f"material {name!r} has no texture unit of Glide's")
+    if not has_own(material):
+        for field in ("st1", "w1", "slide1"):
+            if obj.get(field) is not None:
+                fail(f"{where}.{field}", f"material {name!r} has no second unit with coordinates "
+                                         "of its own")
+        return
+    if "points" in obj or "mesh" in obj:
+        return  # tmap.compiler.projectors
+    if "sides" not in obj and "vertices" not in obj:
+        fail(f"{where}.material", f"{name!r} has a unit with coordinates of its own, which "
+                                  "rectangles have not")
+    if st is None:
+        fail(f"{where}.st1", f"is missing: material {name!r} has a unit with coordinates of its "
+                             "own")
+    corners = obj["sides"] if "sides" in obj else len(obj["vertices"])
+    for field in ("st1", "w1"):
+        if obj[field] is not None and len(obj[field]) != corners:
+            fail(f"{where}.{field}", f"must have {corners} entries, not {len(obj[field])}")
+    for i, w in enumerate(obj["w1"] or []):
+        if abs(w) < LEAST_W:
+            fail(f"{where}.w1[{i}]", f"must be 1/{ONE} or more away from 0")
+    check_range(st, f"{where}.st1")
+
+
+def check_range(corners: list, where: str) -> None:
+    """Refuses corners (s, t) of one polygon that units do not draw."""
+    for column, noun in enumerate("st"):
+        values = [corner[column] for corner in corners]
+        if not -REACH < min(values) <= max(values) < REACH:
+            fail(where, f"{noun} must be above -{REACH} and below {REACH}")
+        if max(values) - min(values) >= REACH:
+            fail(where, f"{noun} of two corners: {REACH} apart or more")

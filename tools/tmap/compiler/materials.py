@@ -1,0 +1,207 @@
+"""The colours of a scene: textures, materials, ramps and the palette they share."""
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, join, number, one_of, rows,
+                              table, text)
+from tmap.base.fixed import fix
+from tmap.base.pixel_formats import FORMATS, PixelFormat
+from tmap.compiler import glide, n64
+from tmap.images import images, palette
+from tmap.scene_file.materials import SETTINGS, Material
+from tmap.scene_file.textures import (LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
+                                      size_fault)
+from tmap.setup.shading import LIT
+
+SIDE_MAX = 1 << 15  # texels, of any map
+TEXELS_MAX = 1 << 20
+SHADES = 256  # a vertex has one from 0 to 255
+
+
+def texture_schema():
+    """The check of a texture."""
+    side = integer(1, SIDE_MAX)
+    return table({"image": (text, REQUIRED), "width": (side, images.SIDE),
+                  "height": (side, images.SIDE)})
+
+
+def material_schema():
+    """The check of a material."""
+    settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
+                for name in SETTINGS if name != "mapper"} | {"tolerance": (number(0, 1), 0)}
+    mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
+    return choice({
+        "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
+        "colour": {"colour": (colour, REQUIRED)},
+        "tx": {"tx": (n64.schema(), REQUIRED), "mapper": (one_of("unit"), "unit")},
+        "glide": {"glide": (glide.schema(), REQUIRED),
+                  "mapper": (one_of("glide"), "glide")},
+        "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
+        settings)
+
+
+def mapper_of(material: dict) -> str:
+    """The mapper of a checked material."""
+    return material.get("mapper", "gouraud" if "shades" in material else "flat")
+
+
+def has_shades(material: dict) -> bool:
+    """Whether a checked material, other than a Gouraud one, takes shades from 0 to 255."""
+    looks = n64.looks(material)
+    return mapper_of(material) in LIT or bool(looks and looks.shade)
+
+
+def check_units(material: dict, kind: str, frames: tuple[str, ...], pixel: PixelFormat,
+                at: str) -> None:
+    """Refuses texture units, in the table ``kind``, that do not fit their material or the scene's
+    pixels."""
+    if pixel.name not in frames:
+        fail(f"{at}.{kind}", f"a scene in {pixel.name} has no texture engine of this kind; one in "
+                             + " or ".join(frames) + " has")
+    for field_ in ("gradients", "start", "perspective"):
+        if material[field_] != getattr(Material, field_):
+            fail(f"{at}.{field_}", "is not for a texture engine")
+    if material["edges"] == "integer":
+        fail(f"{at}.edges", '"integer" is not for a texture engine')
+
+
+def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
+    """Refuses a texture engine that does not fit its material or the scene's pixels."""
+    check_units(material, "tx", n64.FRAMES, pixel, at)
+    if n64.copies(material["tx"]) and pixel.name != n64.COPY_FRAMES:
+        fail(f"{at}.tx.cycles", f'"{n64.COPY}" is for scenes in {n64.COPY_FRAMES}')
+    n64.check(material["tx"], f"{at}.tx")
+
+
+def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
+    """Refuses settings that do not go together, or are not for the scene's pixels."""
+    mapper, perspective = mapper_of(material), material["perspective"]
+    drawn = MAPPERS[pixel.bytes]
+    if mapper not in drawn and mapper not in UNITS:
+        fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
+             f"a scene in {pixel.name} has flat colours and the mapper "
+             + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
+    if pixel.bytes > 1 and perspective != "none":
+        fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
+    if "tx" in material:
+        check_tx(material, pixel, at)
+    if "glide" in material:
+        check_units(material, "glide", glide.FRAMES, pixel, at)
+        glide.check(material["glide"], f"{at}.glide")
+    on_plane = (material["gradients"], material["start"]) == ("plane", "subtexel")
+    if perspective != "none" and not (mapper == "affine" and on_plane):
+        fail(f"{at}.perspective", f'"{perspective}" needs the mapper "affine", gradients "plane" '
+                                  'and start "subtexel"')
+    if material["tolerance"] and perspective == "none":
+        fail(f"{at}.tolerance", "there is no perspective that could become less")
+    if mapper in ON_PLANE and not on_plane:
+        fail(f"{at}.mapper", f'"{mapper}" needs gradients "plane" and start "subtexel"')
+
+
+def check_texture(material: dict, textures: dict[str, dict], at: str) -> None:
+    """Refuses a texture that is not there, or that the material's mapper cannot draw."""
+    name, mapper = material["texture"], mapper_of(material)
+    if name not in textures:
+        fail(f"{at}.texture", f"there is no texture {name!r}")
+    width, height = textures[name]["width"], textures[name]["height"]
+    needs = size_fault(MAPPER_LAYOUT[mapper], width, height)
+    if needs:
+        fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {name!r} is {width}x{height}')
+
+
+def check(spec: dict, where: str) -> None:
+    """Refuses textures and materials that do not fit each other or the scene's pixels."""
+    for name, texture in spec["textures"].items():
+        if texture["width"] * texture["height"] > TEXELS_MAX:
+            fail(join(f"{where}textures", name) + ".width",
+                 f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
+    for name, material in spec["materials"].items():
+        at = join(f"{where}materials", name)
+        check_settings(material, FORMATS[spec["format"]], at)
+        if "texture" in material:
+            check_texture(material, spec["textures"], at)
+
+
+@dataclass
+class Pixels:
+    """The exact colours of a scene: what pixel each is, and the palette's first entries."""
+
+    of: dict[tuple, int]  # flat colour: pixel
+    ramps: dict[str, tuple[int, int]]  # material with shades: first entry, steps
+    exact: list[tuple[int, int, int]] = field(default_factory=list)
+
+
+def pixels(spec: dict) -> Pixels:
+    """Palette entries, or colours as the scene's format has them."""
+    materials = spec["materials"]
+    flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
+                                                     if "colour" in m)]))
+    ramps = {name: (0, SHADES) for name, m in materials.items() if has_shades(m)}
+    if FORMATS[spec["format"]].numbers:
+        return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), ramps)
+    made = Pixels({rgb: i for i, rgb in enumerate(flat)}, ramps, list(flat))
+    known = {}
+    for name, material in materials.items():
+        if "shades" not in material:
+            continue
+        steps, key = material["steps"], (*material["shades"], material["steps"])
+        if key not in known:
+            known[key] = len(made.exact)
+            low, high = np.array(material["shades"], float)
+            part = np.linspace(0, 1, steps)[:, None]
+            made.exact += map(tuple, np.rint(low + (high - low) * part).astype(int).tolist())
+        made.ramps[name] = known[key], steps
+    return made
+
+
+def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
+    """The pixel coordinate of a shade: half a step inside the ramp, so that the
+    nearest entry is its floor and rounding cannot leave the ramp."""
+    first, steps = ramp
+    return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
+
+
+def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[str, np.ndarray]:
+    """The pictures of the textures in use, uint8 (height, width, channels); the others' are
+    looked at too, for what is wrong with them."""
+    pictures = {name: images.load(texture["image"], folder,
+                                  join(f"{where}textures", name) + ".image", texture["width"],
+                                  texture["height"], FORMATS[spec["format"]].channels)
+                for name, texture in spec["textures"].items()}
+    return {name: picture for name, picture in pictures.items() if name in used}
+
+
+def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
+          where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
+    """Palette, uint8 (256, 3), textures and materials; a texture once a layout. ``engines``:
+    the numbers of those that materials have, or of their pipes."""
+    textured = [m for m in spec["materials"].values() if "texture" in m]
+    wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]]) for m in textured}
+    lit = {m["texture"] for m in textured if m["mapper"] in LIT}
+    pictures = load_pictures(spec, {name for name, _ in wanted}, folder, where)
+    pixel = FORMATS[spec["format"]]
+    if pixel.numbers:
+        colours = np.zeros((256, 3), np.uint8)
+        texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in pictures.values()]
+    else:
+        colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",
+                                        [pictures[name] for name in pictures if name in lit])
+    stored, number = [], {}
+    for name, array in zip(pictures, texels):
+        for layout in LAYOUTS:
+            if (name, layout) in wanted:
+                number[name, layout] = len(stored)
+                stored.append(Texture(array, layout))
+    light = len(stored)
+    if lit:
+        stored.append(Texture(palette.light(colours), "light"))
+    return colours, stored, [
+        Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
+                 number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
+                 made.of[m["colour"]] if "colour" in m else 0,
+                 light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
+                 engines.get(name, -1), m.get("primitive", "polygons"))
+        for name, m in spec["materials"].items()]

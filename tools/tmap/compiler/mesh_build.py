@@ -1,0 +1,229 @@
+"""From a mesh as a scene names it to the tables of a scene file.
+
+Faces keep their corners unless something needs triangles: a bent face, the material's
+gradients "polygon", or gradients "plane" with s and t or shades that lie on no plane.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from tmap.base.fields import fail
+from tmap.base.fixed import ONE, fix
+from tmap.base.linear import length, off_plane, product
+from tmap.build import layout
+from tmap.compiler import space
+from tmap.compiler.mesh_file import Shape, check_counts
+from tmap.scene_file.meshes import UNIT_14, UNIT_30
+
+FLAT = 1 / 256  # of a face's size its corners may be off its plane, or dented
+UNEVEN = 1 / 64  # of s or t a corner may be off the plane
+SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to tell
+
+
+@dataclass
+class Wishes:
+    """What a mesh is drawn with."""
+
+    size: float = 1.0
+    normals: str | None = None  # "file", "smooth" or "faces"; None: "file" where it has them
+    mapping: str = "none"  # "uv", "environment", "shade"
+    light: bool = False  # corners have shades
+    triangles: bool = False  # all faces are cut into them
+    planes: bool = False  # those faces that are not even
+    two_sided: bool = False
+
+    @property
+    def turns_normals(self) -> bool:
+        """Whether anything comes from normals."""
+        return self.light or self.mapping == "environment"
+
+
+@dataclass
+class Tables:
+    """Rows as the scene file has them; indices from 0."""
+
+    points: np.ndarray
+    normals: np.ndarray
+    corners: np.ndarray
+    faces: np.ndarray
+
+    @property
+    def key(self) -> tuple:
+        """The same for the same mesh."""
+        return tuple(a.tobytes() for a in (self.points, self.normals, self.corners, self.faces))
+
+
+@dataclass
+class Face:
+    """A polygon: the number it has in the file, and its corners in order."""
+
+    number: int
+    points: list[int]
+    texels: list[tuple[float, float]] | None
+    normals: list[tuple[float, float, float]] | None
+
+    def part(self, kept: list[int]) -> "Face":
+        """The polygon of some of the corners."""
+        def chosen(of):
+            return None if of is None else [of[k] for k in kept]
+        return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals))
+
+    def triangles(self) -> list["Face"]:
+        """A fan from the first corner."""
+        return [self.part([0, k - 1, k]) for k in range(2, len(self.points))]
+
+
+def newell(ring: np.ndarray) -> np.ndarray:
+    """The normal of a polygon, twice its area long."""
+    return np.cross(ring - ring[0], np.roll(ring, -1, axis=0) - ring[0]).sum(axis=0)
+
+
+def size_of(ring: np.ndarray) -> float:
+    """The longest extent of a polygon."""
+    return float(np.ptp(ring, axis=0).max())
+
+
+def check_face(ring: np.ndarray, where: str) -> np.ndarray:
+    """The unit normal of a convex polygon; refuses others."""
+    normal, size = newell(ring), size_of(ring)
+    if length(normal) <= 2 * size * SMALL:
+        fail(where, "has no area")
+    normal /= length(normal)
+    sides = np.roll(ring, -1, axis=0) - ring
+    before, around = np.roll(sides, 1, axis=0), 0.0
+    turns = product(np.cross(before, sides), normal)
+    along = (before * sides).sum(axis=1)
+    for turn, ahead, both in zip(turns.tolist(), along.tolist(), (before + sides).tolist()):
+        if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
+            fail(where, "is not convex")
+        around += math.atan2(abs(turn), ahead)
+    if around > 3 * math.pi:  # it is 2 pi or 4 pi and more: last bits do not matter
+        fail(where, "crosses itself")
+    return normal
+
+
+def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
+    """The faces, without corners that lie where their neighbour does."""
+    most = layout.load().constants["MESH_CORNERS_MAX"]
+    made = []
+    for number, points in enumerate(shape.faces):
+        face = Face(number, list(points), shape.texels and shape.texels[number],
+                    shape.normals and shape.normals[number])
+        kept = [k for k, p in enumerate(points) if (places[p] != places[points[k - 1]]).any()]
+        at = f"{where}: face {number}"
+        if len(kept) > most:
+            fail(at, f"has {len(kept)} corners; {most} at most")
+        if len(kept) < 3:
+            fail(at, "has no area")
+        made.append(face.part(kept))
+    return made
+
+
+def is_bent(ring: np.ndarray, normal: np.ndarray) -> bool:
+    """Whether corners lie off the polygon's plane."""
+    return float(np.ptp(product(ring, normal))) > max(FLAT * size_of(ring), 2 * SMALL)
+
+
+def is_even(ring: np.ndarray, normal: np.ndarray, values: np.ndarray) -> bool:
+    """Whether values of a polygon's corners are those of planes: over the two axes on which the
+    polygon has its largest shadow."""
+    return off_plane(np.delete(ring, int(abs(normal).argmax()), 1), values) <= UNEVEN
+
+
+def smooth(faces: list[Face], places: np.ndarray) -> None:
+    """Gives corners the mean of the normals of all faces at their place, by area."""
+    sums: dict[tuple, np.ndarray] = {}
+    keys = [tuple(place) for place in places.tolist()]
+    areas = [newell(places[face.points] / ONE) for face in faces]
+    for face, area in zip(faces, areas):
+        for point in face.points:
+            sums[keys[point]] = sums.get(keys[point], 0) + area
+    for face, area in zip(faces, areas):
+        mean = [sums[keys[point]] for point in face.points]
+        face.normals = [tuple(n if length(n) > 1e-6 * length(area) else area)
+                        for n in mean]
+
+
+def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: str) -> None:
+    """Gives every corner the normal that is asked for."""
+    if kind == "faces":
+        for face in faces:
+            face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
+    elif kind == "smooth" or faces[0].normals is None:
+        smooth(faces, places)
+    for face in faces:
+        for normal in face.normals:
+            if not (np.isfinite(normal).all() and any(normal)):
+                fail(where, f"face {face.number} has a normal without direction")
+
+
+def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
+    """Whether a face must become triangles."""
+    if len(face.points) == 3:
+        return False
+    if wishes.triangles or is_bent(ring, normal):
+        return True
+    if not wishes.planes:
+        return False
+    if wishes.mapping == "uv" and not is_even(ring, normal, np.array(face.texels)):
+        return True
+    return wishes.turns_normals and len(set(face.normals)) > 1
+
+
+def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
+    """Different rows, and the number of each given one among them."""
+    order = {row: i for i, row in enumerate(dict.fromkeys(rows))}
+    return np.array(list(order), np.int64), [order[row] for row in rows]
+
+
+def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
+    """Rows of the scene file."""
+    points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
+    turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
+        [(0.0, 0.0, 1.0)] * len(point_of)  # nobody looks at them
+    unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
+    normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
+    texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
+        [(0.0, 0.0)] * len(point_of)
+    corners = [[point, normal, *map(fix, texel)]
+               for point, normal, texel in zip(point_of, normal_of, texels)]
+    rows, first = [], 0
+    for face in faces:
+        ring = places[face.points]
+        fixed = np.rint(space.unit(newell(ring / ONE)) * UNIT_30).astype(np.int64).tolist()
+        away = sum(n * int(p) for point in ring for n, p in zip(fixed, point))
+        plane = [0, 0, 0, -1] if wishes.two_sided else \
+            [*fixed, round(away / len(ring) / UNIT_30)]
+        rows.append([*plane, first, len(ring)])
+        first += len(ring)
+    return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64))
+
+
+def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
+    """The tables of a mesh, which has what the wishes need; ``where`` begins refusals."""
+    limits = layout.load().constants
+    scaled = shape.points * wishes.size
+    used = sorted({point for face in shape.faces for point in face})
+    if not np.isfinite(scaled[used]).all() or abs(scaled[used]).max() > limits["MESH_REACH"]:
+        fail(where, f"a point is more than {limits['MESH_REACH']} units from the mesh's origin")
+    kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
+    places = np.rint(kept * ONE).astype(np.int64)
+    faces = faces_of(shape, places, where)
+    planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
+    if wishes.turns_normals:
+        set_normals(faces, places, wishes.normals, where)
+    made = []
+    for face, normal in zip(faces, planes):
+        is_split = is_cut(face, places[face.points] / ONE, normal, wishes)
+        for part in face.triangles() if is_split else [face]:
+            if is_split:
+                check_face(places[part.points] / ONE, f"{where}: face {face.number}, cut up,")
+            made.append(part)
+    found = tables(made, places, wishes)
+    check_counts(len(found.points), len(found.faces), where)
+    most = limits["MESH_COUNT_MAX"]
+    if len(found.normals) > most:
+        fail(where, f"{len(found.normals)} different normals; {most} at most")
+    return found

@@ -1,0 +1,249 @@
+"""What a scene's TOML says of texture engines: materials with a table ``tx``.
+
+The words are the N64 manual's where it has one; c/tx/tx.h tells what each does.
+"""
+
+import re
+from dataclasses import dataclass
+
+from tmap.base.fields import (REQUIRED, colour, expect, fail, flag, integer, number, one_of, rows,
+                              table, text)
+from tmap.n64.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
+from tmap.n64.state import CI, I, IA, REACH, RGBA, TILES, YUV
+from tmap.n64.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
+
+#: A tile's formats by name: format and size of its descriptor.
+TEXELS = {"rgba16": (RGBA, 2), "rgba32": (RGBA, 3), "yuv16": (YUV, 2), "ci4": (CI, 0),
+          "ci8": (CI, 1), "ia4": (IA, 0), "ia8": (IA, 1), "ia16": (IA, 2), "i4": (I, 0),
+          "i8": (I, 1)}
+FRAMES = ("rgba5551", "rgba8888")  # formats of scenes that engines draw into
+WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": (1, 1)}
+COPY = "copy"  # cycle type of texture rectangles whose texels are not changed
+COPIED = ("rgba16", "ia16", "ci4", "ci8")
+COPY_FRAMES = "rgba5551"
+#: What copy mode does not do, with what stands for it.
+NOT_COPIED = {"perspective": False, "filter": "point", "convert": "filter", "lod": False,
+              "detail": "clamp"}
+
+
+def same(*inputs: str) -> Cycle:
+    """One cycle, alpha as colour."""
+    return Cycle(inputs, inputs)
+
+
+OPAQUE = ("0", "0", "0", "one")
+#: Combiner cycles by name: inputs A, B, C, D of (A - B) * C + D. In the second of two cycles
+#: texel0 and texel1 have changed places.
+PRESETS = {
+    "primitive": same("0", "0", "0", "primitive"),
+    "shade": same("0", "0", "0", "shade"),
+    "decal": same("0", "0", "0", "texel0"),
+    "modulate": same("texel0", "0", "shade", "0"),
+    "modulate primitive": same("texel0", "0", "primitive", "0"),
+    "blend": Cycle(("primitive", "environment", "texel0", "environment"), OPAQUE),
+    "interference": same("texel0", "0", "texel1", "0"),
+    "mix": same("texel1", "texel0", "primitive lod fraction", "texel0"),
+    "trilinear": same("texel1", "texel0", "lod fraction", "texel0"),
+    "convert": Cycle(("texel0", "k4", "k5", "texel0"), OPAQUE),
+    "pass": same("0", "0", "0", "combined"),
+    "modulate again": same("combined", "0", "shade", "0"),
+    "modulate primitive again": same("combined", "0", "primitive", "0"),
+    "blend again": Cycle(("primitive", "environment", "combined", "environment"), OPAQUE),
+}
+
+
+def colour_and_alpha(value, where):
+    """``#rrggbb``, opaque, or ``#rrggbbaa`` to (red, green, blue, alpha)."""
+    text(value, where)
+    if re.fullmatch(r"#[0-9a-fA-F]{8}", value):
+        return tuple(bytes.fromhex(value[1:]))
+    return *colour(value, where), 255
+
+
+def four(names: tuple):
+    """A cycle's inputs A, B, C, D, from the names that each may have."""
+    def check(value, where):
+        found = rows(text, 4, 4)(value, where)
+        for i, (name, letter, known) in enumerate(zip(found, "ABCD", names)):
+            allowed = [n for n in (*known, "0") if n and n not in ABSENT]
+            if name not in allowed:
+                fail(f"{where}[{i}]", f"{name!r} is no input {letter}; known are "
+                                      + ", ".join(allowed))
+        return tuple(found)
+    return check
+
+
+def combine(value, where) -> list[Cycle]:
+    """A preset, two of them, or lists of inputs: a cycle each."""
+    if isinstance(value, dict):
+        found = table({"rgb": (rows(four(RGB_NAMES), 1, 2), REQUIRED),
+                       "alpha": (rows(four(ALPHA_NAMES), 1, 2), REQUIRED)})(value, where)
+        if len(found["rgb"]) != len(found["alpha"]):
+            fail(f"{where}.alpha", f"must have {len(found['rgb'])} entries, as rgb has")
+        return [Cycle(*both) for both in zip(found["rgb"], found["alpha"])]
+    expect(value, where, (str, list), "a preset's name, a list of two, or a table")
+    preset = one_of(*PRESETS)
+    names = rows(preset, 1, 2)(value, where) if isinstance(value, list) else [preset(value, where)]
+    return [PRESETS[name] for name in names]
+
+
+def palette(value, where) -> list[int]:
+    """A palette's number, or one for each frame, over and over: always a list."""
+    one = integer(0, 15)
+    return rows(one, 1, 1000)(value, where) if isinstance(value, list) else [one(value, where)]
+
+
+def tile_schema():
+    """The check of a tile. Lengths are texels; None: as the picture asks for."""
+    edge = number(0, REACH - 0.25)
+    axis = table({"wrap": (one_of(*WRAPS), "wrap"), "mask": (integer(0, 10), None),
+                  "shift": (integer(0, 15), 0), "low": (edge, 0.0), "high": (edge, None)})
+    plain = axis({}, "")
+    return table({
+        "image": (text, REQUIRED), "format": (one_of(*TEXELS), REQUIRED),
+        "width": (integer(1, 1024), None), "height": (integer(1, 256), None),
+        "s": (axis, plain), "t": (axis, plain), "palette": (palette, [0]),
+        "colours": (integer(0, 15), None),
+        "levels": (integer(1, TILES), 1), "load": (one_of("block", "tile"), None),
+        "tmem": (integer(0, 511), None),
+        "slide": (rows(number(-REACH, REACH), 2, 2), [0.0, 0.0])})
+
+
+def cycle_type(value, where):
+    """Cycles a pixel, or copy mode."""
+    if isinstance(value, str):
+        return one_of(COPY)(value, where)
+    return integer(1, 2)(value, where)
+
+
+def schema():
+    """The check of a material's ``tx``."""
+    black, fraction = (0, 0, 0, 255), integer(0, 255)
+    return table({
+        "cycles": (cycle_type, 1), "combine": (combine, [PRESETS["decal"]]),
+        "perspective": (flag, False), "filter": (one_of(*FILTERS), "point"),
+        "convert": (one_of(*CONVERTS), "filter"),
+        "k": (rows(integer(-256, 255), 6, 6), [175, -43, -89, 222, 114, 42]),
+        "lod": (flag, False), "detail": (one_of(*DETAILS), "clamp"),
+        "min_level": (integer(0, 31), 0), "max_level": (integer(0, 7), None),
+        "tlut": (one_of(*TLUTS), None), "palettes": (text, None),
+        "primitive": (colour_and_alpha, black), "environment": (colour_and_alpha, black),
+        "primitive_lod_fraction": (fraction, 0), "tile": (integer(0, 7), 0),
+        "tiles": (rows(tile_schema(), 1, TILES), REQUIRED)})
+
+
+def copies(tx: dict) -> bool:
+    """Whether an engine is in copy mode."""
+    return tx["cycles"] == COPY
+
+
+def inputs_of(tx: dict) -> set[str]:
+    """The names of the inputs that count. texel0 and texel1: of the first cycle."""
+    cycles, found = tx["combine"], set()
+    for number_, cycle in enumerate(cycles):
+        for name in (*cycle.rgb, *cycle.alpha):
+            name = name.removesuffix(".a")
+            if number_ and name in ("texel0", "texel1"):
+                name = "texel1" if name == "texel0" else "texel0"
+            found.add(name)
+    if tx["cycles"] == 1 and "texel1" in found:
+        found = found - {"texel1"} | {"texel0"}
+    return found
+
+
+@dataclass(frozen=True)
+class Looks:
+    """What an engine needs of vertices."""
+
+    depth: bool  # w
+    shade: bool
+
+
+def looks(material: dict) -> Looks | None:
+    """What a material's engine needs; None: it has none."""
+    tx = material.get("tx")
+    return tx and Looks(tx["perspective"], "shade" in inputs_of(tx))
+
+
+def numbers(tx: dict) -> list[int]:
+    """The number of each tile's first level; then that behind the last."""
+    found = [0]
+    for tile in tx["tiles"]:
+        found.append(found[-1] + tile["levels"])
+    return found
+
+
+def is_ci(tile: dict) -> bool:
+    """Whether a tile's texels are indices of colours."""
+    return TEXELS[tile["format"]][0] == CI
+
+
+def check_tile(tx: dict, number_: int, where: str) -> None:
+    """Refuses a tile that does not go with the first one, or that has what is for others."""
+    tile, at = tx["tiles"][number_], f"{where}.tiles[{number_}]"
+    if is_ci(tile) and tx["tlut"] == "none":
+        fail(f"{where}.tlut", f'"none", but tiles[{number_}] is {tile["format"]}')
+    if is_ci(tile) != is_ci(tx["tiles"][0]):
+        fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it none')
+    for name, plain in (("palette", [0]), ("colours", None)):
+        if tile[name] != plain and tile["format"] != "ci4":
+            fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
+
+
+def check_tiles(tx: dict, where: str) -> None:
+    """Refuses tiles too many, that are missing, or that do not go together; fills in what is left
+    out."""
+    firsts = numbers(tx)
+    for i, (tile, end) in enumerate(zip(tx["tiles"], firsts[1:])):
+        if end > TILES:
+            fail(f"{where}.tiles[{i}].levels", f"makes {end} tiles; an engine has {TILES}")
+        check_tile(tx, i, where)
+        if tile["colours"] is None:
+            tile["colours"] = tile["palette"][0]
+    has_tlut = is_ci(tx["tiles"][0])
+    if not has_tlut and (tx["tlut"] or "none") != "none":
+        fail(f"{where}.tlut", f'"{tx["tlut"]}", but no tile is CI')
+    if not has_tlut and tx["palettes"]:
+        fail(f"{where}.palettes", "there is no tile that is CI")
+    tx["tlut"] = tx["tlut"] or ("rgba16" if has_tlut else "none")
+    check_last(tx, firsts[-1], where)
+
+
+def check_last(tx: dict, count: int, where: str) -> None:
+    """Refuses an engine that would draw a tile behind its last; fills in the highest level."""
+    first = tx["tile"] + (tx["detail"] == "detail" and tx["lod"])  # behind a detail tile
+    if tx["max_level"] is None:
+        tx["max_level"] = max(count - 1 - first, 0) if tx["lod"] else 0
+    last = first + tx["max_level"] if tx["lod"] else tx["tile"] + ("texel1" in inputs_of(tx))
+    if last >= count:
+        fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {count - 1}")
+
+
+def check_copy(tx: dict, where: str) -> None:
+    """Refuses what copy mode does not do."""
+    for name, plain in (NOT_COPIED | {"combine": [PRESETS["decal"]]}).items():
+        if tx[name] != plain:
+            fail(f"{where}.{name}", "is not for copy mode, which leaves texels as they are")
+    for i, tile in enumerate(tx["tiles"]):
+        if tile["format"] not in COPIED:
+            fail(f"{where}.tiles[{i}].format", f'"{tile["format"]}": copy mode is for '
+                                               + ", ".join(COPIED))
+
+
+def check(tx: dict, where: str) -> None:
+    """Refuses modes and tiles that do not go together; fills in what is left out."""
+    if copies(tx):
+        check_copy(tx, where)
+        check_tiles(tx, where)
+        return
+    if len(tx["combine"]) > tx["cycles"]:
+        fail(f"{where}.combine", 'has two cycles: "cycles" must be 2')
+    if len(tx["combine"]) < tx["cycles"]:
+        tx["combine"] = [*tx["combine"], PRESETS["pass"]]
+    if tx["cycles"] == 1:
+        if tx["lod"] or "lod fraction" in inputs_of(tx):
+            fail(f"{where}.{'lod' if tx['lod'] else 'combine'}",
+                 'the level of detail needs "cycles" 2')
+        if tx["convert"] == "filter, convert":
+            fail(f"{where}.convert", '"filter, convert" needs "cycles" 2')
+    check_tiles(tx, where)

@@ -1,0 +1,280 @@
+"""Objects in space: what a scene's TOML says of meshes, camera and light, compiled.
+
+Lengths are the scene's own units. Keys count frames from an object's appearance, a camera's
+from the scene's first; between keys positions go straight, rotations the shortest way.
+"""
+
+from pathlib import Path
+
+import numpy as np
+
+from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number, one_of, rows,
+                              table, text)
+from tmap.base.fixed import ONE, fix
+from tmap.base.linear import length, product
+from tmap.build import layout
+from tmap.compiler import materials, mesh_build, mesh_file, projectors as scene_projectors, space
+from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
+from tmap.compiler.mesh_build import Wishes
+from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
+from tmap.scene_file.textures import UNITS
+
+#: What mappers take; all others "uv" or "environment".
+MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
+FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
+RADIUS = 127.0  # of an environment in its map, s or t
+
+
+def object_schema(limits: dict[str, int]) -> dict[str, dict]:
+    """The fields of an object with a mesh, by the one that tells it."""
+    most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
+    reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
+    place = rows(number(-space.AWAY, space.AWAY), 3, 3)
+    texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
+                 "position": (place, None), "rotation": (angles, None)})
+    placing = {
+        "position": (place, [0.0, 0.0, 0.0]), "rotation": (angles, [0.0, 0.0, 0.0]),
+        "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
+        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
+        "mapping": (one_of("uv", "environment", "shade", "none"), None),
+        "normals": (one_of("file", "smooth", "faces"), None),
+        "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
+    uvs = rows(rows(texel, 3, corners), 1, most), None
+    return {"mesh": {"mesh": (text, REQUIRED)} | placing,
+            "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
+                       "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
+                       "uvs": uvs, "uvs1": uvs} | placing}
+
+
+def schema(limits: dict[str, int]) -> dict:
+    """The fields of a scene for camera and light."""
+    camera = table(space.camera_fields(limits, [0.0, 0.0, 0.0])
+                   | {"near": (number(limits["W_MIN"] / ONE, 1000), 0.125)})
+    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED),
+                   "ambient": (number(0, 1), 0.25)})
+    return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
+            "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
+
+
+def has_light(material: dict) -> bool:
+    """Whether a material takes shades."""
+    return materials.mapper_of(material) == "gouraud" or materials.has_shades(material)
+
+
+def is_mesh(obj: dict) -> bool:
+    """Whether an object is one in space."""
+    return "mesh" in obj or "points" in obj
+
+
+def lives_of(obj: dict, count: int) -> int:
+    """Frames of the first ``count`` in which an object is there; below 1: none."""
+    last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
+    return last - obj["first"] + 1
+
+
+def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
+    """Gives keys what they leave out; refuses those that are not in order."""
+    for key in spec["keys"] or []:
+        for name in names:
+            key[name] = spec[name] if key[name] is None else key[name]
+    space.check_keys(spec["keys"], f"{where}.keys")
+
+
+def check_length(vector: list[float], where: str) -> None:
+    """Refuses a direction that is none; how long it is does not matter."""
+    if not any(vector):
+        fail(where, "must have a length")
+
+
+def check_view(spec: dict, where: str) -> None:
+    """Refuses a camera or projector whose keys or upward direction make no sense; fills in what
+    keys leave out."""
+    fill_keys(spec, ("eye", "target"), where)
+    check_length(spec["up"], f"{where}.up")
+
+
+def check_camera(camera: dict, width: int, where: str) -> None:
+    """Refuses a camera that sees too little for frames of so many pixels a line."""
+    check_view(camera, where)
+    focal = space.focal_length(width, camera["fov"])
+    most = 1 << layout.load().constants["GUARD_MAX"]
+    if focal > most:
+        fail(f"{where}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+                             f"pixels; {most} at most")
+
+
+def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
+    """Refuses an object in space that its material does not draw; fills in its mapping and what its
+    keys leave out."""
+    check_length(obj["axis"], f"{where}.axis")
+    fill_keys(obj, ("position", "rotation"), where)
+    scene_projectors.check_object(obj, material, projectors, where)
+    mapper, name = materials.mapper_of(material), obj["material"]
+    allowed = MAPPINGS.get(mapper, ("uv", "environment"))
+    obj["mapping"] = obj["mapping"] or allowed[0]
+    if obj["mapping"] not in allowed:
+        fail(f"{where}.mapping", f'"{obj["mapping"]}", but material {name!r} takes '
+                                 f"{' or '.join(allowed)}")
+    if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
+        fail(f"{where}.normals", f"material {name!r} has no use for them")
+
+
+def check(spec: dict, where: str) -> None:
+    """Refuses camera, light and objects that make no sense; fills what keys leave out."""
+    if spec["camera"]:
+        check_camera(spec["camera"], spec["width"], f"{where}camera")
+    for name, projector in spec["projectors"].items():
+        check_view(projector, join(f"{where}projectors", name))
+    check_length(spec["light"]["direction"], f"{where}light.direction")
+    for i, obj in enumerate(spec["objects"]):
+        if not is_mesh(obj):
+            continue
+        if not spec["camera"]:
+            fail(f"{where}camera", f"is missing; objects[{i}] has a mesh")
+        check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
+                     f"{where}objects[{i}]")
+
+
+def rounded(values, bits: int) -> list[int]:
+    """The nearest numbers of so many fraction bits."""
+    return np.rint(np.asarray(values) * 2.0 ** bits).astype(np.int64).ravel().tolist()
+
+
+class Space:
+    """The meshes, instances and views of a scene in the making."""
+
+    def __init__(self, spec: dict, count: int, folder: Path, where: str) -> None:
+        self.spec, self.count, self.folder, self.where = spec, count, folder, where
+        self.rows = {name: [] for name in ("points", "normals", "corners", "faces")}
+        self.meshes: list[Mesh] = []
+        self.asked: dict[str, int] = {}  # wishes: number of the mesh
+        self.known: dict[tuple, int] = {}  # content: the same
+        self.instances: list[Instance] = []
+        self.views: list[list[int]] = []
+        self.limits = layout.load().constants
+        self.focal = self.guard = 0
+        if spec["camera"]:
+            self.focal = space.focal_length(spec["width"], spec["camera"]["fov"])
+            self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
+
+    def wishes_of(self, obj: dict, material: dict) -> Wishes:
+        """What an object's mesh is drawn with."""
+        mapper = materials.mapper_of(material)
+        return Wishes(
+            obj["size"], obj["normals"], obj["mapping"], has_light(material),
+            obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
+            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+
+    def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
+                  ) -> mesh_build.Tables:
+        """The tables of an object with a unit of Glide's, with the coordinates of one field."""
+        return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
+                          where, uvs)
+
+    def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
+        """The number of an object's mesh; the same one for the same wishes."""
+        mapper, shown = materials.mapper_of(material), map_of(material, texture)
+        wishes = self.wishes_of(obj, material)
+        source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
+        key = repr((source, shown, mapper in ("arbitrary", *UNITS), wishes))
+        if key not in self.asked:
+            made = self.build(obj, mapper, shown, wishes, where)
+            if mapper == "arbitrary":
+                made.corners[:, 2:4] = inside_map(made.corners[:, 2:4], texture)
+            if made.key not in self.known:
+                self.known[made.key] = self.store(made, where)
+            self.asked[key] = self.known[made.key]
+        return self.asked[key]
+
+    def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
+              uvs: str = "uvs") -> mesh_build.Tables:
+        """The tables of an object's mesh, refused where the material cannot draw it. ``uvs``: the
+        field with s and t."""
+        at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
+        shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
+            mesh_file.listed(obj, where, uvs)
+        if obj["normals"] == "file" and shape.normals is None:
+            fail(f"{where}.normals", '"file", but not every corner has a normal there')
+        if obj["mapping"] == "uv":
+            if shape.texels is None:
+                fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
+            texels_at = at if "mesh" in obj else f"{where}.{uvs}"
+            for face in shape.texels:
+                check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
+        return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
+
+    def store(self, made: mesh_build.Tables, where: str) -> int:
+        """Appends a mesh; returns its number."""
+        firsts = []
+        for name, stored in self.rows.items():
+            added = getattr(made, name)
+            firsts += [len(stored), len(added)]
+            stored += added.tolist()
+            if len(stored) > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {name} of meshes in "
+                            "the scene")
+        self.meshes.append(Mesh(*firsts))
+        return len(self.meshes) - 1
+
+    def seen(self, obj: dict, age: int, frame: int, shades: float) -> tuple[np.ndarray, ...]:
+        """An object's view before it is rounded: factors, a row each for x, y and w; the move;
+        the eye in the mesh; factors of normals, for s, t and shade. ``shades``: how many lie
+        between dark and bright."""
+        spec, guard = self.spec, 2.0 ** self.guard
+        axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        turn, position = space.placed_at(obj, age, spec["frames"])
+        lens = np.array([self.focal / guard, self.focal / guard, 1.0])
+        seen = product(axes, turn)
+        light = product(turn.T, -space.unit(spec["light"]["direction"])) * shades
+        return (lens[:, None] * seen, lens * product(axes, position - eye),
+                product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
+
+    def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
+        """An object's row of the views."""
+        factors, move, eye, looks = self.seen(obj, age, frame, shades)
+        move, seen_from = rounded(move, 16), rounded(eye, 16)
+        away = self.limits["MESH_AWAY"]
+        if max(map(abs, move)) >= away * ONE or max(map(abs, seen_from)) >= 1 << 31:
+            fail(where, f"is {away} units or more from the camera in frame {frame}")
+        matrix = np.clip(rounded(factors, 30), -UNIT_30, UNIT_30).tolist()
+        return [*matrix, *move, *seen_from, *rounded(looks, FACTOR_BITS), 0]
+
+    def check_together(self, mesh: Mesh, before: int, where: str) -> None:
+        """Refuses a mesh too many among those that are drawn together."""
+        for noun in ("points", "normals", "faces"):
+            total = getattr(mesh, noun) + sum(getattr(self.meshes[i.mesh], noun)
+                                              for i in self.instances if i.before == before)
+            if total > self.limits["SCENE_COUNT_MAX"]:
+                fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} {noun} in meshes one "
+                            "after the other")
+
+    def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
+        """Adds an object. ``look``: its material's number, the material, texture and ramp."""
+        number, material, texture, ramp = look
+        mesh = self.mesh_of(obj, material, texture, where)
+        lives = lives_of(obj, self.count)
+        if lives < 1:
+            return
+        self.check_together(self.meshes[mesh], before, where)
+        flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
+        dark = bright = 0.0
+        if ramp:
+            ambient = self.spec["light"]["ambient"] * (materials.SHADES - 1)
+            dark, bright = (materials.shade_pixel(shade, ramp)
+                            for shade in (ambient, materials.SHADES - 1))
+        self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
+                                       flags, fix(dark), fix(bright)))
+        self.views += [self.view(obj, age, obj["first"] + age, bright - dark, where)
+                       for age in range(lives)]
+        if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
+            fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} frames of meshes in the scene")
+
+    def tables(self) -> dict:
+        """What a Scene has of all this."""
+        made = {name: np.array(stored, np.int64) if stored else empty(name)
+                for name, stored in (self.rows | {"views": self.views}).items()}
+        if self.instances:
+            near = fix(self.spec["camera"]["near"])
+            made |= {"near_plane": near, "guard": self.guard}
+        return made | {"meshes": self.meshes, "instances": self.instances}

@@ -1,0 +1,193 @@
+"""Random meshes of triangles that share edges, and parts of convex polygons.
+
+Points are (x, y) in 16.16. Before its triangles are turned and reversed at random, every
+one of a mesh runs the same way round as its outline, none has zero area, so together they
+cover the outline and nothing twice.
+"""
+
+import math
+import random
+from dataclasses import dataclass
+from itertools import accumulate
+
+from tmap.base.fixed import fix
+
+#: Units that points lie on: any, 1/256 pixel, half and whole pixels; and how many units
+#: they are off those: just beside a pixel's centre, rounded edges cross each other.
+GRIDS = ((1, 0), (1, 0), (1, 0), (0x100, 0), (0x8000, 0), (0x10000, 0), (0x10000, 2))
+
+
+@dataclass
+class Mesh:
+    """Triangles, either winding, any vertex first, and the points round them."""
+
+    kind: str
+    outline: list[tuple[int, int]]
+    triangles: list[list[tuple[int, int]]]
+
+
+@dataclass
+class Net:
+    """A mesh before it has a place: points as numbers of any unit, the rest as indices."""
+
+    points: list[tuple[float, float]]
+    outline: list[int]
+    faces: list[tuple[int, int, int]]
+
+
+def twice_area(points) -> int:
+    """Twice a polygon's area, its sign by the way round."""
+    return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, [*points[1:], points[0]]))
+
+
+def fan(rng: random.Random) -> Net:
+    """Triangles round one point, which lies inside or on the outline."""
+    count = rng.randint(3, 12)
+    closed = rng.random() < 0.5
+    reach = math.tau if closed else rng.uniform(0.3, 6)
+    angles = [reach * (k + rng.uniform(-0.4, 0.4)) / count for k in range(count)]
+    lengths = [rng.uniform(0.3, 1) for _ in angles]
+    points = [(0.0, 0.0), *((r * math.cos(a), r * math.sin(a)) for r, a in zip(lengths, angles))]
+    ring = list(range(1, count + 1))
+    faces = [(0, a, b) for a, b in zip(ring, ring[1:])]
+    return Net(points, ring, [*faces, (0, count, 1)]) if closed else Net(points, [0, *ring], faces)
+
+
+def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
+    """Rows and columns of four-cornered cells, their points row by row; each is cut along either
+    diagonal."""
+    def at(i: int, j: int) -> int:
+        return j * (columns + 1) + i
+
+    faces = []
+    for j in range(rows):
+        for i in range(columns):
+            a, b, c, d = at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)
+            faces += rng.choice(([(a, b, c), (a, c, d)], [(a, b, d), (b, c, d)]))
+    outline = [at(i, 0) for i in range(columns)] + [at(columns, j) for j in range(rows)]
+    outline += [at(i, rows) for i in range(columns, 0, -1)] + [at(0, j) for j in range(rows, 0, -1)]
+    return Net(points, outline, faces)
+
+
+def grid(rng: random.Random, rows: int, columns: int) -> Net:
+    """Shifted crossings of rows and columns."""
+    side = max(rows, columns)
+    points = [((2 * i - columns + rng.uniform(-0.6, 0.6)) / side,
+               (2 * j - rows + rng.uniform(-0.6, 0.6)) / side)
+              for j in range(rows + 1) for i in range(columns + 1)]
+    return net_of(rng, rows, columns, points)
+
+
+def strip(rng: random.Random) -> Net:
+    """One row of cells."""
+    return grid(rng, 1, rng.randint(1, 8))
+
+
+def field(rng: random.Random) -> Net:
+    """Some rows of cells."""
+    return grid(rng, rng.randint(2, 4), rng.randint(2, 4))
+
+
+def split_edge(net: Net, rng: random.Random) -> None:
+    """A new point on an edge, a new corner of the triangles on both its sides."""
+    face = rng.choice(net.faces)
+    a, b = face[0], face[1]
+    part, new = rng.uniform(0.1, 0.9), len(net.points)
+    net.points.append(tuple(p + part * (q - p) for p, q in zip(net.points[a], net.points[b])))
+    faces = []
+    for f in net.faces:
+        if {a, b} <= set(f):
+            faces += [tuple(new if k == gone else k for k in f) for gone in (a, b)]
+        else:
+            faces.append(f)
+    net.faces = faces
+    for k, point in enumerate(net.outline):
+        if {point, net.outline[k - 1]} == {a, b}:
+            net.outline.insert(k, new)
+            break
+
+
+def split_face(net: Net, rng: random.Random) -> None:
+    """A new point inside a triangle makes three of it."""
+    face = net.faces.pop(rng.randrange(len(net.faces)))
+    weights = [rng.uniform(0.05, 1) for _ in face]
+    net.points.append(tuple(sum(w * net.points[k][axis] for w, k in zip(weights, face))
+                            / sum(weights) for axis in (0, 1)))
+    net.faces += [(*pair, len(net.points) - 1) for pair in zip(face, face[1:] + face[:1])]
+
+
+def subdivision(rng: random.Random) -> Net:
+    """A triangle whose edges and faces are split again and again."""
+    start = rng.uniform(0, math.tau)
+    net = Net([(math.cos(start + math.tau * k / 3), math.sin(start + math.tau * k / 3))
+               for k in range(3)], [0, 1, 2], [(0, 1, 2)])
+    for _ in range(rng.randint(1, 8)):
+        rng.choice((split_edge, split_face))(net, rng)
+        net.faces = [rng.choice((f, f[1:] + f[:1], f[2:] + f[:2])) for f in net.faces]
+    return net
+
+
+def tiles(rng: random.Random) -> Net:
+    """Rows of rectangles as people write them, on whole numbers, equal ones or not; each is cut along
+    either diagonal."""
+    columns, rows = rng.randint(1, 4), rng.randint(1, 4)
+    ends = []
+    for count in (columns, rows):
+        step = rng.choice((1, 2, 8, 16, 16, None))
+        ends.append([0, *accumulate(step or rng.randint(1, 20) for _ in range(count))])
+    return net_of(rng, rows, columns, [(x, y) for y in ends[1] for x in ends[0]])
+
+
+KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision, "tiles": tiles}
+
+
+def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
+    """The points on the screen: of random size, thinness, turn, place and grid."""
+    size, (unit, beside) = rng.choice((3, 20, 60, 200)), rng.choice(GRIDS)
+    squeeze = rng.choice((1, 1, 10 ** rng.uniform(-3, 0)))
+    turn = rng.uniform(0, math.tau)
+    c, s = size * math.cos(turn), size * math.sin(turn)
+    at = rng.uniform(0, width), rng.uniform(0, height)
+    return [tuple(round(fix(p) / unit) * unit + rng.randint(-beside, beside) for p in
+                  (at[0] + c * x - s * squeeze * y, at[1] + s * x + c * squeeze * y))
+            for x, y in net.points]
+
+
+def laid(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
+    """The points on the screen, on whole or half pixels, upright."""
+    x0, y0 = (rng.choice((0, 8, rng.randint(-8, side), rng.randint(0, 2 * side) / 2))
+              for side in (width, height))
+    return [(fix(x0 + x), fix(y0 + y)) for x, y in net.points]
+
+
+def shuffled(rng: random.Random, polygon: list) -> list:
+    """Another vertex first, the other way round every second time."""
+    first = rng.randrange(len(polygon))
+    turned = polygon[first:] + polygon[:first]
+    return turned[::-1] if rng.random() < 0.5 else turned
+
+
+def mesh(rng: random.Random, width: int, height: int, kind: str) -> Mesh:
+    """A mesh of a kind, at least partly in the frame as a rule."""
+    while True:
+        net = KINDS[kind](rng)
+        points = laid(rng, net, width, height) if kind == "tiles" else place(rng, net, width, height)
+        triangles = [[points[k] for k in face] for face in net.faces]
+        if all(twice_area(t) > 0 for t in triangles):
+            return Mesh(kind, [points[k] for k in net.outline],
+                        [shuffled(rng, t) for t in triangles])
+
+
+def subset(rng: random.Random, polygon: list) -> list:
+    """Some vertices of a polygon of more than three, in their order: three at least."""
+    kept = rng.sample(range(len(polygon)), rng.randint(3, len(polygon) - 1))
+    return [polygon[k] for k in sorted(kept)]
+
+
+def halves(rng: random.Random, polygon: list) -> tuple[list, list]:
+    """A polygon of more than three vertices, cut along a diagonal."""
+    count = len(polygon)
+    a = rng.randrange(count)
+    b = a + rng.randint(2, count - 2)
+    ring = polygon + polygon
+    return ring[a:b + 1], ring[b:a + count + 1]

@@ -1,0 +1,31 @@
+"""The combinations of settings and mapper that are measured."""
+
+from tmap.scene_file.scene_file import SETTINGS
+from tmap.scene_file.textures import MAPPERS, ON_PLANE
+from tmap.setup.texturing import Settings
+
+#: Combinations of the mappers other than affine: cheap, usual, exact.
+USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
+         ("exact", "plane", "subtexel"))
+
+
+def usual(mapper: str) -> list[Settings]:
+    """USUAL, as far as the mapper has them."""
+    return [Settings(*each, mapper=mapper) for each in USUAL
+            if mapper not in ON_PLANE or each[1:] == ("plane", "subtexel")]
+
+
+def combinations() -> list[Settings]:
+    """Every sensible combination of settings and mapper."""
+    made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
+            for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
+    made += [Settings(e, "plane", "subtexel", mapper="flat")
+             for e in ("integer", "subpixel", "exact")]
+    return made + [settings for mapper in MAPPERS[1] if mapper not in ("flat", "affine")
+                   for settings in usual(mapper)]
+
+
+def depth_combinations() -> list[Settings]:
+    """What a set with depth is drawn with: affine, and every other perspective beside it."""
+    return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
+            for p in SETTINGS["perspective"]]

@@ -1,0 +1,279 @@
+"""``tmap fuzz``: random polygons drawn by the emulated 68020, each held to the integer model
+bit for bit and, where its exact ideal is defined, to the derived bounds.
+
+The guest draws blocks of polygons, one a frame, and gives back a digest of each frame. What
+fails is made smaller as long as it fails, and explained.
+"""
+
+import os
+import signal
+import sys
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from threading import Event
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.build import layout
+from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
+from tmap.fuzz.shrink import shrink
+from tmap.guest.guest_frames import draw, frame_of, is_models
+from tmap.ideal import bounds, planarity
+from tmap.model import model
+from tmap.run.polygon_report import explain
+from tmap.scene_file.scene_file import write
+
+MACHINE = "a1200-fast"
+#: Blocks of one boot.
+BLOCKS = 4
+#: Of a block's polygons, by turns: the plain forms are for comparison only.
+FORMS = ("addx", "addx", "swap", "addx", "c")
+
+
+@dataclass
+class Checked:
+    """What the host says of a polygon: the frame that is right, and what is wrong with it."""
+
+    frame: np.ndarray
+    result: int  # enum polygon_result that the guest must give: 0, or why it is refused
+    judged: bool  # against the ideal
+    verdict: bounds.Verdict
+
+
+def check(each: Fuzzed, seed: int, block: int) -> Checked:
+    """The model's frame, and its distance from the ideal where there is one."""
+    width, height = frame_size(block)
+    settings, texels, size = each.settings, None, (256, 256)
+    if each.texture >= 0:
+        texels = textures(seed, block)[each.texture].texels
+        size = texels.shape[::-1]
+    frame, outside, judged, verdict = np.full((height, width), 7, np.uint8), False, True, bounds.Verdict()
+    parts = model.parts(each.vertices, settings)
+    if bounds.has_ideal([v[:4] for v in each.vertices]):
+        verdict.complain(planarity.judge(each.vertices, settings, len(parts)))
+    for part in parts:
+        adapted = model.adapt(part, settings, max(size))
+        made = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
+        if made:
+            model.draw(frame, made, texels, 200, textures(seed, block)[-1].texels)
+        outside |= any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
+        if bounds.has_ideal(adapted, settings):
+            verdict.merge(bounds.judge_set_up(adapted, made, settings, width, height, size))
+        else:
+            judged = False
+            verdict.pixels += made.pixels if made else 0
+    return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
+
+
+@dataclass
+class Fault:
+    """A polygon that did not hold. ``kind``: differs, bound, refused or crash."""
+
+    kind: str
+    text: str
+
+
+def compare(checked: Checked, digest) -> Fault | None:
+    """What is wrong with one polygon."""
+    if int(digest["result"]) != checked.result:
+        return Fault("refused", f"the guest's result is {digest['result']}, not {checked.result}")
+    if not is_models(checked.frame, digest):
+        return Fault("differs", "the guest's frame is not the model's")
+    if checked.verdict.complaint:
+        return Fault("bound", checked.verdict.complaint)
+    return None
+
+
+def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
+           machine: str) -> dict[int, Fault]:
+    """Which of a block's polygons fail, by index; a crash is sought by halves."""
+    try:
+        digests, = draw([(scene(seed, block, polygons), form)], machine)
+    except UserError as error:
+        if len(polygons) == 1:
+            return {0: Fault("crash", str(error))}
+        middle = len(polygons) // 2
+        first = faults(polygons[:middle], seed, block, form, machine)
+        rest = faults(polygons[middle:], seed, block, form, machine)
+        return first | {middle + k: fault for k, fault in rest.items()}
+    found = {k: compare(check(each, seed, block), digest)
+             for k, (each, digest) in enumerate(zip(polygons, digests))}
+    return {k: fault for k, fault in found.items() if fault}
+
+
+@dataclass
+class Tally:
+    """What a run has seen."""
+
+    polygons: int = 0
+    drawn: int = 0
+    refused: int = 0
+    judged: int = 0
+    pixels: int = 0
+    coverage_errors: dict[str, int] = field(default_factory=dict)  # by edges; judged ones
+    worst: dict[str, float] = field(default_factory=dict)  # error / bound by mapper
+    failed: dict[int, Fault] = field(default_factory=dict)  # by number
+
+    def add(self, each: Fuzzed, checked: Checked) -> None:
+        """Counts a polygon."""
+        verdict, settings = checked.verdict, each.settings
+        self.polygons += 1
+        self.refused += checked.result != 0
+        self.drawn += verdict.pixels > 0
+        self.pixels += verdict.pixels
+        if checked.judged and settings.clip == "scissor":
+            self.judged += 1
+            self.coverage_errors[settings.edges] = (self.coverage_errors.get(settings.edges, 0)
+                                                    + verdict.coverage_errors)
+        self.worst[settings.mapper] = max(self.worst.get(settings.mapper, 0), verdict.texel_ratio)
+
+    def merge(self, other: "Tally") -> None:
+        """Adds another part's."""
+        for name in ("polygons", "drawn", "refused", "judged", "pixels"):
+            setattr(self, name, getattr(self, name) + getattr(other, name))
+        for edges, count in other.coverage_errors.items():
+            self.coverage_errors[edges] = self.coverage_errors.get(edges, 0) + count
+        for mapper, ratio in other.worst.items():
+            self.worst[mapper] = max(self.worst.get(mapper, 0), ratio)
+        self.failed |= other.failed
+
+    def __str__(self) -> str:
+        wrong = ", ".join(f"{edges} {count}" for edges, count in sorted(self.coverage_errors.items()))
+        worst = ", ".join(f"{mapper} {ratio:.3f}" for mapper, ratio in sorted(self.worst.items()))
+        return (f"{self.polygons} polygons, {self.drawn} of them with pixels, {self.pixels} pixels, "
+                f"{self.refused} refused; {self.judged} judged against the ideal: pixels of wrong "
+                f"coverage by edges: {wrong or '-'}; worst error / bound: {worst or '-'}")
+
+
+def form_of(block: int) -> str:
+    """In which form a block is drawn."""
+    return FORMS[block % len(FORMS)]
+
+
+interrupted = Event()  # in a part's process: no further part is begun
+
+
+def end_on_interrupt() -> None:
+    """For a part's process: an interrupt ends it as an exit does, so that its emulator and files
+    go, and no traceback is printed."""
+    def end(*_) -> None:
+        interrupted.set()
+        sys.exit(130)
+
+    signal.signal(signal.SIGINT, end)
+
+
+def run_part(seed: int, numbers: range, machine: str) -> Tally:
+    """Polygons of several blocks in one boot."""
+    if interrupted.is_set():
+        sys.exit(130)
+    parts: dict[int, list[int]] = {}
+    for number in numbers:
+        parts.setdefault(number // BLOCK, []).append(number)
+    polygons = {block: [polygon(seed, n) for n in part] for block, part in parts.items()}
+    tally = Tally()
+    try:
+        digests = draw([(scene(seed, block, some), form_of(block))
+                        for block, some in polygons.items()], machine)
+    except UserError:  # a crash or a hang: block by block, then by halves
+        for block, some in polygons.items():
+            for k, fault in faults(some, seed, block, form_of(block), machine).items():
+                tally.failed[parts[block][k]] = fault
+        return tally
+    for (block, some), found in zip(polygons.items(), digests):
+        for number, each, digest in zip(parts[block], some, found):
+            checked = check(each, seed, block)
+            tally.add(each, checked)
+            fault = compare(checked, digest)
+            if fault:
+                tally.failed[number] = fault
+    polygon.cache_clear()
+    return tally
+
+
+def run(seed: int, first: int, count: int, machine: str = MACHINE,
+        on_part: Callable[[Tally], None] | None = None) -> Tally:
+    """Polygons ``first`` to ``first + count - 1`` of a seed, on all of the host's processors."""
+    size = BLOCK * BLOCKS
+    starts = [first, *range(first // size * size + size, first + count, size)]
+    ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
+    total = Tally()
+    # Spawned, not forked: the progress bar has a thread.
+    with ProcessPoolExecutor(min(os.cpu_count() or 1, len(ranges)), get_context("spawn"),
+                             end_on_interrupt) as pool:
+        try:
+            for part in pool.map(run_part, [seed] * len(ranges), ranges, [machine] * len(ranges)):
+                total.merge(part)
+                if on_part:
+                    on_part(part)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
+    return total
+
+
+def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
+    """Whether a scene file takes a polygon."""
+    try:
+        write(scene(seed, block, [each]))
+    except UserError:
+        return False
+    return True
+
+
+def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed, Fault]:
+    """The failing polygon made as simple as it can be and still fail in the same way."""
+    block = number // BLOCK
+
+    def failing(candidates: list[Fuzzed]) -> dict[int, Fault]:
+        # What no file holds would look like a crash, and be sought by halves, boot by boot.
+        kept = [k for k, each in enumerate(candidates) if can_be_held(each, seed, block)]
+        some = [candidates[k] for k in kept]
+        found = faults(some, seed, block, form_of(block), machine) if some else {}
+        return {kept[k]: each for k, each in found.items() if each.kind == fault.kind}
+
+    return shrink(polygon(seed, number), fault, failing)
+
+
+def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str) -> str:
+    """What a person needs to find the cause."""
+    block = number // BLOCK
+    this = scene(seed, block, [each])
+    found = None if fault.kind in ("crash", "refused") else frame_of(this, form_of(block), machine)
+    again = f"scripts/tmap fuzz --seed {seed} --first {number} --count 1 --machine {machine}"
+    return explain(this, 0, found,
+                   f"seed {seed}, polygon {number}, {form_of(block)}: {fault.text}", again)
+
+
+def command(seed: int, first: int, count: int, machine: str, keep: str | None) -> int:
+    """``tmap fuzz``: 0 only if every polygon held."""
+    from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    if count < 1 or first < 0 or seed < 0:
+        raise UserError("fuzz: --count must be 1 or more, --first and --seed 0 or more")
+    with Progress(*Progress.get_default_columns()[:-1], MofNCompleteColumn(), TimeRemainingColumn(),
+                  transient=True, disable=not sys.stderr.isatty()) as progress:
+        task = progress.add_task("polygons", total=count)
+        tally = run(seed, first, count, machine,
+                    lambda part: progress.advance(task, part.polygons))
+    print(tally)
+    if not tally.failed:
+        return 0
+    number, fault = next(iter(sorted(tally.failed.items())))
+    print(f"{len(tally.failed)} failed: {', '.join(map(str, sorted(tally.failed)[:20]))}; "
+          f"the first, made smaller:")
+    each, fault = smallest(number, fault, seed, machine)
+    print(explanation(each, fault, seed, number, machine))
+    if keep:
+        from tmap.corpus.hard_cases import Case
+        from tmap.corpus.hard_cases import keep as keep_case
+        size = textures(seed, number // BLOCK)[each.texture].texels.shape[::-1] \
+            if each.texture >= 0 else (256, 256)
+        keep_case(Case(keep, f"Found by the fuzzer, seed {seed}, polygon {number}: {fault.text}.",
+                       each.vertices, (each.settings.mapper,), size,
+                       each.settings.perspective != "none"))
+        print(f"kept as {keep} in tests/hard_cases.json")
+    return 1

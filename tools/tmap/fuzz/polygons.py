@@ -1,0 +1,235 @@
+"""Random polygons for the fuzzer: number k of a seed is the same in every run.
+
+Ordinary ones, those that people write (tmap.corpus.written) and everything that is known to break
+rasterisers, with every setting and mapper. A block of BLOCK polygons shares a frame size and maps, as
+one scene file.
+"""
+
+import random
+from dataclasses import dataclass, replace
+from functools import cache
+
+import numpy as np
+
+from tmap.base.fixed import ONE, ceil16, fix
+from tmap.compiler.map_range import extent_of
+from tmap.corpus import written
+from tmap.corpus.random_polygons import convex_polygon
+from tmap.fuzz import depths
+from tmap.model.model import FAR
+from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material,
+                                        Object, Scene, Texture)
+from tmap.setup.shading import LIT
+from tmap.setup.texturing import Settings
+
+BLOCK = 1000
+#: Width and height of blocks' frames, by turns: small ones are quick, long ones show drift.
+FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
+SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
+#: Of materials with a perspective, 1/65536 texel.
+TOLERANCES = (0, 0, 0, 655, 6554, ONE // 2, ONE)
+#: Of every map that takes any size.
+ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
+
+
+@dataclass(frozen=True)
+class Fuzzed:
+    """One polygon, how it is drawn, on what."""
+
+    vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
+    settings: Settings
+    texture: int  # index in its block's textures; -1: none
+
+
+def frame_size(block: int) -> tuple[int, int]:
+    """Width and height of a block's frame."""
+    return FRAMES[block % len(FRAMES)]
+
+
+@cache
+def textures(seed: int, block: int) -> list[Texture]:
+    """The maps of a block: some of each layout, a light table last."""
+    rng = random.Random(f"{seed} maps {block}")
+    noise = np.random.default_rng([seed, block])
+    sizes = [("page", (256, 256)), ("page", (rng.choice(SIDES["page"]), rng.choice(SIDES["page"]))),
+             ("tiled", (256, 256)), ("margins", (256, 256))]
+    sizes += [("linear", (rng.choice(ODD_SIDES), rng.choice(ODD_SIDES))) for _ in range(3)]
+    sizes += [("columns", (rng.choice(SIDES["columns"]), rng.choice(SIDES["columns"])))
+              for _ in range(2)]
+    sizes += [("light", (256, 64))]  # the last one
+    return [Texture(noise.integers(0, 256, (h, w), dtype=np.uint8), layout)
+            for layout, (w, h) in sizes]
+
+
+def corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
+    """x and y of a polygon, 16.16."""
+    kind = rng.random()
+    if kind < 0.5:
+        points = convex_polygon(rng, width, height)
+    elif kind < 0.6:  # a sliver: three points of a line, one moved a little
+        x, y = fix(rng.uniform(0, width)), fix(rng.uniform(0, height))
+        dx, dy = (rng.randint(-ONE << 7, ONE << 7) >> rng.randrange(16) for _ in range(2))
+        a, b = rng.randint(-3, 3), rng.randint(-3, 3)
+        points = [(x, y), (x + dx, y + dy), (x + 2 * dx + a, y + 2 * dy + b)]
+    elif kind < 0.7:  # within a pixel or two
+        x, y = rng.randrange(width) * ONE, rng.randrange(height) * ONE
+        points = [(x + rng.randint(-ONE, ONE), y + rng.randint(-ONE, ONE)) for _ in range(3)]
+    elif kind < 0.8:  # anything in range
+        points = [(rng.randint(-FAR, FAR - 1), rng.randint(-FAR, FAR - 1)) for _ in range(3)]
+    elif kind < 0.87:  # around the frame, on whole and half pixels
+        points = [(rng.randint(-4, 2 * width + 4) * ONE // 2, rng.randint(-4, 2 * height + 4) * ONE // 2)
+                  for _ in range(3)]
+    elif kind < 0.92:  # repeated and collinear vertices
+        points = convex_polygon(rng, width, height)
+        at = rng.randrange(len(points))
+        a, b = points[at], points[(at + 1) % len(points)]
+        middle = a if rng.random() < 0.5 else ((a[0] + b[0]) // 2, (a[1] + b[1]) // 2)
+        points.insert(at + 1, middle)
+    elif kind < 0.97:  # any order: crossing itself
+        points = [(fix(rng.uniform(-width, 2 * width)), fix(rng.uniform(-height, 2 * height)))
+                  for _ in range(rng.randint(3, 12))]
+    else:  # any bits
+        points = [(rng.randint(-1 << 31, (1 << 31) - 1) >> rng.randrange(4),
+                   rng.randint(-1 << 31, (1 << 31) - 1) >> rng.randrange(4)) for _ in range(3)]
+    return points
+
+
+def visible_corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
+    """Corners whose box covers a pixel of the frame, nine times in ten."""
+    for _ in range(1 if rng.random() < 0.1 else 20):
+        points = corners(rng, width, height)
+        ends = [(min(axis), max(axis)) for axis in zip(*points)]
+        if all(max(ceil16(low), 0) < min(ceil16(high), side)
+               for (low, high), side in zip(ends, (width, height))):
+            break
+    return points
+
+
+def plane_of(rng: random.Random, points, most: int) -> list[tuple[int, int]]:
+    """s and t of the corners, from one affine function of x and y; |s|, |t| < ``most``."""
+    if len(points) == 3 and rng.random() < 0.4:  # three vertices are a plane, whatever they say
+        return [(rng.randint(-most, most - 1) >> rng.randrange(12),
+                 rng.randint(-most, most - 1) >> rng.randrange(12)) for _ in points]
+    gradients = [rng.choice((0, 1, -1, rng.uniform(-2, 2), rng.uniform(-16, 16),
+                             rng.uniform(-256, 256))) for _ in range(4)]
+    base = [rng.randint(-300, 300) * ONE + rng.choice((0, ONE // 2, rng.randrange(ONE)))
+            for _ in range(2)]
+    x0, y0 = points[0]
+    plane = [tuple(base[k] + round(gradients[2 * k] * (x - x0) + gradients[2 * k + 1] * (y - y0))
+                   for k in range(2)) for x, y in points]
+    largest = max(abs(c) for pair in plane for c in pair)
+    if largest >= most:  # flatter, but still one plane
+        shrink = most / (largest + 1)
+        plane = [tuple(int(c * shrink) if len(points) == 3 else 0 for c in pair) for pair in plane]
+    return plane
+
+
+def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
+    """s and t moved and shrunk into a map that does not repeat, 0 to 256 along its longer
+    side; only for three vertices, whose texture is a plane whatever they say."""
+    longer = max(size)
+    made = []
+    for k, side in enumerate(size):
+        limit = side * 256 * ONE // longer
+        made.append([c % (limit + 1) for c in (pair[k] for pair in plane)])
+    return list(zip(*made))
+
+
+def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool) -> Fuzzed:
+    """A quarter of the affine ones get depths, and a perspective with what it needs; ``size``: of
+    the frame; ``by_hand``: three in four as people write them."""
+    if each.settings.mapper != "affine" or rng.random() >= 0.25:
+        return each
+    settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
+    if settings.perspective != "none":
+        settings = replace(settings, gradients="plane", start="subtexel",
+                           tolerance=rng.choice(TOLERANCES))
+    vertices = each.vertices
+    if settings.perspective != "none" or len(vertices) == 3:  # none draws s and t flat on the screen
+        kind = rng.choice(depths.KINDS)
+        if by_hand and rng.random() < 0.75:
+            kind = depths.WRITTEN
+        vertices = depths.in_depth(rng, kind, vertices, size)
+    return replace(each, vertices=vertices, settings=settings)
+
+
+def uneven(rng: random.Random, each: Fuzzed, maps: list[Texture]) -> Fuzzed:
+    """One in eight of those with more than three vertices gets one that is off the others' planes: by
+    about what rounding makes, or by far; on the map still, where that is not repeated."""
+    if len(each.vertices) == 3 or rng.random() >= 1 / 8:
+        return each
+    k, field = rng.randrange(len(each.vertices)), rng.choice((2, 3, 4))
+    vertex = list(each.vertices[k])
+    off = rng.choice((-1, 1)) * rng.randrange(1, 1 << rng.randrange(1, 28))
+    vertex[field] = min(max(vertex[field] + off, -FAR), FAR - 1)
+    vertex[4] = min(max(vertex[4], 0), 256 * ONE - 1)
+    if each.settings.mapper == "arbitrary":
+        ends = extent_of(maps[each.texture].texels.shape[::-1])
+        vertex[2:4] = (min(max(c, 0), int(end * ONE)) for c, end in zip(vertex[2:4], ends))
+    return replace(each, vertices=(*each.vertices[:k], tuple(vertex), *each.vertices[k + 1:]))
+
+
+@cache
+def polygon(seed: int, number: int) -> Fuzzed:
+    """Polygon ``number`` of a seed."""
+    return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number),
+                  textures(seed, number // BLOCK))
+
+
+def even(seed: int, number: int) -> Fuzzed:
+    """The same with all vertices on planes."""
+    rng = random.Random(f"{seed} fuzz {number}")
+    block = number // BLOCK
+    width, height = frame_size(block)
+    hand = random.Random(f"{seed} written {number}")
+    by_hand = hand.random() < written.SHARE
+    points = (written.outline(hand, width, height) if by_hand else
+              visible_corners(rng, width, height))
+    mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
+                         "lit_gouraud", "dithered") + 4 * ("affine",))
+    choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
+               if kind not in ("mapper", "perspective")}
+    if mapper in ON_PLANE:
+        choices |= {"gradients": "plane", "start": "subtexel"}
+    settings = Settings(mapper=mapper, **choices)
+    if len(points) > 3 and settings.gradients == "polygon":
+        settings = replace(settings, gradients="plane")
+    layout, texture = MAPPER_LAYOUT[mapper], -1
+    maps = textures(seed, block)
+    if layout:
+        texture = rng.choice([k for k, t in enumerate(maps) if t.layout == layout])
+    map_size = maps[texture].texels.shape[::-1] if layout else (256, 256)
+    if by_hand:
+        plane = written.texels(hand, points, extent_of(map_size), mapper != "arbitrary")
+    else:
+        plane = plane_of(rng, points, FAR)
+        if mapper == "arbitrary":
+            points = points[:3]
+            plane = inside_map(plane[:3], map_size)
+    shades = [rng.choice((0, 255 * ONE, 256 * ONE - 1, rng.randrange(256 * ONE))) for _ in points]
+    if len(points) > 3:  # planar: along y, over the polygon's height
+        low, high = min(y for _, y in points), max(y for _, y in points)
+        shades = [(y - low) * 255 * ONE // max(high - low, 1) for _, y in points]
+    if by_hand and hand.random() < 0.5:
+        shades = [hand.choice((0, 128, 255)) * ONE] * len(points)
+    vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
+    return with_perspective(random.Random(f"{seed} depth {number}"),
+                            Fuzzed(vertices, settings, texture), (width, height), by_hand)
+
+
+def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
+    """The polygons on a block's frame and maps, one a frame."""
+    materials: dict[Material, int] = {}
+    maps = textures(seed, block)
+    objects, vertices = [], []
+    for number, each in enumerate(polygons):
+        s = each.settings
+        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
+                            each.texture, 200 if s.mapper == "flat" else 0,
+                            len(maps) - 1 if s.mapper in LIT else -1, s.tolerance)
+        objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
+                              len(each.vertices), 0, 1, number, 0))
+        vertices += each.vertices
+    palette = np.zeros((256, 3), np.uint8)
+    return Scene(*frame_size(block), len(polygons), 7, palette, maps,
+                 list(materials), objects, np.array(vertices), np.array([IDENTITY]))

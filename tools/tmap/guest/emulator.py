@@ -1,0 +1,291 @@
+"""Runs programs on the emulated A1200 and judges how they ended.
+
+A run has one private directory: it is the boot volume, holds the programs, their
+input and whatever they write. The guest's start-up script runs each command with
+its output in ``N.log``, writes its return code to ``N.code``, and at last writes
+``end`` (the sentinel) and leaves the emulator by ``uaequit``. Where commands that
+follow one another are of one program, ``many`` loads it once and does the same.
+"""
+
+import contextlib
+import itertools
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.paths import PROGRAMS
+from tmap.base.silence import Silence
+
+#: FS-UAE options of each machine; all are A1200s with AGA, cycle-exact.
+MACHINES = {
+    "a1200": {},
+    "a1200-fast": {"fast_memory": "8192"},
+    # A 68EC030 at the same clock, for its data cache.
+    "a1200-030": {"fast_memory": "8192", "cpu": "68EC030", "uae_cpu_model": "68030",
+                  "uae_mmu_model": "0", "uae_cpu_24bit_addressing": "true",
+                  "uae_cpu_compatible": "true", "uae_cpu_cycle_exact": "true",
+                  "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
+                  "uae_cpu_speed": "real"},
+}
+#: Those that everything is measured on.
+MEASURED = ("a1200", "a1200-fast")
+#: What every run has.
+OPTIONS = {
+    "amiga_model": "A1200",
+    "floppy_drive_count": "0",
+    "deterministic": "1",  # files are served in step: threads of their own deadlock now and then
+    "audio_driver": "null",
+    "fullscreen": "0",
+    "uae_sound_output": "none",
+    "joystick_port_0": "none",
+    "joystick_port_1": "none",
+}
+
+
+@dataclass(frozen=True)
+class Display:
+    """Where the emulator's picture goes: its options, and what its environment has besides."""
+
+    options: dict[str, str]
+    environment: dict[str, str] = field(default_factory=dict)
+
+
+#: Nobody sees the screen, and showing each of its frames is much of the host's work.
+HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
+                  "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
+                  "assume_refresh_rate": "10"}, {"SDL_VIDEODRIVER": "offscreen"})
+#: Seconds of the host's processor time without a byte of output before a run counts as hung
+#: (tmap.base.silence). A boot takes about 1 s and the guest's own watchdog bites within 3 s.
+STALL_SECONDS = 20.0
+#: The same where texture engines draw: a frame alone may take that long.
+PATIENT_SECONDS = 10 * STALL_SECONDS
+CYCLES_PER_TICK = 4  # CPU cycles in a colour clock, by which guests measure
+CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
+VERSION = "3.1.66"  # the cycle figures in this tree are those of this version
+
+EXCEPTIONS = {
+    2: "bus error", 3: "address error", 4: "illegal instruction", 5: "division by zero",
+    6: "CHK", 7: "TRAPV", 8: "privilege violation", 9: "trace", 10: "line A", 11: "line F",
+    0x100: "no end: stopped by the watchdog",
+}
+
+
+@dataclass
+class Result:
+    """What a command left: the volume, its output and its return code."""
+
+    directory: Path
+    output: str
+    code: int
+
+
+class Closed(UserError):
+    """The emulator ended in peace, but before the guest: somebody closed its window."""
+
+
+def emulator_version() -> str:
+    """The version of the FS-UAE on PATH."""
+    try:
+        return subprocess.run(["fs-uae", "--version"], capture_output=True, text=True).stdout.strip()
+    except OSError:
+        raise UserError("fs-uae is not installed: run scripts/setup") from None
+
+
+def routine_at(program: Path, offset: int) -> str:
+    """Where an offset in a program's code is: in which routine, how far from its start."""
+    header = program.read_bytes()[:24]  # of the hunk file; the code's hunk comes first
+    if not offset < 4 * int.from_bytes(header[20:], "big"):
+        return "outside the program's code"
+    best = "?"
+    for line in program.with_name(program.name + ".map").read_text().splitlines():
+        value, name = line.split()
+        if int(value, 16) > offset:
+            break
+        best = f"in {name.lstrip('_')}+${offset - int(value, 16):x}"
+    return best
+
+
+def explain_fault(program: Path, output: str) -> str | None:
+    """What the crash report in ``output`` says, or None: one line, then the registers."""
+    match = re.search(r"fault: exception ([0-9a-f]{8}) pc ([0-9a-f]{8})\n(.*)\n(.*)", output)
+    if not match:
+        return None
+    number, pc = int(match[1], 16), int(match[2], 16)
+    kind = EXCEPTIONS.get(number, "unexpected")
+    return (f"{program.name} crashed: exception {number} ({kind}) at PC ${pc:x}, "
+            f"{routine_at(program, pc)}\n"
+            f"  d0-d7 {match[3].strip()}\n  a0-a7 {match[4].strip()}")
+
+
+def last_words(output: str) -> str:
+    """The last line a guest wrote, for a message on how far it came."""
+    lines = [line for line in output.splitlines() if line.strip()]
+    return f"its last words: {lines[-1]!r}" if lines else "it wrote nothing"
+
+
+@contextlib.contextmanager
+def workspace() -> Iterator[Path]:
+    """A private directory for one run, removed afterwards."""
+    with tempfile.TemporaryDirectory(prefix="tmap-") as name:
+        yield Path(name)
+
+
+def read(path: Path) -> str:
+    """A guest's text file; empty where there is none."""
+    return path.read_text("latin-1") if path.exists() else ""
+
+
+def floppies(*images: Path) -> dict[str, str]:
+    """Options for images in DF0:, DF1: and so on, read and written in no time; the guest writes into
+    the files themselves."""
+    return {f"floppy_drive_{n}": str(path) for n, path in enumerate(images)} | {
+        "floppy_drive_count": str(len(images)), "floppy_drive_speed": "0",
+        "writable_floppy_images": "1"}
+
+
+def write_config(directory: Path, machine: str, display: Display, drives: dict[str, str]) -> Path:
+    """The emulator's configuration file of a run's directory; ``drives``: its options for disks."""
+    options = OPTIONS | display.options | MACHINES[machine] | {
+        "base_dir": str(directory / "base")} | drives
+    config = directory / "a1200.fs-uae"
+    config.write_text("[fs-uae]\n" + "".join(f"{k} = {v}\n" for k, v in options.items()))
+    return config
+
+
+@contextlib.contextmanager
+def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
+    """The emulator while it runs, its own messages in ``log``; ended afterwards."""
+    # Ctrl-C waits until the process is known, or nobody would end it.
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    process = None
+    try:
+        with log.open("wb") as stream:
+            process = subprocess.Popen(
+                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
+                stderr=subprocess.STDOUT, env=os.environ | display.environment)
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        yield process
+    except FileNotFoundError:
+        if process:
+            raise
+        raise UserError("fs-uae is not installed: run scripts/setup") from None
+    finally:
+        if process:
+            process.kill()
+            process.wait()
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,
+            apart: bool) -> None:
+    """Lays out a run's volume, as run_many has it."""
+    volume = directory / "volume"
+    (volume / "S").mkdir(parents=True)
+    for name, content in files.items():
+        if isinstance(content, bytes):
+            (volume / name).write_bytes(content)
+        else:
+            shutil.copyfile(content, volume / name)
+    for name in {command.split()[0] for command in commands}:
+        shutil.copyfile(programs / name, volume / name)
+    for name in ("uaequit", "many"):
+        shutil.copyfile(PROGRAMS / name, volume / name)
+    script = ["failat 100"]  # no return code ends the script
+    for program, numbered in itertools.groupby(enumerate(commands), lambda c: c[1].split()[0]):
+        numbers, some = zip(*numbered)
+        arguments = [command.partition(" ")[2] for command in some]
+        if len(some) > 1 and not apart:
+            run = "".join(f"{line}\n" for line in arguments)
+            (volume / f"{numbers[0]}.run").write_text(run)
+            script += [f"many {program} {numbers[0]}"]
+        else:
+            for number, line in zip(numbers, arguments):
+                script += [f"{program} >{number}.log {line}", f"echo >{number}.code $RC"]
+    script += ["echo >end", "uaequit"]
+    (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
+
+
+def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> str:
+    """Waits for the emulator's end, or until the guest was silent for so many seconds, which is
+    said then.
+
+    Only more files and output than ever before count as a sign of life, so that
+    a guest which reboots again and again is silent too.
+    """
+    most, silence = -1, Silence(process.pid, patience)
+    while process.poll() is None:
+        with os.scandir(volume) as entries:
+            names = [entry.name for entry in entries]
+        logs = [volume / name for name in names if name.endswith(".log")]
+        size = len(names) + sum(path.stat().st_size for path in logs)
+        if size > most:
+            most = size
+            silence.heard()
+            if on_output:
+                on_output("".join(map(read, logs)))
+        elif said := silence.end():
+            return said
+        time.sleep(0.04)
+    return ""
+
+
+def explain_end(program: Path, arguments: str, output: str, silence: str, log: str) -> str:
+    """Why there is no sentinel, and how far the guest came; ``silence``: as wait has it."""
+    how = f"it did not end, {silence}" if silence else "the emulator ended before it"
+    fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
+    said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
+    return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
+
+
+def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
+             on_output=None, programs: Path = PROGRAMS,
+             patience: float | None = None, apart: bool = False,
+             display: Display = HIDDEN, drives: dict[str, str] | None = None) -> list[Result]:
+    """Boots ``machine``, runs the commands one after the other and waits for the end.
+
+    ``files`` are put into the run's ``directory`` first (a name to bytes, or to
+    a file that is copied); a command's first word is one of ``programs``.
+    ``on_output`` is called with the output so far when there is more of it;
+    ``patience``: seconds of silence, in processor time, that count as a hang (STALL_SECONDS);
+    ``apart``: each command loads its program, whatever ran before; ``drives``: options for
+    disks besides the boot volume.
+    Raises UserError for a hang, Closed where a window was closed; return codes and
+    crash reports are the caller's to judge.
+    """
+    prepare(directory, commands, files, programs, apart)
+    patience = patience or STALL_SECONDS
+    volume, log = directory / "volume", directory / "emulator.log"
+    config = write_config(directory, machine, display,
+                          {"hard_drive_0": str(volume)} | (drives or {}))
+    with started(config, display, log) as process:
+        silence = wait(process, volume, on_output, patience)
+    codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
+    outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
+    if not (volume / "end").exists():
+        last = codes.index("") if "" in codes else len(codes) - 1
+        program, _, arguments = commands[last].partition(" ")
+        why = explain_end(programs / program, arguments, outputs[last], silence, read(log))
+        raise (Closed if not silence and process.returncode == 0 else UserError)(why)
+    if "" in codes:
+        raise UserError(f"{commands[codes.index('')]}: many could not run it")
+    return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
+
+
+def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
+        directory: Path, on_output=None, programs: Path = PROGRAMS,
+        patience: float | None = None, display: Display = HIDDEN) -> Result:
+    """One command, as ``run_many`` runs it; a crash too raises UserError."""
+    result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs,
+                       patience, display=display)
+    fault = explain_fault(programs / program, result.output)
+    if fault:
+        raise UserError(fault)
+    return result

@@ -1,0 +1,68 @@
+"""Scenes drawn by the emulated machine: the digests of their frames, held to the model's.
+
+A digest (struct frame_digest of c/scene) has what the host needs to tell whether a frame is the one
+it should be, and how long it took, without the frame itself.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.base.fixed import M32
+from tmap.build import layout
+from tmap.guest import emulator
+from tmap.scene_file.scene_file import Scene, write
+
+
+def draw(scenes: list[tuple[Scene, str]], machine: str,
+         on_output: Callable[[str], None] | None = None,
+         patience: float | None = None, apart: bool = False) -> list[np.ndarray]:
+    """The digests of each scene's frames, all in one boot; beside each scene its form, and what
+    may follow that among the arguments of ``render``. ``patience``, ``apart``: as run_many has
+    them."""
+    shape = layout.load().struct("frame_digest").dtype
+    files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
+    commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
+                for k, (_, form) in enumerate(scenes)]
+    with emulator.workspace() as directory:
+        done = emulator.run_many(commands, files, machine, directory, on_output,
+                                 patience=patience, apart=apart)
+        for result in done:
+            fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
+            if fault or result.code:
+                raise UserError(fault or f"render: {emulator.last_words(result.output)}")
+        return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]
+
+
+def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
+    """The first frame of a scene as the guest draws it."""
+    with emulator.workspace() as directory:
+        done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
+                            machine, directory)
+        found = np.fromfile(done.directory / "frame_000.chunky", this.pixel.dtype.newbyteorder(">"))
+    return found.reshape(this.height, this.width)
+
+
+def digest_of(frame: np.ndarray) -> tuple[int, int]:
+    """The fields sum and hash of struct frame_digest."""
+    data = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
+    longs, factor = np.frombuffer(data, ">u4"), layout.load().constants["FRAME_HASH"]
+    changes, found = np.flatnonzero(np.diff(longs, prepend=longs.dtype.type(0))), 0
+    for four, left in zip(longs[changes].tolist(), (len(longs) - changes).tolist()):
+        found = (((found << 16 | found >> 16) ^ four) * factor + left) & M32
+    return int(longs.sum(dtype=np.uint64)) & M32, found
+
+
+def is_models(frame: np.ndarray, digest) -> bool:
+    """Whether a digest is that of a frame, the model's."""
+    return (int(digest["sum"]), int(digest["hash"])) == digest_of(frame)
+
+
+def require_models(frames: Iterable[np.ndarray], digests, what: str, names: Sequence[str] = ()) -> None:
+    """Raises UserError where one of a scene's frames is not the model's. ``frames``: the model's;
+    ``what``: what is drawn, for the message; ``names``: of the frames."""
+    for number, (frame, digest) in enumerate(zip(frames, digests, strict=True)):
+        if not is_models(frame, digest):
+            name = f" ({names[number]})" if names else ""
+            raise UserError(f"{what}: frame {number}{name} is not the model's")

@@ -1,0 +1,221 @@
+"""Calls kernels on the emulated machine: what the bench and the kernel tests stand on.
+
+A case names a kernel, its registers and a memory image (the arena); the program
+``bench`` calls it once, gives back registers and memory, and then times repeats.
+Layouts come from c/bench/plan_file.h.
+"""
+
+from dataclasses import asdict, dataclass, field
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.base.fixed import M32
+from tmap.build import layout
+from tmap.guest import emulator
+from tmap.guest.emulator import CYCLES_PER_TICK
+
+REGISTERS = [f"d{n}" for n in range(8)] + [f"a{n}" for n in range(7)]
+#: What registers hold that a case does not set: no kernel may rely on them.
+POISON = 0xDEAD0000
+#: A plan's images, cases and offsets: a machine with chip RAM alone has about 1.7 MB free for the
+#: plan and the largest arenas; the others have 8 MB more.
+BATCH_BYTES = 950_000
+BATCH_BYTES_FAST = 5_000_000
+
+
+class Arena:
+    """A memory image in the making: blocks at offsets, pointers to be relocated."""
+
+    def __init__(self) -> None:
+        self.data = bytearray()
+        self.pointers: list[int] = []  # longwords that hold offsets into this arena
+        self.far_pointers: list[int] = []  # and into the far one
+
+    def add(self, content: bytes | bytearray, align: int = 4) -> int:
+        """Appends a block; returns its offset."""
+        self.data += bytes(-len(self.data) % align)
+        at = len(self.data)
+        self.data += content
+        return at
+
+    def struct(self, name: str, pointers: dict[str, int], far: dict[str, int] | None = None,
+               **values: int) -> int:
+        """Appends a C struct; fields of ``pointers`` and ``far`` hold offsets there."""
+        shape, far = layout.load().struct(name), far or {}
+        offsets = {field: at & M32 for field, at in (pointers | far).items()}
+        at = self.add(shape.pack(**values, **offsets))
+        self.pointers += [at + shape.fields[field]["offset"] for field in pointers]
+        self.far_pointers += [at + shape.fields[field]["offset"] for field in far]
+        return at
+
+    @property
+    def image(self) -> bytes:
+        """The content, padded to longwords."""
+        return bytes(self.data) + bytes(-len(self.data) % 4)
+
+
+@dataclass
+class Shown:
+    """What an owner's program shows of a case, as struct plan_case has it: cycles are those of
+    one of ``units`` on the emulated machine, in thousandths, 0 where the row is not shown."""
+
+    title: str
+    units: int
+    chip: int  # cycles with chip RAM alone
+    fast: int  # and with fast RAM
+    drawn: int  # checksum of the far memory after a call; 0: none
+
+
+@dataclass
+class Case:
+    """One call. ``registers``: values; ``pointers``, ``far_pointers``: registers that
+    hold offsets into ``arena`` (a program's own data) and ``far`` (map and frame).
+    """
+
+    kernel: str
+    arena: Arena = field(default_factory=Arena)
+    registers: dict[str, int] = field(default_factory=dict)
+    pointers: dict[str, int] = field(default_factory=dict)
+    far: Arena = field(default_factory=Arena)
+    far_pointers: dict[str, int] = field(default_factory=dict)
+    chip: bool = False  # far lies in chip RAM
+    repeats: int = 0
+    display: str = "OFF"  # enum plan_display's, while it is timed
+    limit: int = 100  # for the watchdog, 92 ms each
+    shown: Shown | None = None
+
+
+@dataclass
+class Result:
+    """What a call left: addresses, memory, registers, the stack's error, cycles."""
+
+    address: int
+    memory: bytes
+    far_address: int
+    far_memory: bytes
+    registers: dict[str, int]
+    stack: int
+    cycles: int  # of all repeats, the harness's own calls included
+
+
+def checksum(content: bytes) -> int:
+    """The checksum of a plan's content, as struct plan_header has it."""
+    sums = np.cumsum(np.frombuffer(content, ">u4"), dtype=np.uint32)
+    return (2 * int(sums.sum(dtype=np.uint64)) - int(sums[-1])) & M32
+
+
+def pieces(image: bytes) -> list[bytes]:
+    """An image as plans keep it: cut, b"" for a piece of zeros."""
+    size = layout.load().constants["PLAN_PIECE"]
+    cut = [image[at:at + size] for at in range(0, len(image), size)]
+    return [piece if piece.strip(b"\0") else b"" for piece in cut]
+
+
+def plan(cases: list[Case]) -> bytes:
+    """The plan file for ``cases``."""
+    shapes = layout.load()
+    header, case_shape = shapes.struct("plan_header"), shapes.struct("plan_case")
+    body = bytearray(header.size + len(cases) * case_shape.size)
+    kept: dict[bytes, int] = {}
+
+    def place(content: bytes) -> int:
+        if content not in kept:
+            body.extend(bytes(-len(body) % 4))
+            kept[content] = len(body)
+            body.extend(content)
+        return kept[content]
+
+    def place_text(text: str) -> int:
+        return place(text.encode("ascii") + b"\0")
+
+    def place_image(image: bytes) -> int:
+        return place(np.array([place(piece) if piece else 0 for piece in pieces(image)],
+                              ">u4").tobytes())
+
+    def mask(registers: dict[str, int]) -> int:
+        return sum(1 << REGISTERS.index(name) for name in registers)
+
+    for index, case in enumerate(cases):
+        registers = [POISON + n for n in range(len(REGISTERS))]
+        for name, value in (case.registers | case.pointers | case.far_pointers).items():
+            registers[REGISTERS.index(name)] = value & M32
+        near, far = case.arena.image, case.far.image
+        shown = asdict(case.shown) if case.shown else {}
+        at = header.size + index * case_shape.size
+        body[at:at + case_shape.size] = case_shape.pack(
+            name_at=place_text(case.kernel), title_at=place_text(shown.pop("title", "")),
+            near_at=place_image(near), near=len(near), far_at=place_image(far), far=len(far),
+            far_memory=shapes.constants["MEMORY_CHIP" if case.chip else "MEMORY_ANY"],
+            near_offsets_at=place(np.array(case.arena.pointers, ">u4").tobytes()),
+            near_offsets=len(case.arena.pointers),
+            far_offsets_at=place(np.array(case.arena.far_pointers, ">u4").tobytes()),
+            far_offsets=len(case.arena.far_pointers),
+            near_registers=mask(case.pointers), far_registers=mask(case.far_pointers),
+            registers=registers, display=shapes.constants[f"DISPLAY_{case.display}"],
+            repeats=case.repeats, limit=case.limit,
+            **{field: shown.get(field, 0) for field in ("units", "chip", "fast", "drawn")})
+    body.extend(bytes(-len(body) % 4))
+    summed = header.fields["cases"]["offset"]
+    values = dict(magic=shapes.constants["PLAN_MAGIC"], version=shapes.constants["PLAN_VERSION"],
+                  size=len(body), checksum=0, cases=len(cases), cases_at=header.size)
+    body[:header.size] = header.pack(**values)
+    values["checksum"] = checksum(body[summed:])
+    body[:header.size] = header.pack(**values)
+    return bytes(body)
+
+
+def batches(cases: list[Case], machine: str) -> list[list[Case]]:
+    """The cases in runs whose images fit the guest's memory beside their arenas; equal
+    pieces are in a plan once."""
+    limit = BATCH_BYTES_FAST if "fast_memory" in emulator.MACHINES[machine] else BATCH_BYTES
+    runs: list[list[Case]] = []
+    kept: dict[bytes, None] = {}
+    room, size = 0, layout.load().struct("plan_case").size
+    for case in cases:
+        images = pieces(case.arena.image) + pieces(case.far.image)
+        rest = size + 4 * (len(case.arena.pointers) + len(case.arena.far_pointers) + len(images))
+        more = rest + sum(len(piece) for piece in images if piece not in kept)
+        if not runs or more > room:
+            runs.append([])
+            kept.clear()
+            room, more = limit, rest + sum(map(len, images))
+        kept.update(dict.fromkeys(images))
+        runs[-1].append(case)
+        room -= more
+    return runs
+
+
+def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
+    """Runs the cases in one boot."""
+    with emulator.workspace() as directory:
+        done = emulator.run("bench", "kernels.plan kernels.results", {"kernels.plan": plan(cases)},
+                            machine, directory, progress)
+        if done.code:
+            raise UserError(f"bench: {emulator.last_words(done.output)}")
+        data = (done.directory / "kernels.results").read_bytes()
+    shape = layout.load().struct("plan_result")
+    results, at = [], 0
+    for case in cases:
+        near, far = len(case.arena.image), len(case.far.image)
+        memory, far_memory, at = data[at:at + near], data[at + near:at + near + far], at + near + far
+        fields, at = shape.unpack(data, at), at + shape.size
+        results.append(Result(fields["near"], memory, fields["far"], far_memory,
+                              dict(zip(REGISTERS, fields["registers"])), fields["stack"],
+                              fields["ticks"] * CYCLES_PER_TICK))
+    if at != len(data):
+        raise UserError(f"bench: {len(data)} bytes of results instead of {at}")
+    return results
+
+
+def call(cases: list[Case], machine: str, on_case=None) -> list[Result]:
+    """Calls every case. ``on_case`` is told how many were begun."""
+    results: list[Result] = []
+
+    def progress(output: str) -> None:
+        if on_case:
+            on_case(len(results) + output.count("case "))
+
+    for batch in batches(cases, machine):
+        results += call_batch(batch, machine, progress)
+    return results

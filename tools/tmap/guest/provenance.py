@@ -1,0 +1,29 @@
+"""What a result was made with: emulator, commit, compiler."""
+
+import subprocess
+
+from tmap.base.paths import BUILD, ROOT
+from tmap.guest import emulator
+
+
+def commit() -> str:
+    """The commit of the tree, marked where there are changes; "unknown" outside git."""
+    done = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT,
+                          capture_output=True, text=True)
+    return done.stdout.strip() or "unknown"
+
+
+def compiler() -> str:
+    """The C compiler that built the programs, as the Makefile noted it."""
+    name = (BUILD / "obj" / "objects").read_text().split()[0]
+    if name != "gcc":
+        return name
+    version = subprocess.run(["m68k-linux-gnu-gcc", "-dumpfullversion"], capture_output=True,
+                             text=True).stdout.strip()
+    return f"gcc {version}"
+
+
+def record() -> dict[str, str]:
+    """The fields that stand at the head of every report."""
+    return {"emulator": f"FS-UAE {emulator.emulator_version()}", "commit": commit(),
+            "compiler": compiler()}

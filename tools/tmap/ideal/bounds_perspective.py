@@ -1,0 +1,295 @@
+"""How far pixels with perspective may be from the exact curve.
+
+1 unit = U = 1/2^16 texel. R is the range of u over the vertices, Q the exact q of a pixel,
+2^30 at the nearest vertex, so 2^30 less 22 bits at worst.
+
+**The first and the last pixel of a line.** u = base + S 2^scale / q:
+
+* q of a corner is rounded (1/2), and S is the floor of what that q gives. With the pixel's
+  barycentric coordinates l, |l| in all at most L, u is off by (sum of l (u_i - u) / 2) / Q
+  at most L R / 2Q, and by L 2^scale / Q. L is 1 in a triangle; of more vertices the
+  planes' three have coordinates from -1 to 2 each: 3.
+* The planes of q and S are off by e(gx) |x| + e(gy) |y| + 2/2^16 (two products cut to that),
+  (x, y) being the way from the first corner and e(g) = |g| / 2^31 + 3/2^16, gradients in
+  units of the value; q is cut to a whole number besides. An error E of q moves u by
+  |u - base| E / Q.
+* The quotient is cut: 1 unit. Both u and q are kept within the vertices' ranges; inside the
+  polygon that takes nothing away. Rounded edges may lie beyond the exact one, and more than
+  three vertices beside the planes: there the exact value's way into the range, and what q is
+  raised by, come on top.
+
+* S is raised by what it and q times u may be off there, and the base by a unit, so that u of
+  a line's first pixel is never below the exact value: by as much again, S's errors being taken
+  as ``perspective.error_part`` rounds them up, 2^scale / Q units each.
+
+That is b0 and b1.
+
+**Between them** u = u0 + du * part. The weights are off by the errors of q and, n steps long,
+by n and 2n in their 2^30 or what is left of it at the far end: m is the factor of
+odds part / (1 - part) that this may make, and |du| (sqrt(m) - 1) / (sqrt(m) + 1) what part
+is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
+
+    b = max(b0, b1) + |du| (sqrt(m) - 1) / (sqrt(m) + 1) + 3 U
+
+Lines are raised by those 3 units, and in pieces by what their ends are cut by, so that u which is the
+same all along a line is never below the exact value.
+
+**Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
+more: from the chords of the exact curve.
+
+**Level lines**: b, what the setting lets them be off for their change of q (almost half or a
+quarter of its tolerance), and a unit a step: steps are rounded up. Where q does not change they are never below
+the exact value.
+
+Lines by tables are off from their planes' quotients by what ``reciprocal.bound`` and
+``logarithm.bound`` say, which is kept within 1/32 texel, by logarithms all of the setting's; that
+comes on top, and what they are raised by for it: never below the exact value at a line's first pixel
+and, by logarithms, at all.
+
+Where the planes are not sure enough (c/polygon/perspective.h) the polygon is drawn affine: both the
+exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
+may be as far apart as that.
+
+**A tolerance** (c/polygon/tolerance.c derives the errors): pieces longer than the setting's are off by
+it at most between their ends, straight lines and triangles drawn affine by it besides their own bounds.
+
+**Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
+setting's 1/32 or 1/128 texel, its rounding included (see ``perspective.enough``).
+"""
+
+from math import log2, sqrt
+
+import numpy as np
+
+from tmap.base.fixed import signed
+from tmap.ideal import ideal
+from tmap.ideal.bounds_fetched import beside
+from tmap.ideal.ideal import UNIT
+from tmap.ideal.perspective import Curve, curves
+from tmap.setup import reciprocal, spans
+from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
+
+TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
+LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # of straight pieces 0
+RECIPROCALS = 1 / 32  # texels: what lines by reciprocals may be off from their planes
+FLOAT = 2.0**-32  # tools/tmap/ideal/perspective.py's own rounding, texels
+BOUNDLESS = 32768.0  # texels: all is modulo twice that
+
+
+def plane_error(plane, scale: int, x: float, y: float) -> float:
+    """Of a plane's value x pixels and y lines from the first corner, in units of the value."""
+    gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
+    return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
+
+
+class Bound:
+    """The bounds of u or v of a polygon. ``key``: 2 for u, 3 for v; ``three``: its corners."""
+
+    def __init__(self, vertices, three, key: int, curve: Curve, p: Perspective) -> None:
+        values = [v[key] for v in vertices]
+        self.curve, self.p, self.plane = curve, p, (p.s, p.t)[key - 2]
+        self.low, self.high = min(values), max(values)
+        self.corner = [c * UNIT for c in three[0][:2]]
+        self.spread = 1 if len(vertices) == 3 else 3  # L
+        # Q = 2^30 (least w) / w: what the curve's integers are to be multiplied by
+        _, nearest = curve.terms(*three[0][:2])
+        self.unit = 2.0**30 * min(v[4] for v in vertices) / three[0][4] / nearest
+        self.base = p.base[key - 2]
+
+    def end(self, i: int, y: int, inside: bool) -> tuple[float, float]:
+        """b0 or b1 in units, and by how much of itself q may be off."""
+        n, q = self.curve.terms(i << 16, y << 16)
+        if q <= 0:
+            return BOUNDLESS / UNIT, 0.5
+        exact, big = n / q, q * self.unit
+        x, down = abs(i - self.corner[0]), abs(y - self.corner[1])
+        scale = self.p.scale
+        off_q = plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2
+        off_s = plane_error(self.plane, scale, x, down) + self.spread
+        largest = max(abs(self.low - self.base), abs(self.high - self.base))
+        raised = self.p.raised[0 if self.plane is self.p.s else 1]
+        bound = ((self.spread / 2 * (self.high - self.low) + (off_s + raised) * 2**scale
+                  + off_q * largest) / big + 2)
+        off = off_q / big
+        if not inside or self.spread > 1:
+            bound += max(0.0, exact - self.high, self.low - exact)
+            off += max(0.0, (self.p.least - big) / big)
+        return bound, off
+
+    def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
+        """b of a line's pixels, texels; ``inside``: whether its ends are in the polygon."""
+        (b0, e0), (b1, e1) = (self.end(i, y, one) for i, one in
+                              zip((made.left, made.left + made.n), inside))
+        if not made.n:
+            return b0 * UNIT
+        way = abs(made.du if self.plane is self.p.s else made.dv)
+        first, last = made.weight(0) + made.n, made.weight(made.n) + 2 * made.n
+        lost = 1 - (1 - made.n / first) * (1 - 2 * made.n / last)
+        part = 1.0
+        if e0 + e1 + lost < 0.5:
+            odds = sqrt((1 + e0) * (1 + e1) / ((1 - e0) * (1 - e1) * (1 - lost)))
+            part = (odds - 1) / (odds + 1)
+        return min((max(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
+
+
+def chords(values: np.ndarray, m: int) -> np.ndarray:
+    """Straight pieces of m pixels through exact values, less these, at each pixel."""
+    n = len(values) - 1
+    if not n:
+        return np.zeros(1)
+    nodes = [*range(0, n, m)]
+    nodes = np.array([*nodes, n])
+    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
+
+
+def intended(values: np.ndarray, setting: str) -> np.ndarray:
+    """What a setting wants of a line's pixels, less their exact values; texels."""
+    return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
+
+
+def level_bound(b: float, setting: str, n: int) -> float:
+    """Of a level line of n steps, from the exact value, in texels."""
+    return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
+
+
+def bend(setting: str, piece: int) -> float:
+    """64 log2 of a curve's error over what the setting leaves for it, where the rest of the error
+    (see ``perspective.enough``) is 1; its longest piece has 2^piece pixels. The second
+    difference is off by half a unit, which the square of half the length multiplies; 8 units are
+    for the three points."""
+    left = TOLERANCE[setting] / UNIT - (1 << piece - 1)**2 / 2 - 8
+    return 64 * log2(6 / (9 * sqrt(3)) / left)
+
+
+def reach(piece: int, width: int) -> float:
+    """Texels from K, piece and width given, with which every line by reciprocals is within
+    RECIPROCALS by its bound: r of an end is one of the table, the other's the least."""
+    def bound(first: int, far: int) -> float:
+        c = far * (1 << 24 - piece) / first, 0
+        return reciprocal.bound(reciprocal.Reciprocal(
+            0, width - 1, (0, 0), 0, 0, c, first, reciprocal.TABLE[-1], 0, piece))
+
+    least = reciprocal.LEAST >> 16
+    firsts = set(reciprocal.TABLE[least - reciprocal.LOWEST:])
+    return min((RECIPROCALS / UNIT - bound(r, 0)) / (bound(r, 1) - bound(r, 0)) for r in firsts)
+
+
+def line_bound(b: float, setting: str) -> float:
+    """What pixels may be off from what is intended, in texels."""
+    b += way(setting).raised * UNIT
+    if setting in PIECES:
+        return b + 2 * PIECES[setting] * UNIT + FLOAT
+    return 1.25 * b + TOLERANCE[setting] + FLOAT
+
+
+def inner_lines(vertices, polygon):
+    """Of each line with pixels inside the exact polygon: y, the line, the exact polygon's first pixel
+    and the one behind its last, and those of the pixels that are in both."""
+    exact = ideal.extents(vertices)
+    for y, line in enumerate(polygon.lines, polygon.top):
+        extent = [-(-n // (d << 16)) for n, d in exact(y)]
+        left, right = max(line.left, extent[0]), min(line.right, extent[1])
+        if left < right:
+            yield y, line, extent, left, right
+
+
+def line_errors(vertices, polygon, tolerance: float = 0.0):
+    """(u or v, line, pixels, found, error, what is intended, bound) of each line inside the exact
+    polygon, in texels, but 16.16 what is found; arrays over the pixels but for the bound; vertices
+    as ``model.adapt`` gives them, in front of the viewer."""
+    p = polygon.perspective
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    bounds = [Bound(vertices, three, key, curve, p)
+              for key, curve in zip((2, 3), curves(vertices))]
+    for y, line, extent, left, right in inner_lines(vertices, polygon):
+        made = ends(p, line.left, line.right, y)
+        inside = line.left >= extent[0], line.right <= extent[1]
+        columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
+        seen = slice(left - line.left, right - line.left)
+        record = polygon.record(line, y)
+        more = (polygon.tables.bound(record) + max(polygon.constants.raised)) * UNIT if record else 0
+        for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
+            error = bound.curve.errors(found[seen], columns, y)
+            if polygon.is_level:
+                b = bound.line(made, y, inside)
+                yield (key, y, columns, found[seen], error, 0 * error,
+                       level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
+                continue
+            if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
+                wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
+                b = bound.line(made, y, inside)
+                allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
+                                  else line_bound(b, polygon.setting))
+            else:  # an end of rounded edges lies behind the viewer
+                wanted, allowed = 0 * error, BOUNDLESS
+            yield key, y, columns, found[seen], error, wanted, allowed
+
+
+def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
+    """Whether a triangle's line is below the exact value where it must not be: at its first pixel, and
+    all along where depth does not change or logarithms draw it."""
+    line = polygon.lines[y - polygon.top]
+    if polygon.is_level:
+        sure = len(error) if not polygon.perspective.q.dx else 0
+    elif polygon.setting == "pixel" and polygon.record(line, y):
+        sure = len(error)
+    else:
+        sure = int(columns[0] == line.left)
+    return bool((error[:sure] < -FLOAT).any())
+
+
+def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
+                size: tuple[int, int], out) -> None:
+    """Judges the texels that are fetched at the pixels of a line; ``off``: what u or v is off there,
+    ``allowed``: what it may be."""
+    side = size["uv".index(key)]
+    each = beside(key, spans.repeated(found, side), found, off, side, left, y)
+    each.judge(allowed, allowed, out)
+
+
+def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges the
+    texels; ``asked``: the material's setting, ``tolerance`` its texels, ``size``: of the map."""
+    for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
+        bent = float(abs(wanted).max())
+        if polygon.setting != asked and bent > tolerance + FLOAT:
+            out.complain(f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
+                         f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
+        k = int(abs(error).argmax())
+        out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
+        if allowed >= BOUNDLESS:
+            continue
+        if len(vertices) == 3 and falls_short(polygon, y, columns, error):
+            out.complain(f"{key} on line {y} is {-error.min():.9f} below the exact value")
+        judge_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
+        off = abs(error - wanted)
+        k = int(off.argmax())
+        out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
+        if off[k] > allowed:
+            out.complain(f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+                         f"setting intends, {allowed:.9f} are allowed")
+
+
+def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
+    """The same of a polygon that is drawn affine though w differs: by its tolerance, or (None)
+    because its planes are not sure; out.unsure counts those."""
+    out.unsure += tolerance is None
+    spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
+    three = [vertices[k] for k in ideal.corners(vertices)]
+    both = curves(vertices)
+    for y, line, _, left, right in inner_lines(vertices, polygon):
+        columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
+        for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
+            values = [v[key] for v in vertices]
+            plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
+            bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
+                spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
+            error = curve.errors(found[seen], columns, y)
+            judge_shown("uv"[key - 2], y, left, found[seen], error, bound, size, out)
+            error = abs(error)
+            k = int(error.argmax())
+            out.note(error[k], bound)
+            out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)
+            if error[k] > bound:
+                out.complain(f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
+                             f"{error[k]:.9f} off, {bound:.9f} are allowed")

@@ -1,0 +1,381 @@
+"""The exact picture of a mesh's faces, and how far what is drawn may be off it.
+
+Exact is everything from the points, s and t of the scene file and a camera in fractions: no number of
+tools/tmap/model/mesh.py comes in. The errors of corners stand in tools/tmap/ideal/mesh.py, what a polygon is off
+from its own vertices in tools/tmap/ideal/bounds.py and tools/tmap/ideal/bounds_perspective.py: this is what is between.
+
+**Pixels.** Every corner of the drawn polygon stands for a place on an exact edge, and is on the screen
+within off_screen of it; an edge of it, between two of them, is off by no more than its ends are, each
+the more the nearer it is. A pixel that is drawn, or left out, against the exact face lies between an
+edge drawn and the exact one: not farther from the former than that, times sqrt(2) for x and y
+together. (Of the borders only the near plane is ever inside the frame.) Edges that are stepped are off
+by another half a unit a line.
+
+**u and v.** At a pixel, with the exact u = N / Q, N and Q being u / w and 1 / w, the function A = N - u Q
+is affine over the screen and 0 at the pixel. Corner i, drawn at (x', y') with u' and w', stands for a
+place (U, W) where A is (U - u) / W. The pixel has the shares l of the three corners that the drawn
+curve runs through, so that curve is off the exact u by the sum of l ((u' - u) / w' - A(x', y')) over q,
+the sum of l / w'. With e the corner's error, f that of its u', and o the one on the screen, what is in
+brackets is at most
+
+    f / w' + (|u' - u| + f) e / (w' (w' - e)) + (|A_x| + |A_y|) o.
+
+Where the planes of 1 / w are not sure enough, polygons are drawn affine (c/polygon/perspective.h): the
+exact u and the drawn one are both in the range of the corners' then, and may be apart as far as that.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+
+import numpy as np
+
+from tmap.base.linear import length, product
+from tmap.compiler.objects import RADIUS
+from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
+from tmap.ideal.ideal import UNIT
+from tmap.model import mesh as model_mesh, model
+from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
+from tmap.setup.texturing import Settings
+
+FLOAT = 1 + 2.0**-24  # this file's own roundings, in proportion
+EXTRA = 24  # bits of exact texels beyond 1/65536
+
+
+@dataclass
+class Camera:
+    """A view's numbers before they are rounded to the file's formats."""
+
+    factors: list[list]  # rows of x, y and w, by the mesh's axes
+    move: list
+    eye: tuple  # in the mesh
+    looks: list[list]  # rows that a normal is multiplied by for s and t of an environment, and a shade
+    guard: int
+    width: int
+    height: int
+    near: Fraction
+
+
+@dataclass
+class Verdict(bounds.Verdict):
+    """What the faces of a frame are off; ``unsure``: faces drawn affine though their depth is not the
+    same everywhere."""
+
+    faces: int = 0  # drawn
+
+    def errors(self, error: np.ndarray, wanted: np.ndarray, bound: np.ndarray, what: str) -> None:
+        """Adds errors; ``wanted``: what the setting intends."""
+        k = int(abs(error).argmax())
+        self.note(abs(error[k]), abs(wanted[k]) + bound[k])
+        ratio = abs(error - wanted) / bound
+        k = int(ratio.argmax())
+        self.texel_ratio = max(self.texel_ratio, float(ratio[k]))
+        if ratio[k] > FLOAT:
+            self.complain(f"{what.format(k)} is {error[k] - wanted[k]:.9f} off the exact face, "
+                          f"{bound[k]:.9f} are allowed")
+
+    def merge(self, other: "Verdict") -> None:
+        """Takes the worse of both."""
+        super().merge(other)
+        self.faces += other.faces
+
+
+def cross(p, q) -> list:
+    """The vector product."""
+    return [p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3] for k in range(3)]
+
+
+def dot(p, q):
+    """The product of two vectors."""
+    return sum(a * b for a, b in zip(p, q))
+
+
+class Face:
+    """A face before the camera: ``corners`` are (x, y, w, u, v, shade), fractions; ``height`` is the eye's
+    over its front, infinite where it is seen from both sides."""
+
+    def __init__(self, camera: Camera, corners: list[tuple], height: float) -> None:
+        self.camera, self.corners, self.height = camera, corners, height
+        self.lines: dict[int, list[np.ndarray]] = {}
+        #: What a ray (x / w, y / w, 1) is to be multiplied by: u / w, v / w and 1 / w.
+        self.rows: list[list[Fraction]] | None = None
+        most = 0
+        for a, b in zip(corners[1:], corners[2:]):
+            three = corners[0], a, b
+            opposite = [cross(a, b), cross(b, corners[0]), cross(corners[0], a)]
+            whole = dot(opposite[0], corners[0])
+            if abs(whole) > most:
+                most = abs(whole)
+                self.rows = [[dot(values, column) / whole for column in zip(*opposite)]
+                             for values in (*zip(*(p[3:5] for p in three)), (1, 1, 1))]
+
+    def is_flat(self) -> bool:
+        """Whether every corner lies on the plane, u and v too."""
+        return self.rows is None or all(
+            dot(row, corner[:3]) == value for corner in self.corners
+            for row, value in zip(self.rows, (*corner[3:5], 1)))
+
+    @cached_property
+    def extents(self) -> dict[int, tuple[int, int]]:
+        """{line: (first pixel, end)} of what is before the near plane, in the frame."""
+        c, found = self.camera, {}
+        outline = [tuple(ONE * p for p in ideal_mesh.screen(c.guard, c.width, c.height, *v[:3]))
+                   for v in ideal_mesh.clip(self.corners, c.near)]
+        if len(outline) < 3 or self.rows is None:
+            return found
+        ends = [math.ceil(f(y for _, y in outline) / ONE) for f in (min, max)]
+        for line in range(max(ends[0], 0), min(ends[1], c.height)):
+            first, end = (min(max(math.ceil(Fraction(n) / d / ONE), 0), c.width)
+                          for n, d in ideal.extent(outline, line))
+            if first < end:
+                found[line] = first, end
+        return found
+
+    def along(self, row: list[Fraction], line: int) -> tuple[Fraction, Fraction]:
+        """A row on a line of the screen: its value at pixel 0, what it grows by a pixel."""
+        c = self.camera
+        aside, down = (Fraction(part, 1 << c.guard) for part in row[:2])
+        return aside * Fraction(-c.width, 2) + down * (line - Fraction(c.height, 2)) + row[2], aside
+
+    def texels(self, line: int, first: int, end: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """u and v of a line's pixels in units of 1/65536, object arrays of EXTRA bits more, and 1 / w."""
+        rows = [self.along(row, line) for row in self.rows]
+        common = math.lcm(*(n.denominator for row in rows for n in row))
+        (ua, ub), (va, vb), (qa, qb) = ([int(n * common) for n in row] for row in rows)
+        near = [qa + qb * i for i in range(first, end)]
+        u, v = (np.array([((a + b * i) << 16 + EXTRA) // q for i, q in enumerate(near, first)], object)
+                for a, b in ((ua, ub), (va, vb)))
+        return u, v, np.array([q / common for q in near])
+
+    def values(self, line: int) -> list[np.ndarray]:
+        """u and v of all pixels of a line, float64 texels; worked out once: every way to draw the
+        face asks for them."""
+        if line not in self.lines:
+            self.lines[line] = [np.array([n / (1 << 16 + EXTRA) for n in c])
+                                for c in self.texels(line, *self.extents[line])[:2]]
+        return self.lines[line]
+
+
+def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) -> list[Face]:
+    """An instance's faces before the exact camera; ``longer``: side of its map, texels."""
+    mesh, made = scene.meshes[instance.mesh], []
+    points = scene.points[mesh.point:mesh.point + mesh.points].tolist()
+    places = [ideal_mesh.camera(camera.factors, camera.move, point) for point in points]
+    normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
+    for row in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
+        corners, first = [], mesh.corner + row[4]
+        rows = scene.corners[first:first + row[5]].tolist()
+        for point, normal, *texels in rows:
+            looks = [dot(look, normals[normal][:3]) / UNIT_14 for look in camera.looks]
+            if instance.flags & ENVIRONMENT:
+                texels = [min(max(128 + look, 0), 256) * ONE for look in looks[:2]]
+            shade = min(max(Fraction(instance.dark, ONE) + looks[2], Fraction(instance.dark, ONE)),
+                        Fraction(instance.bright, ONE))
+            corners.append((*places[point], *(Fraction(c) * longer / (256 * ONE) for c in texels), shade))
+        ring = [[Fraction(c, ONE) for c in points[corner[0]]] for corner in rows]
+        ways = [[a - b for a, b in zip(p, ring[0])] for p in ring]
+        normal = [sum(part) for part in zip(*(cross(p, q) for p, q in zip(ways[1:], ways[2:])))]
+        over = dot(normal, [Fraction(e) - p for e, p in zip(camera.eye, ring[0])])
+        size = math.sqrt(float(dot(normal, normal)))
+        made.append(Face(camera, corners, float(over) / size if any(row[:3]) else math.inf))
+    return made
+
+
+def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[list[tuple], bool]:
+    """The model's polygon of one face in a frame, (x, y, s, t, shade, w), empty where there is none; and
+    whether a corner of the face is outside a border."""
+    mesh, first, count = scene.meshes[instance.mesh], row[4], row[5]
+    corners = scene.corners[mesh.corner + first:mesh.corner + first + count].copy()
+    points, normals = scene.points[mesh.point + corners[:, 0]], scene.normals[mesh.normal + corners[:, 1]]
+    corners[:, 0] = corners[:, 1] = np.arange(count)
+    alone = replace(scene, points=points, normals=normals, corners=corners,
+                    faces=np.array([[*row[:4], 0, count]]),
+                    meshes=[Mesh(0, count, 0, count, 0, count, 0, 1)])
+    found = model_mesh.faces_of(alone, replace(instance, mesh=0), number)
+    view = scene.views[instance.view + number - instance.first_frame].tolist()
+    cut = any(p.screen is None for p in model_mesh.transform(scene, points.tolist(), view))
+    return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
+
+
+def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
+    """Whether a pixel is as near to a drawn edge as the exact one may be; ``off``: of each vertex."""
+    here = np.array(pixel, float)
+    places = [np.array(v[:2], float) * UNIT for v in vertices]
+    for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):
+        side = length(b - a)
+        part = float(product(here - a, b - a)) / (side * side) if side else 0.0
+        part = min(max(part, 0.0), 1.0)
+        most = max(off_a, off_b)
+        # The exact edge's place beside this one is as far along it but for the ends' own errors.
+        doubt = min(2 * most / (side - 2 * most), 1.0) if side > 2 * most else 1.0
+        allowed = min(part * off_b + (1 - part) * off_a + doubt * abs(off_a - off_b), most)
+        if length(a + part * (b - a) - here) <= math.sqrt(2) * allowed * FLOAT:
+            return True
+    return False
+
+
+def shares(three, first: int, count: int, line: int) -> np.ndarray:
+    """[corner][pixel]: the shares of three corners in pixels of a line."""
+    (x0, y0), (x1, y1), (x2, y2) = (v[:2] for v in three)
+    whole = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+    x, y, k = (first << 16) - x0, (line << 16) - y0, np.arange(count)
+    second = (x * (y2 - y0) - (x2 - x0) * y) / whole + k * (((y2 - y0) << 16) / whole)
+    third = ((x1 - x0) * y - x * (y1 - y0)) / whole - k * (((y1 - y0) << 16) / whole)
+    return np.array([1 - second - third, second, third])
+
+
+def curve_bound(face: Face, three, key: int, columns: np.ndarray, line: int, exact: np.ndarray,
+                errors: tuple[float, float, list[float]]) -> np.ndarray:
+    """What the curve through three drawn corners may be off the exact one, texels. ``key``: 2 for u, 3
+    for v; ``errors``: of a corner's place, of its u, and of each corner on the screen."""
+    e, f, off = errors
+    l = shares(three, int(columns[0]), len(columns), line)
+    scale = 2.0**face.camera.guard
+    slope = sum(abs(float(face.rows[key - 2][k]) / scale - exact * (float(face.rows[2][k]) / scale))
+                for k in (0, 1))
+    total, q = np.zeros(len(columns)), np.zeros(len(columns))
+    for share, corner, o in zip(l, three, off):
+        w = corner[4] * UNIT
+        way = abs(corner[key] * UNIT - exact) + f
+        total += abs(share) * (f / w + way * e / (w * (w - e)) + slope * o)
+        q += share / w
+    return np.where(q > 0, total / np.where(q > 0, q, 1), np.inf) * FLOAT
+
+
+def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
+    """(key, line, columns, error, what is intended, bound, the drawn curve's values) against the curve or
+    plane of the drawn vertices; texels."""
+    if polygon.perspective:
+        curves = perspective.curves(adapted)
+        for noun, y, columns, _, error, wanted, allowed in bounds_perspective.line_errors(adapted, polygon):
+            key = 2 + "uv".index(noun)
+            yield key, y, columns, error, wanted, allowed + 0 * error, curves[key - 2].values(columns, y)
+        return
+    t, three = polygon.texturing, [adapted[k] for k in ideal.corners(adapted)]
+    planes = [ideal.Plane([v[:2] for v in three], [v[key] for v in three]) for key in (2, 3)]
+    for y, line in enumerate(polygon.lines, polygon.top):
+        columns = np.arange(line.left, line.right)
+        for key, plane, found in zip((2, 3), planes, model.coordinates(line)) if len(columns) else ():
+            bound = np.array([plane.bound(i, y, t, t.cuts[key - 2]) for i in columns.tolist()])
+            first = float(plane.at(line.left << 16, y << 16)) * UNIT
+            yield (key, y, columns, plane.errors(found, columns, y), 0 * bound, bound,
+                   first + (columns - line.left) * (plane.nx / plane.d))
+
+
+def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdict) -> None:
+    """Adds u and v of all pixels that both the exact face and the drawn one have; ``errors``: as
+    ``curve_bound`` takes them, but of all corners."""
+    order, (e, f, off) = ideal.corners(adapted), errors
+    three, errors = [adapted[k] for k in order], (e, f, [off[k] for k in order])
+    flattened = not polygon.perspective and len({v[4] for v in adapted}) > 1
+    out.unsure += flattened
+    for key, y, *arrays in drawn_errors(adapted, polygon):
+        first, end = face.extents.get(y, (0, 0))
+        inside = (arrays[0] >= first) & (arrays[0] < end)
+        if not inside.any():
+            continue
+        columns, error, wanted, allowed, values = (a[inside] for a in arrays)
+        exact = face.values(y)[key - 2][int(columns[0]) - first:int(columns[-1]) + 1 - first]
+        if flattened:
+            ends = [v[key] * UNIT for v in adapted]
+            bound = allowed + max(ends) - min(ends) + 2 * f
+        else:
+            bound = allowed + curve_bound(face, three, key, columns, y, exact, errors)
+        out.errors(error + values - exact, wanted, bound, f"{'uv'[key - 2]}, pixel {{}} of those from "
+                   f"({columns[0]}, {y}) on,")
+
+
+def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[float],
+                 out: Verdict) -> None:
+    """Adds the pixels that are drawn or left out against the exact face."""
+    drawn = {polygon.top + k: (line.left, line.right)
+             for k, line in enumerate(polygon.lines)} if polygon else {}
+    for y in drawn.keys() | face.extents.keys():
+        ours, exact = (range(*ends.get(y, (0, 0))) for ends in (drawn, face.extents))
+        wrong = set(ours) ^ set(exact)
+        out.coverage_errors += len(wrong)
+        for x in sorted(wrong):
+            if not near_an_edge((x, y), vertices, off):
+                out.complain(f"has pixel ({x}, {y}) {'drawn' if x in ours else 'left out'}, far from "
+                             "all edges")
+
+
+def judge_looks(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
+    """Adds what normals made of the corners of a face that is not cut."""
+    light = face.camera.looks[2]
+    columns = [(2, 3, RADIUS, longer / 256), (3, 4, RADIUS, longer / 256)]
+    columns = columns * bool(instance.flags & ENVIRONMENT)
+    if instance.flags & LIT:
+        columns.append((4, 5, math.sqrt(float(dot(light, light))), 1))
+    for ours, exact, radius, scale in columns:
+        error = np.array([v[ours] * UNIT * scale - float(c[exact])
+                          for v, c in zip(vertices, face.corners, strict=True)])
+        bound = np.full(len(error), ideal_mesh.look_error(radius) * scale)
+        out.errors(error, 0 * error, bound, f"{('s', 't', 'the shade')[ours - 2]} of corner {{}}")
+
+
+def judge_face(scene, instance: Instance, row: list[int], number: int, face: Face) -> Verdict:
+    """Holds one face of a frame to its bounds; ``row``: of the table of faces."""
+    out, material, camera = Verdict(), scene.materials[instance.material], face.camera
+    mesh = scene.meshes[instance.mesh]
+    reach = float(abs(scene.points[mesh.point:mesh.point + mesh.points]).max()) / ONE
+    (vertices, cut), polygon = drawn_face(scene, instance, row, number), None
+    doubt = ideal_mesh.seen_error(camera.eye, reach)
+    if vertices:
+        out.faces, polygon = 1, model.prepare_polygon(scene, instance.material, vertices)
+        out.pixels = polygon.pixels if polygon else 0
+        if face.height < -doubt:
+            out.complain(f"is drawn, though the eye is {-face.height} behind its plane")
+            return out
+    elif face.height <= doubt:
+        if face.height > 0:
+            out.coverage_errors = sum(end - first for first, end in face.extents.values())
+        return out
+    settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                        material.perspective, material.mapper)
+    e = ideal_mesh.corner_error(reach, cut)
+    off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
+    if settings.edges != "integer" and settings.clip == "scissor":
+        stepped = (camera.height + 1) * UNIT / 2 if settings.edges == "subpixel" else 0.0
+        judge_pixels(face, vertices, polygon, [o + stepped for o in off], out)
+    if not polygon:
+        return out
+    longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+    if not cut:
+        judge_looks(instance, vertices, face, longer, out)
+    if settings.perspective != "none":
+        f = ideal_mesh.look_error(RADIUS) if instance.flags & ENVIRONMENT else 0.0
+        f = (f + ideal_mesh.CUT * cut) * longer / 256 + UNIT * (longer != 256)
+        judge_texels(face, model.adapt(vertices, settings, longer), polygon, (e, f, off), out)
+    return out
+
+
+def judge(scene, number: int, instance: Instance, faces: list[Face]) -> Verdict:
+    """Holds all faces of an instance in a frame to their bounds."""
+    out, mesh = Verdict(), scene.meshes[instance.mesh]
+    rows = scene.faces[mesh.face:mesh.face + mesh.faces].tolist()
+    for k, (row, face) in enumerate(zip(rows, faces, strict=True)):
+        if not face.is_flat():
+            raise ValueError(f"face {k} does not lie on a plane")
+        found = judge_face(scene, instance, row, number, face)
+        if found.complaint:
+            found.complaint = f"face {k} {found.complaint}"
+        out.merge(found)
+    return out
+
+
+def picture(camera: Camera, faces: list[Face], colour) -> np.ndarray:
+    """int16 (height, width): what faces exactly show, at each pixel the nearest one, -1 beside them;
+    ``colour``: of arrays of whole texels u and v."""
+    frame = np.full((camera.height, camera.width), -1, np.int16)
+    nearest = np.zeros(frame.shape)
+    for face in faces:
+        for y, (first, end) in face.extents.items() if face.height > 0 else ():
+            u, v, near = face.texels(y, first, end)
+            shown = near > nearest[y, first:end]
+            values = colour(*((c >> 16 + EXTRA).astype(np.int64) for c in (u, v)))
+            frame[y, first:end][shown] = values[shown]
+            nearest[y, first:end][shown] = near[shown]
+    return frame

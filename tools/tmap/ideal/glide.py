@@ -1,0 +1,174 @@
+"""What the texture unit is meant to draw: exact perspective, unquantised filters, true levels.
+
+s and t are quotients of two planes over the screen, so which texel a pixel lies in is decided in
+integers; fractions, levels and colours are float64. A fraction is a quotient rounded once, and
+colours change by 255 a texel at most, so that one filtered is off by less than 2^-40. A level is
+the logarithm of two rounded quotients' length, below 64 in size and off by less than 2^-45, of
+which colours between two levels change by 255 times as much: less than 2^-36 altogether. What a
+unit draws is then off for its own reasons: weights of 4 or 8 bits, a level whose w does not
+change inside a pixel, sums and products cut to 8 bits.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tmap.base.elementary import log2
+from tmap.base.errors import UserError
+from tmap.base.fixed import ONE
+from tmap.glide.combine import ALPHA
+from tmap.glide.coordinates import sides, within
+from tmap.glide.state import (DETAIL, LAST_LEVEL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, ONE_W,
+                              OTHER_ALPHA, Combination, Modes, Unit)
+from tmap.glide.texels import fetch, owns
+from tmap.ideal.ideal import Plane, corners
+from tmap.ideal.texels import Coordinate, bilinear, scaled
+
+TO_WHOLE = 12  # s/w of 14.18 over 1/w of 2.30 is s over 2^12
+FILTERS = ("point", "bilinear", "trilinear")
+
+
+class Corner(NamedTuple):
+    """A polygon's corner: ``x``, ``y``: 16.16; ``s``, ``t``: s/w and t/w, 14.18; ``w``: 1/w,
+    2.30."""
+
+    x: int
+    y: int
+    s: int
+    t: int
+    w: int = ONE_W
+
+
+class Surface:
+    """The exact s and t of a planar polygon; ``perspective``: divided by 1/w."""
+
+    def __init__(self, polygon: list[Corner], perspective: bool):
+        three = [polygon[k] for k in corners(polygon)]
+        points = [corner[:2] for corner in three]
+        self.over = [Plane(points, [corner[k] for corner in three]) for k in (2, 3)]
+        self.inverse = Plane(points, [c.w if perspective else ONE_W for c in three])
+        if not self.inverse.d:
+            raise UserError("ideal: the polygon has no area")
+
+    def terms(self, x: np.ndarray, y: np.ndarray) -> list[np.ndarray]:
+        """s/w, t/w and 1/w at pixels [n] in the same proportion to their units, objects."""
+        found = []
+        for plane in (*self.over, self.inverse):
+            rise = (np.asarray(x).astype(object) * ONE - plane.x0) * plane.nx
+            rise = rise + (np.asarray(y).astype(object) * ONE - plane.y0) * plane.ny
+            found.append((rise + plane.value0 * plane.d) * (1 if plane.d > 0 else -1))
+        if (found[-1] <= 0).any():
+            raise UserError("ideal: a pixel lies behind the viewer")
+        return found
+
+    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
+        """s and t at pixels [n], in units of which the longer side has 256, exact."""
+        *overs, inverse = self.terms(x, y)
+        found = []
+        for over in overs:
+            index = (over << TO_WHOLE) // inverse
+            rest = (over << TO_WHOLE) - index * inverse
+            found.append(Coordinate(index.astype(np.int64), (rest / inverse).astype(np.float64)))
+        return tuple(found)
+
+    def level(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """The true level of detail at pixels [n]: of the longer one of how far s and t go to the
+        right and down, from their derivatives there. Minus infinity where they stand still."""
+        *overs, inverse = self.terms(x, y)
+        lengths = []
+        for name in ("nx", "ny"):
+            steps = [getattr(plane, name) * ONE * (1 if plane.d > 0 else -1)
+                     for plane in (*self.over, self.inverse)]
+            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / (inverse * inverse))
+                      for step, over in zip(steps[:2], overs)]
+            across, down = (slope.astype(np.float64) for slope in slopes)
+            lengths.append(np.sqrt(across * across + down * down))
+        return log2(np.maximum(*lengths))
+
+
+def limited(modes: Modes, level: np.ndarray) -> np.ndarray:
+    """A level with its bias, within the limits."""
+    most = min(modes.lod_max / 4, LAST_LEVEL)
+    return np.minimum(np.maximum(level + modes.lod_bias / 4, modes.lod_min / 4), most)
+
+
+def sample_level(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray,
+                 linear: bool) -> np.ndarray:
+    """Colours [n, 4], float64 0..255, of whole levels [n]; ``linear``: weighed by exact fractions
+    between texels' centres, else the texel in which a pixel lies."""
+    modes, level = unit.modes, np.broadcast_to(level, s.index.shape)
+    if not all(owns(modes, n) for n in np.unique(level)):
+        raise UserError("ideal: the map lacks a level")
+    found = np.zeros((s.index.size, 4))
+    for n in np.unique(level).tolist():
+        here, axes = level == n, []
+        for axis, (c, clamp) in enumerate(((s, modes.clamp_s), (t, modes.clamp_t))):
+            c = scaled(Coordinate(c.index[here], c.fraction[here]), n)
+            moved = c.fraction - linear / 2
+            down = np.floor(moved).astype(np.int64)
+            side = sides(modes, axis)[n]
+            axes.append([within(c.index + down + k, side, clamp) for k in (0, 1)])
+            axes.append(moved - down)
+        (i, fs), (j, ft), at = axes[:2], axes[2:], level[here]
+        if linear:
+            texels = [fetch(unit, at, a, b) for b in j for a in i]
+            found[here] = bilinear(texels, fs, ft)
+        else:
+            found[here] = fetch(unit, at, i[0], j[0])
+    return found
+
+
+def sample(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray, how: str,
+           other_levels: Unit | None = None) -> np.ndarray:
+    """Colours [n, 4], float64 0..255, at levels [n] within 0..8; ``how``: one of FILTERS.
+
+    Point and bilinear samples are of the level below, as the unit takes them; trilinear ones lie
+    between that and the next. ``other_levels``: the unit that has what this one's map lacks.
+    """
+    if how not in FILTERS:
+        raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
+    whole = np.floor(level).astype(np.int64)
+
+    def one(n: np.ndarray) -> np.ndarray:
+        has = np.array([owns(unit.modes, k) for k in range(LAST_LEVEL + 1)])[n]
+        found = np.zeros((n.size, 4))
+        for each, here in ((unit, has), (other_levels or unit, ~has)):
+            at = [Coordinate(c.index[here], c.fraction[here]) for c in (s, t)]
+            found[here] = sample_level(each, *at, n[here], how != "point")
+        return found
+
+    fine = one(whole)
+    if how != "trilinear":
+        return fine
+    coarse = one(np.minimum(whole + 1, LAST_LEVEL))
+    return fine + (level - whole)[:, None] * (coarse - fine)
+
+
+def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
+           local: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """What a half of the combine unit multiplies by, 0..1: colours count of 255, levels and
+    detail as they are."""
+    near = np.maximum(modes.detail_bias - level, 0) * 2.0 ** modes.detail_scale / 256
+    choice = {LOCAL: own / 255, OTHER_ALPHA: other[:, ALPHA:] / 255,
+              LOCAL_ALPHA: local[:, ALPHA:] / 255, LOD_FRACTION: (level % 1)[:, None],
+              DETAIL: np.minimum(near, modes.detail_max / 255)[:, None]}
+    found = choice.get(half.mselect, np.zeros((1, 1)))
+    odd = np.floor(level).astype(np.int64) & modes.trilinear
+    return np.where((odd == half.reverse)[:, None], 1 - found, found)
+
+
+def combined(modes: Modes, level: np.ndarray, local: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Colours [n, 4], 0..255, that are meant to leave the unit. ``level``: [n]; ``local``,
+    ``other``: [n, 4]."""
+    parts = []
+    for half, channels in ((modes.rgb, slice(0, ALPHA)), (modes.alpha, slice(ALPHA, 4))):
+        own, alpha = local[:, channels], local[:, ALPHA:]
+        made = other[:, channels] * (1 - half.zero_other) - own * half.sub_local
+        made = made * factor(modes, half, level, own, local, other)
+        if channels.start == ALPHA:
+            made = made + alpha * (half.add_local | half.add_alpha_local)
+        else:
+            made = made + own * half.add_local + alpha * half.add_alpha_local
+        made = np.clip(made, 0, 255)
+        parts.append(255 - made if half.invert else made)
+    return np.concatenate(parts, -1)

@@ -1,0 +1,322 @@
+"""The exact rational ideal of a polygon, and what the renderer may be off from it.
+
+Nothing here is rounded: edges are intersected and the texture plane is evaluated in
+integers over one common denominator. It shares no arithmetic with tools/tmap/model/model.py.
+
+A pixel (i, j) is inside when ceil(left) <= i < ceil(right) and ceil(top) <= j <
+ceil(bottom), left and right being the polygon's exact extent on line j. The texture
+plane runs through the top vertex, the bottom vertex and the vertex farthest from the
+line between them (three vertices do for a polygon whose texture is planar; others are
+judged as their triangles, see tools/tmap/ideal/planarity.py).
+
+The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
+
+* Edge, n lines below its first in the frame: its x starts at the nearest unit (1/2) and
+  steps by a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
+* Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
+  many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
+  1/2^32: e(g) = |g| / 2^31 + 3/2^32.
+* Step: the gradient rounded to a multiple of 1/2^16 texel, or of as many units as the spans do not
+  keep: 2 for u where its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
+  for levels of light. That is d(g) = |g - the nearest one| + 2 e(g) a pixel, by e(g) or 2 e(g) of
+  which the other of two equally near ones may be taken.
+* Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each rounded
+  to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
+* So at pixel (i, j), before u is raised: that of the reference, and |i - i_ref| steps in x and
+  |j - j_ref| steps in y.
+* u is raised by what these are at most anywhere in the box: with w and h the ways from the reference
+  to the box's sides and a = |x| + |y| + w + h + 2, by w d(gx) + h d(gy) + 3/2^16 + (|gx| + |gy| + 5) a
+  2/2^32 at most, then to a multiple: by less than that, and by 1/2^16 where the free bit is set.
+
+So a drawn value is never below the exact one, and above it by the sum of the last two points at most.
+Where a gradient is 2^30 texels a pixel or more it may be below as well.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache, lru_cache, partial
+from math import inf
+
+import numpy as np
+
+from tmap.model import model
+from tmap.model.model import Polygon, Settings
+
+UNIT = 1 / 65536
+
+
+@dataclass
+class Deviation:
+    """The worst found over some polygons, each as error / bound, and in its own unit."""
+
+    edge: float = 0.0  # pixels
+    edge_ratio: float = 0.0
+    texel: float = 0.0  # texels
+    texel_ratio: float = 0.0
+    coverage_errors: int = 0  # pixels lit or left out against the ideal
+    pixels: int = 0
+
+    def merge(self, other: "Deviation") -> None:
+        """Takes the worse of both."""
+        self.edge = max(self.edge, other.edge)
+        self.edge_ratio = max(self.edge_ratio, other.edge_ratio)
+        self.texel = max(self.texel, other.texel)
+        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
+        self.coverage_errors += other.coverage_errors
+        self.pixels += other.pixels
+
+
+def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Exact left and right x on a line, each as (numerator, denominator > 0), 16.16."""
+    y = line << 16
+    found = []
+    for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
+        if y0 > y1:
+            x0, y0, x1, y1 = x1, y1, x0, y0
+        if y0 <= y <= y1 and y0 < y1:
+            found.append((x0 * (y1 - y0) + (x1 - x0) * (y - y0), y1 - y0))
+        elif y0 == y == y1:
+            found += [(x0, 1), (x1, 1)]
+
+    def below(a, b):
+        return a[0] * b[1] < b[0] * a[1]
+
+    left = right = found[0]
+    for x in found[1:]:
+        left = x if below(x, left) else left
+        right = x if below(right, x) else right
+    return left, right
+
+
+@lru_cache(64)
+def extents_of(outline: tuple) -> Callable:
+    """``extent`` of the lines of an outline, each worked out once: its drawings by other settings
+    ask again."""
+    return cache(partial(extent, outline))
+
+
+def extents(vertices) -> Callable:
+    """``extent`` of a line, of these vertices."""
+    return extents_of(tuple(tuple(v[:2]) for v in vertices))
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """An edge where it crosses a line: its ends (x, y, ...), the line, and the exact x as
+    numerator / denominator; all 16.16 but the line."""
+
+    upper: tuple
+    lower: tuple
+    line: int
+    numerator: int
+    denominator: int
+
+    @property
+    def column(self) -> int:
+        """The first pixel at or right of the edge."""
+        return -(-self.numerator // (self.denominator << 16))
+
+    def distance(self, column: int) -> Fraction:
+        """From a pixel's centre to the edge, along the line; units."""
+        return abs(Fraction(self.numerator, self.denominator) - (column << 16))
+
+    def slack(self, settings: Settings, width: int, height: int) -> Fraction:
+        """How far from here the renderer's edge may be: (n + 1) / 2 units where it is
+        stepped, and what cutting vertices moves. A cut at a border of the frame's columns
+        moves a vertex by half a unit down or up, so the edge by half a slope along the
+        line; a cut at one of its lines by half a unit along the line. Later cuts start
+        from the moved edge: the ways add up."""
+        slack = Fraction(0)
+        if settings.edges != "exact":
+            slack += Fraction(self.line - max(-(-self.upper[1] // 65536), 0) + 1, 2)
+        if settings.clip == "vertices" and settings.edges != "exact":
+            slope = Fraction(abs(self.lower[0] - self.upper[0]), self.denominator)
+            for axis, limit, move in ((0, width, slope), (1, height, 1)):
+                ends = sorted((self.upper[axis], self.lower[axis]))
+                slack += sum(ends[0] < at < ends[1] for at in (-65536, limit << 16)) * move / 2
+        return slack
+
+    def near(self, column: int, settings: Settings, width: int, height: int) -> bool:
+        """Whether the renderer's edge may have a pixel on the other side than this one has."""
+        slack = self.slack(settings, width, height)
+        return slack > 0 and self.distance(column) <= slack
+
+
+def crossings(vertices, line: int) -> list[Crossing]:
+    """The edges of a polygon, convex or not, that cross a line: an edge's lines are those
+    at or below its upper vertex and above its lower one."""
+    found = []
+    for a, b in zip(vertices, [*vertices[1:], vertices[0]]):
+        upper, lower = (a, b) if a[1] < b[1] else (b, a)
+        if upper[1] <= line << 16 < lower[1]:
+            height = lower[1] - upper[1]
+            x = upper[0] * height + (lower[0] - upper[0]) * ((line << 16) - upper[1])
+            found.append(Crossing(upper, lower, line, x, height))
+    return found
+
+
+def coverage(outline, width: int, height: int) -> np.ndarray:
+    """How often each pixel of a frame lies in a polygon, convex or not: int, [y][x]."""
+    counts = np.zeros((height, width + 1), int)
+    ys = [v[1] for v in outline]
+    for y in range(max(-(-min(ys) // 65536), 0), min(-(-max(ys) // 65536), height)):
+        columns = sorted(min(max(c.column, 0), width) for c in crossings(outline, y))
+        for left, right in zip(columns[::2], columns[1::2]):
+            counts[y, left] += 1
+            counts[y, right] -= 1
+    return counts.cumsum(axis=1)[:, :width]
+
+
+def corners(vertices) -> tuple[int, int, int]:
+    """Top, bottom and the vertex farthest from the line between them, as indices."""
+    order = sorted(range(len(vertices)), key=lambda k: (vertices[k][1], vertices[k][0]))
+    top = order[0]
+    lowest = vertices[order[-1]][1]
+    bottom = min((k for k in order if vertices[k][1] == lowest), key=lambda k: vertices[k][0])
+    (ax, ay, *_), (bx, by, *_) = vertices[top], vertices[bottom]
+
+    def distance(k):
+        x, y, *_ = vertices[k]
+        return abs((bx - ax) * (y - ay) - (x - ax) * (by - ay))
+
+    return top, bottom, max(order, key=lambda k: (distance(k), -vertices[k][1], -vertices[k][0]))
+
+
+class Plane:
+    """One coordinate's plane over the screen, exact: (n0 + nx x + ny y) / d, 16.16."""
+
+    def __init__(self, points, values) -> None:
+        (x0, y0), (x1, y1), (x2, y2) = points
+        self.d = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+        self.nx = (values[1] - values[0]) * (y2 - y0) - (values[2] - values[0]) * (y1 - y0)
+        self.ny = (x1 - x0) * (values[2] - values[0]) - (x2 - x0) * (values[1] - values[0])
+        self.x0, self.y0, self.value0 = x0, y0, values[0]
+
+    def at(self, x: int, y: int) -> Fraction:
+        """The exact value at a point; all in units."""
+        return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
+
+    def texels(self, first: int, end: int, j: int) -> list[int]:
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels rounded down."""
+        rise = self.nx * ((first << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
+        start = self.value0 * self.d + rise
+        return [(start + k * (self.nx << 16)) // (self.d << 16) for k in range(end - first)]
+
+    def error(self, found: int, i: int, j: int) -> float:
+        """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""
+        rise = self.nx * ((i << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
+        error = ((found - self.value0) * self.d - rise) % (abs(self.d) << 32)
+        if error >= abs(self.d) << 31:
+            error -= abs(self.d) << 32
+        return error / self.d * UNIT
+
+    def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
+        """``error`` of the pixels ``columns`` of line j, next to each other; the first is
+        exact, the others are rounded to some 1/2^30 texel."""
+        moved = (found - found[0] + (1 << 31)) % (1 << 32) - (1 << 31)
+        exact = (columns - columns[0]) * (self.nx / self.d)
+        error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
+        return (error + 32768) % 65536 - 32768
+
+    @staticmethod
+    def cut(gradient: float) -> float:
+        """e(g): how far a gradient may be off before it is rounded to a step."""
+        return abs(gradient) / 2**31 + 3 / 2**32
+
+    def rounding(self, cut: int) -> list[float]:
+        """What steps to a pixel and a line are off at most, in texels; ``cut``: low bits that are 0."""
+        whole, found = abs(self.d) << cut, []
+        for n in (self.nx, self.ny):
+            rest = (n << 16) % whole
+            found.append(min(rest, whole - rest) / abs(self.d) * UNIT + 2 * self.cut(n / self.d))
+        return found
+
+    def raised(self, t: model.Texturing, cut: int) -> float:
+        """What a set-up raises the values by at most, in texels; ``cut``: low bits that are 0."""
+        ways = t.i - t.box[0], t.j - t.box[1]
+        away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
+        steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
+        steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
+        return steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
+
+    def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
+        """How far above the exact value a set-up's may be at pixel (i, j), in texels."""
+        ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
+        away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
+        right, down = self.rounding(cut)
+        return self.raised(t, cut) + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
+
+    def below(self) -> bool:
+        """Whether a set-up's value may be below the exact one as well."""
+        return max(abs(self.nx), abs(self.ny)) >= abs(self.d) << 30
+
+
+class Picture:
+    """What a convex polygon should be in a frame: extents {line: (first pixel, end)}, how many
+    pixels, and the planes of u and v."""
+
+    def __init__(self, vertices, width: int, height: int) -> None:
+        self.extents = {}
+        ys = [v[1] for v in vertices]
+        for y in range(max(-(-min(ys) // 65536), 0), min(-(-max(ys) // 65536), height)):
+            ends = [min(max(-(-n // (d << 16)), 0), width) for n, d in extent(vertices, y)]
+            if ends[0] < ends[1]:
+                self.extents[y] = tuple(ends)
+        self.pixels = sum(end - first for first, end in self.extents.values())
+        three = [vertices[k] for k in corners(vertices)]
+        self.planes = [Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
+        self.endless = True  # planes go on beyond the polygon
+
+
+def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:
+    """(first pixel, line, error, bound) of every edge on every line, in pixels. For stepped
+    edges: exact ones have no error."""
+    exact = extents(vertices)
+    for side, edges in enumerate((polygon.left_edges, polygon.right_edges)):
+        for edge in edges:
+            for y in range(edge.top, edge.end):
+                numerator, denominator = exact(y)[side]
+                error = abs(edge.at(y) * denominator - numerator) / denominator * UNIT
+                yield edge.column(y), y, error, (y - edge.top + 1) * UNIT / 2
+
+
+def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, float, float]]:
+    """(coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
+    line, in texels; none may be below 0. Along a line both are linear, so the ends show the
+    worst."""
+    plane = polygon.texturing
+    three = [vertices[k] for k in corners(vertices)]
+    points = [v[:2] for v in three]
+    exact = [Plane(points, [v[k] for v in three]) for k in (2, 3)]
+    for y, line in enumerate(polygon.lines, polygon.top):
+        if line.right <= line.left:
+            continue
+        for name, coordinate, found, cut in zip("uv", exact, model.coordinates(line), plane.cuts):
+            for k, i in ((0, line.left), (-1, line.right - 1)):
+                yield (name, i, y, coordinate.error(int(found[k]), i, y),
+                       coordinate.bound(i, y, plane, cut))
+
+
+def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
+    """Pixels of the polygon's lines that are lit or left out against the ideal."""
+    wrong, exact = 0, extents(vertices)
+    for y, line in enumerate(polygon.lines, polygon.top):
+        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in exact(y))
+        if line.right > line.left or right > left:
+            wrong += abs(line.left - left) + abs(line.right - right)
+    return wrong
+
+
+def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
+    """How far a set-up polygon (the model's) is from the ideal."""
+    out = Deviation(coverage_errors=coverage_errors(vertices, polygon, width),
+                    pixels=polygon.pixels)
+    if not polygon.left_edges[0].exact:
+        for _, _, error, bound in edge_errors(vertices, polygon):
+            out.edge, out.edge_ratio = max(out.edge, error), max(out.edge_ratio, error / bound)
+    if polygon.texturing:
+        for *_, error, bound in texel_errors(vertices, polygon):
+            out.texel = max(out.texel, abs(error))
+            out.texel_ratio = max(out.texel_ratio, error / bound if error >= 0 else inf)
+    return out

@@ -1,0 +1,198 @@
+"""What the texture unit is meant to draw: exact perspective and filters with exact fractions.
+
+Coordinates are quotients of two planes over the screen (tmap.ideal.perspective), so which
+texel a pixel lies in, and in which triangle of four, is decided in integers; colours are float64.
+The colour a mode draws is then off from this for the hardware's reasons: coordinates of 5
+fraction bits, the reciprocal's table, colours of 8 bits.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.base.fixed import ONE
+from tmap.ideal.ideal import corners
+from tmap.ideal.perspective import Curve
+from tmap.ideal.texels import Coordinate, bilinear, scaled
+from tmap.n64.combiner import ALPHA, ALPHA_NAMES, RGB, RGB_NAMES, names
+from tmap.n64.polygon import Vertex
+from tmap.n64.state import TWO_CYCLES, YUV, Axis, State
+from tmap.n64.texels import fetch
+
+FILTERS = ("point", "three-point", "bilinear")
+
+
+class Surface:
+    """The exact s and t of a planar polygon; ``perspective``: divided by depth."""
+
+    def __init__(self, vertices: list[Vertex], perspective: bool):
+        three = [vertices[k] for k in corners(vertices)]
+        points = [v[:2] for v in three]
+        depths = [v.w if perspective else ONE for v in three]
+        self.curves = [Curve(points, [v[k] for v in three], depths) for k in (2, 3)]
+
+    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
+        """s and t in texels at pixels [n], exact."""
+        found = []
+        for curve in self.curves:
+            over, inverse = curve.terms(*(np.asarray(c).astype(object) * ONE for c in (x, y)))
+            below = np.broadcast_to(inverse * ONE, over.shape)
+            if (below <= 0).any():
+                raise UserError("ideal: a pixel lies behind the viewer")
+            index = over // below
+            fraction = ((over - index * below) / below).astype(np.float64)
+            found.append(Coordinate(index.astype(np.int64), fraction))
+        return tuple(found)
+
+    def distance(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Texels to the next pixel right or below along s or t, the most of the four, float64:
+        what the level of detail is meant to be taken from."""
+        here, most = self.at(x, y), np.zeros(np.shape(x))
+        for there in (self.at(x + 1, y), self.at(x, y + 1)):
+            for a, b in zip(here, there):
+                moved = (b.index - a.index) + (b.fraction - a.fraction)
+                most = np.maximum(most, np.abs(moved))
+        return most
+
+
+def placed(axis: Axis, c: Coordinate) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(texel, neighbour, fraction) of a coordinate on a tile's axis: [n] each."""
+    c = scaled(c, axis.shift)
+    whole, quarter = divmod(axis.low, 4)
+    moved = c.fraction - quarter / 4
+    index, fraction = c.index - whole + np.floor(moved).astype(np.int64), moved % 1
+    if axis.clamp or not axis.mask:
+        last = (axis.high >> 2) - whole
+        end = (axis.high - axis.low) / 4
+        outside = (index < 0) | (index + fraction >= end)
+        fraction = np.where(outside, 0, fraction)
+        index = np.where(index < 0, 0, np.where(outside, last, index))
+    return wrapped(axis, index), wrapped(axis, index + 1), fraction
+
+
+def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
+    """An index within a tile's mask."""
+    if not axis.mask:
+        return index
+    period = 1 << min(axis.mask, 10)
+    if not axis.mirror:
+        return index % period
+    index = index % (2 * period)
+    return np.where(index < period, index, 2 * period - 1 - index)
+
+
+def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
+    """Texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle that
+    holds the pixel."""
+    (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
+    return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
+                    c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
+
+
+def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) -> np.ndarray:
+    """Colours [n, 4], float64 0..255, of tile ``number``; ``how``: one of FILTERS. Of a YUV tile
+    U, V (signed), Y, Y, before the last pair of texels: a pair shares its chroma, which is
+    filtered from pair to pair."""
+    if how not in FILTERS:
+        raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
+    tile = state.tiles[number & 7]
+    (s0, s1, fs), (t0, t1, ft) = placed(tile.s, s), placed(tile.t, t)
+    if how == "point":
+        return fetch(state, tile, s0, t0).astype(np.float64)
+    weigh = three_point if how == "three-point" else bilinear
+    found = weigh([fetch(state, tile, a, b) for b in (t0, t1) for a in (s0, s1)], fs, ft)
+    if tile.format == YUV:
+        pair = s0 & ~1
+        corners = [fetch(state, tile, a, b) for b in (t0, t1) for a in (pair, pair + 2)]
+        found[:, :2] = weigh(corners, (fs + (s0 & 1)) / 2, ft)[:, :2]
+    return found
+
+
+def converted(k: list[int], texel: np.ndarray) -> np.ndarray:
+    """R, G, B, Y of U, V, Y, any: [n, 4]; ``k``: K0.. as the convert word has them."""
+    u, v, y = (texel[:, n] for n in range(3))
+    k0, k1, k2, k3 = ((2 * c + 1) / 256 for c in k[:4])
+    return np.stack([y + k0 * v, y + k1 * u + k2 * v, y + k3 * u, y], -1)
+
+
+class Texels(NamedTuple):
+    """What the combiner has of pixels: two colours [n, 4] and how far the level of detail is from
+    the first to the second [n]; below 0 the first is sharpened."""
+
+    texel0: np.ndarray
+    texel1: np.ndarray
+    fraction: np.ndarray
+
+
+def pairs(state: State, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Tiles from the first on and the fraction between them, [n] each, of distances to the next
+    pixel. With n whole doublings it is levels n and n + 1 in the ratio of the rest. Nearer than a
+    texel a pixel it is the first level alone; with detail, the detail tile before it and the first
+    level; with sharpening, the first level and the second, the fraction below 0."""
+    modes, near = state.modes, distance < 1
+    lod = np.maximum(distance, 1)
+    level = np.minimum(np.frexp(lod)[1] - 1, state.max_level)  # whole doublings, exactly
+    rest = np.where(level == state.max_level, 0, lod / (1 << level) - 1)
+    close = np.maximum(distance, state.min_level / 32)
+    if modes.detail:
+        return level + ~near, np.minimum(level + 1, state.max_level) + ~near, \
+            np.where(near, close, rest)
+    if modes.sharpen:
+        rest = np.where(near, close - 1, rest)
+    return level, np.minimum(level + 1, state.max_level), rest
+
+
+def texels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> Texels:
+    """What the combiner has at pixels [n]; ``how``: one of FILTERS."""
+    s, t = surface.at(x, y)
+    zero = np.zeros(np.size(x), np.int64)
+    first, second, fraction = zero, zero + 1, zero * 1.0
+    if state.modes.lod:
+        first, second, fraction = pairs(state, surface.distance(x, y))
+    near, far = np.zeros((2, zero.size, 4))
+    for number in np.unique([first, second]).tolist():
+        for found, numbers in ((near, first), (far, second)):
+            here = numbers == number
+            at = [Coordinate(c.index[here], c.fraction[here]) for c in (s, t)]
+            found[here] = sample(state, state.primitive_tile + number, *at, how)
+    if not state.modes.filter0:
+        near = converted(state.k, near)
+    if not state.modes.filter1:
+        far = converted(state.k, near if state.modes.convert_one else far)
+    return Texels(near, far, fraction)
+
+
+def levels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> np.ndarray:
+    """Colours [n, 4] between two levels of the state's tiles, from its first on."""
+    near, far, rest = texels(state, surface, x, y, how)
+    return near + rest[:, None] * (far - near)
+
+
+def combined(state: State, found: Texels, shade: np.ndarray) -> np.ndarray:
+    """Colours [n, 4], 0..255, that the combiner is meant to make: as factors colours are of 255,
+    fractions and K5 of 256. ``shade``: [n, 4]."""
+    result = np.zeros_like(found.texel0)
+    two = state.modes.cycle == TWO_CYCLES
+    for cycle in range(1 - two, 2):
+        second = two and cycle == 1
+        values = {"combined": result, "shade": shade,
+                  "texel0": found.texel1 if second else found.texel0,
+                  "texel1": found.texel0 if second or not two else found.texel1,
+                  "primitive": np.array(state.primitive), "one": np.full(4, 255),
+                  "environment": np.array(state.environment), "k4": np.full(4, state.k[4])}
+        factors = {"lod fraction": found.fraction[:, None], "k5": state.k[5] / 256,
+                   "primitive lod fraction": state.primitive_fraction / 256}
+        parts = []
+        for inputs, table, channels in ((state.combine.rgb[cycle], RGB_NAMES, RGB),
+                                        (state.combine.alpha[cycle], ALPHA_NAMES, ALPHA)):
+            def value(name: str | None, channels=channels):
+                base, dot, _ = (name or "").partition(".")
+                return values[base][..., ALPHA if dot else channels] if base in values else 0
+
+            a, b, c, d = names(inputs, table)
+            factor = factors[c] if c in factors else value(c) / 255
+            made = (value(a) - value(b)) * factor + value(d)
+            parts.append(np.broadcast_to(made, (len(shade), channels.stop - channels.start)))
+        result = np.concatenate(parts, -1)
+    return np.clip(result, 0, 255)

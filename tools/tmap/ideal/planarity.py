@@ -1,0 +1,103 @@
+"""Whether polygons are drawn in as many pieces as they should be, by exact planes.
+
+Values of more than three vertices that are on one plane but for rounding are drawn in one piece, and
+all others as triangles. c/polygon/fan.c derives how far rounding leads; it shares no arithmetic
+with this. What lies between the two numbers below may be drawn either way:
+
+* LEAST: half a unit of each number that the vertices say, which a polygon must be allowed;
+* MOST: what fan.c allows at all, and what it may be off itself.
+
+Units are 1/65536; g and h a plane's gradients, and three corners' errors count 3 times at most.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from tmap.ideal import ideal
+from tmap.setup.planarity import COLOURS, DEPTHS, SHADES, TEXELS, asked
+
+HALF = Fraction(1, 2)
+NEAREST = 1 << 29  # what 1/w of the nearest vertex is taken times
+TOO_STEEP = 1 << 14  # of a gradient, beyond which 16.16 says nothing
+THIN = 128  # units; the gradients of thinner polygons are those of rounding
+
+
+@dataclass
+class Value:
+    """A value of all vertices: exact, what the rounding of the vertices makes of it, and what more
+    is allowed than for one that is written in 16.16."""
+
+    name: str
+    at: list[Fraction]
+    rounded: Fraction
+    allowed: Fraction
+
+
+def divided(vertices) -> list[Value]:
+    """1/w, s/w and t/w, 1/w times NEAREST at the nearest vertex; s and t count from the middle of
+    their range, in proportion to it."""
+    least = min(abs(v[5]) for v in vertices)
+    inverse = [Fraction(NEAREST * least, v[5]) for v in vertices]
+    unit = Fraction(NEAREST, least)  # of w
+    ranges = [(min(v[k] for v in vertices), max(v[k] for v in vertices)) for k in (2, 3)]
+    bases = [low + (high - low) // 2 for low, high in ranges]
+    reach = max(max((high - low + 1) // 2 for low, high in ranges).bit_length(), 16)
+    scale = 1 << reach
+    made = [Value("1/w", inverse, unit / 4, 4 * unit)]
+    for name, k, base in zip(("s/w", "t/w"), (2, 3), bases):
+        at = [(v[k] - base) * q / scale for v, q in zip(vertices, inverse)]
+        made.append(Value(name, at, Fraction(0), 4 * unit + Fraction(4 * NEAREST, scale) + 3))
+    return made
+
+
+def values(vertices, kinds: int) -> list[Value]:
+    """The values of some kinds (enum planar_values) of vertices (x, y, s, t, shade, w)."""
+    made = divided(vertices) if kinds & DEPTHS else []
+    for kind, k, name in ((TEXELS, 2, "s"), (TEXELS, 3, "t"), (SHADES, 4, "shade")):
+        if kinds & kind:
+            made.append(Value(name, [Fraction(v[k]) for v in vertices], HALF, Fraction(0)))
+    for k, name in enumerate("RGBA") if kinds & COLOURS else ():
+        made.append(Value(name, [Fraction((v[4] >> 24 - 8 * k & 255) << 16) for v in vertices],
+                          Fraction(32768), Fraction(2 << 16)))
+    return made
+
+
+def is_sure(vertices, three) -> bool:
+    """Whether a polygon is thick enough for its gradients to be its own."""
+    (ax, ay), (bx, by), (cx, cy) = (vertices[k][:2] for k in three)
+    area = abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay))
+    longest = max(abs(p[0] - q[0]) + abs(p[1] - q[1]) for p in vertices for q in vertices)
+    return area > THIN * longest
+
+
+def judge(vertices, material, pieces: int, vouched: int = 0) -> str:
+    """What is wrong with the number of pieces that a convex polygon is drawn in; empty if nothing.
+    ``material``: or Settings."""
+    return judge_values(vertices, asked(material) & ~vouched, pieces)
+
+
+def judge_values(vertices, kinds: int, pieces: int) -> str:
+    """The same by the kinds of values that are drawn as planes."""
+    three = ideal.corners(vertices)
+    if len(vertices) == 3 or not is_sure(vertices, three):
+        return ""
+    must_cut, must_keep = "", True
+    points = [vertices[k][:2] for k in three]
+    for value in values(vertices, kinds):
+        plane = ideal.Plane(points, [value.at[k] for k in three])
+        g, h = (abs(Fraction(n) / plane.d) for n in (plane.nx, plane.ny))
+        must_keep &= max(g, h) < TOO_STEEP
+        for (x, y, *_), found in zip(vertices, value.at):
+            rise = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
+            off = abs(found - plane.value0 - Fraction(rise) / plane.d)
+            must_keep &= off <= 4 * (value.rounded + (g + h) / 2)
+            way = sum(max(v[k] for v in vertices) - min(v[k] for v in vertices) for k in (0, 1)) >> 16
+            most = 26 + value.allowed + way + 12 * (g + h)
+            if off > most and max(g, h) < TOO_STEEP:
+                must_cut = (f"{value.name} of vertex ({x}, {y}) is {float(off):.1f} units off the plane of "
+                            f"three corners, {float(most):.1f} are allowed in one piece")
+    if must_cut and pieces == 1:
+        return must_cut
+    if must_keep and pieces > 1:
+        return f"its values lie on planes, but it is drawn in {pieces} pieces"
+    return ""

@@ -1,0 +1,92 @@
+"""Texture pictures: found, checked and cut to a map's size in RGB."""
+
+import os
+import warnings
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+from PIL import Image, ImageOps
+
+from tmap.base.errors import UserError
+
+SIDE = 256  # texels of a map, unless it says otherwise
+SIDE_MAX = 8192  # pixels; more is a mistake or an attack
+PACKAGE = "package:"
+
+
+def locate(reference: str, folder: Path, where: str) -> Path:
+    """The file a reference names.
+
+    ``package:NAME/path`` is a file in an installed Python package, which is not
+    imported; anything else is a path from ``folder``, the scene file's.
+    """
+    if not reference.startswith(PACKAGE):
+        path = folder / reference
+    else:
+        package, _, inside = reference.removeprefix(PACKAGE).partition("/")
+        try:
+            spec = find_spec(package) if package.isidentifier() else None
+        except ValueError:  # a module without a spec, such as __main__
+            spec = None
+        if spec is None or not spec.submodule_search_locations:
+            raise UserError(f"{where}: {reference}: there is no Python package {package!r}")
+        path = Path(spec.submodule_search_locations[0]) / inside
+    if not os.path.isfile(path):  # unlike Path.is_file, False for impossible names too
+        raise UserError(f"{where}: {reference}: no such file")
+    return path
+
+
+def opened(path: Path) -> Image.Image:
+    """The PNG or JPEG in a file, not decoded yet. Raises ValueError if too large, and what Pillow
+    does of others."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+        image = Image.open(path, formats=("PNG", "JPEG"))
+    if not 1 <= min(image.size) <= max(image.size) <= SIDE_MAX:
+        width, height = image.size
+        image.close()
+        raise ValueError(f"{width}x{height} pixels; a side must be from 1 to {SIDE_MAX}")
+    return image
+
+
+def decode(path: Path, mode: str = "RGB") -> Image.Image:
+    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises as ``opened`` does."""
+    with opened(path) as image:
+        image.load()
+        if image.mode.startswith("I"):  # 16-bit grey: Pillow would clip, not scale
+            image = Image.fromarray((np.asarray(image, np.int64) >> 8).astype(np.uint8))
+        return ImageOps.exif_transpose(image).convert(mode)
+
+
+def picture(reference: str, folder: Path, where: str, mode: str = "RGB") -> Image.Image:
+    """The referenced picture in its own size.
+
+    ``where`` (scene file and field) starts the message of every refusal.
+    """
+    path = locate(reference, folder, where)
+    try:
+        return decode(path, mode)
+    except Image.UnidentifiedImageError:
+        raise UserError(f"{where}: {reference}: not a PNG or JPEG picture") from None
+    except Image.DecompressionBombError:
+        raise UserError(f"{where}: {reference}: a side must be from 1 to {SIDE_MAX}") from None
+    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+        text = " ".join(str(error).split()) or type(error).__name__
+        raise UserError(f"{where}: {reference}: cannot be read: {text}") from None
+
+
+def load(reference: str, folder: Path, where: str, width: int = SIDE,
+         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
+    """The middle of a ``picture`` as uint8 (height, width, channels), row 0 on top.
+
+    It is cut to the shape of width x height, then resized: by Pillow, in integers, with weights of 22
+    bits, of which a sine's last bit would have to meet the middle of two to change one.
+    """
+    image = picture(reference, folder, where, mode)
+    wide, high = image.size
+    cut_wide = max(1, min(wide, high * width // height))
+    cut_high = max(1, min(high, wide * height // width))
+    left, top = (wide - cut_wide) // 2, (high - cut_high) // 2
+    middle = image.crop((left, top, left + cut_wide, top + cut_high))
+    return np.array(middle.resize((width, height), Image.Resampling.LANCZOS))

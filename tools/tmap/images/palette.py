@@ -1,0 +1,77 @@
+"""One palette for a whole scene, and its textures as indices into it."""
+
+import numpy as np
+from PIL import Image
+
+from tmap.base.fields import fail
+from tmap.build import layout
+
+COLOURS = 256
+EXACT_MAX = 192  # what exact colours may take where there are textures
+DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # light in which lit pictures count too
+AT_ONCE = 16384  # colours whose distances are taken together: 16 MB of them
+EVERY_PIXEL = 128 * 128  # pixels of a picture up to which all count, not a quarter
+
+
+def nearest(pixels: np.ndarray, palette: np.ndarray) -> np.ndarray:
+    """The palette index nearest to each pixel, the lowest of equals.
+
+    pixels uint8 (..., 3), palette uint8 (n, 3); result uint8 (...). Squares and
+    products stay below 2^24, so float32 holds them exactly on every machine.
+    """
+    packed = pixels.reshape(-1, 3) @ np.array([65536, 256, 1])
+    colours, where = np.unique(packed, return_inverse=True)
+    colours = np.stack([colours >> 16, colours >> 8 & 255, colours & 255], axis=1)
+    entries = palette.astype(np.float32)
+    length = (entries * entries).sum(axis=1)
+    found = np.empty(len(colours), np.uint8)
+    for start in range(0, len(colours), AT_ONCE):
+        some = slice(start, start + AT_ONCE)
+        found[some] = np.argmin(length - 2 * (colours[some].astype(np.float32) @ entries.T), axis=1)
+    return found[where].reshape(pixels.shape[:-1])
+
+
+def sample(picture: np.ndarray) -> np.ndarray:
+    """Pixels (n, 3) that stand for the picture: as good as all, four times quicker."""
+    if picture.size <= 3 * EVERY_PIXEL:
+        return picture.reshape(-1, 3)
+    t, s = np.indices(picture.shape[:2])
+    return picture[(s + t) % 4 == 0]  # from every row and column
+
+
+def light(palette: np.ndarray) -> np.ndarray:
+    """The light table of a palette, uint8 (LIGHT_LEVELS, 256): what each entry becomes at each
+    level: the nearest to it darkened, from black at 0; at the last one itself."""
+    levels = layout.load().constants["LIGHT_LEVELS"]
+    part = np.arange(levels)[:, None, None] / (levels - 1)
+    table = nearest(np.rint(palette * part).astype(np.uint8), palette)
+    table[-1] = np.arange(COLOURS)
+    return table
+
+
+def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
+          lit: list[np.ndarray] = ()) -> tuple[np.ndarray, list[np.ndarray]]:
+    """The palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
+
+    ``exact`` colours get the first entries, in their order; the pictures, uint8
+    (height, width, 3), share what is left and are mapped without dithering; those that are
+    ``lit`` also as they look in less light. Unused entries are black.
+    """
+    most = EXACT_MAX if pictures else COLOURS
+    if len(exact) > most:
+        fail(where, f"{len(exact)} palette entries for flat colours, ramps and the background; "
+                    f"{most} at most" + (" beside textures" if pictures else ""))
+    palette = np.zeros((COLOURS, 3), np.uint8)
+    palette[:len(exact)] = np.array(exact, np.uint8).reshape(-1, 3)
+    if not pictures:
+        return palette, []
+    samples = [sample(picture) for picture in pictures]
+    samples += [np.rint(sample(picture) * part).astype(np.uint8) for picture in lit
+                for part in DIMMED]
+    together = Image.fromarray(np.concatenate(samples)[None])
+    reduced = together.quantize(COLOURS - len(exact), Image.Quantize.MEDIANCUT, kmeans=1,
+                                dither=Image.Dither.NONE)
+    shared = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)[:COLOURS - len(exact)]
+    used = len(exact) + len(shared)
+    palette[len(exact):used] = shared
+    return palette, [nearest(picture, palette[:used]) for picture in pictures]

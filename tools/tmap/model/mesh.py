@@ -1,0 +1,181 @@
+"""The integer model of c/mesh and src68k/mesh: what a frame's meshes become on the screen.
+
+Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
+"""
+
+from dataclasses import dataclass
+
+from tmap.base.fixed import ONE, mul_div, signed
+from tmap.scene_file.meshes import ENVIRONMENT, LIT
+from tmap.scene_file.scene_file import vertices_at
+from tmap.setup import planarity
+
+#: What a frame draws: number of the material, vertices.
+Drawn = tuple[int, list[tuple]]
+#: The same, and the values that are vouched for to lie on planes.
+Placed = tuple[int, list[tuple], int]
+CORNERS_MAX = 62  # more than a convex face can get: mesh_clip gives up
+
+
+@dataclass
+class Point:
+    """A point before the camera; ``screen`` where it is inside all borders."""
+
+    x: int
+    y: int
+    w: int
+    screen: tuple[int, int] | None
+
+
+def depths(x: int, y: int, w: int, near: int) -> tuple[int, ...]:
+    """How far inside each border a point is: near, left, right, above, below."""
+    return w - near, w + x, w - x, w + y, w - y
+
+
+def transform(scene, points, view) -> list[Point]:
+    """mesh_transform: rows of x, y, z; ``view``: a row of the views."""
+    rows = [(*view[3 * k:3 * k + 3], view[9 + k]) for k in range(3)]
+    made = []
+    for px, py, pz in points:
+        x, y, w = (signed((a * px + b * py + c * pz + (move << 30) + (1 << 29)) >> 30)
+                   for a, b, c, move in rows)
+        inside = min(depths(x, y, w, scene.near_plane)) >= 0
+        made.append(Point(x, y, w, project(scene, x, y, w) if inside else None))
+    return made
+
+
+def project(scene, x: int, y: int, w: int) -> tuple[int, int]:
+    """Where a point before the camera is on the screen."""
+    scale = ONE << scene.guard
+    return (mul_div(x, scale, w) + (scene.width << 15), mul_div(y, scale, w) + (scene.height << 15))
+
+
+def looks(normals, factors, base: int, low: int, high: int) -> list[int]:
+    """mesh_looks: one field of all normals."""
+    a, b, c = factors
+    return [min(max(base + ((a * x + b * y + c * z) >> 5), low), high) for x, y, z, _ in normals]
+
+
+def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
+    """s, t and shade of an instance's normals; empty what it has no use for."""
+    s, t, shade = [], [], []
+    if instance.flags & ENVIRONMENT:
+        s, t = (looks(normals, view[k:k + 3], 128 << 16, 0, 256 << 16) for k in (15, 18))
+    if instance.flags & LIT:
+        shade = looks(normals, view[21:24], instance.dark, instance.dark, instance.bright)
+    return s, t, shade
+
+
+def is_seen(face, view) -> bool:
+    """Whether a face is seen from the front."""
+    return signed(sum(n * e for n, e in zip(face[:3], view[12:15])) >> 30) > face[3]
+
+
+def cut(inside: tuple, outside: tuple, border: int, part: int, whole: int, near: int) -> tuple:
+    """mesh_cut, then the border's own value made exact. Order: x, y, s, t, shade, w."""
+    point = []
+    for a, b in zip(inside, outside):
+        way = (abs(b - a) * part + (whole >> 1)) // whole
+        point.append(a + way if b > a else a - way)
+    if border == 0:
+        point[5] = near
+    else:
+        point[(border - 1) // 2] = point[5] if border in (2, 4) else -point[5]
+    return tuple(point)
+
+
+def clip(vertices: list[tuple], near: int) -> list[tuple]:
+    """mesh_clip: the part of a polygon before the camera (x, y, s, t, shade, w) inside all
+    borders."""
+    for border in range(5):
+        inner = [depths(v[0], v[1], v[5], near)[border] for v in vertices]
+        if not vertices or min(inner) >= 0:
+            continue
+        made = []
+        for k, (vertex, here) in enumerate(zip(vertices, inner)):
+            last, before = vertices[k - 1], inner[k - 1]
+            if len(made) > CORNERS_MAX:
+                return []
+            if here >= 0:
+                if before < 0 < here:
+                    made.append(cut(vertex, last, border, here, here - before, near))
+                made.append(vertex)
+            elif before > 0:
+                made.append(cut(last, vertex, border, before, before - here, near))
+        vertices = made
+    return vertices
+
+
+def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
+    """A polygon, or a fan of triangles where its gradients are for those."""
+    if len(vertices) == 3 or material.mapper == "flat" or material.gradients != "polygon":
+        return [vertices]
+    return planarity.fan(vertices)
+
+
+def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
+    """The faces of an instance that may be seen in a frame: greatest depth, vertices as they
+    are drawn (fewer than 3: nothing is left)."""
+    age = number - instance.first_frame
+    if not 0 <= age < instance.views:
+        return []
+    mesh, view = scene.meshes[instance.mesh], scene.views[instance.view + age].tolist()
+    points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
+    normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
+    made_s, made_t, shades = looks_of(instance, normals, view)
+    made = []
+    for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
+        if not is_seen(face, view):
+            continue
+        first = mesh.corner + face[4]
+        corners = scene.corners[first:first + face[5]].tolist()
+        used = [points[point] for point, *_ in corners]
+        borders = zip(*(depths(p.x, p.y, p.w, scene.near_plane) for p in used))
+        if any(max(border) < 0 for border in borders):
+            continue
+        rests = [(made_s[n] if made_s else s, made_t[n] if made_t else t,
+                  shades[n] if shades else 0) for _, n, s, t in corners]
+        if all(p.screen for p in used):
+            vertices = [(*p.screen, *rest, p.w) for p, rest in zip(used, rests)]
+        else:
+            vertices = [(*project(scene, v[0], v[1], v[5]), *v[2:]) for v in clip(
+                [(p.x, p.y, *rest, p.w) for p, rest in zip(used, rests)], scene.near_plane)]
+        made.append((max(0, *(p.w for p in used)), vertices))
+    return made
+
+
+def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
+    """The polygons of instances that are drawn together, in their order."""
+    faces = [(depth, instance.material, vertices) for instance in instances
+             for depth, vertices in faces_of(scene, instance, number)]
+    faces.sort(key=lambda face: -face[0])
+    return [(material, polygon) for _, material, vertices in faces if len(vertices) >= 3
+            for polygon in polygons_of(scene.materials[material], vertices)]
+
+
+def placed_at(scene, number: int) -> list[Placed]:
+    """All that a frame draws, in drawing order: each polygon's material, its vertices on the screen,
+    and what is vouched for."""
+    groups: dict[int, list] = {}  # instances by the object that they are drawn before
+    for instance in scene.instances:
+        groups.setdefault(instance.before, []).append(instance)
+    shown = [place for place, obj in enumerate(scene.objects)
+             if obj.first_frame <= number < obj.first_frame + obj.poses]
+    drawn = []
+    for place in sorted({*shown, *groups}):
+        if place in groups:
+            drawn += [(*each, planarity.IN_SPACE)
+                      for each in mesh_polygons(scene, groups[place], number)]
+        if place < len(scene.objects):
+            obj = scene.objects[place]
+            vertices = vertices_at(scene, obj, number)
+            if vertices:
+                drawn.append((obj.material, vertices, obj.planar))
+    return drawn
+
+
+def polygons_at(scene, number: int) -> list[Drawn]:
+    """The same as it is drawn: polygons whose values lie on no plane as triangles, but for those of
+    texture units."""
+    return [(which, part) for which, vertices, vouched in placed_at(scene, number)
+            for part in planarity.parts(vertices, scene.materials[which], vouched)]

@@ -1,0 +1,86 @@
+"""The integer model: the renderer's own arithmetic, in Python integers.
+
+It follows c/polygon and src68k/polygon formula by formula and must agree with the
+68020 bit for bit. It knows nothing of forms: addx, swap and C draw the same
+picture, because every number that decides a pixel depends on the pixel alone.
+
+All coordinates are 16.16 (units of 1/65536 pixel or texel). Set-up is in
+tools/tmap/setup/polygon.py, its parts in the files beside it. What the model may be off from
+the ideal, and why, stands in tools/tmap/ideal/ideal.py.
+"""
+
+import numpy as np
+
+from tmap.base.fixed import M32, ceil16, signed
+from tmap.model import units
+from tmap.model.mesh import placed_at
+from tmap.scene_file.scene_file import vertices_at
+from tmap.scene_file.textures import UNITS
+from tmap.scene_file.units import state_at
+from tmap.setup.edges import Edge
+from tmap.setup.planarity import parts
+from tmap.setup.polygon import FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range, set_up
+from tmap.setup.spans import coordinates, pixels, repeated
+from tmap.setup.texturing import Line, Settings, Texturing, scanline_line
+
+__all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt",
+           "ceil16", "coordinates", "draw", "held_range", "is_steep", "parts", "plane_range", "prepare",
+           "prepare_polygon", "render", "scanline_line", "set_up", "signed"]
+
+
+def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
+         light: np.ndarray | None = None) -> None:
+    """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
+    [level][texel], of the lit mappers."""
+    if polygon.mapper == "lit":
+        light = light[polygon.level]
+    for y, line in enumerate(polygon.lines, polygon.top):
+        if line.right > line.left and polygon.perspective:
+            u, v = polygon.coordinates(line, y)
+            height, width = texture.shape
+            frame[y, line.left:line.right] = texture[repeated(v, height), repeated(u, width)]
+        elif line.right > line.left:
+            frame[y, line.left:line.right] = pixels(line, polygon.mapper, texture, light, y) \
+                if polygon.textured else colour
+
+
+def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
+    """Vertices on the screen as they are set up with a scene's material; None where nothing
+    is drawn."""
+    material = scene.materials[number]
+    settings = Settings(material.edges, material.gradients, material.start, material.clip,
+                        material.perspective, material.mapper, material.tolerance)
+    texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+    return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
+                  scene.width, scene.height, material.mapper not in ("flat", *UNITS), settings,
+                  None if texture is None else texture.shape[::-1])
+
+
+def prepare(scene, obj, number: int) -> Polygon | None:
+    """An object of a scene, in one piece, as it is set up in frame ``number``; None where it draws
+    nothing."""
+    vertices = vertices_at(scene, obj, number)
+    return prepare_polygon(scene, obj.material, vertices) if vertices else None
+
+
+def render(scene, number: int) -> np.ndarray:
+    """Frame ``number`` of a scene (tmap.scene_file.scene_file.Scene), height x width of its pixels."""
+    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
+    states = {}
+    for which, vertices, vouched in placed_at(scene, number):
+        material = scene.materials[which]
+        if material.mapper == "unit":
+            if material.unit not in states:
+                states[material.unit] = state_at(scene, material.unit, number)
+            units.draw_by_engine(states[material.unit], frame, material, vertices, vouched)
+            continue
+        if material.mapper == "glide":
+            units.draw_by_pipe(scene, frame, material, vertices, vouched)
+            continue
+        texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+        light = scene.textures[material.light].texels if material.light >= 0 else None
+        for part in parts(vertices, material, vouched):
+            polygon = prepare_polygon(scene, which, part)
+            if polygon:
+                draw(frame, polygon, texture, material.colour, light)
+    return frame

@@ -1,0 +1,59 @@
+"""Steps of accuracy for a scene's materials, as c/scene/settings.h has them."""
+
+from dataclasses import replace
+
+from tmap.scene_file.materials import SETTINGS, Material
+from tmap.scene_file.pipes import COLUMNS
+from tmap.scene_file.scene_file import Scene
+from tmap.scene_file.textures import ON_PLANE, UNITS
+
+#: Edges, gradients and start of each step, from cheap to exact.
+ACCURACY = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "truncated"),
+            ("subpixel", "polygon", "subtexel"), ("subpixel", "plane", "subtexel"),
+            ("exact", "plane", "subtexel"))
+PERSPECTIVE = SETTINGS["perspective"]
+#: Pixels between two divides of Glide's units, by steps of perspective.
+SUBDIVISION = {"none": 16, "every16": 16, "every8": 8, "pixel": 0, "fine": 0}
+#: Mappers whose gradients and start are what they are.
+FIXED = (*ON_PLANE, *UNITS)
+
+
+def materials_of_polygons(scene: Scene) -> set[int]:
+    """Materials of which a polygon or a face has more than three corners."""
+    found = {obj.material for obj in scene.objects if obj.vertices > 3}
+    for instance in scene.instances:
+        mesh = scene.meshes[instance.mesh]
+        faces = scene.faces[mesh.face:mesh.face + mesh.faces]
+        if any(int(face[-1]) > 3 for face in faces):
+            found.add(instance.material)
+    return found
+
+
+def set_material(own: Material, accuracy: int | None, perspective: int | None,
+                 triangles: bool) -> Material:
+    """A material at a step of each axis; None: as the scene says."""
+    made = own
+    if perspective is not None and own.perspective != "none":
+        name = PERSPECTIVE[perspective]
+        made = replace(made, perspective=name,
+                       tolerance=0 if name == "fine" else own.tolerance)
+    if accuracy is None:
+        return made
+    edges, gradients, start = ACCURACY[accuracy]
+    if own.mapper in UNITS and edges == "integer":
+        edges = "subpixel"
+    made = replace(made, edges=edges)
+    if own.mapper in FIXED or made.perspective != "none":
+        return made
+    return replace(made, start=start, gradients=gradients if triangles else own.gradients)
+
+
+def with_settings(scene: Scene, accuracy: int | None, perspective: int | None) -> Scene:
+    """A scene whose materials are at these steps, each as far as it allows."""
+    polygons = materials_of_polygons(scene)
+    tmus = scene.tmus.copy()
+    if perspective is not None:
+        tmus[:, COLUMNS["tmus"].index("subdivision")] = SUBDIVISION[PERSPECTIVE[perspective]]
+    return replace(scene, tmus=tmus, materials=[
+        set_material(material, accuracy, perspective, number not in polygons)
+        for number, material in enumerate(scene.materials)])

@@ -1,0 +1,219 @@
+"""Places the parts of a program and writes it as an AmigaDOS hunk file.
+
+The 68020's instruction cache has 64 longwords, chosen by the address modulo 256. What is
+timed lies where the full renderer has it, modulo 256, so that the same instructions push one
+another out of the cache; the holes of what is left out take what is not timed, and what is,
+apart from it by as much as the processor fetches ahead.
+"""
+
+import random
+from pathlib import Path
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.build.elf_object import Section
+from tmap.build.hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
+from tmap.product.program_parts import Part, Program
+
+HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
+CACHE = 256  # bytes
+LAST = ".rodata.scene_data"  # maps too: addresses have to be relocated before it only
+#: jsr and jmp to an address become bsr and bra, of the same length, so that nothing is to be
+#: relocated.
+BRANCHES = {bytes.fromhex("4eb9"): 0x61, bytes.fromhex("4ef9"): 0x60}
+NOP = bytes.fromhex("4e71")
+AHEAD = 4  # bytes that are fetched behind an instruction, at most
+
+
+def fetched(live: np.ndarray, address: int) -> np.ndarray:
+    """bool: the bytes that are fetched where ``live`` ones at ``address`` are executed."""
+    out = np.zeros(len(live) + AHEAD + 8, bool)
+    for first in np.flatnonzero(live[::2]) * 2:
+        place = (address + first & ~3) - (address & ~3)
+        out[place:place + 4 + AHEAD] = True
+    return out
+
+
+def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]]:
+    """Groups of parts that lie so near in the full renderer that where one ends the next is
+    fetched; the largest first."""
+    groups: list[list[Part]] = []
+    end = 0
+    for part in sorted(parts, key=lambda p: places[p.section]):
+        held = np.flatnonzero(part.live) + places[part.section]
+        if groups and held[0] < (end & ~3) + 4 + AHEAD:
+            groups[-1].append(part)
+        else:
+            groups.append([part])
+        end = int(held[-1])
+    return sorted(groups, key=lambda group: -sum(p.bytes for p in group))
+
+
+def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
+    """The branch in place of a jump to an address, whose first two bytes are given, with a target
+    so far behind these; None: it stays. What is timed once has a 68020's, without a nop; what is
+    not, a 68000's, which runs what looks for a 68020; what is timed again and again keeps its time.
+    """
+    if jump not in BRANCHES or timed > 1:
+        return None
+    if timed:
+        return bytes([BRANCHES[jump], 0xFF]) + (distance % (1 << 32)).to_bytes(4, "big")
+    if not -1 << 15 <= distance < 1 << 15:
+        return None
+    return bytes([BRANCHES[jump], 0]) + (distance % (1 << 16)).to_bytes(2, "big") + NOP
+
+
+class Layout:
+    """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
+
+    def __init__(self, program: Program, fixed: dict[Section, int], order: int = 0):
+        """``fixed``: the sections whose places matter, and where the full renderer has them;
+        ``order``: 0, or another order in which they are placed, by which holes differ.
+        A program that is whole keeps the linker's order, in which relative addresses fit."""
+        self.program = program
+        self.at: dict[Section, int] = {}
+        self.bss = 0
+        parts = [p for p in program.parts.values() if not p.section.bss]
+        room = 4 * sum(p.section.size + CACHE for p in parts) + CACHE
+        self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
+        self.full = 0  # up to here there is no hole
+        entry = program.parts[program.symbols["start"][0]]
+        self.put([entry], [0], 0, CACHE)
+        rest = [p for p in parts if p is not entry]
+        self.put_fixed([p for p in rest if p.section in fixed], fixed, order)
+        self.put_others([p for p in rest if p.section not in fixed])
+        self.put_cleared()
+        self.size = int(np.flatnonzero(self.used)[-1]) + 1
+        self.size += -self.size % 4
+
+    def put_fixed(self, parts: list[Part], fixed: dict[Section, int], order: int) -> None:
+        """Places parts where the full renderer has them modulo CACHE, neighbours together."""
+        groups = neighbours(parts, fixed)
+        if order:
+            random.Random(order).shuffle(groups)
+        for group in groups:
+            first = fixed[group[0].section]
+            self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
+
+    def put_others(self, parts: list[Part]) -> None:
+        """Places parts wherever there is room: the largest first, or in the linker's order; the
+        scene is the last."""
+        linked = {section: n for n, section in enumerate(self.program.sections)}
+
+        def rank(part: Part) -> tuple[bool, int]:
+            is_last = part.section.name == LAST
+            return is_last, -part.bytes if self.program.trace else linked.get(part.section, 0)
+
+        for part in sorted(parts, key=rank):
+            step = 2 if part.section.code and not part.timed else part.section.align
+            self.put([part], [0], 0, step)
+
+    def put_cleared(self) -> None:
+        """Places cleared memory in its own hunk."""
+        for part in self.program.parts.values():
+            if part.section.bss:
+                self.bss += -self.bss % part.section.align
+                self.at[part.section] = self.bss
+                self.bss += part.section.size
+
+    def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
+            apart: bool = False) -> None:
+        """Places parts at the lowest address first + n step where there is room for them.
+
+        ``offsets``: of each from that address; ``apart``: they share nothing that is fetched
+        with others that are so.
+        """
+        live = np.zeros(offsets[-1] + parts[-1].section.size, bool)
+        for part, offset in zip(parts, offsets):
+            live[offset:offset + part.section.size] |= part.live
+        near = fetched(live, first) if apart else None
+        lead = int(np.argmax(live))  # bytes before the first that is held
+        skip = max(0, self.full - lead - first + step - 1) // step * step
+        for at in range(first + skip, len(self.used), step):
+            if self.used[at + lead] or (self.used[at:at + len(live)] & live).any():
+                continue
+            begin = at & ~3
+            if near is not None:
+                if (self.near[begin:begin + len(near)] & near).any():
+                    continue
+                self.near[begin:begin + len(near)] |= near
+            self.used[at:at + len(live)] |= live
+            self.at |= {p.section: at + offset for p, offset in zip(parts, offsets)}
+            self.full += int(np.argmin(self.used[self.full:]))
+            return
+        raise AssertionError("no room in four times the size")
+
+    def link(self) -> tuple[bytes, list[int], list[int]]:
+        """The code's bytes, and where addresses of code and of cleared memory lie in it. A program
+        that is whole is to be traced: its instructions stay what they are."""
+        out = np.zeros(self.size, np.uint8)
+        code, bss = [], []
+        for part in self.program.parts.values():
+            if part.section.bss:
+                continue
+            at = self.at[part.section]
+            place = np.flatnonzero(part.live)
+            out[at + place] = np.frombuffer(part.data, np.uint8)[place]
+        image = bytearray(out.tobytes())
+        for part in self.program.parts.values():
+            for relocation in self.program.held(part) if not part.section.bss else ():
+                place = self.at[part.section] + relocation.offset
+                target, offset = self.program.lead(part, relocation)
+                value = self.at[target] + offset
+                near = branch(bytes(image[place - 2:place]), value - place, part.timed)
+                if near and self.program.trace is not None and not target.bss:
+                    image[place - 2:place + 4] = near
+                    continue
+                if relocation.relative:
+                    value -= place
+                else:
+                    (bss if target.bss else code).append(place)
+                limit = 1 << 8 * relocation.size
+                if not -limit // 2 <= value < limit // 2:
+                    raise UserError(f"{part.section.file}: {part.section.name}: {target.name} is "
+                                    f"{value} bytes away, which {relocation.size} bytes cannot say")
+                image[place:place + relocation.size] = (value % limit).to_bytes(
+                    relocation.size, "big")
+        return bytes(image), code, bss
+
+    @property
+    def fits(self) -> bool:
+        """Whether no part lies too far away for a relative address to it."""
+        try:
+            self.link()
+        except UserError:
+            return False
+        return True
+
+    def hunks(self) -> bytes:
+        """The whole program."""
+        image, *places = self.link()
+        sizes = [len(image) // 4] + [(self.bss + 3) // 4] * bool(self.bss)
+        out = longs(HUNK_HEADER, 0, len(sizes), 0, len(sizes) - 1, *sizes)
+        out += longs(HUNK_CODE, sizes[0]) + image
+        rows = [[len(offsets), hunk, *sorted(offsets)]
+                for hunk, offsets in enumerate(places) if offsets]
+        short = all(row[-1] < 1 << 16 for row in rows)
+        if rows:
+            table = np.array([*sum(rows, []), 0], ">u2" if short else ">u4").tobytes()
+            out += longs(HUNK_RELOC32SHORT if short else HUNK_RELOC32)
+            out += table + bytes(-len(table) % 4)
+        out += longs(HUNK_END)
+        if self.bss:
+            out += longs(HUNK_BSS, sizes[1], HUNK_END)
+        return out
+
+    def code_end(self) -> int:
+        """Where the last part with code ends."""
+        return max(self.at[s] + s.size for s in self.program.parts if s.code)
+
+    def symbols(self) -> dict[int, str]:
+        """Names of the code's parts, by address."""
+        return {self.at[s]: s.title for s in self.program.parts if s.code}
+
+    def write(self, path: Path) -> None:
+        """The program and, beside it, the ``.map`` of its routines."""
+        path.write_bytes(self.hunks())
+        path.with_name(path.name + ".map").write_text("".join(
+            f"{at:08x} {name}\n" for at, name in sorted(self.symbols().items())))

@@ -1,0 +1,222 @@
+"""``tmap scene-program``: a program that holds one scene and what draws it, nothing else.
+
+The scene's program is linked whole and run once, each instruction noted; the program that
+is kept has only what was executed. It draws the same frames again, so nothing else can be:
+that, and that every frame takes the time it takes the full renderer, is compared here.
+"""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.base.outputs import check_directory
+from tmap.base.paths import BUILD, PROGRAMS, ROOT
+from tmap.build import elf_object
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator, provenance
+from tmap.guest.emulator import CYCLES_PER_TICK
+from tmap.product.program_layout import Layout
+from tmap.product.program_parts import Program
+from tmap.run.run import SCENE_NAME, parse_output
+from tmap.scene_file.scene_file import Scene, write
+from tmap.scene_file.textures import ordered
+
+#: What calls the first calls the second: short memory ends the program with a line.
+ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
+           "workbench": "workbench_none"}
+TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait",
+          "_clock_start": "_trace_start"}
+FLAGS = "trace.flags"
+TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed, more than once so
+RENDER_LINK = BUILD / "obj" / "render.link"
+LINKED = re.compile(r"^ (\S+)\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ (\S+\.o)$", re.M)
+
+TRACE_PATIENCE = 10 * emulator.STALL_SECONDS  # instructions take some 30 times as long
+#: Ticks by which a frame may take longer than the full renderer's: 20 cycles, a few longwords of
+#: code that are fetched once more where it lies otherwise.
+LONGER = 20 // CYCLES_PER_TICK
+ORDERS = 32  # in which a layout's parts are placed: some 100 bytes of 10,000 are won
+ROUTINES = 12  # that are listed
+
+
+@dataclass
+class Run:
+    """What a program drew: dumps by name, ticks a frame."""
+
+    dumps: dict[str, bytes]
+    ticks: list[int]
+
+
+def scene_section(scene: Scene) -> elf_object.Section:
+    """The scene as the program holds it."""
+    data = write(scene, with_palette=False)
+    return elf_object.Section("", ".rodata.scene_data", data, len(data), 4,
+                           symbols={"_scene_data": 0})
+
+
+def load_sections(scene: Scene) -> list[elf_object.Section]:
+    """All sections a program could hold."""
+    compiler, *files = (BUILD / "obj" / "objects").read_text().split()
+    files.append(f"build/obj/{compiler}/programs/scene.o")
+    return [section for name in files for section in elf_object.load(ROOT / name)] + [
+        scene_section(scene)]
+
+
+def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Section, int]:
+    """Addresses of sections in the full renderer."""
+    places = {(str(ROOT / file), name): at
+              for name, address, file in LINKED.findall(RENDER_LINK.read_text())
+              if (at := int(address, 16))}  # 0: the linker dropped it
+    return {s: places[s.file, s.name] for s in sections if (s.file, s.name) in places}
+
+
+def measure(sections: list[elf_object.Section], folder: Path) -> dict:
+    """Executed offsets of each section, and whether timed: drawn once on the emulator."""
+    program = Program(sections, ALIASES | TRACER, None)
+    layout = Layout(program, {})
+    folder.mkdir()
+    layout.write(folder / "trace")
+    done = emulator.run("trace", "", {}, "a1200-fast", folder / "run", programs=folder,
+                        patience=TRACE_PATIENCE)
+    if done.code:
+        raise UserError(f"the scene's program: return code {done.code}; "
+                        + emulator.last_words(done.output))
+    flags = np.frombuffer((done.directory / FLAGS).read_bytes(), np.uint8)
+    if layout.code_end() > 2 * len(flags):
+        raise UserError("the scene's program: more code than can be traced")
+    trace = {}
+    for section in program.parts:
+        if section.code:
+            at = layout.at[section]
+            found = flags[at // 2:(at + section.size + 1) // 2]
+            timed = sum(bool((found & bit).any()) for bit in (TIMED, AGAIN))
+            trace[section] = (2 * np.flatnonzero(found)).tolist(), timed
+    return trace
+
+
+def run_program(name: str, arguments: str, files: dict, machine: str, folder: Path,
+                programs: Path, frames: int) -> Run:
+    """Runs a program of either kind."""
+    done = emulator.run(name, arguments, files, machine, folder, programs=programs)
+    if done.code:
+        raise UserError(f"{name}: return code {done.code}; {emulator.last_words(done.output)}")
+    if arguments:
+        ticks = [frame["cycles"] // CYCLES_PER_TICK
+                 for frame in parse_output(done.output, frames, 0)[0]]
+    else:
+        ticks = [int(line) for line in done.output.split()]
+    return Run({path.name: path.read_bytes() for path in done.directory.glob("*.chunky")}, ticks)
+
+
+def compare(full: Run, own: Run, name: str) -> None:
+    """Refuses a program that does not draw as the full renderer does."""
+    if sorted(full.dumps) != sorted(own.dumps) or len(full.ticks) != len(own.ticks):
+        raise UserError(f"{name}: {len(own.dumps)} frames drawn and {len(own.ticks)} timed where "
+                        f"the full renderer has {len(full.dumps)} and {len(full.ticks)}")
+    for dump in sorted(full.dumps):
+        if full.dumps[dump] != own.dumps[dump]:
+            raise UserError(f"{name}: {dump} is not what the full renderer draws")
+
+
+def is_as_fast(own: int, full: int) -> bool:
+    """Whether a frame of so many ticks keeps up with the full renderer's."""
+    return own <= full + LONGER
+
+
+def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
+    """The program by what lies as in the full renderer: nothing, what is timed again and again, all
+    that is timed (Part.timed); each in some orders, the smallest first. Those that fit, if any does."""
+    made = []
+    for least in (3, 2, 1):
+        fixed = {p.section: places[p.section] for p in program.parts.values()
+                 if p.timed >= least and p.section in places}
+        made += [Layout(program, fixed, order) for order in range(ORDERS if fixed else 1)]
+    return sorted([each for each in made if each.fits] or made, key=lambda layout: layout.size)
+
+
+def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,
+        machine: str, folder: Path) -> tuple[Layout, Run]:
+    """The smallest layout whose frames are all as fast as the full renderer's, or the last."""
+    (folder / "made").mkdir()
+    for number, layout in enumerate(layouts(program, places)):
+        layout.write(folder / "made" / name)
+        own = run_program(name, "", {}, machine, folder / f"own{number}", folder / "made",
+                          len(full.ticks))
+        compare(full, own, name)
+        if all(is_as_fast(*ticks) for ticks in zip(own.ticks, full.ticks)):
+            break
+    return layout, own
+
+
+def sizes(program: bytes, scene: Scene) -> dict[str, int]:
+    """Bytes of the file: what is code and its tables, the scene without maps, the maps."""
+    maps = sum(len(data) + -len(data) % 4 for data in map(ordered, scene.textures))
+    inside = len(write(scene, with_palette=False))
+    return {"file": len(program), "code": len(program) - inside, "scene": inside - maps,
+            "maps": maps, "without_maps": len(program) - maps}
+
+
+def describe(layout: Layout) -> list[dict]:
+    """What is inside, the largest first."""
+    rows = [{"name": part.section.title, "file": Path(part.section.file).stem,
+             "bytes": part.bytes, "of": part.section.size, "timed": part.timed}
+            for part in layout.program.parts.values() if not part.section.bss]
+    return sorted(rows, key=lambda row: (-row["bytes"], row["name"]))
+
+
+def print_report(about: dict, out: Path) -> None:
+    """A short table."""
+    own, full = about["bytes"], about["full_bytes"]
+    print(f"{about['scene']} on {about['machine']}: {out / about['scene']}\n")
+    print(f"{'bytes':<22} {'full renderer':>14} {'this program':>14}")
+    for name, text in (("code", "code and tables"), ("scene", "scene without maps"),
+                       ("maps", "maps"), ("file", "together"),
+                       ("without_maps", "without maps")):
+        print(f"{text:<22} {full[name]:>14,} {own[name]:>14,}")
+    ticks = about["ticks"]
+    same = sum(map(is_as_fast, ticks["own"], ticks["full"]))
+    print(f"{'cycles a frame, mean':<22}", *(
+        f"{np.mean(ticks[kind]) * CYCLES_PER_TICK:>14,.0f}" for kind in ("full", "own")))
+    print(f"{'frames as fast':<22} {'':>14} {f'{same} of ' + str(len(ticks['own'])):>14}\n")
+    inside = [row for row in about["inside"] if row["name"] != "scene_data"]
+    names = [f"{row['name']} {row['bytes']}" for row in inside]
+    more = f" and {len(names) - ROUTINES} more" if len(names) > ROUTINES else ""
+    print("inside: " + ", ".join(names[:ROUTINES]) + more)
+
+
+def command(path: Path, out: Path, machine: str) -> int:
+    """Makes the program of a scene file in the directory ``out``; raises UserError."""
+    check_directory(out)
+    scene = compile_scene(path, None)
+    name = path.stem
+    if not re.fullmatch(r"[A-Za-z0-9_-]{1,30}", name):
+        raise UserError(f"{path}: its name is not from 1 to 30 letters, digits, _ and -, "
+                        "as the program's shall be")
+    sections = load_sections(scene)
+    scene_file = write(scene)
+    print(f"{name}: {scene.frames} frames, traced, then drawn by each arrangement that is tried",
+          flush=True)
+    with emulator.workspace() as folder:
+        full = run_program("render", SCENE_NAME, {SCENE_NAME: scene_file}, machine,
+                           folder / "full", PROGRAMS, scene.frames)
+        program = Program(sections, ALIASES, measure(sections, folder / "measured"))
+        layout, own = fit(program, renderer_places(sections), full, name, machine, folder)
+        made = {file: (folder / "made" / file).read_bytes() for file in (name, f"{name}.map")}
+    full_bytes = (PROGRAMS / "render").stat().st_size
+    inside = sizes(made[name], scene)
+    about = {"scene": name, "machine": machine, **provenance.record(), "bytes": inside,
+             "full_bytes": {"file": full_bytes + len(scene_file), "code": full_bytes,
+                            "scene": len(scene_file) - inside["maps"], "maps": inside["maps"],
+                            "without_maps": full_bytes + len(scene_file) - inside["maps"]},
+             "memory": {"code": layout.size, "cleared": layout.bss},
+             "ticks": {"full": full.ticks, "own": own.ticks}, "inside": describe(layout)}
+    out.mkdir(parents=True, exist_ok=True)
+    for file, data in made.items():
+        (out / file).write_bytes(data)
+    (out / "program.json").write_text(json.dumps(about, indent=1) + "\n")
+    print_report(about, out)
+    return 0

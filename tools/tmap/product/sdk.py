@@ -1,0 +1,225 @@
+"""Makes the SDK: what others need to link this tree's loops into programs of their own.
+
+    include/    C headers as they are in c/, tmap020.h which includes them, tmap020.i for assembly
+    c/          C sources, and sources.mk: which of them each drawing routine needs
+    lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
+    example/    two programs and their Makefile
+
+A routine is public where a C header declares it; the libraries hold the public ones and what they
+refer to.
+"""
+
+import re
+import shutil
+import subprocess
+import tarfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.paths import BUILD, ROOT
+from tmap.build import contracts, elf_object, hunk_object
+from tmap.build.elf_object import Section
+from tmap.product import sdk_include
+
+#: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
+#: the programs' own.
+C_ROOMS = ("mesh", "polygon", "span", "texture", "tmu", "tx")
+C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
+ASM_ROOMS = (*contracts.KERNELS, "gen")
+#: Lists of C sources: what each offers, routines or a whole room.
+LISTS = {"polygon_draw": ("polygon_draw",),
+         "perspective": ("reciprocals_make", "logarithms_make"),
+         "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
+         "mesh": "mesh", "tx": "tx", "tmu": "tmu"}
+FILES = Path(__file__).with_name("sdk_files")
+EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
+INCLUDE = re.compile(r'#include "([^"]+)"')
+DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
+ARCHIVE = "tmap020"
+
+
+@dataclass
+class Tree:
+    """What the project's build left, by the names that are defined there."""
+
+    sections: dict[Path, list[Section]]
+    home: dict[str, Path]  # of each symbol
+
+    def needed(self, symbols: list[str]) -> list[Path]:
+        """The objects that define the symbols, and those that they refer to, sorted."""
+        found: set[Path] = set()
+        todo = [self.home[name] for name in symbols]
+        while todo:
+            path = todo.pop()
+            if path not in found:
+                found.add(path)
+                todo += [self.home[name] for name in references(self.sections[path])
+                         if name in self.home]
+        return sorted(found)
+
+    def groups(self, paths: list[Path]) -> list[list[Path]]:
+        """The objects, those together that refer to one another by distances: linkers disagree on
+        these, so they are settled here."""
+        of = {path: [path] for path in paths}
+        for path in paths:
+            for target in references(self.sections[path], True):
+                own, other = of[path], of[self.home[target]]
+                if own is not other:
+                    of |= dict.fromkeys(own + other, own + other)
+        return [group for path, group in of.items() if group[0] == path]
+
+
+def references(sections: list[Section], relative: bool = False) -> set[str]:
+    """The symbols that an object expects of others; ``relative``: those it takes distances to."""
+    return {r.target for s in sections for r in s.relocations
+            if isinstance(r.target, str) and (r.relative or not relative)}
+
+
+def included(path: Path) -> list[Path]:
+    """The headers that a file of c/ includes itself."""
+    return [Path(name) for name in INCLUDE.findall((ROOT / "c" / path).read_text())]
+
+
+def offered(suffix: str) -> list[Path]:
+    """The public C sources or headers, relative to c/: not plain C that is for comparisons
+    alone."""
+    paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
+             for path in sorted((ROOT / "c" / room).glob(f"*{suffix}"))]
+    return [path for path in (*paths, *C_FILES) if path.suffix == suffix
+            and not any(each.stem.startswith("plain") for each in (path, *included(path)))]
+
+
+def headers() -> list[Path]:
+    """The public headers, and those that public files include, relative to c/."""
+    todo = offered(".c") + offered(".h")
+    found: set[Path] = set()
+    while todo:
+        path = todo.pop()
+        if path.suffix == ".h":
+            found.add(path)
+        todo += [each for each in included(path) if each not in found]
+    return sorted(found)
+
+
+def declared() -> set[str]:
+    """The routines that public headers declare."""
+    return {name for path in offered(".h")
+            for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
+
+
+def public() -> list[contracts.Contract]:
+    """The contracts of the routines that are offered, by file."""
+    names = declared()
+    return [each for each in contracts.kernels(ROOT / "src68k") if each.name in names]
+
+
+def built() -> Tree:
+    """The objects of the public rooms."""
+    compiler, *names = (BUILD / "obj" / "objects").read_text().split()
+    wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in offered(".c")] \
+        + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
+           and is_assembly(ROOT / name)]
+    tree = Tree({path: elf_object.load(path) for path in wanted}, {})
+    for path, sections in tree.sections.items():
+        tree.home |= {name: path for section in sections for name in section.symbols}
+    return tree
+
+
+def is_assembly(path: Path) -> bool:
+    """Whether an object was built of an assembly source."""
+    return path.is_relative_to(BUILD / "obj" / "asm")
+
+
+def run_tool(*words: str | Path) -> None:
+    """Runs a tool; UserError with what it said where that fails."""
+    done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, errors="replace", cwd=ROOT)
+    if done.returncode:
+        raise UserError(f"{Path(words[0]).name} failed: {done.stdout.strip()}")
+
+
+def hunk_units(path: Path) -> dict[str, bytes]:
+    """An ELF object as hunk objects, by linker."""
+    sections = elf_object.load(path)
+    return {kind: hunk_object.unit(path.name, sections, names)
+            for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
+
+
+def write_libraries(out: Path, groups: list[list[Path]]) -> None:
+    """The objects in all three forms, one by one and as a library each."""
+    folders = {name: out / "lib" / name for name in ("elf", "gcc", "vlink")}
+    for folder in folders.values():
+        (folder / "objects").mkdir(parents=True)
+    libraries = {"gcc": b"", "vlink": b""}
+    for group in groups:
+        name = f"{group[0].parent.name}_{group[0].name}"
+        merged = folders["elf"] / "objects" / name
+        run_tool("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, *group)
+        for kind, unit in hunk_units(merged).items():
+            (folders[kind] / "objects" / name).write_bytes(unit)
+            libraries[kind] += unit
+    start = folders["elf"] / "start.o"
+    run_tool(ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Felf", "-o", start,
+                 FILES / "start.s")
+    for kind, unit in hunk_units(start).items():
+        (folders[kind] / "start.o").write_bytes(unit)
+    (folders["gcc"] / f"lib{ARCHIVE}.a").write_bytes(libraries["gcc"])
+    (folders["vlink"] / f"{ARCHIVE}.lib").write_bytes(libraries["vlink"])
+    run_tool("m68k-linux-gnu-ar", "rcsD", folders["elf"] / f"lib{ARCHIVE}.a",
+                 *sorted((folders["elf"] / "objects").iterdir()))
+
+
+def source_lists(tree: Tree) -> str:
+    """sources.mk: the C sources that each entry needs, as a variable of its name."""
+    lines = ["# C sources by what they offer, each list with all C that it needs."]
+    for name, offer in LISTS.items():
+        symbols = [f"_{routine}" for routine in offer] if isinstance(offer, tuple) else \
+            [symbol for symbol, path in tree.home.items()
+             if path.parent.name == offer and not is_assembly(path)]
+        paths = [path for path in tree.needed(symbols) if not is_assembly(path)]
+        files = [f"{path.parent.name}/{path.stem}.c" for path in paths]
+        lines += [f"{name} := \\", *(f"  {file} \\" for file in files[:-1]), f"  {files[-1]}"]
+    return "\n".join(lines) + "\n"
+
+
+def copy_files(out: Path) -> None:
+    """Headers, sources, example, licence and what to read."""
+    for folder, files in (("include", headers()), ("c", offered(".c"))):
+        for path in files:
+            (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / "c" / path, out / folder / path)
+    (out / "example").mkdir()
+    for name in EXAMPLE:
+        shutil.copyfile(FILES / name, out / "example" / name)
+    shutil.copyfile(Path(__file__).with_name("hunk.py"), out / "example" / "elf2hunk.py")
+    shutil.copyfile(FILES / "README.txt", out / "README.txt")
+    shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")
+
+
+def make(out: Path) -> int:
+    """Writes the SDK into ``out``, which holds nothing else afterwards; returns how many routines
+    it offers."""
+    if out.exists() and not (out / "README.txt").exists() and any(out.iterdir()):
+        raise UserError(f"{out} holds something else than an SDK: it is left as it is")
+    shutil.rmtree(out, ignore_errors=True)
+    out.mkdir(parents=True)
+    copy_files(out)
+    tree, routines = built(), public()
+    paths = tree.needed([each.name for each in routines])
+    write_libraries(out, tree.groups([path for path in paths if is_assembly(path)]))
+    (out / "c" / "sources.mk").write_text(source_lists(tree))
+    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(offered(".h")))
+    (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
+    return len(routines)
+
+
+def command(out: Path) -> int:
+    """``tmap sdk``: the folder, and beside it an archive of it."""
+    count = make(out)
+    archive = out.with_name(f"{ARCHIVE}-sdk.tar.gz")
+    with tarfile.open(archive, "w:gz") as tar:
+        tar.add(out, f"{ARCHIVE}-sdk")
+    print(f"{out}: {count} routines; {out / 'README.txt'} says how to link them\n"
+          f"{archive}: the same, packed")
+    return 0

@@ -1,0 +1,168 @@
+"""What the report shows, measured or taken from the cache: one function a part."""
+
+import json
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass
+from itertools import count
+from pathlib import Path
+
+from rich.progress import Progress
+
+from tmap.base.errors import UserError
+from tmap.base.paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
+from tmap.guest import cache, provenance
+from tmap.guest.cache import Entry
+from tmap.guest.emulator import MEASURED
+
+#: What methods and hard cases are drawn on.
+MACHINE = "a1200-fast"
+#: Of a scene's run, what the page shows.
+SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
+#: To be raised when what a part keeps in the cache takes another form.
+FORM = "1"
+#: Told how many of how many steps are done; None: nobody knows.
+Tell = Callable[[int, int | None], None]
+
+
+@dataclass
+class Found:
+    """Everything; what was not measured is None."""
+
+    bench: dict  # as bench.json, accuracy.json and polys.json have it
+    accuracy: dict
+    polys: dict
+    scenes: list[Entry]
+    sets: Entry | None = None  # the files beside accuracy.json
+    methods: Entry | None = None
+    hard: Entry | None = None
+
+
+def scene_names(chosen: list[str] | None) -> list[str]:
+    """All scenes, or those that were asked for."""
+    known = sorted(path.stem for path in SCENES.glob("*.toml"))
+    unknown = [name for name in chosen or () if name not in known]
+    if unknown:
+        raise UserError(f"report: no scene is called {unknown[0]}; there are {', '.join(known)}")
+    return list(dict.fromkeys(chosen)) if chosen else known
+
+
+def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
+    """What identifies a part that a module of the tools measures."""
+    return cache.key(module, files, [FORM, *words])
+
+
+def of_scene(name: str, machine: str) -> Entry:
+    """A scene drawn: run.json's content without dumps and palette, and what its texels are off."""
+    path = SCENES / f"{name}.toml"
+
+    def make(folder: Path) -> dict:
+        from tmap.accuracy import showcase
+        from tmap.run import run
+        from tmap.compiler.scene import compile_scene
+
+        about = run.make(path, folder, machine, None, "addx")
+        for file in set(folder.iterdir()) - {folder / kept for kept in SCENE_FILES}:
+            file.unlink()
+        return {name: value for name, value in about.items() if name != "palette"} | {
+            "errors": asdict(showcase.errors_of(compile_scene(path)))}
+
+    identity = key("showcase", cache.scene_files(path), machine)
+    return cache.kept(f"scene_{name}", identity, make)
+
+
+def bench_scene_files() -> list[Path]:
+    """The scenes that the bench draws."""
+    from tmap.bench import scenes as bench_scenes
+
+    return [file for name in bench_scenes.NAMES
+            for file in cache.scene_files(SCENES / f"{name}.toml")]
+
+
+def of_bench(tell: Tell) -> Entry:
+    """All rows of the bench on all machines."""
+    def make(folder: Path) -> dict:
+        from tmap.bench import bench
+
+        found = bench.bench(list(bench.CONDITIONS), on_case=lambda done: tell(done, None))
+        bench.write(found, folder)
+        return found
+
+    return cache.kept("bench", key("bench", bench_scene_files()), make)
+
+
+def of_accuracy(tell: Tell) -> Entry:
+    """All sets under all settings, on all machines."""
+    def make(folder: Path) -> dict:
+        from tmap.accuracy import accuracy
+        from tmap.corpus import polygon_sets
+
+        names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], count(1)
+        total = len(names) * len(MEASURED)
+        accuracy.write_sets(folder, names, list(MEASURED), False,
+                            lambda: tell(next(done), total))
+        return json.loads((folder / "accuracy.json").read_text())
+
+    files = cache.scene_files(SCENES / "mappers.toml")
+    return cache.kept("accuracy", key("accuracy", files), make)
+
+
+def of_methods(tell: Tell) -> Entry:
+    """A turning face by each method."""
+    def make(folder: Path) -> dict:
+        from tmap.accuracy import methods
+
+        done = count(1)
+        table = methods.write(folder, MACHINE, lambda: tell(next(done), len(methods.METHODS)))
+        return provenance.record() | {"machine": MACHINE, "table": table}
+
+    files = cache.scene_files(SCENES / "face.toml")
+    return cache.kept("methods", key("methods", files, MACHINE), make)
+
+
+def of_polys(_: Tell) -> Entry:
+    """Polygons a second."""
+    def make(_: Path) -> dict:
+        from tmap.accuracy import polys
+
+        return polys.measure_all()
+
+    return cache.kept("polys", key("polys"), make)
+
+
+def of_hard_cases(tell: Tell) -> Entry:
+    """The page of hard cases, and which exceed a bound."""
+    def make(folder: Path) -> dict:
+        from tmap.accuracy import accuracy
+
+        complaints = accuracy.write_hard_cases(folder, MACHINE, tell)
+        return provenance.record() | {"machine": MACHINE, "complaints": complaints}
+
+    return cache.kept("hard", key("accuracy", [], MACHINE), make)
+
+
+def committed(path: Path) -> dict:
+    """A baseline."""
+    return json.loads(path.read_text())
+
+
+def gather(scenes: list[str], machine: str, only_committed: bool, progress: Progress) -> Found:
+    """Everything the page shows; ``progress`` is told what is being measured."""
+    task, drawn = progress.add_task("scenes", total=len(scenes)), []
+    for name in scenes:
+        progress.update(task, description=f"scene {name}")
+        drawn.append(of_scene(name, machine))
+        progress.advance(task)
+    progress.update(task, description="scenes")
+    if only_committed:
+        return Found(*map(committed, (BASELINE, ACCURACY_BASELINE, POLYS_BASELINE)), drawn)
+
+    def part(name: str, find: Callable[[Tell], Entry]) -> Entry:
+        task = progress.add_task(name, total=None)
+        entry = find(lambda done, total: progress.update(task, completed=done, total=total))
+        progress.update(task, total=1, completed=1)
+        return entry
+
+    methods, polys = part("methods", of_methods), part("polygons a second", of_polys)
+    bench, sets = part("bench", of_bench), part("accuracy", of_accuracy)
+    hard = part("hard cases", of_hard_cases)
+    return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard)

@@ -1,0 +1,114 @@
+"""The pages for readers, and what can be checked in them.
+
+Pages are the Markdown files on top and the README.md of each room. A table stands between two
+marker lines, by its title; every table has one page, every marker a table. Links, files and
+commands that a page names are there.
+"""
+
+import re
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.paths import ROOT
+
+BEGIN, END = "<!-- {}: written by scripts/tmap readme -->", "<!-- end -->"
+MARKER = re.compile(BEGIN.format("(.+)"))
+ROOMS = ("src68k", "c", "tests", "tools", "scripts")
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+HEADING = re.compile(r"^#+ +(.*)$", re.M)
+FENCE = re.compile(r"^```.*?^```", re.M | re.S)
+INDENTED = re.compile(r"^    .*$", re.M)
+CODE = re.compile(r"`([^`]+)`")
+#: A file or folder of the tree, in code: "c/span/", "tools/tmap/ideal/bounds.py", "tests/test_*.py".
+FILE = re.compile(rf"(?:{'|'.join(ROOMS)})/[\w./*-]*")
+
+
+def find(root: Path = ROOT) -> list[Path]:
+    """All pages, those on top first."""
+    return [*sorted(root.glob("*.md")),
+            *(page for room in ROOMS for page in sorted((root / room).rglob("README.md")))]
+
+
+def name(page: Path, root: Path = ROOT) -> str:
+    """A page's path in the tree."""
+    return str(page.relative_to(root))
+
+
+def prose(text: str) -> str:
+    """A page without its blocks of code."""
+    return INDENTED.sub("", FENCE.sub("", text))
+
+
+def with_table(text: str, page: str, title: str, content: str) -> str:
+    """A page's text with a table between its marker lines."""
+    head, rest = text.split(BEGIN.format(title), 1)
+    old, end, tail = rest.partition(END)
+    if not end or MARKER.search(old):
+        raise UserError(f"{page}: the table {title!r} has no line {END!r} behind it")
+    return f"{head}{BEGIN.format(title)}\n{content}\n{END}{tail}"
+
+
+def with_tables(texts: dict[str, str], tables: dict[str, str]) -> dict[str, str]:
+    """The pages' texts by name, with all tables as they are to be."""
+    pages: dict[str, str] = {}
+    for page, text in texts.items():
+        for title in MARKER.findall(text):
+            if title not in tables:
+                raise UserError(f"{page}: there is no table {title!r}")
+            if title in pages:
+                raise UserError(f"{page}: the table {title!r} is in {pages[title]} too")
+            pages[title] = page
+    if missing := tables.keys() - pages.keys():
+        raise UserError(f"no page has the table {min(missing)!r}")
+    made = dict(texts)
+    for title, page in pages.items():
+        made[page] = with_table(made[page], page, title, tables[title])
+    return made
+
+
+def read(root: Path = ROOT) -> dict[str, str]:
+    """The texts of all pages by name."""
+    return {name(page, root): page.read_text() for page in find(root)}
+
+
+def typed_tables(text: str) -> list[str]:
+    """Lines of tables that stand between no markers, so that nothing keeps them right."""
+    outside = re.sub(rf"{MARKER.pattern}.*?{END}", "", FENCE.sub("", text), flags=re.S)
+    return [line for line in outside.splitlines() if line.startswith("|")]
+
+
+def anchor(heading: str) -> str:
+    """What a host makes of a heading, for links to it."""
+    words = re.sub(r"[^\w\- ]", "", heading.replace("`", "").lower())
+    return words.replace(" ", "-")
+
+
+def wrong_links(page: str, texts: dict[str, str], root: Path = ROOT) -> list[str]:
+    """Links of a page that lead to no file of the tree, or to no heading of a page."""
+    wrong = []
+    for target in LINK.findall(prose(texts[page])):
+        if target.startswith(("http://", "https://")):
+            continue
+        path, _, heading = target.partition("#")
+        file = (root / page).parent / path if path else root / page
+        if not file.exists():
+            wrong.append(target)
+        elif heading:
+            other = texts.get(name(file.resolve(), root), "")
+            if heading not in map(anchor, HEADING.findall(FENCE.sub("", other))):
+                wrong.append(target)
+    return wrong
+
+
+def wrong_files(text: str, root: Path = ROOT) -> list[str]:
+    """Files and folders of the tree, named in code, that are not there."""
+    words = [word for code in CODE.findall(prose(text)) for word in code.split()]
+    named = [match[0] for word in words if (match := FILE.match(word)) and "NAME" not in word]
+    return [each for each in named if not any(root.glob(each.rstrip("/.")))]
+
+
+def commands(text: str) -> tuple[set[str], set[str]]:
+    """The targets of make and the commands of scripts/tmap that a page names."""
+    makes = re.findall(r"(?:^ {4}|`)(?:\w+=\S+ )*make ([a-z][\w-]*)", text, re.M)
+    tmaps = re.findall(r"scripts/tmap ([a-z][\w-]*)", MARKER.sub("", text))
+    return set(makes), set(tmaps)

@@ -1,0 +1,88 @@
+"""``tmap readme``: writes the tables and pictures of the pages, so that nobody types them.
+
+Figures are the committed baselines'; tools/tmap/report/pages.py has where tables stand.
+"""
+
+import json
+
+import numpy as np
+from PIL import Image
+
+from tmap.accuracy import engines, methods, polys
+from tmap.base.markdown import MACHINES
+from tmap.base.outputs import save_animation
+from tmap.base.paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
+from tmap.bench import instruction_costs
+from tmap.compiler import scene
+from tmap.images import palette
+from tmap.report import (pages, readme_cycles, readme_modes, readme_numbers, readme_programs,
+                         readme_scenes)
+from tmap.run import run
+
+PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
+METHODS = SCENES / "methods.png"
+COLOURS = 24  # of the animation
+
+
+def tables() -> dict[str, str]:
+    """All tables of all pages by title, as the baselines have them."""
+    measured, accuracy = (json.loads(path.read_text()) for path in (BASELINE, ACCURACY_BASELINE))
+    counted = json.loads(POLYS_BASELINE.read_text())
+    found = {"addx against swap": readme_cycles.versus_table(measured),
+             "effects": readme_cycles.effects_table(measured),
+             "meshes": readme_cycles.mesh_table(measured),
+             "rules": readme_cycles.rules_table(measured),
+             "what accuracy costs": readme_cycles.accuracy_table(accuracy),
+             "dithered points": readme_cycles.dithered_tables(measured),
+             "perspective": readme_cycles.perspective_table(measured, accuracy),
+             "polygons a second": polys.table(counted["rows"]).rstrip(),
+             "instructions": instruction_costs.table(measured, MACHINES),
+             "Glide's steps": readme_modes.steps_table(measured),
+             "Glide's steps not called for": readme_modes.uncalled_table(measured)}
+    for engine in engines.ENGINES.values():
+        found |= {f"{engine.title} modes": readme_modes.modes_table(measured, engine),
+                  f"{engine.title} formats": readme_modes.formats_table(measured, engine)}
+    return (found | readme_numbers.tables() | readme_programs.tables(measured)
+            | readme_scenes.tables(measured, accuracy, counted))
+
+
+def picture() -> Image.Image:
+    """Frame 0 of the default scene, as the emulated machine draws it."""
+    compiled = scene.compile_scene(SCENES / "default.toml", 1)
+    return run.picture_of(run.render(compiled, "a1200-fast", "addx").frames[0], compiled)
+
+
+def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """COLOURS colours for what a frame shows of a palette, its first one kept, and which of them
+    stands for each entry."""
+    shown = Image.fromarray(full[frame[frame != 0]][None])
+    reduced = shown.quantize(COLOURS - 1, Image.Quantize.MEDIANCUT, kmeans=1,
+                             dither=Image.Dither.NONE).getpalette()
+    colours = np.concatenate([full[:1], np.array(reduced, np.uint8).reshape(-1, 3)])[:COLOURS]
+    return colours, palette.nearest(full, colours)
+
+
+def animation() -> list[Image.Image]:
+    """Every other frame of the environment-mapped knot, in few colours: half the bytes."""
+    compiled = scene.compile_scene(SCENES / "environment.toml")
+    frames = run.render(compiled, "a1200-fast", "addx").frames
+    colours, entries = fewer_colours(compiled.palette, frames[0])
+    images = [Image.fromarray(entries[frame]) for frame in frames[::2]]
+    for image in images:
+        image.putpalette(colours.tobytes())
+    return images
+
+
+def command() -> int:
+    """Writes the tables and all pictures."""
+    before = pages.read()
+    after = pages.with_tables(before, tables())
+    changed = [name for name, text in after.items() if text != before[name]]
+    for name in changed:
+        (ROOT / name).write_text(after[name])
+    picture().save(PICTURE, optimize=True)
+    save_animation(ANIMATION, animation(), 80)
+    methods.write_picture(methods.measure("a1200-fast"), METHODS)
+    pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
+    print(f"written: {', '.join([*changed, *pictures])}")
+    return 0

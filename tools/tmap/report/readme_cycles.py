@@ -1,0 +1,147 @@
+"""The pages' tables of loops, polygons, meshes and rules: their cycles out of the baselines."""
+
+from tmap.accuracy import dither_errors
+from tmap.base.markdown import MACHINES, table
+from tmap.bench import bench, rules
+from tmap.guest.emulator import CLOCK_HZ
+
+#: What is compared: title, name with {} for the form, length.
+LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 1024),
+         ("step, 3", "step_{}_3", 1024), ("pixel, 1 interpolant", "pixel_{}_1", 256),
+         ("pixel, 2 (affine)", "pixel_{}_2", 256), ("pixel, 3 (affine, lit)", "pixel_{}_3", 256),
+         *((f"affine span of {n} pixels, set-up included", "affine_{}", n)
+           for n in (256, 64, 16, 4))]
+
+
+def versus_table(baseline: dict) -> str:
+    """Markdown: swap / addx on each machine, cycles a pixel or step."""
+    figures = bench.figures(baseline["rows"])
+    rows = [[title, *(" / ".join(f"{figures[name.format(form), machine, length]:.1f}"
+                                 for form in ("swap", "addx")) for machine in MACHINES)]
+            for title, name, length in LINES]
+    rows.append([f"the same span in C ({baseline['compiler']}), 256 pixels",
+                 *(f"{figures['affine_c', machine, 256]:.1f}" for machine in MACHINES)])
+    return table(["cycles, swap / addx", *MACHINES.values()], rows, "l")
+
+
+#: What accuracy costs: edges, gradients, start, mapper of the table's lines.
+ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
+                  ("subpixel", "polygon", "truncated", "affine"),
+                  ("subpixel", "polygon", "subtexel", "affine"),
+                  ("subpixel", "plane", "subtexel", "affine"),
+                  ("exact", "plane", "subtexel", "affine"),
+                  ("exact", "scanline", "subtexel", "affine"),
+                  *(("exact", "plane", "subtexel", mapper) for mapper in (
+                      "arbitrary", "tiled", "columns", "generated", "gouraud",
+                      "lit", "lit_gouraud", "dithered")))
+
+
+def accuracy_table(accuracy: dict) -> str:
+    """Markdown: the medium set in fast RAM."""
+    found = {(r["edges"], r["gradients"], r["start"], r["mapper"]): r for r in accuracy["rows"]
+             if r["machine"] == "a1200-fast" and r["name"] == "medium"}
+    rows = []
+    for edges, gradients, start, mapper in ACCURACY_LINES:
+        r = found[edges, gradients, start, mapper]
+        rows.append([mapper, edges, gradients, start, f"{r['cycles_per_pixel']:.1f}",
+                     f"{r['coverage_errors_per_million']:,.0f}", f"{r['texel_error_rms']:.4f}",
+                     f"{r['wrong_texels_percent']:.2f} %"])
+    return table(["mapper", "edges", "gradients", "start", "cycles a pixel",
+                  "wrong pixels in 10^6", "rms error, texels", "wrong texels"], rows, "llllr")
+
+
+#: Perspective: title, setting, bench row of its spans, of the ones that take over.
+PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
+                     ("every 16 pixels", "every16", "persp_every16", "persp_every16_exact"),
+                     ("every 8 pixels", "every8", "persp_every8", "persp_every8_exact"),
+                     ("each pixel, 1/16 texel", "pixel", "persp_pixel", "persp_pixel_exact"),
+                     ("each pixel, 1/128 texel", "fine", "persp_pixel_fine", None))
+
+
+def perspective_table(baseline: dict, accuracy: dict) -> str:
+    """Markdown: spans of 256 pixels in fast and mixed RAM, whole polygons in fast RAM."""
+    figures = bench.figures(baseline["rows"])
+    found = {r["perspective"]: r for r in accuracy["rows"] if r["name"] == "depth"
+             and (r["machine"], r["edges"]) == ("a1200-fast", "exact")}
+    rows = []
+    for title, setting, name, exact in PERSPECTIVE_LINES:
+        r = found[setting]
+        spans = [f"{figures[name, machine, 256]:.1f}" for machine in ("a1200-fast", "a1200-mixed")]
+        rows.append([
+            title, *spans, f"{figures[exact, 'a1200-fast', 256]:.1f}" if exact else "",
+            f"{r['cycles_per_pixel']:.0f}", f"{r['texel_error_max']:.3f}",
+            f"{r['texel_error_rms']:.4f}"])
+    return table(["perspective", "span, fast RAM", "data in chip", "the exact form", "polygons",
+                  "largest error, texels", "rms"], rows)
+
+
+#: Effects: title, bench row, its length.
+EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
+                ("rotator, v wraps more than once a line", "rotator_wrap", 320),
+                ("rotator, swap", "rotator_swap", 320),
+                ("generated code, lines inside a row of the map", "generated", 256),
+                ("v's step 0: floors, upright pictures", "affine_row", 256),
+                ("u's step 0: walls on their side", "affine_column", 256),
+                ("texels and frame of 16 bits", "affine_16", 256),
+                ("the same, v's step 0, a texel a pixel: copied", "affine_16_copy", 256),
+                ("texels and frame of 32 bits", "affine_32", 256),
+                ("lit, one level", "affine_lit", 256),
+                ("lit, a level each pixel", "affine_gouraud", 256))
+
+
+def effects_table(baseline: dict) -> str:
+    """Markdown: cycles a pixel on each machine, pixels a second."""
+    figures, rows = bench.figures(baseline["rows"]), []
+    for title, name, length in EFFECT_LINES:
+        found = [figures[name, machine, length] for machine in MACHINES]
+        rows.append([title, *(f"{n:.1f}" for n in found), f"{CLOCK_HZ / found[0]:,.0f}"])
+    return table(["cycles a pixel", *MACHINES.values(), "pixels a second, fast RAM"], rows)
+
+
+#: Dithered points beside points: title, bench rows.
+DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
+                  ("8 bits, where v may wrap", "dithered_wrap", "affine_addx_wrap"),
+                  ("16 or 32 bits", "dithered_16", "affine_16"),
+                  ("16 or 32 bits, where v may wrap", "dithered_16_wrap", "affine_16_wrap"))
+
+
+def dithered_tables(baseline: dict) -> str:
+    """Markdown: what dithered points are off from the bilinear filter, and what they cost."""
+    figures = bench.figures(baseline["rows"])
+    rows = [[title, *(" / ".join(f"{figures[name, machine, 256]:.1f}" for name in names)
+                      for machine in MACHINES)] for title, *names in DITHERED_LINES]
+    costs = table(["cycles a pixel, dithered / points", *MACHINES.values()], rows)
+    return f"{dither_errors.table()}\n\n{costs}"
+
+
+#: Meshes: title of a line, row.
+MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
+              ("a point outside the borders", "mesh_transform_outside"),
+              ("a normal: one of s, t and shade", "mesh_looks"),
+              ("a face of four corners that is seen", "mesh_faces"),
+              ("a face seen from the back", "mesh_faces_back"),
+              ("a new corner where a border cuts", "mesh_cut"))
+
+
+def mesh_table(baseline: dict) -> str:
+    """Markdown: what meshes cost before their polygons are drawn."""
+    figures = bench.figures(baseline["points"])
+    return table(["cycles", *MACHINES.values()],
+                 [[title, *(f"{figures[name, machine, 1]:.0f}" for machine in MACHINES)]
+                  for title, name in MESH_LINES])
+
+
+def rules_table(baseline: dict) -> str:
+    """Markdown: what a polygon costs without each rule of lowering, and with it, kilocycles."""
+    figures = bench.figures(baseline["rules"])
+    machines = ("a1200-fast", "a1200")
+    rows = []
+    for case in rules.CASES:
+        cells = []
+        for machine in machines:
+            on, off = (figures[f"rule_{case.name}{end}", machine, 1] / 1000
+                       for end in ("", rules.WITHOUT))
+            cells.append(f"{off:.1f} / {on:.1f}")
+        rows.append([case.name, case.asked or "none", case.lowered or "none", *cells])
+    return table(["rule", "spans without it", "with it",
+                  *(MACHINES[machine] for machine in machines)], rows, "lllr")

@@ -1,0 +1,148 @@
+"""The pages' tables of texture engines: what their modes and texel formats cost and are off."""
+
+from dataclasses import dataclass
+
+from tmap.accuracy import engines
+from tmap.accuracy.engines import Engine
+from tmap.base.markdown import MACHINES, table
+from tmap.bench import bench
+from tmap.bench.modes.measure import FIRST_ROW, PLAIN_END, PLAIN_MACHINE, ROW
+
+Figures = dict[tuple[str, str], float]
+Rows = dict[tuple[str, str], dict]
+
+
+def rows_of(baseline: dict) -> Rows:
+    """Rows by name and machine."""
+    return {(row["name"], row["machine"]): row
+            for kind in ("modes", "first_frames") for row in baseline[kind]}
+
+
+def figures_of(baseline: dict) -> Figures:
+    """Cycles by a row's name and machine."""
+    return {name: bench.cycles(row) for name, row in rows_of(baseline).items()}
+
+
+def ratio(figures: Figures, name: str) -> float:
+    """How many times the plain C of a mode takes."""
+    return figures[f"{ROW}{name}{PLAIN_END}", PLAIN_MACHINE] / figures[ROW + name, PLAIN_MACHINE]
+
+
+def thousands(cycles: float) -> str:
+    """Whole thousands; what is nearly nothing has no sign."""
+    return f"{round(cycles / 1000):,}"
+
+
+def modes_table(baseline: dict, engine: Engine) -> str:
+    """Markdown: cycles a pixel, in plain C, and of the first frame; errors on both pictures."""
+    figures, rows = figures_of(baseline), []
+    for mode in engine.modes:
+        cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
+        cells += [f"{figures[f'{ROW}{mode.name}{PLAIN_END}', PLAIN_MACHINE]:,.0f}",
+                  f"{ratio(figures, mode.name):.1f}"] if mode.in_c else ["", ""]
+        cells.append(thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE]))
+        rows.append([mode.title, *cells, *engine.errors(mode)])
+    return table(["cycles a pixel; errors in 1/255", *MACHINES.values(), "plain C, fast RAM",
+                  "times", "first frame, kcycles more", *engines.TITLES], rows)
+
+
+def formats_table(baseline: dict, engine: Engine) -> str:
+    """Markdown: each texel format, point sampled and filtered."""
+    figures, rows = figures_of(baseline), []
+    for form, names in engine.formats.items():
+        cells = [form]
+        for name in names:
+            found = [figures[ROW + name, machine] for machine in ("a1200-fast", "a1200")]
+            cells += [f"{n:,.1f}" for n in found]
+            cells += [f"{figures[f'{ROW}{name}{PLAIN_END}', PLAIN_MACHINE]:,.0f}",
+                      thousands(figures[FIRST_ROW + name, PLAIN_MACHINE]),
+                      *engine.errors(engine.every[name])[:2]]
+        rows.append(cells)
+    titles = [f"{how}: {what}" for how in ("point", engine.filtered) for what in (
+        "fast RAM", "chip RAM only", "plain C", "first frame, kcycles", "largest error", "rms")]
+    return table(["texels", *titles], rows)
+
+
+@dataclass(frozen=True)
+class Step:
+    """What is switched on. ``without``, ``on``: the modes without it and with it; ``small``: of
+    SMALL, what is done once a polygon without it."""
+
+    title: str
+    without: str
+    on: str
+    small: str = ""
+
+    def more(self, figures: Figures, machine: str) -> float:
+        """Cycles a pixel that it adds."""
+        return figures[ROW + self.on, machine] - figures[ROW + self.without, machine]
+
+
+#: Of Glide's unit, what shows.
+STEPS = (Step("bilinear instead of points", "tmu_point", "tmu_bilinear"),
+         Step("the same in perspective", "tmu_point_perspective", "tmu_bilinear_perspective"),
+         Step("the same, mip-mapped", "tmu_mip_point", "tmu_mip_bilinear"),
+         Step("weights of 8 bits instead of 4", "tmu_bilinear", "tmu_bilinear_8"),
+         Step("perspective, of points", "tmu_point", "tmu_point_perspective"),
+         Step("perspective, of bilinear texels", "tmu_bilinear", "tmu_bilinear_perspective"),
+         Step("a level of detail each pixel, of points", "tmu_point_perspective",
+              "tmu_mip_point"),
+         Step("a level of detail each pixel, of bilinear texels", "tmu_bilinear_perspective",
+              "tmu_mip_bilinear"),
+         Step("its dither", "tmu_mip_bilinear", "tmu_mip_bilinear_dither"),
+         Step("trilinear, by a second unit", "tmu_mip_bilinear", "tmu_trilinear"),
+         Step("a detail texture, by a second unit", "tmu_bilinear_perspective", "tmu_detail"),
+         Step("a second unit, multiplied", "tmu_bilinear", "tmu_modulate"),
+         Step("the same in perspective", "tmu_bilinear_perspective", "tmu_modulate_perspective"),
+         Step("own s, t and w of the second unit: projected", "tmu_modulate_perspective",
+              "tmu_projected"))
+#: What is on and does nothing for its polygon.
+UNCALLED = (Step("clamping, inside the map", "tmu_point", "tmu_point_inside", "tmu_point_small"),
+            Step("perspective, all as deep: points", "tmu_point", "tmu_level_point",
+                 "tmu_point_small"),
+            Step("perspective, all as deep: bilinear", "tmu_bilinear", "tmu_level_bilinear",
+                 "tmu_bilinear_small"),
+            Step("mip maps, one level of detail", "tmu_bilinear", "tmu_mip_level",
+                 "tmu_bilinear_small"),
+            Step("trilinear filtering, magnified", "tmu_double", "tmu_trilinear_double",
+                 "tmu_bilinear_small"),
+            Step("a detail texture, too far away", "tmu_away", "tmu_detail_away",
+                 "tmu_bilinear_perspective_small"),
+            Step("a second unit that does not count", "tmu_bilinear", "tmu_decal",
+                 "tmu_bilinear_small"))
+
+
+def steps_table(baseline: dict) -> str:
+    """Markdown: what each step of Glide's unit adds where it is on."""
+    figures, rows = figures_of(baseline), []
+    for step in STEPS:
+        cells = []
+        for machine in MACHINES:
+            cells += [f"{figures[ROW + step.without, machine]:,.1f}",
+                      f"{step.more(figures, machine):+,.1f}"]
+        rows.append([step.title, *cells])
+    titles = [f"{what}, {words}" for words in MACHINES.values()
+              for what in ("without", "more with it")]
+    return table(["cycles a pixel", *titles], rows)
+
+
+def polygon(rows: Rows, name: str, machine: str) -> float:
+    """Cycles of a mode's whole polygon."""
+    row = rows[ROW + name, machine]
+    return bench.cycles(row) * row["length"]
+
+
+def uncalled_table(baseline: dict) -> str:
+    """Markdown: what a polygon costs more with each step on that does nothing for it, beside what
+    a polygon of a few pixels costs."""
+    measured, rows = rows_of(baseline), []
+    for step in UNCALLED:
+        cells = []
+        for machine in MACHINES:
+            on, without, small = (polygon(measured, name, machine)
+                                  for name in (step.on, step.without, step.small))
+            cells += [f"{on - without:+,.0f}", f"{small:,.0f}"]
+        rows.append([step.title, *cells])
+    titles = [f"{what}, {words}" for words in MACHINES.values()
+              for what in ("more", "one of 8 pixels")]
+    return table(["cycles a polygon", *titles], rows)

@@ -1,0 +1,59 @@
+"""The tables of the pages on the Amiga programs and on chunky to planar."""
+
+import re
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.markdown import MACHINES, table
+from tmap.base.paths import ROOT
+from tmap.bench import bench
+
+PROGRAMS = ROOT / "c" / "programs"
+#: "/* name - what it does." at a program's beginning.
+SUMMARY = re.compile(r"/\* (\w+) - (.+?)\.\n", re.S)
+TEMPLATE = re.compile(r'args_read\(((?:\s*"[^"]*")+)')
+
+
+def about(source: Path) -> tuple[str, str, str]:
+    """A program's name, its template of arguments and what it does."""
+    text = source.read_text()
+    summary, template = SUMMARY.match(text), TEMPLATE.search(text)
+    if not summary or summary[1] != source.stem:
+        raise UserError(f"{source.name}: does not begin with /* {source.stem} - what it does.")
+    arguments = "".join(re.findall(r'"([^"]*)"', template[1])) if template else ""
+    return source.stem, f"`{arguments}`" if arguments else "none", " ".join(summary[2].split())
+
+
+def programs_table() -> str:
+    """Markdown: each program."""
+    return table(["program", "template", "does"],
+                 [about(source) for source in sorted(PROGRAMS.glob("*.c"))], "l")
+
+
+#: Chunky to planar: frame, row, pixels of a line, displays of 320x256: what shows it, end of the
+#: row.
+PLANAR_LINES = (
+    ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
+    *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
+      for title, row in (("`rgb565`", "c2p_ham8_16"), ("`rgba5551`", "c2p_ham8_5551"),
+                         ("`rgba8888`", "c2p_ham8_32"))))
+
+
+def planar_table(baseline: dict) -> str:
+    """Markdown: cycles a pixel of the frame, with nothing displayed and with the frame's own
+    display."""
+    figures, rows = bench.figures(baseline["rows"]), []
+    for title, name, width, displays in PLANAR_LINES:
+        for shown, end in displays:
+            cells = [f"{figures[name + kind, machine, width]:.1f}"
+                     for kind in ("", end) for machine in ("a1200-mixed", "a1200")]
+            rows.append([f"{title}: {shown}", *cells,
+                         f"{figures[f'{name}_c', 'a1200-mixed', width]:.0f}"])
+    titles = [f"{display}: {MACHINES[machine]}" for display in ("display off", "shown")
+              for machine in ("a1200-mixed", "a1200")]
+    return table(["cycles a pixel", *titles, "plain C, off: data in chip"], rows)
+
+
+def tables(baseline: dict) -> dict[str, str]:
+    """By title."""
+    return {"programs": programs_table(), "chunky to planar": planar_table(baseline)}

@@ -1,0 +1,68 @@
+"""``tmap demo``: the demo's folder, as it goes onto an Amiga, and the demo played in a window.
+
+``demo`` is the program, ``data/parts`` the script (c/demo/script.h) and ``data/NAME.scene`` the
+scenes it names, compiled from the TOML beside it.
+"""
+
+import math
+import re
+import shutil
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.paths import PROGRAMS, ROOT
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator
+from tmap.run import show
+from tmap.scene_file.scene_file import write
+
+SOURCE = ROOT / "tests" / "scenes" / "demo"
+SCRIPT = "parts"
+
+
+def data(source: Path = SOURCE) -> dict[str, bytes]:
+    """The script and its scenes, by their names in ``data``."""
+    script = (source / SCRIPT).read_text()
+    names = dict.fromkeys(re.findall(r"^scene (\S+)\.scene$", script, re.M))
+    return {SCRIPT: script.encode()} | {
+        f"{name}.scene": write(compile_scene(source / f"{name}.toml")) for name in names}
+
+
+def files() -> dict[str, bytes]:
+    """All of the folder, by paths in it."""
+    return {"demo": (PROGRAMS / "demo").read_bytes()} | {
+        f"data/{name}": content for name, content in data().items()}
+
+
+def make(out: Path) -> list[Path]:
+    """Writes the folder, which replaces an older one; returns its files."""
+    written = files()
+    shutil.rmtree(out / "data", ignore_errors=True)
+    (out / "data").mkdir(parents=True)
+    for name, content in written.items():
+        (out / name).write_bytes(content)
+    return [out / name for name in written]
+
+
+def play(machine: str, display: emulator.Display) -> None:
+    """Plays the demo in a window until its end, escape, or until it is closed."""
+    with emulator.workspace() as directory:
+        try:
+            done = emulator.run("demo", '""', data(), machine, directory, patience=math.inf,
+                                display=display)
+        except emulator.Closed:
+            return
+    print(done.output, end="")
+    if done.code:
+        raise UserError(f"demo: return code {done.code}; {emulator.last_words(done.output)}")
+
+
+def command(out: Path, machine: str | None) -> int:
+    """``tmap demo``: writes the folder; with a machine plays it too."""
+    display = show.window() if machine else None
+    made = make(out)
+    size = sum(path.stat().st_size for path in made)
+    print(f"{out}: demo and {len(made) - 1} files in data, {size:,} bytes")
+    if machine:
+        play(machine, display)
+    return 0

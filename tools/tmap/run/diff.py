@@ -1,0 +1,178 @@
+"""Compares frames: dumps of the chunky buffer, PNGs, or whole run directories."""
+
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from tmap.base.errors import UserError
+from tmap.base.pixel_formats import FORMATS, PixelFormat
+
+DEFAULT_WIDTH = 320  # pixels of a dump without a run.json beside it
+FRAMES = "frame_*.chunky"
+GAP = 4  # pixels between the panels of a picture
+MARK = (255, 0, 160)  # a differing pixel in the third panel
+
+
+@dataclass
+class Difference:
+    """How two frames differ; all but ``count`` mean nothing when it is 0."""
+
+    count: int  # differing pixels
+    box: tuple[int, int, int, int]  # left, top, right, bottom; all inside
+    first: tuple[int, int]  # x, y of the first in reading order
+    values: tuple  # what a and b have there: index, or [r, g, b]
+    largest: int  # difference of a value or channel
+
+    def __str__(self) -> str:
+        left, top, right, bottom = self.box
+        return (f"{self.count} pixels differ, in x {left} to {right}, y {top} to {bottom}; "
+                f"first ({self.first[0]}, {self.first[1]}): {self.values[0]} / {self.values[1]}; "
+                f"largest difference {self.largest}")
+
+
+@dataclass
+class Frame:
+    """A frame to compare and how to show it."""
+
+    values: np.ndarray  # (h, w) pixels, or uint8 (h, w, 3) colours
+    palette: np.ndarray | None = None  # uint8 (256, 3), of indices
+    pixel: PixelFormat = FORMATS["chunky"]
+
+    def picture(self) -> np.ndarray:
+        """uint8 (h, w, 3); indices without a palette are shown as greys."""
+        if self.values.ndim == 3:
+            return self.values
+        if self.pixel.colours:
+            return self.pixel.picture(self.values)
+        greys = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
+        return (greys if self.palette is None else self.palette)[self.values]
+
+
+def differing(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """bool (h, w): pixels with any other value."""
+    different = a != b
+    return different if different.ndim == 2 else different.any(axis=2)
+
+
+def compare(a: np.ndarray, b: np.ndarray) -> Difference:
+    """The difference of two frames of one shape and kind, as in ``Frame``."""
+    if a.shape != b.shape:
+        raise ValueError(f"shapes {a.shape} and {b.shape}")
+    y, x = np.nonzero(differing(a, b))
+    if not len(x):
+        return Difference(0, (0, 0, 0, 0), (0, 0), (0, 0), 0)
+    largest = np.abs(a.astype(int) - b.astype(int)).max()
+    return Difference(
+        len(x), (int(x.min()), int(y.min()), int(x.max()), int(y.max())), (int(x[0]), int(y[0])),
+        (a[y[0], x[0]].tolist(), b[y[0], x[0]].tolist()), int(largest))
+
+
+def panels(a: Frame, b: Frame) -> np.ndarray:
+    """A, B, and A in dark grey with the differing pixels marked, side by side."""
+    left, right = a.picture(), b.picture()
+    marked = np.repeat((left.mean(axis=2, keepdims=True) / 3).astype(np.uint8), 3, axis=2)
+    marked[differing(a.values, b.values)] = MARK
+    gap = np.full((left.shape[0], GAP, 3), 255, np.uint8)
+    return np.concatenate([left, gap, right, gap, marked], axis=1)
+
+
+def load_dump(path: Path) -> Frame:
+    """A raw dump with what run.json beside it says of its size, pixels and colours."""
+    data = path.read_bytes()
+    described = path.with_name("run.json")
+    width, height, palette = DEFAULT_WIDTH, len(data) // DEFAULT_WIDTH, None
+    pixel = FORMATS["chunky"]
+    if described.exists():
+        try:
+            about = json.loads(described.read_text())
+            width = int(about.get("width", DEFAULT_WIDTH))
+            pixel = FORMATS[about.get("format", "chunky")]
+            height = int(about.get("height", len(data) // (width * pixel.bytes)))
+            palette = about.get("palette")
+            if palette is not None:
+                palette = np.array(palette, np.uint8).reshape(256, 3)
+        except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError, KeyError):
+            raise UserError(f"{described}: width, height, format or palette cannot be used"
+                            ) from None
+    if len(data) == 0 or width < 1 or len(data) != width * height * pixel.bytes:
+        of = f" of {pixel.bytes} bytes" if pixel.bytes > 1 else ""
+        raise UserError(f"{path}: {len(data)} bytes is not {width}x{height or '?'} pixels{of}")
+    values = np.frombuffer(data, pixel.dtype.newbyteorder(">")).astype(pixel.dtype)
+    return Frame(values.reshape(height, width), palette, pixel)
+
+
+def load_frame(path: Path) -> Frame:
+    """A dump or a PNG, by its name."""
+    if not path.is_file():
+        raise UserError(f"{path}: no such file")
+    if path.suffix == ".chunky":
+        return load_dump(path)
+    if path.suffix != ".png":
+        raise UserError(f"{path}: neither a .chunky dump nor a .png frame")
+    try:
+        with Image.open(path, formats=("PNG",)) as image:
+            return Frame(np.array(image.convert("RGB")))
+    except Exception as error:  # a damaged file fails in as many ways as there are chunks
+        raise UserError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+
+
+def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
+    """Two frames of the same size and kind."""
+    frames = load_frame(a), load_frame(b)
+    shapes = [frame.values.shape for frame in frames]
+    if len(shapes[0]) != len(shapes[1]):
+        raise UserError(f"{a} and {b}: one is a dump, the other a picture")
+    if shapes[0] != shapes[1]:
+        sizes = " and ".join(f"{shape[1]}x{shape[0]}" for shape in shapes)
+        raise UserError(f"{a} and {b}: {sizes} pixels")
+    formats = [frame.pixel.name for frame in frames]
+    if formats[0] != formats[1]:
+        raise UserError(f"{a} and {b}: {formats[0]} and {formats[1]}")
+    return frames
+
+
+def pairs(a: Path, b: Path) -> list[tuple[Path, Path]]:
+    """The frames to compare: a and b, or those of the same name in both directories."""
+    if a.is_dir() != b.is_dir():
+        raise UserError(f"{a} and {b}: one is a directory, the other is not")
+    if not a.is_dir():
+        return [(a, b)]
+    names = {path.name for path in (*a.glob(FRAMES), *b.glob(FRAMES))}
+    if not names:
+        raise UserError(f"{a} and {b}: neither has a {FRAMES}")
+    return [(a / name, b / name) for name in sorted(names)]
+
+
+def command(a: Path, b: Path, out: Path | None = None) -> int:
+    """``tmap diff``: prints how two dumps, PNGs or run directories differ.
+
+    Every differing frame's panels go to ``out`` as ``NAME_diff.png``, if given.
+    Returns 0: equal, 1: different, 2: something could not be compared.
+    """
+    different = unusable = 0
+    try:
+        work = pairs(a, b)
+    except UserError as error:
+        print(f"diff: {error}", file=sys.stderr)
+        return 2
+    for one, other in work:
+        try:
+            frames = load_pair(one, other)
+            found = compare(frames[0].values, frames[1].values)
+            if not found.count:
+                continue
+            different += 1
+            print(f"{one.stem}: {found}")
+            if out is not None:
+                out.mkdir(parents=True, exist_ok=True)
+                Image.fromarray(panels(*frames)).save(out / f"{one.stem}_diff.png")
+        except (UserError, OSError) as error:
+            print(f"diff: {error}", file=sys.stderr)
+            unusable += 1
+    counts = f"{len(work)} frame{'s' if len(work) > 1 else ''}: {different} different"
+    print(counts + (f", {unusable} unusable" if unusable else ""))
+    return 2 if unusable else 1 if different else 0

@@ -1,0 +1,262 @@
+"""``tmap run``: a scene rendered on the emulated A1200, as pictures and figures."""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PIL import Image
+
+from tmap.base.errors import UserError
+from tmap.base.fixed import ONE
+from tmap.base.outputs import bars, check_directory, replaced, save_animation
+from tmap.build import layout
+from tmap.compiler.scene import compile_scene, parse
+from tmap.guest import emulator, provenance
+from tmap.guest.emulator import CLOCK_HZ, CYCLES_PER_TICK
+from tmap.model import model
+from tmap.scene_file.materials import SETTINGS
+from tmap.scene_file.scene_file import Scene, write
+
+CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
+               f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
+GIF_FRAME_MS = 40
+GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # of a whole animation, where that is no slower
+ROWS_MAX = 10  # frames that are listed one by one
+#: What a run writes and the next one replaces, run.json first: it describes the rest.
+WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky",
+           "frame_[0-9][0-9][0-9].png")
+COUNTS = r"((?: [a-z]\w* \d+)*)"
+FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
+MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
+#: Not "scene": the Amiga would take that argument for its template's keyword.
+SCENE_NAME = "input.scene"
+
+
+def counts_of(text: str) -> dict[str, int]:
+    """Names and numbers by turns."""
+    words = text.split()
+    return {name: int(count) for name, count in zip(words[::2], words[1::2])}
+
+
+def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Match]:
+    """Lines of one pattern, numbered from 0."""
+    found = []
+    for number, line in enumerate(lines):
+        match = pattern.fullmatch(line)
+        if not match or int(match[1]) != number:
+            raise UserError(f"render: {line!r} is not the line of {noun} {number}")
+        found.append(match)
+    return found
+
+
+def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], list[dict]]:
+    """The figures of each frame and of each material in what ``render`` printed, a line each."""
+    lines = output.splitlines()
+    if len(lines) != frames + materials:
+        raise UserError(f"render: {len(lines)} lines of output for {frames} frames and "
+                        f"{materials} materials; " + emulator.last_words(output))
+    figures = []
+    for match in parse_lines(lines[:frames], FRAME_LINE, "frame"):
+        spans = counts_of(match[4])
+        figures.append({"number": int(match[1]), "cycles": int(match[2]) * CYCLES_PER_TICK,
+                        "polygons": int(match[3]), "pixels": sum(spans.values()),
+                        "spans": spans})
+    executed = [{"polygons": int(match[2]), "rules": counts_of(match[3]),
+                 "spans": counts_of(match[4])}
+                for match in parse_lines(lines[frames:], MATERIAL_LINE, "material")]
+    return figures, executed
+
+
+def check_frame(frame: np.ndarray, scene: Scene, number: int) -> None:
+    """Refuses a frame of one colour unless nothing else is to be seen, says the model."""
+    if (frame == frame[0, 0]).all() and (model.render(scene, number) != frame).any():
+        raise UserError(f"frame {number}: one colour only, though the scene has something to "
+                        "show there: the run failed")
+
+
+def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
+    """All frames, (height, width) pixels in the host's byte order, checked."""
+    names = [f"frame_{number:03}.chunky" for number in range(scene.frames)]
+    found = sorted(path.name for path in volume.glob("frame_*.chunky"))
+    if found != names:
+        odd = sorted(set(names) ^ set(found))[0]
+        raise UserError(f"render: {odd} is {'missing' if odd in names else 'one frame too many'}")
+    frames = []
+    for number, name in enumerate(names):
+        data = (volume / name).read_bytes()
+        size = scene.pixel.bytes
+        if len(data) != scene.width * scene.height * size:
+            raise UserError(f"render: {name} has {len(data)} bytes, not "
+                            f"{scene.width}x{scene.height}"
+                            + (f"x{size}" if size > 1 else ""))
+        pixel = scene.pixel.dtype
+        found = np.frombuffer(data, pixel.newbyteorder(">")).astype(pixel)
+        frames.append(found.reshape(scene.height, scene.width))
+        check_frame(frames[-1], scene, number)
+    return frames
+
+
+@dataclass
+class Rendered:
+    """What a run gives."""
+
+    frames: list[np.ndarray]  # as ``load_dumps`` has them
+    figures: list[dict]  # of each frame
+    executed: list[dict]  # for each material: polygons, polygons by rule, pixels by span
+
+
+def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
+    """Renders all frames, without the rules ``off``; a bar on stderr where that is a terminal."""
+    with emulator.workspace() as directory, bars() as bar:
+        task = bar.add_task(f"rendering on {machine}", total=scene.frames)
+        done = emulator.run(
+            "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""),
+            {SCENE_NAME: write(scene)}, machine, directory,
+            lambda output: bar.update(task, completed=output.count("\n")),
+            patience=emulator.PATIENT_SECONDS if len(scene.units) + len(scene.pipes) else None)
+        if done.code:
+            raise UserError(f"render: return code {done.code}; "
+                            + emulator.last_words(done.output))
+        figures, executed = parse_output(done.output, scene.frames, len(scene.materials))
+        return Rendered(load_dumps(done.directory, scene), figures, executed)
+
+
+def total(figures: list[dict]) -> dict:
+    """The sum of all frames' figures."""
+    sums = {key: sum(frame[key] for frame in figures) for key in ("cycles", "polygons", "pixels")}
+    kinds = dict.fromkeys(kind for frame in figures for kind in frame["spans"])
+    sums["spans"] = {kind: sum(f["spans"].get(kind, 0) for f in figures) for kind in kinds}
+    pixels = sums["pixels"]  # of the polygons, hidden ones too
+    return sums | {"cycles_per_pixel": round(sums["cycles"] / pixels, 3) if pixels else None}
+
+
+def as_json(about: dict) -> str:
+    """JSON with a field a line, and a frame a line."""
+    texts = {key: json.dumps(value) for key, value in about.items()}
+    texts["frames"] = "[\n  " + ",\n  ".join(map(json.dumps, about["frames"])) + "]"
+    return "{\n " + ",\n ".join(f'"{key}": {text}' for key, text in texts.items()) + "\n}\n"
+
+
+def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
+    """A scene's frame as a picture."""
+    if scene.pixel.colours:
+        return Image.fromarray(scene.pixel.picture(frame))
+    picture = Image.fromarray(frame, "P")
+    picture.putpalette(scene.palette.tobytes())
+    return picture
+
+
+def gif_frame_ms(frames: int) -> int:
+    """How long an animation shows a frame; GIFs count hundredths of a second."""
+    return max(GIF_FRAME_MS, min(GIF_LEAST_MS // frames // 10 * 10, GIF_SLOWEST_MS))
+
+
+def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
+    """Writes dumps, pictures and run.json."""
+    pictures = []
+    for number, frame in enumerate(frames):
+        picture = picture_of(frame, scene)
+        picture.save(folder / f"frame_{number:03}.png")
+        dump = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
+        (folder / f"frame_{number:03}.chunky").write_bytes(dump)
+        pictures.append(picture)
+    if len(pictures) > 1:
+        save_animation(folder / "animation.gif", pictures, gif_frame_ms(len(pictures)),
+                       optimize=False)
+    (folder / "run.json").write_text(as_json(about))
+
+
+def publish(out: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
+    """Replaces what an earlier run left in ``out``."""
+    with replaced(out, WRITTEN, WRITTEN[0]) as folder:
+        save(folder, frames, scene, about)
+
+
+def asked(material: dict) -> str:
+    """What a material asked for: its mapper, and its perspective where it has one."""
+    settings, depth = material["asked"], material["asked"]["perspective"]
+    return settings["mapper"] + (f", perspective {depth}" if depth != "none" else "")
+
+
+def print_lowering(materials: dict) -> None:
+    """For each material what it asked for, what was executed, and by which rules."""
+    width = max(map(len, materials), default=0)
+    for name, material in materials.items():
+        pixels = sum(material["spans"].values())
+        spans = ", ".join(f"{kind} {100 * count / pixels:.3g} %"
+                          for kind, count in material["spans"].items()) or "nothing"
+        print(f"{name:<{width}}  asked {asked(material)}; drew {spans}")
+        if material["rules"]:
+            print(f"{'':<{width}}  by " + ", ".join(f"{rule} {count:,}" for rule, count
+                                                    in material["rules"].items()))
+    print()
+
+
+def print_report(about: dict, out: Path) -> None:
+    """A short table: each of a few frames, what was executed, then the whole run."""
+    frames, totals = about["frames"], about["totals"]
+    count = len(frames)
+    print(f"{about['title'] or about['scene']}: {about['width']}x{about['height']} on "
+          f"{about['machine']}, form {about['form']}\n")
+    if count <= ROWS_MAX:
+        print(f"{'frame':>5} {'polygons':>9} {'pixels':>10} {'cycles':>12} {'cycles a pixel':>15}")
+        for frame in frames:
+            each = f"{frame['cycles'] / frame['pixels']:.1f}" if frame["pixels"] else "-"
+            print(f"{frame['number']:>5} {frame['polygons']:>9} {frame['pixels']:>10,} "
+                  f"{frame['cycles']:>12,} {each:>15}")
+        print()
+    print("Each material, pixels of its spans, and polygons to which each rule applied:\n")
+    print_lowering(about["lowering"])
+    mean, worst = totals["cycles"] / count, max(frames, key=lambda frame: frame["cycles"])
+    each = totals["cycles_per_pixel"]
+    rows = {"frames": count, "polygons": f"{totals['polygons']:,}",
+            "pixels": f"{totals['pixels']:,}" + (f", {each:.1f} cycles each" if each else ""),
+            "cycles a frame": f"{mean:,.0f} mean, {worst['cycles']:,} worst "
+                              f"(frame {worst['number']})",
+            "frames a second": f"{CLOCK_HZ / mean:.1f}, an estimate for {CLOCK_HZ / 1e6} MHz "
+                               "without display",
+            "spans used": ", ".join(f"{kind} {pixels:,} pixels" for kind, pixels
+                                    in totals["spans"].items()) or "none"}
+    last = f" to frame_{count - 1:03}.png, animation.gif" if count > 1 else ""
+    rows["pictures"] = f"{out}/frame_000.png{last}"
+    for name, text in rows.items():
+        print(f"{name:<16} {text}")
+
+
+def rules(off: str | None) -> str | None:
+    """The names of a list by commas, checked."""
+    known = layout.load().names("RULE_")
+    for name in off.split(",") if off else []:
+        if name not in ("all", *known):
+            raise UserError(f"--off: {name!r} is not one of all, {', '.join(known)}")
+    return off
+
+
+def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
+         off: str | None = None) -> dict:
+    """Renders a scene file into the directory ``out``; returns what run.json says."""
+    check_directory(out)
+    scene = compile_scene(path, frames)
+    done = render(scene, machine, form, rules(off))
+    content = parse(path)
+    lowering = {name: {"asked": {kind: getattr(material, kind) for kind in SETTINGS}
+                       | {"tolerance": material.tolerance / ONE}} | executed
+                for name, material, executed in zip(content["materials"], scene.materials,
+                                                    done.executed)}
+    about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
+             **provenance.record(), "width": scene.width, "height": scene.height,
+             "format": scene.format, "lowering": lowering,
+             "palette": None if scene.pixel.colours else scene.palette.tolist(),
+             "cycles_unit": CYCLES_UNIT,
+             "frames": done.figures, "totals": total(done.figures)}
+    publish(out, done.frames, scene, about)
+    return about
+
+
+def command(path: Path, out: Path, machine: str, frames: int | None, form: str,
+            off: str | None = None) -> int:
+    """``tmap run``: renders, prints a table; raises UserError."""
+    print_report(make(path, out, machine, frames, form, off), out)
+    return 0

@@ -1,0 +1,50 @@
+"""``tmap show``: a scene played on the emulated A1200's screen, in a window."""
+
+import math
+import os
+import subprocess
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator
+from tmap.guest.emulator import Display
+from tmap.run.run import SCENE_NAME
+from tmap.scene_file.scene_file import write
+
+#: All of the PAL screen that can be seen, a dot of high resolution a pixel: nothing is scaled.
+WIDTH, HEIGHT = 752, 572
+#: The machine runs at its own speed; its keyboard is the window's.
+OPTIONS = {"window_width": str(WIDTH), "window_height": str(HEIGHT), "zoom": "full",
+           "keep_aspect": "0", "texture_filter": "nearest", "initial_input_grab": "0"}
+#: What may show windows, and the library's name for it; it is named, so that nothing else is taken.
+DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
+
+
+def answers() -> bool:
+    """Whether there is an X server at DISPLAY: the emulator would end without a word."""
+    return subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True).returncode == 0
+
+
+def window() -> Display:
+    """A window; raises UserError where none can be opened."""
+    for name, driver in DRIVERS.items():
+        if place := os.environ.get(name):
+            if driver == "x11" and not answers():
+                raise UserError(f"show: nothing answers at DISPLAY {place}; tmap run makes pictures")
+            return Display(OPTIONS, {"SDL_VIDEODRIVER": driver})
+    raise UserError("show: there is no DISPLAY to open a window on; tmap run makes pictures")
+
+
+def command(path: Path, machine: str, display: Display) -> int:
+    """Plays a scene file in a window until escape is pressed or it is closed; raises UserError."""
+    scene = compile_scene(path)
+    with emulator.workspace() as directory:
+        try:
+            done = emulator.run("show", SCENE_NAME, {SCENE_NAME: write(scene)}, machine,
+                                directory, patience=math.inf, display=display)
+        except emulator.Closed:
+            return 0
+    if done.code:
+        raise UserError(f"show: return code {done.code}; {emulator.last_words(done.output)}")
+    return 0

@@ -1,0 +1,105 @@
+"""Maps in scene files: their layouts, sizes and texels.
+
+Formats stand in c/scene/scene_file.h.
+"""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from tmap.base import maps
+from tmap.base.errors import UserError, require
+from tmap.base.pixel_formats import PixelFormat
+from tmap.build import layout
+
+#: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
+MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
+                 "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
+                 "lit_gouraud": "page", "dithered": "page", "unit": None, "glide": None}
+UNITS = ("unit", "glide")  # mappers that are texture units
+LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
+#: What draws pixels of so many bytes.
+MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
+           2: ("flat", "affine", "columns", "dithered", *UNITS),
+           4: ("flat", "affine", "dithered", *UNITS)}
+#: Mappers whose u and v come from one plane, to each first pixel.
+ON_PLANE = ("lit_gouraud", "dithered")
+#: The format with 2 bytes a pixel that each kind of unit draws.
+UNIT_FORMATS = {"unit": "rgba5551", "glide": "rgb565"}
+
+
+@dataclass(eq=False)
+class Texture:
+    """A map, and the layout its mapper reads."""
+
+    texels: np.ndarray = field(repr=False)  # (height, width): [t][s], of the scene's pixels
+    layout: str = "page"  # of LAYOUTS
+
+    def __eq__(self, other) -> bool:
+        return self.layout == other.layout and np.array_equal(self.texels, other.texels)
+
+
+def size_fault(kind: str, width: int, height: int) -> str | None:
+    """What a layout needs and this size is not; None: it fits."""
+    limits = layout.load().constants
+    least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
+    low, high = sorted((width, height))
+    powers = not width & width - 1 and not height & height - 1
+    if kind == "page":
+        fits = powers and least <= low <= high <= page
+        return None if fits else f"sides that are powers of two from {least} to {page}"
+    if kind == "linear":
+        return None if 1 <= low <= high <= most else f"sides from 1 to {most}"
+    if kind == "columns":
+        texels = 1 << limits["MAP_COLUMNS_BITS"]
+        fits = powers and least <= low and width * height <= texels
+        return None if fits else (f"sides that are powers of two from {least} and at most "
+                                  f"{texels} texels")
+    if kind == "light":
+        levels = limits["LIGHT_LEVELS"]
+        return None if (width, height) == (page, levels) else f"{page}x{levels}"
+    return None if low == high == page else f"{page}x{page}"
+
+
+def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
+    """Refuses a map no mapper could draw."""
+    drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
+    if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
+        raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
+    if texture.texels.dtype != pixel.dtype:
+        raise UserError(f"{name}: {where}.texel_bytes: {texture.texels.itemsize} "
+                        f"where {pixel.bytes} is right")
+    height, width = texture.texels.shape
+    needs = size_fault(texture.layout, width, height)
+    if needs:
+        raise UserError(f"{name}: {where}.width or height: {width}x{height} is not {needs}")
+
+
+def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -> None:
+    """Refuses corners, rows of s and t in 16.16, outside a map that is not repeated."""
+    height, width = texture.texels.shape
+    for s, t in corners.tolist():
+        for noun, value, side in (("s", s, width), ("t", t, height)):
+            require(name, f"{where}: {noun}", value, 0, 256 << 16)
+            require(name, f"{where}: texel of {noun}", value * max(width, height) >> 8, 0,
+                    side << 16)
+
+
+def ordered(texture: Texture) -> bytes:
+    """The texels as the file has them: in the layout's order, big-endian."""
+    texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
+    if texture.layout == "tiled":
+        texels = maps.to_tiled(texels)
+    elif texture.layout == "columns":
+        texels = maps.to_columns(texels)
+    return texels.tobytes()
+
+
+def linear(data: bytes, width: int, height: int, kind: str, texel: np.dtype) -> Texture:
+    """The inverse of ``ordered``."""
+    texels = np.frombuffer(data, texel.newbyteorder(">")).astype(texel)
+    if kind == "tiled":
+        return Texture(maps.from_tiled(texels, width, height), kind)
+    if kind == "columns":
+        return Texture(maps.from_columns(texels, width, height), kind)
+    return Texture(texels.reshape(height, width), kind)

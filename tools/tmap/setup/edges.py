@@ -1,0 +1,109 @@
+"""The integer model's edges: src68k/polygon's sides_find, edges_make
+and what they call, c/polygon/edges.c."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from tmap.base.fixed import ONE, ceil16, mul_div
+
+EDGE_ERROR = 1024  # pixels that an edge's x may lie beyond its vertices, 16.16
+
+
+@dataclass
+class Edge:
+    """A side's section: from one vertex to a lower one, drawn on lines top to end - 1."""
+
+    upper: tuple
+    lower: tuple
+    top: int
+    end: int
+    exact: bool
+
+    @property
+    def extent(self) -> tuple[int, int]:
+        """Width and height between the vertices, 16.16."""
+        return self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
+
+    @cached_property
+    def slope(self) -> int:
+        """Pixels a line, 16.16; 0 where the edge has one line only."""
+        width, height = self.extent
+        several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
+        return mul_div(width, ONE, height) if several else 0
+
+    @cached_property
+    def first(self) -> int:
+        """x on the line ``top``, 16.16, rounded."""
+        width, height = self.extent
+        return self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
+
+    def at(self, line: int) -> int:
+        """x on a line, 16.16, rounded at the line ``top`` and in every step."""
+        return self.first + (line - self.top) * self.slope
+
+    def column(self, line: int) -> int:
+        """The first pixel at or right of the edge."""
+        if not self.exact:
+            return ceil16(self.at(line))
+        (x, y, *_), (width, height) = self.upper, self.extent
+        n = x * height + width * ((line << 16) - y)
+        return -(-n // (height << 16))
+
+    @property
+    def whole(self) -> int:
+        """Whole pixels a line."""
+        width, height = self.extent
+        return width // height if self.exact else self.slope >> 16
+
+
+@dataclass
+class Sides:
+    """Top, bottom and the vertex farthest from the line between them (indices), which
+    way the left side runs, and the box of pixels: left, top, right, bottom."""
+
+    corners: tuple[int, int, int]
+    direction: int
+    box: tuple[int, int, int, int]
+
+
+def corners_of(vertices) -> tuple[tuple[int, int, int], int]:
+    """Top, bottom and apex of a polygon, as indices, and twice their area, above 0 where the apex
+    lies left of the way from top to bottom."""
+    n = len(vertices)
+    top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
+    bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
+    ax, ay = vertices[top][:2]
+    dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
+    turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
+    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    return (top, bottom, apex), turns[apex]
+
+
+def measure(vertices, width: int, height: int) -> Sides | None:
+    """The sides of a polygon; None where it covers nothing."""
+    n = len(vertices)
+    if n < 3:
+        return None
+    corners, area = corners_of(vertices)
+    top, bottom, apex = corners
+    x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
+    box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
+           min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
+    if box[0] >= box[2] or box[1] >= box[3] or area == 0:
+        return None
+    forward = (apex - top) % n < (bottom - top) % n
+    return Sides(corners, 1 if (area > 0) == forward else -1, box)
+
+
+def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
+    """The edges of one side from the top vertex on, between two lines."""
+    edges, index, upper = [], start, vertices[start]
+    while top < bottom:
+        index = (index + direction) % len(vertices)
+        lower = vertices[index]
+        end = min(ceil16(lower[1]), bottom)
+        if end > top and lower[1] > upper[1]:
+            edges.append(Edge(upper, lower, top, end, exact))
+            top = end
+        upper = lower
+    return edges

@@ -1,0 +1,342 @@
+"""The integer model's perspective: c/polygon/perspective.c, src68k/polygon/planes_find,
+src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
+
+q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are
+divided at the first and the last pixel; between them u = first + (last - first) * part, the
+part being (k q1) / ((n - k) q0 + k q1) at pixel k of n: it lies between 0 and 1 whatever
+happens, so no pixel ever leaves the range of its line's ends.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from math import isqrt
+
+import numpy as np
+
+from tmap.base.fixed import M32, cut_quotient, mul_div, signed, wide_mul
+from tmap.build import layout
+from tmap.setup.texturing import gradients
+
+Q_ONE = 1 << 30  # q of the nearest vertex
+Q_SURE = 4  # q is at least so many times its error
+TOO_STEEP = 1 << 28  # Q_SURE times this is above all q but the nearest's
+STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
+PIECES = {"every16": 16, "every8": 8}
+CURVES = ("pixel", "fine")
+OCTAVE = 64  # steps of a logarithm
+#: OCTAVE log2(1 + (i + 1) / OCTAVE) rounded up, and OCTAVE log2(1 + i / OCTAVE) rounded down: the
+#: bits of the OCTAVEth power of OCTAVE + i, less those of OCTAVE's.
+LG_UP = [((OCTAVE + i + 1) ** OCTAVE - 1).bit_length() - 6 * OCTAVE for i in range(OCTAVE)]
+LG_DOWN = [((OCTAVE + i) ** OCTAVE).bit_length() - 1 - 6 * OCTAVE for i in range(OCTAVE)]
+
+
+def root_up(power: int) -> int:
+    """2^(power / OCTAVE), rounded up: a square root six times over."""
+    value = (1 << power) - 1
+    for _ in range(6):
+        value = isqrt(value)
+    return value + 1
+
+
+EXP_UP = [root_up(15 * OCTAVE + i) for i in range(OCTAVE)]
+NEVER = (1 << 31) - 1  # above all weights
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a setting's lines are drawn; derived in c/span/perspective.h."""
+
+    piece: int  # log2 of a piece's pixels, of curves the longest one's
+    bend: int  # of curves; else 0
+    off: int  # what a line may be off for being level, in 1/65536 texel
+    width: int  # how wide a polygon with such lines may be
+    raised: int  # units that lines are raised by
+
+
+@cache
+def way(setting: str) -> Way:
+    """The setting's numbers in the C headers."""
+    found = layout.load().constants
+
+    def number(what: str, otherwise: int = 0) -> int:
+        return found.get(f"PERSPECTIVE_{what}_{setting.upper()}", otherwise)
+
+    widest = found["SCENE_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
+    return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
+               widest, number("RAISE"))
+
+
+@dataclass
+class Plane:
+    """V * 2^scale over the screen, modulo 2^64: at pixel (i, j), a pixel, a line."""
+
+    at: int
+    dx: int
+    dy: int
+
+    def scaled(self, bits: int) -> "Plane":
+        """The plane times 2^bits."""
+        return Plane(*(signed(n << bits, 64) for n in (self.at, self.dx, self.dy)))
+
+    def value(self, x: int, y: int) -> int:
+        """x pixels right of (i, j), y lines below."""
+        return signed(self.at + x * self.dx + y * self.dy, 64)
+
+
+@dataclass
+class Perspective:
+    """The planes of q (its upper 32 bits), S and T (S / q is u - base in 16.16)."""
+
+    q: Plane
+    s: Plane
+    t: Plane
+    i: int
+    j: int
+    base: tuple[int, int]  # a unit above a texel
+    scale: int  # log2 of what S and T are multiplied by
+    least: int  # of q
+    low: tuple[int, int]  # u and v less their bases
+    high: tuple[int, int]
+    gentle: bool = True  # no gradient is too steep for 32 bits of integer
+    raised: tuple[int, int] = (0, 0)  # units that S and T are raised by
+
+    @property
+    def farthest(self) -> int:
+        """How far u or v may be from its base."""
+        return max(*self.high, *(-c for c in self.low))
+
+    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
+        """q at a pixel, at least ``least``, and u and v by it, within their ranges."""
+        at = x - self.i, y - self.j
+        q = max(self.q.value(*at) >> 32, self.least)
+        return q, [base + min(max(cut_quotient(plane.value(*at), q), low), high)
+                   for base, plane, low, high in zip(self.base, (self.s, self.t), self.low,
+                                                     self.high)]
+
+
+@dataclass
+class Ends:
+    """A line's pixels left to left + n, u and v of the first, the way to the last; the
+    weights of both ends, each 1/n of its q."""
+
+    left: int
+    n: int
+    u: int
+    v: int
+    du: int = 0
+    dv: int = 0
+    first: int = 0
+    last: int = 0
+
+    def weight(self, k: int) -> int:
+        """q of pixel k, in the line's own scale."""
+        return (self.n - k) * self.first + k * self.last
+
+    def at(self, k: int) -> tuple[int, int]:
+        """u and v of pixel k, 16.16; exact at both ends, else up to 3 units low."""
+        if k == self.n:
+            return self.u + self.du & M32, self.v + self.dv & M32
+        if k == 0:
+            return self.u, self.v
+        part = (k * (self.last >> 1) << 32) // self.weight(k)
+        return tuple(c + 2 * (d * part >> 32) & M32
+                     for c, d in ((self.u, self.du), (self.v, self.dv)))
+
+
+def error_part(gradient: int, pixels: int) -> int:
+    """Units that a plane may be off after so many pixels, by its gradient (48.16)."""
+    steep = abs(signed(gradient, 64)) >> 32
+    if steep < 1 << 16:
+        return (steep * pixels >> 15) + (pixels >> 14) + 2
+    steep = (steep >> 15) + 1
+    return TOO_STEEP if steep > TOO_STEEP // pixels else steep * pixels + (pixels >> 14) + 2
+
+
+def perspective(vertices, corners, box) -> Perspective | None:
+    """The planes of (x, y, u, v, w) vertices; None where the polygon is drawn affine: w is
+    constant, or the planes are not sure enough.
+
+    ``corners``: indices of top, bottom and apex.
+    """
+    ws = [v[4] for v in vertices]
+    if min(ws) == max(ws):
+        return None
+    spans = [[v[k] for v in vertices] for k in (2, 3)]
+    base = tuple((min(span) + max(span) >> 1) & ~0xFFFF for span in spans)
+    low = tuple(min(span) - b for span, b in zip(spans, base))
+    high = tuple(max(span) - b for span, b in zip(spans, base))
+    farthest = max(*high, *(-c for c in low))
+    shift = max(farthest.bit_length(), 16)
+    three = []
+    for x, y, u, v, w in (vertices[k] for k in corners):
+        q = mul_div(min(ws), Q_ONE, w)
+        three.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
+    left, top, right, bottom = box
+    x, y = signed((left << 16) - three[0][0]), signed((top << 16) - three[0][1])
+    ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom - top + 1
+    planes, shares = [], 1 if len(vertices) == 3 else 3
+    for key in (2, 3, 4):
+        gx, gy = gradients(three, key)
+        planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
+    q, *st = planes
+    least = min(signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
+                       + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices)
+    errors = [2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1]) for plane in planes]
+    if max(errors) >= TOO_STEEP or least < Q_SURE * max(errors):
+        return None
+    raised = tuple(error + errors[0] + 2 * shares + 2 for error in errors[1:])
+    for plane, units in zip(st, raised):  # s / q is never below u
+        plane.at += units << 16
+    base = tuple(b + 1 for b in base)  # quotients are cut
+    gentle = all(abs(signed(g, 64)) >> 32 < STEEP for g in (q.dx, q.dy, *(p.dx for p in st)))
+    return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
+                       shift, least, low, high, gentle, raised)
+
+
+def is_level(p: Perspective, width: int, setting: str) -> bool:
+    """Whether lines are drawn as if depth did not change along them."""
+    return width <= way(setting).width and keeps_level(p, width, way(setting).off)
+
+
+def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
+    """Whether lines so drawn are off by the tolerance at most, in 1/65536 texel."""
+    grows = abs(p.q.dx)
+    high, part = p.q.dx >> 32, grows & M32
+    if high not in (0, -1) or part >> 16 == 0xFFFF:
+        return False
+    if not part:
+        return not high
+    off = (((p.farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
+
+
+def level_step(gradient: int, q: int) -> int:
+    """gradient / q rounded up; 0 where that does not fit 32 bits."""
+    n = gradient + q - 1
+    magnitude = n >> 32 if n >= 0 else ~(n >> 32)
+    if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
+        return 0
+    return n // q
+
+
+def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+    q, starts = p.divided(left, y)
+    k = np.arange(right - left, dtype=np.int64)
+    return tuple(start + k * level_step(signed(plane.dx, 64), q) & M32
+                 for start, plane in zip(starts, (p.s, p.t)))
+
+
+def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
+    """Shares of both ends of a line of n steps: n times one is below 2^31."""
+    up = 31 - max(q0, q1).bit_length()
+    return max((q0 << up) // n, 1), (q1 << up) // n & ~1
+
+
+def ends(p: Perspective, left: int, right: int, y: int, raised: int = 0) -> Ends:
+    """The line's ends; right is excluded. ``raised``: units that u and v begin above."""
+    (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
+    line = Ends(left, right - 1 - left, u + raised & M32, v + raised & M32)
+    if line.n:
+        line.du, line.dv = signed(u1 - u), signed(v1 - v)
+        line.first, line.last = weights(q0, q1, line.n)
+    return line
+
+
+def lg(x: int, table: list[int]) -> int:
+    """OCTAVE * log2(x) by a table, above or below; x > 0."""
+    top = x.bit_length() - 1
+    return OCTAVE * top + table[x << 31 - top >> 25 & OCTAVE - 1]
+
+
+def exp_up(x: int) -> int:
+    """2^(x / OCTAVE), or a little more: at most 2^31 - 1."""
+    if x < 0:
+        return 0
+    if x >= 31 * OCTAVE:
+        return NEVER
+    return min((EXP_UP[x % OCTAVE] << 16 >> 31 - x // OCTAVE) + 1, NEVER)
+
+
+def enough(line: Ends, setting: str) -> list[int]:
+    """The least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
+    setting's tolerance.
+
+    A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| / 15.59
+    at most (9 sqrt 3), and u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
+    """
+    longest = way(setting).piece
+    far = max(abs(line.du), abs(line.dv))
+    step = abs(line.last - line.first)
+    if not far or not step:
+        return [0] * (longest - 1)
+    q0, q1 = line.n * line.first, line.n * line.last
+    total = (lg(far, LG_UP) + lg(max(q0, 1), LG_UP) + lg(max(q1, 1), LG_UP) + 2 * lg(step, LG_UP)
+            - lg(line.n, LG_DOWN) + way(setting).bend)
+    return [exp_up(total + 3 * OCTAVE * j + 3 >> 2) for j in range(1, longest)]
+
+
+def pieces(line: Ends, m: int) -> list[tuple[np.ndarray, np.ndarray]]:
+    """u and v of the line's pixels in affine pieces of m pixels, exact at their ends to
+    m - 1 units; the last piece ends with the line."""
+    out, k, grid = [], 0, ~(m - 1)
+    now = [c & grid for c in line.at(0)]
+    steps = np.arange(m + 1, dtype=np.int64)
+    while line.n - k > m:
+        then = [c & grid for c in line.at(k + m)]
+        out.append([c + steps[:m] * (signed(b - c) // m) for c, b in zip(now, then)])
+        now, k = then, k + m
+    rest = line.n - k
+    rises = [cut_quotient(signed(b - c), rest) if rest else 0
+             for c, b in zip(now, line.at(line.n))]
+    out.append([c + steps[:rest + 1] * rise for c, rise in zip(now, rises)])
+    return [tuple(part & M32 for part in piece) for piece in out]
+
+
+def curve(points: list[int], j: int, count: int) -> np.ndarray:
+    """``count`` values of the curve through three points 2^j pixels apart."""
+    a, b, c = points
+    h = 1 << j
+    first, second = signed(b - a), signed(c - b)
+    bend = signed(second - first) + (h * h >> 1) >> 2 * j
+    step = (first >> j) - ((bend << j) - bend >> 1)
+    k = np.arange(count, dtype=np.int64)
+    return a + k * step + (k * (k - 1) >> 1) * bend & M32
+
+
+def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]:
+    """(first pixel, u, v) of the line's pieces in drawing order; later ones are drawn over."""
+    limits, out, k = enough(line, setting), [], 0
+    longest = way(setting).piece
+    j = longest
+    while k < line.n:
+        while j > 1:
+            length = 1 << j
+            start = min(k, line.n - length)
+            if length <= line.n and min(line.weight(start),
+                                        line.weight(start + length)) >= limits[j - 2]:
+                break
+            j -= 1
+        if j == 1:  # one pixel
+            u, v = line.at(k)
+            out.append((k, np.array([u]), np.array([v])))
+            k += 1
+        else:
+            points = [line.at(start + part) for part in (0, length // 2, length)]
+            out.append((start, *(curve([p[axis] for p in points], j - 1, length)
+                                 for axis in (0, 1))))
+            k = start + length
+        j = min(j + 1, longest)
+    u, v = line.at(line.n)
+    return [*out, (line.n, np.array([u]), np.array([v]))]
+
+
+def coordinates(line: Ends, setting: str) -> tuple[np.ndarray, np.ndarray]:
+    """u and v of a line's pixels, 16.16 modulo 2^32."""
+    if setting in PIECES:
+        made = pieces(line, PIECES[setting])
+        return tuple(np.concatenate([piece[axis] for piece in made]) for axis in (0, 1))
+    u, v = np.zeros(line.n + 1, np.int64), np.zeros(line.n + 1, np.int64)
+    for first, us, vs in curves(line, setting):
+        u[first:first + len(us)], v[first:first + len(vs)] = us, vs
+    return u, v

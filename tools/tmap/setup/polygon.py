@@ -1,0 +1,290 @@
+"""The integer model's set-up of a polygon: c/polygon and src68k/polygon formula by formula.
+
+All coordinates are 16.16 (units of 1/65536 pixel or texel); gradients of the plane are 32.32 before
+they are rounded to steps.
+"""
+
+from dataclasses import dataclass, replace
+from types import ModuleType
+
+from tmap.base.fixed import M32, ONE, mul, signed
+from tmap.setup import logarithm, reciprocal
+from tmap.setup.clip import clip, frame_window
+from tmap.setup.edges import Edge, Sides, measure, side
+from tmap.setup.perspective import (PIECES, Perspective, coordinates as perspective_coordinates,
+                                    ends, is_level, level, perspective, way)
+from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
+from tmap.setup.spans import coordinates, stays_in_row
+from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
+                                  plane, raised, ramp_point, scanline_line)
+from tmap.setup.tolerance import coarser, is_flat
+
+CORNERS_MAX = 64
+FAR = 16384 << 16
+INSET = ONE // 16  # see c/polygon/material.c
+ON_PLANE = 3 * INSET // 4
+STEEP = 4 << 16
+
+
+@dataclass
+class Polygon:
+    """What the set-up makes of a polygon: its lines from ``top`` on."""
+
+    top: int
+    lines: list[Line]
+    texturing: Texturing | None
+    left_edges: list[Edge]
+    right_edges: list[Edge]
+    textured: bool
+    mapper: str = "affine"  # what draws it; affine where generated code cannot
+    perspective: Perspective | None = None  # instead of texturing
+    setting: str = "none"  # how the perspective is drawn
+    straight: bool = False  # the tolerance lets its lines be
+    level: int = 0  # lit: the row of the light table
+    shading: Shading | None = None  # lit Gouraud
+    is_level: bool = False  # the perspective's depth does not change along lines
+    constants: reciprocal.Constants | None = None  # of lines by tables
+
+    @property
+    def tables(self) -> ModuleType:
+        """The model of lines by tables."""
+        return reciprocal if self.setting in PIECES else logarithm
+
+    def record(self, line: Line, y: int):
+        """The record by which the line at y is drawn by ``tables``; None if it is not."""
+        return self.constants and self.tables.line(self.perspective, self.constants, line.left,
+                                                   line.right, y)
+
+    def coordinates(self, line: Line, y: int):
+        """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
+        if not self.perspective:
+            return coordinates(line, self.mapper, y)
+        if self.is_level:
+            return level(self.perspective, line.left, line.right, y)
+        record = self.record(line, y)
+        if record:
+            return self.tables.coordinates(record)
+        return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
+                                            way(self.setting).raised), self.setting)
+
+    @property
+    def pixels(self) -> int:
+        """Pixels drawn."""
+        return sum(max(0, line.right - line.left) for line in self.lines)
+
+
+def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
+    """Whether an edge's error may lead further out of the vertices' range than INSET."""
+    return settings.gradients != "plane" or not all(
+        -STEEP < signed(step) < STEEP for step in (dudx, dvdx))
+
+
+def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
+    """The lowest u and v, and the highest, that the plane as it is stepped has at the vertices."""
+    planes = ((t.u, signed(t.dudx), signed(t.dudy)), (t.v, signed(t.dvdx), signed(t.dvdy)))
+    values = [[signed(at + mul(ddx, v[0] - (t.i << 16)) + mul(ddy, v[1] - (t.j << 16)))
+               for v in vertices] for at, ddx, ddy in planes]
+    return [min(c) for c in values], [max(c) for c in values]
+
+
+def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Texturing | None,
+               steep: bool):
+    """(low, high) of u and of v where lines must be held in a range; else None."""
+    low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
+    if settings.mapper == "gouraud":
+        ranges = [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)]
+    elif settings.mapper == "arbitrary":
+        ranges = [(0, (side << 16) - 1) for side in size]
+    else:
+        return None
+    inset = INSET
+    if len(vertices) > 3 and not steep:  # the plane need not run through all of them
+        inset, (low, high) = ON_PLANE, plane_range(vertices, t)
+    used = 1 if settings.mapper == "gouraud" else 2
+    inside = all(a >= first + inset and b <= last - inset
+                 for a, b, (first, last) in list(zip(low, high, ranges))[:used])
+    return None if inside and not steep else ranges
+
+
+def hold(lines: list[Line], ranges) -> None:
+    """Moves the lines, all of the same steps, so that no pixel leaves the ranges. Steps that fall are
+    slower by two units: a start moved below the far border is above the exact value a pixel on."""
+    counts = [line.right - line.left for line in lines]
+    longest_line = max(*counts, 1) - 1
+    for line, count in zip(lines, counts):
+        for coordinate, (low, high) in zip("uv", ranges):
+            step = signed(getattr(line, f"d{coordinate}dx"))
+            step = min(step + 2, 0) if step < 0 else step
+            if longest_line:
+                most = (high - low) // longest_line
+                step = min(max(step, -most), most)
+            setattr(line, f"d{coordinate}dx", step & M32)
+            if count > 0:
+                travel, start = (count - 1) * step, signed(getattr(line, coordinate))
+                start = min(max(start, low - min(travel, 0)), high - max(travel, 0))
+                setattr(line, coordinate, start & M32)
+
+
+def scanline_lines(left: list[Edge], right: list[Edge], lines: list[Line],
+                   settings: Settings) -> None:
+    """Sets u, v and steps of each line by two divides."""
+    sides = ([ramp_point(edge, point) for edge in edges for point in along(edge)]
+             for edges in (left, right))
+    cuts = CUT.get(settings.mapper, (0, 0))
+    for line, a, b in zip(lines, *sides):
+        if line.right > line.left:
+            scanline_line(line, a, b, settings.start == "truncated")
+            for name, cut in zip("uv", cuts):
+                for field in (name, f"d{name}dx"):
+                    setattr(line, field, raised(getattr(line, field), cut))
+
+
+@dataclass
+class Outline:
+    """What edges come from: the vertices, clipped where that is asked for, and their sides;
+    ``corners``: of the whole polygon, which gradients come from."""
+
+    corners: tuple[int, int, int]
+    vertices: list[tuple]
+    sides: Sides
+
+    @property
+    def box(self) -> tuple[int, int, int, int]:
+        """Left, top, right and bottom of the pixels."""
+        return self.sides.box
+
+    def polygon(self, width: int, exact: bool, textured: bool) -> Polygon:
+        """The polygon with its edges and lines, which have no u and v yet."""
+        _, top, _, bottom = self.box
+        lefts, rights = (side(self.vertices, self.sides.corners[0], direction, top, bottom, exact)
+                         for direction in (self.sides.direction, -self.sides.direction))
+        left, right = ([edge.column(y) for edge in edges for y in range(edge.top, edge.end)]
+                       for edges in (lefts, rights))
+        lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
+        return Polygon(top, lines, None, lefts, rights, textured)
+
+
+def outline_of(vertices, width: int, height: int, settings: Settings) -> Outline | None:
+    """The outline of a polygon; None where nothing is covered."""
+    sides = measure(vertices, width, height)
+    if sides is None:
+        return None
+    corners = sides.corners
+    if settings.clip == "vertices" and settings.edges != "exact":
+        clipped = clip(vertices, frame_window(width, height))
+        if clipped != vertices:
+            vertices, sides = clipped, measure(clipped, width, height)
+    return Outline(corners, vertices, sides) if sides else None
+
+
+def plane_lines(polygon: Polygon, columns: list[int], settings: Settings) -> None:
+    """Sets u, v and steps of each line by the polygon's own steps; ``columns``: where lines begin
+    before the frame cuts them."""
+    t = polygon.texturing
+    starts = [start for edge in polygon.left_edges for start in edge_starts(t, edge, settings)]
+    for line, column, (u, v) in zip(polygon.lines, columns, starts):
+        cut = line.left - column
+        line.u, line.v = u + cut * t.dudx & M32, v + cut * t.dvdx & M32
+        line.dudx, line.dvdx = t.dudx & M32, t.dvdx & M32
+
+
+def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settings,
+                  size: tuple[int, int] | None) -> bool:
+    """Sets u, v and steps of a polygon's lines; False where its corners have no area."""
+    groups = [[line] for line in polygon.lines if line.right > line.left]
+    if settings.gradients == "scanline":
+        scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
+    else:
+        find = plane if settings.gradients == "plane" else longest
+        polygon.texturing = find(vertices, outline.corners, outline.box, settings)
+        if polygon.texturing is None:
+            return False
+        columns = [edge.column(y) for edge in polygon.left_edges for y in range(edge.top, edge.end)]
+        plane_lines(polygon, columns, settings)
+        groups = [polygon.lines]  # all of the same steps
+    for lines in groups:
+        ranges = held_range(vertices, settings, size, polygon.texturing,
+                            is_steep(settings, lines[0].dudx, lines[0].dvdx))
+        if ranges:
+            hold(lines, ranges)
+    return True
+
+
+def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Settings) -> bool:
+    """Sets the planes of a polygon's perspective; False where it is drawn affine."""
+    deep = perspective(vertices, outline.corners, outline.box)
+    if deep is None:
+        return False
+    width = outline.box[2] - outline.box[0]
+    setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
+    polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
+    polygon.is_level = straight or is_level(deep, width, setting)
+    polygon.constants = constants(deep, polygon.lines, outline.box, setting)
+    return True
+
+
+def may_be_written(vertices, settings: Settings) -> bool:
+    """Whether code is tried for a polygon: u of its vertices lies in one row of the map, or up to a
+    texel beside it, and all lines have the same steps."""
+    us = [v[2] for v in vertices]
+    first = min(us) + ONE & (256 << 16) - 1
+    return settings.gradients != "scanline" and first + max(us) - min(us) <= 258 << 16
+
+
+def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
+           size: tuple[int, int] | None = None) -> Polygon | None:
+    """Sets a polygon up for a frame; None where it is refused or covers nothing.
+
+    ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
+    with their level last, as ``adapt`` gives them; ``size`` is the map's, in texels.
+    """
+    n = len(vertices)
+    if not 3 <= n <= CORNERS_MAX or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
+        return None
+    if textured and settings.gradients == "polygon" and n != 3:
+        return None
+    if settings.mapper == "generated" and not may_be_written(vertices, settings):
+        settings = replace(settings, mapper="affine")
+    outline = outline_of(vertices, width, height, settings)
+    if outline is None:
+        return None
+    polygon = outline.polygon(width, settings.edges == "exact", textured)
+    if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
+            and set_perspective(polygon, vertices, outline, settings):
+        return polygon
+    if textured and not set_texturing(polygon, vertices, outline, settings, size):
+        return None
+    by_code = settings.mapper != "generated" or all(map(stays_in_row, polygon.lines))
+    polygon.mapper = settings.mapper if by_code else "affine"
+    if settings.mapper == "lit":
+        polygon.level = vertices[0][-1] >> 16
+    elif settings.mapper == "lit_gouraud":
+        polygon.shading = shading(vertices, outline.corners, outline.box)
+        light_lines(polygon.lines, polygon.top, polygon.shading)
+    return polygon
+
+
+def constants(deep: Perspective, lines: list[Line], box, setting: str):
+    """The constants of lines by tables; None where there are none."""
+    first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
+    if setting == "fine" or first is None:
+        return None
+    piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
+    return reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
+
+
+def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
+    """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
+    s and t in texels of a map whose longer side is given, the nearest, w, and a lit mapper's
+    level; or the shade as u, kept INSET inside the range of the pixels it may become."""
+    if settings.edges == "integer":
+        vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
+    if settings.mapper == "gouraud":
+        shades = [v[4] for v in vertices]
+        low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
+        return [(x, y, min(max(shade, low), high), 0, *w)
+                for x, y, _, _, shade, *w in vertices]
+    is_lit = settings.mapper in LIT
+    return [(x, y, signed(s * longer + 128 >> 8), signed(t * longer + 128 >> 8), *w,
+             *([level_of(shade)] if is_lit else []))
+            for x, y, s, t, shade, *w in vertices]

@@ -1,0 +1,255 @@
+"""The integer model's texturing: src68k/polygon, src68k/edge,
+c/polygon/texturing.c and ramps.c."""
+
+from dataclasses import dataclass
+
+from tmap.base.fixed import (M32, ONE, ceil16, cut_quotient, mul, mul_div, quotient, signed, step,
+                             wide_mul)
+from tmap.setup.edges import Edge
+
+#: Mappers whose u and v share an addx chain.
+CHAINED = ("affine", "lit")
+#: Texels a pixel from which on what a step without a plane may fall short by is not made up.
+STEEP = 256
+#: Low bits of u and v that a mapper's spans do not keep; of levels of light.
+CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a polygon is drawn: the choices of struct material."""
+
+    edges: str = "subpixel"  # integer, subpixel, exact
+    gradients: str = "plane"  # scanline, polygon, plane
+    start: str = "subtexel"  # truncated, subtexel
+    clip: str = "scissor"  # scissor, vertices
+    perspective: str = "none"  # every16, every8, pixel, fine
+    mapper: str = "affine"  # as struct material's, without MAPPER_
+    tolerance: int = 0  # 1/65536 texel that less perspective may cost
+
+
+def raised(value: int, cut: int) -> int:
+    """A number modulo 2^32, raised to a multiple of 2^cut."""
+    return value + (1 << cut) - 1 >> cut << cut & M32
+
+
+@dataclass
+class Line:
+    """Pixels left to right - 1 of a line; u, v and their steps at pixel left, 16.16."""
+
+    left: int
+    right: int
+    u: int = 0
+    v: int = 0
+    dudx: int = 0
+    dvdx: int = 0
+    c: int = 0  # level of light, and its step
+    dcdx: int = 0
+
+
+@dataclass
+class Texturing:
+    """Steps of u and v, 16.16 modulo 2^32; on the plane also u at pixel (i, j), v alike."""
+
+    dudx: int
+    dvdx: int
+    u_cut: int  # low bits of u that the spans do not keep ...
+    guard: int  # ... and what they hold: 1 where v falls in a chain
+    wraps: bool
+    v_cut: int = 0
+    dudy: int = 0
+    dvdy: int = 0
+    u: int = 0
+    v: int = 0
+    i: int = 0
+    j: int = 0
+    box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the pixels that (i, j) is the middle of
+
+    @property
+    def cuts(self) -> tuple[int, int]:
+        """Low bits that the spans do not keep, of u and of v."""
+        return self.u_cut, self.v_cut
+
+
+def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
+    """Whether v, given at the box's middle, stays between two multiples of 256 texels."""
+    left, top, right, bottom = box
+    travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
+    travel = ((travel_x + 1) * ((right - left + 1) >> 1)
+              + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
+    return (travel_x < 0x10000 and travel_y < 0x10000
+            and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
+
+
+def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
+    """u_cut, guard and wraps of struct texturing, where v may wrap in a chain."""
+    speed = signed(dvdx, 24)
+    once = ((abs(speed) >> 8) + 1) * width <= 0x10000
+    spare = int(wraps and once)
+    return spare, spare & (speed < 0), wraps and not once
+
+
+def whole_texels(gradient: int) -> int:
+    """A 32.32 gradient's magnitude in whole texels, rounded down, or one less."""
+    return (gradient ^ gradient >> 63) >> 32
+
+
+def shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, int], way: int) -> int:
+    """Units that a coordinate may fall short of its plane at any pixel of a box, rounded up.
+
+    ``found``: the gradients, 32.32; ``steps``: what they were rounded to, 16.16; ``ways``: pixels from
+    the middle of the box to its sides; ``way``: pixels from the first corner to the farthest, x and
+    y in all. Steps that were rounded by r units a pixel make r a pixel. The gradients themselves
+    are off by |g| / 2^31 + 3 / 2^32 texels a pixel, the value in the middle by a unit.
+    """
+    rounded = sum(abs(signed((s << 16) - g, 40)) * w for g, s, w in zip(found, steps, ways))
+    cut = (sum(whole_texels(g) for g in found) + 5 & M32) * 2 * way
+    return (rounded >> 16) + (cut >> 16) + 3
+
+
+def gradients(corners, key: int) -> tuple[int, int] | None:
+    """What one number of three corners (x, y, ...) grows a pixel and a line on its plane, 32.32;
+    None where the corners have no area."""
+    a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
+    d = a[0] * b[1] - b[0] * a[1]
+    if d == 0:
+        return None
+    return (quotient(a[key] * b[1] - b[key] * a[1], d),
+            quotient(a[0] * b[key] - b[0] * a[key], d))
+
+
+def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
+    """The texture plane through three corners (indices), seen from the box's middle."""
+    three = [vertices[k] for k in corners]
+    found = [gradients(three, key) for key in (2, 3)]
+    if None in found:
+        return None
+    left, top, right, bottom = box
+    i, j = (left + right) >> 1, (top + bottom) >> 1
+    away = [signed((at << 16) - first) for at, first in zip((i, j), three[0])]
+    ways = i - left, j - top
+    way = sum(abs(a) >> 16 for a in away) + sum(ways) + 2
+
+    def coordinate(key: int, cut: int) -> tuple[int, int, int]:
+        both = found[key]
+        steps = [step(g, cut) for g in both]
+        at = three[0][2 + key] + sum(wide_mul(g, a) for g, a in zip(both, away))
+        at += shortfall(both, steps, ways, way)
+        return *steps, raised(at, cut)
+
+    u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
+    dvdx, dvdy, v = coordinate(1, v_cut)
+    chained = settings.mapper in CHAINED  # only their u and v share a chain
+    inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
+    spare, guard, wraps = guarded(dvdx, right - left, chained and not inside)
+    dudx, dudy, u = coordinate(0, u_cut or spare)
+    return Texturing(dudx, dvdx, u_cut or spare, guard, wraps, v_cut, dudy, dvdy, u | guard, v, i, j,
+                     box)
+
+
+def saturated_step(part: int, whole: int) -> int:
+    """part / whole in 16.16, at most the largest number."""
+    if abs(part) >> 15 >= abs(whole):
+        return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
+    return mul_div(-part, ONE, -whole) if whole < 0 else mul_div(part, ONE, whole)
+
+
+def longest(vertices, corners, box, settings: Settings) -> Texturing:
+    """A triangle's steps from its longest scanline, the one through the middle vertex."""
+    top, bottom, middle = (vertices[k] for k in corners)
+    whole, part = ([p - q for p, q in zip(v, top)] for v in (bottom, middle))
+    if whole[1] > 0:
+        y = part[1]
+        part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
+    dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
+    spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper in CHAINED)
+    u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
+    u_cut = u_cut or spare
+    dudx, dvdx = (step + (1 << cut >> 1) >> cut << cut & M32
+                  for step, cut in ((dudx, u_cut), (dvdx, v_cut)))
+    return Texturing(dudx, dvdx, u_cut, guard, wraps, v_cut, box=box)
+
+
+def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> int:
+    """Units that u may fall short by along a left edge of so many lines, and along the lines that begin
+    there, without a plane: see ``shortfall`` in c/polygon/texturing.c."""
+    whole = (abs(signed(step)) >> 16) + 2
+    coarse = (1 << cut) + 1 if cut else 1
+    line = 3 + whole if start == "subtexel" else 1
+    return 0 if whole > STEEP else (lines * line + (width + 1) * coarse >> 1) + 2 * whole + 2
+
+
+def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
+    """u and v at a pixel."""
+    x, y = column - t.i, line - t.j
+    return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
+
+
+def along(edge: Edge) -> list[tuple[int, int, int]]:
+    """x, u and v where an edge crosses its lines, 16.16."""
+    whole = [b - a for a, b in zip(edge.upper, edge.lower)]
+    y = (edge.top << 16) - edge.upper[1]
+    several = edge.end - edge.top > 1
+    first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
+    steps = [mul_div(whole[k], ONE, whole[1]) if several else 0 for k in (2, 3)]
+    return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
+            for n, line in enumerate(range(edge.top, edge.end))]
+
+
+def ramp_point(edge: Edge, point: tuple[int, int, int]) -> tuple[int, int, int]:
+    """x, u and v of an edge's crossing as lines with two divides take them: raised by what u and v may
+    fall short along the edge, half a unit a line, and by two units for what is cut afterwards."""
+    x, u, v = point
+    more = (edge.end - edge.top + 1) // 2 + 2
+    return x, u + more, v + more
+
+
+def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
+    """u and v of an edge's lines at their first pixels, modulo 2^32."""
+    columns = [edge.column(line) for line in range(edge.top, edge.end)]
+    if settings.gradients == "plane" and settings.start == "subtexel":
+        return [on_plane(t, c, line) for line, c in enumerate(columns, edge.top)]
+    x, slope = edge.at(edge.top), edge.slope
+    prestep = signed((columns[0] << 16) - x)
+    moves = [signed(t.dudx), signed(t.dvdx)]
+    if settings.gradients == "plane":
+        first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
+        steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
+    else:
+        crossings = along(edge)
+        first = list(crossings[0][1:])
+        steps = [b - a for a, b in zip(first, crossings[min(1, len(crossings) - 1)][1:])]
+        if settings.start == "subtexel":
+            first = [f + mul(m, prestep) for f, m in zip(first, moves)]
+            steps = [d + mul(m, signed((edge.whole << 16) - slope)) for d, m in zip(steps, moves)]
+        first = [f + edge_shortfall(m, cut, edge.end - edge.top, t.box[2] - t.box[0], settings.start)
+                 for f, m, cut in zip(first, moves, t.cuts)]
+    first = [raised(f, cut) for f, cut in zip(first, t.cuts)]
+    first[0] |= t.guard
+    steps = [raised(s, cut) for s, cut in zip(steps, t.cuts)]
+    starts = []
+    for n, column in enumerate(columns):
+        more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
+        starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
+    return starts
+
+
+def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> None:
+    """Sets u, v and steps of a line with pixels by two divides."""
+    rise = [signed(b - a) for a, b in zip(left[1:], right[1:])]
+    if truncated:
+        first = ceil16(left[0])
+        pixels = ceil16(right[0]) - first
+        steps = [-(-r // pixels) if pixels > 0 else 0 for r in rise]
+        moves = [(line.left - first) * s for s in steps]
+    else:
+        width, prestep = min(right[0] - left[0], 0x7FFFFFFF), (line.left << 16) - left[0]
+        if width >= ONE:
+            steps = [-(-(r << 16) // width) for r in rise]
+            moves = [mul(s, prestep) for s in steps]
+        else:
+            prestep = min(max(prestep, 0), width)
+            steps = [0, 0]
+            moves = [cut_quotient(r * prestep, width) if width > 0 else 0 for r in rise]
+    line.u, line.v = (a + m & M32 for a, m in zip(left[1:], moves))
+    line.dudx, line.dvdx = (s & M32 for s in steps)

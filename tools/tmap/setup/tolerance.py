@@ -1,0 +1,42 @@
+"""The integer model's tolerance: c/polygon/tolerance.c, which derives the errors."""
+
+from tmap.base.fixed import mul_div, signed
+from tmap.setup.perspective import PIECES, Perspective, keeps_level
+
+STEEP = 8  # q grows a pixel by its least, less so many bits, at most
+
+
+def is_flat(vertices, tolerance: int) -> bool:
+    """Whether (x, y, u, v, w) of a triangle may be drawn affine."""
+    if len(vertices) != 3 or not tolerance:
+        return False
+    ws = [v[4] for v in vertices]
+    least, grows = min(ws), max(ws) - min(ws)
+    halves = [(max(c) >> 1) - (min(c) >> 1) + 1 for c in ([v[k] for v in vertices] for k in (2, 3))]
+    return grows <= least and mul_div(max(halves), grows, least) < 2 * tolerance
+
+
+def bend(p: Perspective) -> int | None:
+    """What a piece is off, at most, over its pixels squared times 4; None: too much."""
+    steep, *rest = (abs(signed(plane.dx, 64)) >> 32 for plane in (p.q, p.s, p.t))
+    steep, grows = steep + 1, max(rest) + 1
+    if steep > p.least >> STEEP or grows > p.least >> 2:
+        return None
+    a = mul_div(steep, 1 << 24, p.least) + 1
+    slope = mul_div(grows, 1 << 30, p.least >> 2) + 1 + (p.farthest * a >> 24) + 1
+    return (slope * a >> 24) + 1
+
+
+def coarser(p: Perspective, width: int, setting: str, tolerance: int) -> tuple[str, bool]:
+    """The setting that the tolerance allows, and whether lines may be straight."""
+    if not tolerance:
+        return setting, False
+    if keeps_level(p, width, tolerance):
+        return setting, True
+    pixel = bend(p)
+    for longer in ("every16", "every8"):
+        if setting == longer:
+            break
+        if pixel is not None and pixel * PIECES[longer] * PIECES[longer] // 4 <= tolerance:
+            return longer, False
+    return setting, False

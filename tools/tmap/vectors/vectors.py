@@ -1,0 +1,180 @@
+"""``tmap vectors``: reference data against the engines in C, on the emulated machine.
+
+The lines of all files become operations of the program ``vectors``, which runs them in one boot;
+its answers are compared here, number by number. A file's commands tell which engine it is for.
+"""
+
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from tmap.base.errors import UserError
+from tmap.base.fixed import M32
+from tmap.vectors import vector_text
+from tmap.vectors.glide_text import TmuLines
+from tmap.vectors.n64_text import TxLines
+from tmap.vectors.vector_file import Operations, ask
+from tmap.vectors.vector_text import Line, Shape
+
+#: Bytes of operations that fit the machine's memory beside what else is in it.
+FILE_BYTES = 6_000_000
+SHOWN = 5  # wrong lines of a file that are printed
+
+
+class Lines(Protocol):
+    """A file's lines as one engine understands them, in their order."""
+
+    SHAPES: dict[str, Shape]
+    #: Kind of question to how many of 1,000 may be answered otherwise.
+    ALLOWED: dict[str, int]
+
+    def __init__(self, operations: Operations, path: Path) -> None: ...
+
+    def add(self, line: Line, place: str) -> None:
+        """The operations of a line; UserError begins with ``place``."""
+
+    def kind(self) -> str:
+        """Of the question that was added last."""
+
+
+ENGINES: tuple[type[Lines], ...] = (TxLines, TmuLines)
+SHAPES = {name: shape for engine in ENGINES for name, shape in engine.SHAPES.items()}
+
+
+@dataclass
+class File:
+    """A file of reference data: its questions by their kinds, and after ``check`` the wrong ones,
+    with what was found."""
+
+    path: Path
+    allowed: dict[str, int]
+    questions: list[tuple[str, Line]]
+    wrong: list[tuple[str, Line, tuple[int, ...]]] = field(default_factory=list)
+
+    def count(self, kind: str) -> tuple[int, int]:
+        """(questions, wrong ones) of a kind."""
+        return (sum(of == kind for of, _ in self.questions),
+                sum(of == kind for of, _, _ in self.wrong))
+
+    def passes(self) -> bool:
+        """Whether of no kind more are wrong than may be."""
+        counts = ((allowed, *self.count(kind)) for kind, allowed in self.allowed.items())
+        return all(1000 * wrong <= allowed * questions for allowed, questions, wrong in counts)
+
+
+def engine_of(line: Line) -> type[Lines]:
+    """The engine that a command is for."""
+    return next(engine for engine in ENGINES if line.command in engine.SHAPES)
+
+
+def add_file(operations: Operations, path: Path) -> File:
+    """Reads a file into the operations."""
+    lines, questions = None, []
+    for line in vector_text.read(path, SHAPES):
+        place = f"{path}:{line.number}"
+        engine = engine_of(line)
+        lines = lines or engine(operations, path)
+        if not isinstance(lines, engine):
+            raise UserError(f"{place}: {line.command}: the lines before are for another engine")
+        lines.add(line, f"{place}: {line.command}")
+        if line.expected:
+            questions.append((lines.kind(), line))
+    if not questions:
+        raise UserError(f"{path}: asks nothing")
+    return File(path, lines.ALLOWED, questions)
+
+
+def differs(line: Line, found: tuple[int, ...]) -> bool:
+    """Whether a number that counts is another one."""
+    masks = SHAPES[line.command].masks
+    return any(mask is not None and (a ^ b) & mask
+               for a, b, mask in zip(line.expected, found, masks, strict=True))
+
+
+def compare(file: File, answers: np.ndarray, at: int) -> int:
+    """Notes what is wrong in a file, whose answers begin at ``at``; returns their end."""
+    for kind, line in file.questions:
+        end = at + len(line.expected)
+        found = tuple(int(value) for value in answers[at:end])
+        if len(found) != end - at:
+            raise UserError(f"vectors: answers end before {file.path}:{line.number}")
+        if differs(line, found):
+            file.wrong.append((kind, line, found))
+        at = end
+    return at
+
+
+def check(paths: list[Path], machine: str = "a1200-fast",
+          on_operation: Callable[[int, int], None] | None = None) -> list[File]:
+    """Asks every question of the files in one boot. ``on_operation``: told (begun, all)."""
+    operations = Operations()
+    files = []
+    for path in paths:
+        files.append(add_file(operations, path))
+        if 4 * len(operations.longs) > FILE_BYTES:
+            raise UserError(f"{path}: too much for one boot: {4 * len(operations.longs)} bytes "
+                            f"of operations so far, at most {FILE_BYTES}")
+    answers = ask(operations, machine, on_operation and (
+        lambda begun: on_operation(begun, operations.count)))
+    at = 0
+    for file in files:
+        at = compare(file, answers, at)
+    if at != len(answers):
+        raise UserError(f"vectors: {len(answers)} numbers of answers instead of {at}")
+    return files
+
+
+def written(line: Line, values: tuple[int, ...]) -> str:
+    """An answer as files have it: decimal, or hexadecimal in as many digits as it needs."""
+    shape = SHAPES[line.command]
+    texts = []
+    for value, base, mask in zip(values, shape.answers, shape.masks, strict=True):
+        mask = M32 if mask is None else mask
+        texts.append(str(value) if base == vector_text.DECIMAL
+                     else f"{value & mask:0{(mask.bit_length() + 3) // 4}x}")
+    return " ".join(texts)
+
+
+def asked(line: Line) -> str:
+    """A question as files have it."""
+    texts = (str(value) if base == vector_text.DECIMAL else f"{value:x}"
+             for value, base in zip(line.arguments, SHAPES[line.command].bases, strict=True))
+    return " ".join([line.command, *texts])
+
+
+def counts(file: File) -> Iterator[str]:
+    """Right and wrong of each kind, where there are several."""
+    for kind in file.allowed if len(file.allowed) > 1 else ():
+        questions, wrong = file.count(kind)
+        yield f"{kind} {questions - wrong} right, {wrong} wrong"
+
+
+def report(file: File) -> list[str]:
+    """Lines on a file: right and wrong, and the first wrong questions."""
+    lines = ["; ".join([f"{file.path}: {len(file.questions) - len(file.wrong)} right, "
+                        f"{len(file.wrong)} wrong", *counts(file)])]
+    if file.wrong and file.passes():
+        lines[0] += ": no more than may be"
+    for _, line, found in file.wrong[:SHOWN]:
+        lines.append(f"  line {line.number}: {asked(line)}: expected "
+                     f"{written(line, line.expected)}, found {written(line, found)}")
+    if len(file.wrong) > SHOWN:
+        lines.append(f"  and {len(file.wrong) - SHOWN} more")
+    return lines
+
+
+def command(paths: list[Path], machine: str) -> int:
+    """``tmap vectors``: status 1 where more answers of a file are wrong than may be."""
+    from rich.progress import Progress
+
+    with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
+        task = progress.add_task("vectors", total=None)
+        files = check(paths, machine,
+                      lambda begun, count: progress.update(task, completed=begun, total=count))
+    for file in files:
+        print("\n".join(report(file)))
+    return 0 if all(file.passes() for file in files) else 1

@@ -1,1 +1,0 @@
-"""The N64 texture engine: its model, its command words, and pictures in its formats."""
