@@ -12,7 +12,7 @@ endif
 override SCENE := $(or $(SCENE),tests/scenes/default.toml)
 export SCENE MACHINE FRAMES SEED COUNT A B
 
-PYTHON := .deps/venv/bin/python
+PYTHON := PYTHONPATH=tools .deps/venv/bin/python
 VASM := scripts/vasm
 GCC := m68k-linux-gnu-gcc
 LD := m68k-linux-gnu-ld
@@ -47,7 +47,7 @@ MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 # Tables and code that a tool of the same name writes.
-WRITTEN := tx_weights tmu_weights tmu_logarithms
+WRITTEN := n64_weights glide_weights glide_logarithms
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
@@ -106,7 +106,7 @@ fuzz: programs
 
 # A file's tests share what they made, so they stay together; tests/conftest.py has the order.
 test: programs
-	@$(PYTHON) -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
+	@.deps/venv/bin/python -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
 
 diff:
 	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }
@@ -187,11 +187,11 @@ build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/h
 build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tmap.build.contracts src68k build/gen
 
-$(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/%.py | setup
+$(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/tmap/build/%.py | setup
 	@mkdir -p $(@D)
-	@$(PYTHON) -m tools.$* $@
+	@$(PYTHON) -m tmap.build.$* $@
 
-build/gen/tx_weights.s build/gen/tmu_weights.s: tools/tmap/build/weights.py
+build/gen/n64_weights.s build/gen/glide_weights.s: tools/tmap/build/weights.py
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

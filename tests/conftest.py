@@ -2,6 +2,7 @@
 each failure says at last: how to see it again."""
 
 import shlex
+from pathlib import Path
 
 import pytest
 
@@ -9,18 +10,26 @@ import tmap  # noqa: F401  before NumPy, whose threads it limits
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = ("polygons", "bench", "kernels", "guest_input", "hard_cases", "tmu_tiles", "tmu_polygons",
-           "tx_polygons", "lowering", "wide", "tmu_scenes", "fuzz", "show", "tx_vectors", "meshes",
-           "tx_scenes", "run", "hard_meshes", "scene_program", "accuracy", "mappers", "disk", "demo",
-           "showcase", "hosts", "tx_modes", "tmu_adds", "bounds", "borders", "pages", "readme", "properties", "methods",
-           "kernel_checker", "report", "tmu_modes", "polys", "tx_decode", "tmu_downloads", "tx_model",
-           "tx_core", "emulator", "ntsc", "still_steps", "citizen")
-RANKS = {f"test_{name}": rank for rank, name in enumerate(LONGEST)}
+LONGEST = """polygon/polygons accuracy/bench kernels/kernels guest/guest_input
+    accuracy/hard_cases glide/tiles glide/polygons n64/polygons polygon/lowering polygon/wide
+    glide/scenes accuracy/fuzz screen/show n64/vectors mesh/meshes n64/scenes compiler/run
+    mesh/hard_meshes product/scene_program accuracy/accuracy polygon/mappers product/disk
+    screen/demo accuracy/showcase polygon/hosts n64/modes glide/adds accuracy/bounds
+    polygon/borders product/pages product/readme accuracy/properties accuracy/methods
+    kernels/kernel_checker product/report glide/modes accuracy/polys n64/decode glide/downloads
+    n64/model n64/core guest/emulator guest/ntsc polygon/still_steps guest/citizen""".split()
+RANKS = {name: rank for rank, name in enumerate(LONGEST)}
+TESTS = Path(__file__).parent
+
+
+def place(item) -> str:
+    """A test's file below tests/, without its ending."""
+    return item.path.relative_to(TESTS).with_suffix("").as_posix()
 
 
 def pytest_collection_modifyitems(items: list) -> None:
     """Sorts the tests by their files' ranks; all others stay as they are, behind them."""
-    items.sort(key=lambda item: RANKS.get(item.path.stem, len(RANKS)))
+    items.sort(key=lambda item: RANKS.get(place(item).replace("test_", ""), len(RANKS)))
 
 
 @pytest.hookimpl(wrapper=True)
@@ -28,7 +37,7 @@ def pytest_runtest_makereport(item):
     """Adds the command that runs a failed test again."""
     report = yield
     if report.failed:
-        test = f"tests/{item.path.name}::{item.nodeid.partition('::')[2]}"
+        test = f"tests/{place(item)}.py::{item.nodeid.partition('::')[2]}"
         report.sections.append(
             ("again", f".deps/venv/bin/python -m pytest -q {shlex.quote(test)}"))
     return report

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmap.base.paths import ROOT
 from tmap.glide.chain import Point, pixel
 from tmap.glide.lod import base
 from tmap.glide.registers import modes_of
@@ -14,7 +15,7 @@ from tmap.glide.state import Modes, Unit, packed, unpacked
 from tmap.vectors import glide_text
 from tmap.vectors.vector_text import Line
 
-FOLDER = Path(__file__).parent / "vectors"
+FOLDER = ROOT / "tests" / "vectors"
 
 
 class Question(NamedTuple):

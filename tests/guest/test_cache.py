@@ -82,12 +82,13 @@ def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
     """Program bytes, tool sources, scene files, words, the emulator's version: each changes it."""
     programs, tools = tmp_path / "programs", tmp_path / "tools"
     programs.mkdir()
-    (tools / "tx").mkdir(parents=True)
+    (tools / "tmap" / "n64").mkdir(parents=True)
     (programs / "render").write_bytes(b"68020")
-    for name, text in {"bench": "from . import clock\nfrom .tx import draw\n", "clock": "TICK = 20\n",
-                       "tx/draw": "from .state import A\nfrom ..fixed import ONE\n", "tx/state": "A = 1\n",
-                       "fixed": "ONE = 1\n", "state": "\n", "tx/fixed": "\n", "other": "\n"}.items():
-        (tools / f"{name}.py").write_text(text)
+    for name, text in {"bench": "from tmap import clock\nfrom tmap.n64 import draw\n", "clock": "TICK = 20\n",
+                       "n64/draw": "from tmap.n64.state import A\nfrom tmap.fixed import ONE\n",
+                       "n64/state": "A = 1\n", "fixed": "ONE = 1\n", "state": "\n", "n64/fixed": "\n",
+                       "other": "\n"}.items():
+        (tools / "tmap" / f"{name}.py").write_text(text)
     scene = tmp_path / "scene.toml"
     scene.write_text("frames = 1\n")
     monkeypatch.setattr(cache, "PROGRAMS", programs)
@@ -95,37 +96,39 @@ def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
     monkeypatch.setattr(cache.emulator, "emulator_version", lambda: "1")
 
     def now() -> str:
-        return cache.key("bench", [scene], ["a1200"])
+        return cache.key("tmap/bench", [scene], ["a1200"])
 
     keys = [now()]
     assert keys == [now()]
     (programs / "render.map").write_text("addresses")
-    for name in ("other", "state", "tx/fixed"):
-        (tools / f"{name}.py").write_text("changed = 1\n")
+    for name in ("other", "state", "n64/fixed"):
+        (tools / "tmap" / f"{name}.py").write_text("changed = 1\n")
     assert keys == [now()], "what takes no part changed the key"
     for change in (lambda: (programs / "render").write_bytes(b"68021"),
                    lambda: (programs / "bench").write_bytes(b"68020"),
-                   lambda: (tools / "bench.py").write_text(
-                       "from . import clock, run\nfrom .tx import draw\n"),
-                   lambda: (tools / "clock.py").write_text("TICK = 10\n"),
-                   lambda: (tools / "tx" / "state.py").write_text("A = 2\n"),
-                   lambda: (tools / "fixed.py").write_text("ONE = 2\n"),
+                   lambda: (tools / "tmap" / "bench.py").write_text(
+                       "from tmap import clock, run\nfrom tmap.n64 import draw\n"),
+                   lambda: (tools / "tmap" / "clock.py").write_text("TICK = 10\n"),
+                   lambda: (tools / "tmap" / "n64" / "state.py").write_text("A = 2\n"),
+                   lambda: (tools / "tmap" / "fixed.py").write_text("ONE = 2\n"),
                    lambda: scene.write_text("frames = 2\n"),
                    lambda: monkeypatch.setattr(cache.emulator, "emulator_version", lambda: "2")):
         change()
         keys.append(now())
-    keys.append(cache.key("bench", [scene], ["a1200-fast"]))
+    keys.append(cache.key("tmap/bench", [scene], ["a1200-fast"]))
     assert len(set(keys)) == len(keys)
 
 
 def test_sources_are_all_that_is_imported() -> None:
     """A tool's own file, imports of imports, and those inside functions; not what it is used by."""
-    names = {path.stem for path in cache.sources("bench")}
-    assert {"bench", "bench_cases", "emulator", "model", "paths"} <= names
-    assert not names & {"report", "report_page", "readme", "choose"}
-    assert "hard_report" in {path.stem for path in cache.sources("accuracy")}
-    assert {"tx/state.py", "tx/ideal.py", "fixed.py"} <= {
-        str(path.relative_to(cache.ROOT / "tools")) for path in cache.sources("accuracy")}
+    def names(module: str) -> set[str]:
+        return {str(path.relative_to(cache.ROOT / "tools" / "tmap")) for path in cache.sources(module)}
+
+    bench = names("tmap/bench/bench")
+    assert {"bench/bench.py", "bench/cases.py", "guest/emulator.py", "base/paths.py"} <= bench
+    assert not any(name.startswith(("report/", "accuracy/")) for name in bench)
+    assert {"accuracy/hard_report.py", "n64/state.py", "ideal/n64.py", "base/fixed.py"} <= names(
+        "tmap/accuracy/accuracy")
 
 
 def test_scene_files_are_those_it_names() -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from tests.guest import guest_program
-from tmap.base.paths import PROGRAMS
+from tmap.base.paths import GUEST, PROGRAMS
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case
 from tmap.product import program_layout, program_parts, scene_program
@@ -83,7 +83,7 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
         "calls": kernels.plan([Case("nothing")] * 3), "crash": kernels.plan([by_zero]),
         "figures": kernels.plan([Case("nothing", repeats=9)]), "asked": questions.file(),
         "90.run": b"good\nnone\n", "91.run": b"none\nnone\n",
-        "citizen": guest_program.build(folder, Path(__file__).with_name("citizen.s"))}
+        "citizen": guest_program.build(folder, GUEST / "citizen.s")}
 
 
 class Ended:

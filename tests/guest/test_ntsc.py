@@ -4,13 +4,12 @@ and are right, and the display is PAL's while it is ours."""
 import json
 import re
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.guest import guest_program
-from tmap.base.paths import BASELINE, PROGRAMS, ROOT
+from tmap.base.paths import BASELINE, GUEST, PROGRAMS, ROOT
 from tmap.bench import bench, owner, scenes
 from tmap.build import layout
 from tmap.compiler.scene import compile_scene
@@ -86,7 +85,7 @@ def waits() -> str:
 def booted(committed, tmp_path_factory) -> list[emulator.Result]:
     """Everything in one boot, with chip RAM alone."""
     folder = tmp_path_factory.mktemp("ntsc")
-    guest = Path(__file__).with_name("guest")
+    guest = GUEST
     guest_program.build(folder, guest / "display.c", guest / "events.s")
     (folder / "waits.s").write_text(waits())
     guest_program.build(folder, folder / "waits.s")

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from tmap.base.paths import ROOT
 from tmap.n64 import commands
 from tmap.n64.copy import copy
 from tmap.n64.divide import divide
@@ -14,7 +15,7 @@ from tmap.n64.texels import fetch
 from tmap.vectors.n64_text import read
 from tmap.vectors.vector_text import Line, xorshift
 
-FOLDER = Path(__file__).parent / "vectors"
+FOLDER = ROOT / "tests" / "vectors"
 DRAM_BYTES = 1 << 20
 RANDOM = slice(0x1000, 0x9000)  # bytes of DRAM that are filled at random
 FIELDS = {"persp_tex_en": "perspective", "detail_tex_en": "detail", "sharpen_tex_en": "sharpen",

@@ -83,21 +83,21 @@ ELEMENTARY = set("""exp exp2 expm1 log log2 log10 log1p sin cos tan sinh cosh ta
 OTHERS = set("""gauss normalvariate dot vdot inner matmul tensordot einsum convolve correlate polyfit cov
     corrcoef linalg fft""".split())
 MODULES = ("math", "cmath", "np", "numpy")
-#: Where they are used all the same, by file in tools/, and why no stored byte or figure shows it.
+#: Where they are used all the same, by file in tools/tmap, and why no stored byte or figure shows it.
 HARMLESS = {
     "assets/noise.py": {"fft"},  # test_noise_has_room
-    "bounds_perspective.py": {"log2", "**"},  # a bound, of which no page shows as many digits
-    "elementary.py": {"atan2"},  # a first guess that is made exact
-    "fuzz_depths.py": {"log10", "log2", "**"},  # random questions, of which none is stored
-    "mesh_build.py": {"atan2"},  # a sum of angles, 2 pi or 4 pi and more, compared with 3 pi
-    "model_logarithm.py": {"log", "log2", "**"},  # rounded down, and never that near to an integer
-    "model_perspective.py": {"**"},  # of integers
-    "palette.py": {"@"},  # of integers below 2^24, exact whatever the order
-    "polygon_sets.py": {"gauss"},  # all is settled numbers, which test_same_bytes_as_on has
-    "random_meshes.py": {"cos", "sin", "**"},  # random questions
-    "random_polygons.py": {"cos", "sin", "**"},
-    "scene_polygons.py": {"atan2"},  # as in mesh_build.py
-    "tmu/lod.py": {"**"}}  # of integers
+    "ideal/bounds_perspective.py": {"log2", "**"},  # a bound, of which no page shows as many digits
+    "base/elementary.py": {"atan2"},  # a first guess that is made exact
+    "fuzz/depths.py": {"log10", "log2", "**"},  # random questions, of which none is stored
+    "compiler/mesh_build.py": {"atan2"},  # a sum of angles, 2 pi or 4 pi and more, compared with 3 pi
+    "setup/logarithm.py": {"log", "log2", "**"},  # rounded down, and never that near to an integer
+    "setup/perspective.py": {"**"},  # of integers
+    "images/palette.py": {"@"},  # of integers below 2^24, exact whatever the order
+    "corpus/polygon_sets.py": {"gauss"},  # all is settled numbers, which test_same_bytes_as_on has
+    "corpus/random_meshes.py": {"cos", "sin", "**"},  # random questions
+    "corpus/random_polygons.py": {"cos", "sin", "**"},
+    "compiler/polygons.py": {"atan2"},  # as in mesh_build.py
+    "glide/lod.py": {"**"}}  # of integers
 
 
 def is_exact(base: ast.expr, exponent: ast.expr) -> bool:
@@ -125,10 +125,10 @@ def rounding_by_processor(text: str) -> Iterator[str]:
 
 def test_nothing_rounds_by_processor() -> None:
     """In all tools, but for what is harmless; what is no longer used is no longer listed."""
-    found = {str(path.relative_to(ROOT / "tools")): set(rounding_by_processor(path.read_text()))
+    found = {str(path.relative_to(ROOT / "tools" / "tmap")): set(rounding_by_processor(path.read_text()))
              for path in (ROOT / "tools").rglob("*.py")}
     found = {name: used for name, used in found.items() if used}
-    assert found == HARMLESS, "tools/tmap/base/elementary.py and tools/tmap/base/linear.py have what is the same everywhere"
+    assert found == HARMLESS, "tmap.base.elementary and tmap.base.linear have what is the same everywhere"
 
 
 @pytest.mark.parametrize("text, used", [

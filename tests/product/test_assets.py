@@ -12,7 +12,7 @@ from tmap.compiler import mesh_file
 from tmap.guest import cache
 from tmap.report import readme
 
-AGAIN = ".deps/venv/bin/python -m tmap.assets"
+AGAIN = "PYTHONPATH=tools .deps/venv/bin/python -m tmap.assets"
 
 
 @pytest.mark.parametrize("name", assets.FILES)

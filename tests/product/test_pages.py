@@ -47,8 +47,8 @@ def test_page(page: str) -> None:
 def test_bounds_are_where_the_page_says() -> None:
     """Each name in the column of tools is one."""
     for line in readme_numbers.bounds_table().splitlines()[2:]:
-        module, *names = line.split("`")[-2].split(".")
-        found = importlib.import_module(f"tools.{module}")
+        room, module, *names = line.split("`")[-2].split(".")
+        found = importlib.import_module(f"tmap.{room}.{module}")
         for name in names:
             found = getattr(found, name)
 

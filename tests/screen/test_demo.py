@@ -4,13 +4,12 @@ how it ends, and what it refuses.
 
 import re
 import shutil
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.guest import guest_program
-from tmap.base.paths import PROGRAMS
+from tmap.base.paths import GUEST, PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator
 from tmap.guest.emulator import CYCLES_PER_TICK
@@ -74,7 +73,7 @@ def data() -> dict[str, bytes]:
 def played(request, data, tmp_path_factory):
     """The machine, its parts, the ticks of the race's frames by render, a row a form, and those of the
     same work again and again, the first with interrupts off."""
-    programs, guest = tmp_path_factory.mktemp("programs"), Path(__file__).with_name("guest")
+    programs, guest = tmp_path_factory.mktemp("programs"), GUEST
     guest_program.build(programs, guest / "display.c", guest / "events.s")
     for name in ("demo", "render"):
         shutil.copy(PROGRAMS / name, programs)
@@ -230,7 +229,7 @@ def ended(data, tmp_path_factory) -> list[tuple]:
     files = data | {"demo": PROGRAMS / "demo"}
     programs = folder / "programs"
     programs.mkdir()
-    shutil.copy(guest_program.build(folder, Path(__file__).with_name("citizen.s")),
+    shutil.copy(guest_program.build(folder, GUEST / "citizen.s"),
                 programs / "citizen")
     lines = [(0, "demo SYS: PART 6 FRAMES 2"), (0, "demo SYS: PART 7 FRAMES 2"),
              (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 8"),

@@ -2,10 +2,11 @@
 
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[3]
 BUILD = ROOT / "build"
 PROGRAMS = BUILD / "programs"
 LAYOUT = BUILD / "gen" / "layout.json"
+GUEST = ROOT / "tests" / "guest"  # programs of the tests
 SCENES = ROOT / "tests" / "scenes"
 BASELINE = ROOT / "tests" / "baseline" / "bench.json"
 ACCURACY_BASELINE = ROOT / "tests" / "baseline" / "accuracy.json"  # the medium set

@@ -1,4 +1,4 @@
-"""What the modules share that write assembly: ``python -m tools.NAME OUT.s``."""
+"""What the modules share that write assembly: ``python -m tmap.build.NAME OUT.s``."""
 
 import sys
 from pathlib import Path

@@ -37,20 +37,20 @@ def digest(path: Path) -> str:
 
 
 @functools.cache
-def imports(text: str, package: str = "") -> list[str]:
+def imports(text: str) -> list[str]:
     """What may be the modules of the tools that a source text imports, inside functions too: their
-    paths, as "tx/state". ``package``: the text's own, as "tx"."""
+    paths, as "tmap/n64/state"."""
     names = []
     for node in ast.walk(ast.parse(text)):
-        if isinstance(node, ast.ImportFrom) and node.level:
-            parts = [package if node.level == 1 else "", *(node.module or "").split(".")]
-            base = [part for part in parts if part]
-            names += ["/".join(base), *("/".join([*base, alias.name]) for alias in node.names)]
+        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "tmap":
+            base = node.module.replace(".", "/")
+            names += [base, *(f"{base}/{alias.name}" for alias in node.names)]
     return names
 
 
 def sources(module: str) -> list[Path]:
-    """The files of the tools that a module needs: its own, and what it imports, however deep."""
+    """The files of the tools that a module, as "tmap/bench/bench", needs: its own, and what it imports,
+    however deep."""
     found, names = {}, [module]
     while names:
         name = names.pop()
@@ -58,7 +58,7 @@ def sources(module: str) -> list[Path]:
         if name in found or not path.is_file():
             continue
         found[name] = path
-        names += imports(path.read_text(), name.rpartition("/")[0])
+        names += imports(path.read_text())
     return [found[name] for name in sorted(found)]
 
 

@@ -30,7 +30,7 @@ VOLUME = "tmap020"
 IMAGE = BUILD / "adf" / f"{VOLUME}.adf"
 SIZE = 901_120  # 80 tracks of two sides of 11 sectors of 512 bytes
 BLOCK = 512
-TEXTS = ROOT / "tools" / "disk_files"
+TEXTS = Path(__file__).with_name("disk_files")
 WIDTH = 76  # columns of a text: a console has 77, and lines of 77 an empty one behind them
 READ, WRITE, EXECUTE, DELETE, SCRIPT = 8, 4, 2, 1, 64  # the first four are set for "may not"
 

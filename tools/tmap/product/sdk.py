@@ -18,7 +18,7 @@ from pathlib import Path
 
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
-from tmap.build import contracts, elf_object, hunk_object
+from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
 from tmap.product import sdk_include
 
@@ -192,7 +192,7 @@ def copy_files(out: Path) -> None:
     (out / "example").mkdir()
     for name in EXAMPLE:
         shutil.copyfile(FILES / name, out / "example" / name)
-    shutil.copyfile(Path(__file__).with_name("hunk.py"), out / "example" / "elf2hunk.py")
+    shutil.copyfile(Path(hunk.__file__), out / "example" / "elf2hunk.py")
     shutil.copyfile(FILES / "README.txt", out / "README.txt")
     shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")
 

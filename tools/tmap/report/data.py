@@ -87,7 +87,7 @@ def of_bench(tell: Tell) -> Entry:
         bench.write(found, folder)
         return found
 
-    return cache.kept("bench", key("bench", bench_scene_files()), make)
+    return cache.kept("bench", key("tmap/bench/bench", bench_scene_files()), make)
 
 
 def of_accuracy(tell: Tell) -> Entry:
@@ -103,7 +103,7 @@ def of_accuracy(tell: Tell) -> Entry:
         return json.loads((folder / "accuracy.json").read_text())
 
     files = cache.scene_files(SCENES / "mappers.toml")
-    return cache.kept("accuracy", key("accuracy", files), make)
+    return cache.kept("accuracy", key("tmap/accuracy/accuracy", files), make)
 
 
 def of_methods(tell: Tell) -> Entry:
@@ -116,7 +116,7 @@ def of_methods(tell: Tell) -> Entry:
         return provenance.record() | {"machine": MACHINE, "table": table}
 
     files = cache.scene_files(SCENES / "face.toml")
-    return cache.kept("methods", key("methods", files, MACHINE), make)
+    return cache.kept("methods", key("tmap/accuracy/methods", files, MACHINE), make)
 
 
 def of_polys(_: Tell) -> Entry:
@@ -126,7 +126,7 @@ def of_polys(_: Tell) -> Entry:
 
         return polys.measure_all()
 
-    return cache.kept("polys", key("polys"), make)
+    return cache.kept("polys", key("tmap/accuracy/polys"), make)
 
 
 def of_hard_cases(tell: Tell) -> Entry:
@@ -137,7 +137,7 @@ def of_hard_cases(tell: Tell) -> Entry:
         complaints = accuracy.write_hard_cases(folder, MACHINE, tell)
         return provenance.record() | {"machine": MACHINE, "complaints": complaints}
 
-    return cache.kept("hard", key("accuracy", [], MACHINE), make)
+    return cache.kept("hard", key("tmap/accuracy/accuracy", [], MACHINE), make)
 
 
 def committed(path: Path) -> dict:

@@ -1,0 +1,1 @@
+"""Model, ideal, bounds, hard cases, fuzzer, bench."""

@@ -1,0 +1,1 @@
+"""Scene compiler and scene file."""

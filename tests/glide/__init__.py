@@ -1,0 +1,1 @@
+"""Glide's texture unit."""

@@ -1,0 +1,1 @@
+"""Assembly routines against their contract blocks."""

@@ -1,0 +1,1 @@
+"""Input and expected output of the assembly routines, by subject."""

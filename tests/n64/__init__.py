@@ -1,0 +1,1 @@
+"""The N64's texture engine."""

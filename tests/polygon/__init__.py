@@ -1,0 +1,1 @@
+"""Polygons: coverage, texels, perspective, lowering."""

@@ -1,0 +1,1 @@
+"""Kit, disk, report and pages."""

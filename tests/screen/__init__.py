@@ -1,0 +1,1 @@
+"""Chunky to planar, display, demo, windows."""

@@ -1,0 +1,1 @@
+"""What every room uses: errors, paths, 16.16 numbers, sums that are the same on every processor, text tables."""

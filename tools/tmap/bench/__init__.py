@@ -1,0 +1,1 @@
+"""The bench: what it measures, in which cases."""

@@ -1,0 +1,1 @@
+"""Input of the texture units' passes, for bench and tests."""

@@ -1,0 +1,1 @@
+"""The modes of both texture units that are priced."""

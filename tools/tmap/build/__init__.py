@@ -1,0 +1,1 @@
+"""What the Makefile runs and what reads its products: structures, contract blocks, ELF and hunk files, written assembly."""

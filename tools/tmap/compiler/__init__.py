@@ -1,0 +1,1 @@
+"""The scene compiler: TOML, pictures and meshes in, a scene file out."""

@@ -1,0 +1,1 @@
+"""The fuzzer: random polygons under all settings, held to model and bounds."""

@@ -1,0 +1,1 @@
+"""The emulated Amiga: runs programs, calls routines, compares frames, keeps measurements."""

@@ -1,0 +1,1 @@
+"""Pictures: reading them, palettes, mip maps."""

@@ -1,0 +1,1 @@
+"""The integer model of the renderer: a scene file in, frames out."""

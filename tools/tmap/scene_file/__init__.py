@@ -1,0 +1,1 @@
+"""The binary scene file that the Amiga loads: its tables, written and checked."""
