@@ -1,12 +1,12 @@
 #include "bench/kernels.h"
 
-#include "screen/plain.h"
+#include "plain/glide.h"
+#include "plain/n64.h"
+#include "plain/screen.h"
 #include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/text.h"
 #include "texture/map.h"
-#include "tmu/plain.h"
-#include "tx/plain.h"
 
 /* column_layout_make as a kernel: its arguments are in a plan, the result in count. */
 static void make_columns(struct span_plan *plan)

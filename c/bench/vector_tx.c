@@ -4,9 +4,9 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_tx_calls.h"
+#include "plain/n64.h"
 #include "tx/decode.h"
 #include "tx/pixel.h"
-#include "tx/plain.h"
 
 static struct tx tx;
 static struct tx_kept kept[TX_TILES];
@@ -227,7 +227,7 @@ static void decoded(const int32 *at)
     const uint32 place = (t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5;
     const uint32 coordinates = s << 16 | t;
     uint32 colour = 0;
-    struct tx_call pass;
+    struct pass_call pass;
 
     pass.in = &coordinates;
     pass.out = &colour;

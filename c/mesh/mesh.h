@@ -2,6 +2,7 @@
 #ifndef MESH_H
 #define MESH_H
 
+#include "mesh/records.h"
 #include "polygon/polygon.h"
 
 /* Borders of what is projected: the near plane and |x|, |y| <= z, the guard band. */

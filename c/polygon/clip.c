@@ -1,6 +1,6 @@
 #include "polygon/clip.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* One border: a vertex is inside where its coordinate times sign is at least limit. */
 struct border {

@@ -8,13 +8,13 @@
    polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
 #include "polygon/clip.h"
+#include "polygon/fan.h"
 #include "polygon/generated.h"
 #include "polygon/kind.h"
 #include "polygon/lower.h"
 #include "polygon/material.h"
 #include "polygon/outline.h"
 #include "polygon/perspective.h"
-#include "polygon/fan.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
@@ -154,7 +154,7 @@ static void make_lines(struct setup *s, enum span_kind kind)
 static void set_ramps(struct setup *s)
 {
     static struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-    static struct scanline_step steps[SCENE_SIDE_MAX];
+    static struct scanline_step steps[FRAME_SIDE_MAX];
     struct ramp_plan plan;
 
     make_lines(s, SPAN_FILL);

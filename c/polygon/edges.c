@@ -1,6 +1,6 @@
 #include "polygon/edges.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* Lines of an edge, from the first at or below its upper vertex. */
 static int32 lines_of(const struct edge *edge)

@@ -27,7 +27,7 @@
    at the vertices as they are given. */
 #include "polygon/fan.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/planes.h"
 #include "polygon/texturing.h"
 

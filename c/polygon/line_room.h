@@ -4,7 +4,7 @@
 
 #include "compiler.h"
 
-enum { LINE_ROOM = 49152 };     /* bytes: what perspective makes of SCENE_SIDE_MAX lines */
+enum { LINE_ROOM = 49152 };     /* bytes: what perspective makes of FRAME_SIDE_MAX lines */
 
 extern uint32 line_room[LINE_ROOM / 4];
 

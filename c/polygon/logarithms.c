@@ -1,5 +1,5 @@
 /* The tables of logarithms and powers that spans with perspective read. */
-#include "polygon/math.h"
+#include "math/math.h"
 #include "span/logarithm.h"
 
 #define ONE ((uint32)1 << 30)           /* of mantissas, 2.30 */

@@ -1,6 +1,6 @@
 #include "polygon/material.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* What u and v of a triangle may be off from the vertices' range at a pixel's centre:
    edges are within EDGE_ERROR pixels, in a frame's 1,024 lines half as much, times STEEP

@@ -4,14 +4,14 @@
 #ifndef OUTLINE_H
 #define OUTLINE_H
 
+#include "limits.h"
 #include "polygon/clip.h"
 #include "polygon/lower.h"
 #include "polygon/planes.h"
-#include "scene/scene_file.h"
 
 /* What outlines are made in: of one polygon at a time. */
 extern struct outline_room {
-    struct scanline lines[SCENE_SIDE_MAX];
+    struct scanline lines[FRAME_SIDE_MAX];
     struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
 } outline_room;
 

@@ -1,6 +1,6 @@
 #include "polygon/perspective.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* q is at least so many times its error: it cannot become 0, nor a quotient too large. */
 #define SURE 4

@@ -9,11 +9,11 @@ static const struct {
     int32 off, width;           /* as level lines: by so much at most, up to so wide */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
-                             SCENE_SIDE_MAX},
+                             FRAME_SIDE_MAX},
     [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
-                            SCENE_SIDE_MAX},
+                            FRAME_SIDE_MAX},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
-                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, SCENE_SIDE_MAX},
+                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
                           PERSPECTIVE_LEVEL_WIDTH}
@@ -21,10 +21,10 @@ static const struct {
 
 /* What is made of all lines before they are drawn: one kind at a time. */
 union made {
-    struct reciprocal_line reciprocals[SCENE_SIDE_MAX];
-    struct logarithm_line logarithms[SCENE_SIDE_MAX];
-    struct perspective_line exact[SCENE_SIDE_MAX];
-    struct scanline_step steps[SCENE_SIDE_MAX];
+    struct reciprocal_line reciprocals[FRAME_SIDE_MAX];
+    struct logarithm_line logarithms[FRAME_SIDE_MAX];
+    struct perspective_line exact[FRAME_SIDE_MAX];
+    struct scanline_step steps[FRAME_SIDE_MAX];
 };
 
 static union made *const made = (union made *)line_room;

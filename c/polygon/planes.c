@@ -1,6 +1,6 @@
 #include "polygon/planes.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 static struct vertex places[POLYGON_VERTICES_MAX];
 

@@ -3,8 +3,8 @@
 #define POLYGON_H
 
 #include "compiler.h"
+#include "limits.h"
 #include "polygon/vertex.h"
-#include "scene/scene_file.h"
 #include "span/logarithm.h"
 #include "texture/map.h"
 

@@ -1,6 +1,6 @@
 #include "polygon/shading.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/texturing.h"
 
 /* A level is a quarter of a shade. Spans keep the lowest bits of its fraction for wraps of
@@ -54,7 +54,7 @@ static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
 void shading_lines(struct span_plan *span, const struct sides *sides,
                    const struct vertex *vertices, int32 count, const struct rectangle *box)
 {
-    static uint32 shades[SCENE_SIDE_MAX];
+    static uint32 shades[FRAME_SIDE_MAX];
     struct vertex corners[3];
     struct sides shaded;        /* as far as texturing_plane reads it */
     struct texturing t;

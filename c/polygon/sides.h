@@ -2,7 +2,7 @@
 #ifndef SIDES_H
 #define SIDES_H
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/polygon.h"
 
 struct sides {

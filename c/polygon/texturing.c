@@ -1,6 +1,6 @@
 #include "polygon/texturing.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* Where a step reaches so many texels, what it may fall short by is not made up. */
 #define STEEP 256

@@ -1,6 +1,6 @@
 #include "polygon/tolerance.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/perspective.h"
 
 /* Half the range of a triangle's u or v, rounded up. */

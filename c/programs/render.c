@@ -8,7 +8,7 @@
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
    rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
-#include "scene/scene_counts.h"
+#include "scene/counts.h"
 #include "scene/settings.h"
 #include "system/arguments.h"
 #include "system/file.h"

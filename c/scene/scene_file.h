@@ -6,6 +6,8 @@
 #define SCENE_FILE_H
 
 #include "compiler.h"
+#include "limits.h"
+#include "mesh/records.h"
 #include "polygon/vertex.h"
 #include "tmu/tmu.h"
 #include "tx/tx.h"
@@ -13,29 +15,13 @@
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
     SCENE_VERSION = 11,
-    SCENE_SIDE_MAX = 1024,      /* pixels, frame width and height */
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
-    POLYGON_VERTICES_MAX = 64,
     NO_TEXTURE = -1,
     NO_UNIT = -1,
     NO_TABLE = -1,
-    MESH_COUNT_MAX = 4096,      /* points, normals and faces of a mesh, each */
-    MESH_CORNERS_MAX = 32,      /* of a face: cutting adds some */
-    MESH_REACH = 2048,          /* a mesh's points: farthest coordinate */
-    MESH_AWAY = 10240,          /* its origin from the camera, each axis: excluded, so that
-                                   every point is less than 16,384 away */
     GUARD_MIN = 6,
     GUARD_MAX = 13              /* 8,192 pixels */
-};
-
-/* What a pixel and a texel are; two or four bytes are big-endian. */
-enum pixel_format {
-    PIXEL_CHUNKY,               /* 8 bits: palette index */
-    PIXEL_RGB565,
-    PIXEL_RGBA5551,
-    PIXEL_RGBA8888,
-    PIXEL_FORMATS
 };
 
 struct scene_header {
@@ -149,42 +135,6 @@ struct scene_pose {
     fix16 xx, xy, yx, yy, x0, y0;
 };
 
-/* A mesh's points, 16.16, within MESH_REACH. */
-struct scene_point {
-    fix16 x, y, z;
-};
-
-/* Of unit length, 2.14, each coordinate from -1 to 1. */
-struct scene_normal {
-    int16 x, y, z, spare;
-};
-
-/* s and t as a vertex has them. */
-struct scene_corner {
-    uint16 point, normal;       /* of the mesh; the normal counts where an instance has flags */
-    fix16 s, t;
-};
-
-/* A convex polygon, a plane in space as its corners' s, t and shades are, seen from where its normal points: x, y, z (2.30, -1 to 1) times the
-   eye is more than distance (16.16). Zeros and -1: from both sides. */
-struct scene_face {
-    int32 x, y, z;
-    fix16 distance;
-    uint32 corner, corners;     /* first of the mesh's, how many: 3 to MESH_CORNERS_MAX */
-};
-
-/* First entries of the tables above and how many: MESH_COUNT_MAX but for corners. */
-struct scene_mesh {
-    uint32 point, points, normal, normals, corner, corners, face, faces;
-};
-
-/* What comes from normals, in instance.flags. */
-enum mesh_flags {
-    MESH_ENVIRONMENT = 1,       /* s and t */
-    MESH_LIT = 2,               /* shade */
-    MESH_FLAGS = 4
-};
-
 /* A mesh that moves: views as poses of an object. It is drawn before the object whose
    number is `before`, or at the end; instances are in this order. Those with one number
    are drawn together, faces far away first. */
@@ -194,19 +144,6 @@ struct scene_instance {
     uint32 first_frame;
     uint32 flags;
     fix16 dark, bright;         /* range of shades where MESH_LIT */
-};
-
-/* From a mesh to the camera: x to the right and y down, both times the focal length over
-   the guard's pixels, z the depth. Each is the sum of three products and x0, y0 or z0, rounded
-   to the nearest 1/65536. Screen x = middle + guard pixels * x / z. */
-struct scene_view {
-    int32 xx, xy, xz, yx, yy, yz, zx, zy, zz;   /* 2.30, -1 to 1 */
-    fix16 x0, y0, z0;
-    fix16 eye_x, eye_y, eye_z;                  /* the camera's place in the mesh */
-    int16 s_x, s_y, s_z;        /* 128 + normal * s_ is s of an environment; 9.7 */
-    int16 t_x, t_y, t_z;
-    int16 light_x, light_y, light_z;            /* dark + normal * light_ is a shade */
-    int16 spare;
 };
 
 /* One frame in the file that `render ... DIGEST name` writes instead of dumps: the sum of its

@@ -1,6 +1,6 @@
 #include "scene/settings.h"
 
-#include "scene/scene_tables.h"
+#include "scene/tables.h"
 
 static const struct {
     uint8 edges, gradients, start;

@@ -1,6 +1,6 @@
 #include "screen/layout.h"
 
-#include "scene/scene_file.h"
+#include "limits.h"
 #include "screen/planar.h"
 
 /* A frame of half of the screen is shown twice as large. */

@@ -1,6 +1,6 @@
 #include "screen/screen.h"
 
-#include "scene/scene_file.h"
+#include "limits.h"
 #include "screen/copper.h"
 #include "system/outcome.h"
 #include "system/system.h"

@@ -2,7 +2,7 @@
 #ifndef SPAN_PERSPECTIVE_H
 #define SPAN_PERSPECTIVE_H
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "span/scanline.h"
 
 enum perspective_constants {

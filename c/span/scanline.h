@@ -10,13 +10,13 @@ enum scanline_constants {
        positive, so that its carry never reaches the fraction above it. */
     EDGE_BIAS = 16384,
 
-    /* Of generated code: 4 bytes a pixel, SCENE_SIDE_MAX pixels, a return. At a multiple
+    /* Of generated code: 4 bytes a pixel, FRAME_SIDE_MAX pixels, a return. At a multiple
        of the instruction cache's size its speed does not depend on chance. */
     CODE_BYTES = 4 * 1024 + 4,
     CACHE_BYTES = 256,
 
     /* What u and v of generated code begin with, in 1/65536 texel, so that no texel is left
-       late: of up to SCENE_SIDE_MAX - 1 steps, each is up to 1/2 short by its rounding, and
+       late: of up to FRAME_SIDE_MAX - 1 steps, each is up to 1/2 short by its rounding, and
        1/128 by its gradient's own error up to 256 texels a pixel. */
     GENERATED_BIAS = 520,
 

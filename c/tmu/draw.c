@@ -3,9 +3,9 @@
    All that decides a pixel is what is iterated, planes over the polygon, and the units' state.
    What draws it is chosen by lower.c and makes no difference to the picture. */
 #include "polygon/counts.h"
+#include "polygon/fan.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "polygon/fan.h"
 #include "tmu/tiles.h"
 
 /* What is iterated for a unit's points. */
@@ -80,7 +80,7 @@ static void find_range(struct tmu_range *range, const struct tmu_iterations *at,
     const int32 top = s->box.top - at->planes.j, bottom = s->box.bottom - 1 - at->planes.j;
     const uint32 columns = (uint32)(right - left + 1), rows = (uint32)(bottom - top + 1);
     const int32 dx = (int32)w->dx, dy = (int32)w->dy;
-    const uint32 most = (1u << 30) - 2 * SCENE_SIDE_MAX;
+    const uint32 most = (1u << 30) - 2 * FRAME_SIDE_MAX;
     const uint32 across = fix_magnitude(dx), down = fix_magnitude(dy);
 
     range->least = range->most = 0;

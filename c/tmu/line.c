@@ -4,15 +4,15 @@
 
 /* What stands between the passes of a line. */
 struct work {
-    uint32 coordinates[SCENE_SIDE_MAX];
-    uint32 texels[SCENE_SIDE_MAX], other[SCENE_SIDE_MAX], colours[SCENE_SIDE_MAX];
+    uint32 coordinates[FRAME_SIDE_MAX];
+    uint32 texels[FRAME_SIDE_MAX], other[FRAME_SIDE_MAX], colours[FRAME_SIDE_MAX];
 };
 
 /* The same where pixels' LODs are asked for. */
 struct lod_work {
-    uint16 lods[SCENE_SIDE_MAX];
-    uint8 details[SCENE_SIDE_MAX];
-    uint32 quarters[4][SCENE_SIDE_MAX / 4];     /* of a line: each fourth pixel */
+    uint16 lods[FRAME_SIDE_MAX];
+    uint8 details[FRAME_SIDE_MAX];
+    uint32 quarters[4][FRAME_SIDE_MAX / 4];     /* of a line: each fourth pixel */
     struct tmu_logarithm logarithms[TMU_LOGARITHMS];
 };
 

@@ -2,8 +2,8 @@
 #ifndef TMU_PLAN_H
 #define TMU_PLAN_H
 
+#include "limits.h"
 #include "polygon/planes.h"
-#include "scene/scene_file.h"
 #include "tmu/combining.h"
 #include "tmu/unit.h"
 

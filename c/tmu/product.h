@@ -2,7 +2,7 @@
 #ifndef TMU_PRODUCT_H
 #define TMU_PRODUCT_H
 
-#include "polygon/math.h"
+#include "math/math.h"
 
 /* a * b. */
 static inline struct number64 tmu_product(uint32 a, uint32 b)

@@ -4,12 +4,12 @@
    engine's state. What draws it, the plain mappers, passes over a line's pixels or pixel.h
    itself, is chosen by lower.h and makes no difference to the picture. */
 #include "polygon/counts.h"
+#include "polygon/fan.h"
 #include "polygon/lower.h"
 #include "polygon/outline.h"
-#include "polygon/fan.h"
 #include "tx/lower.h"
-#include "tx/plan.h"
 #include "tx/pixels.h"
+#include "tx/plan.h"
 #include "tx/planes.h"
 #include "tx/unit.h"
 

@@ -1,6 +1,6 @@
 #include "tx/forms.h"
 
-#include "scene/scene_file.h"
+#include "limits.h"
 #include "tx/codes.h"
 
 #define ZERO_C 16               /* from this code on C of R G B is 0 */

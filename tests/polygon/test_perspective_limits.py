@@ -34,7 +34,7 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
     """What they may be off is what their bound has, and at the widest there is room for it."""
     way = perspective.way(setting)
     assert way.off * UNIT == bounds_perspective.LEVEL.get(setting, 0)
-    assert way.width <= layout.load().constants["SCENE_SIDE_MAX"]
+    assert way.width <= layout.load().constants["FRAME_SIDE_MAX"]
     if setting in CURVES:
         assert bounds_perspective.level_bound(0, setting, way.width - 1) < bounds_perspective.TOLERANCE[setting]
 

@@ -56,7 +56,7 @@ def schema(limits: dict[str, int]):
         "rectangle": primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)
     always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
-    side = limits["SCENE_SIDE_MAX"]
+    side = limits["FRAME_SIDE_MAX"]
     return table({
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
         "height": (integer(1, side), REQUIRED),

@@ -128,8 +128,8 @@ def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
 def check(scene: Scene, name: str) -> None:
     """Refuses a scene whose values or indices are out of range."""
     limits = layout.load().constants
-    require(name, "width", scene.width, 4, limits["SCENE_SIDE_MAX"], " pixels")
-    require(name, "height", scene.height, 1, limits["SCENE_SIDE_MAX"], " pixels")
+    require(name, "width", scene.width, 4, limits["FRAME_SIDE_MAX"], " pixels")
+    require(name, "height", scene.height, 1, limits["FRAME_SIDE_MAX"], " pixels")
     if scene.width % 4:
         raise UserError(f"{name}: width: {scene.width} is not a multiple of 4")
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])

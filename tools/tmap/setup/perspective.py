@@ -61,7 +61,7 @@ def way(setting: str) -> Way:
     def number(what: str, otherwise: int = 0) -> int:
         return found.get(f"PERSPECTIVE_{what}_{setting.upper()}", otherwise)
 
-    widest = found["SCENE_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
+    widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
                widest, number("RAISE"))
 

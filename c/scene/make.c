@@ -1,7 +1,7 @@
 /* A scene in memory, made ready to be drawn; nothing here checks it. */
 #include "scene/scene.h"
 
-#include "scene/scene_tables.h"
+#include "scene/tables.h"
 #include "system/system.h"
 
 int32 scene_pixel_bytes(uint32 format)

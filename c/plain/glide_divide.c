@@ -1,5 +1,5 @@
-#include "polygon/math.h"
-#include "tmu/plain.h"
+#include "math/math.h"
+#include "plain/glide.h"
 
 /* n * 2^bits / w rounded down, n < 2 w. */
 static uint32 quotient(uint32 n, uint32 w, int32 bits, uint32 *rest)
@@ -45,7 +45,7 @@ static inline uint32 coordinate(int32 s, int32 w, const struct tmu_steps *step, 
     return (uint32)(found < 0 ? 0 : found > last ? last : found);
 }
 
-void tmu_divide_c(const struct tx_call *call)
+void tmu_divide_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_steps *step = call->constants;
@@ -82,7 +82,7 @@ static int32 step_of(int32 from, int32 to, int32 pixels)
     return step * pixels > way ? step - 1 : step;
 }
 
-void tmu_pieces_c(const struct tx_call *call)
+void tmu_pieces_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_steps *step = call->constants;
@@ -134,7 +134,7 @@ static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
     return lod < lods->least ? lods->least : lod > lods->most ? lods->most : lod;
 }
 
-void tmu_lod_c(const struct tx_call *call)
+void tmu_lod_c(const struct pass_call *call)
 {
     const struct tmu_lods *lods = call->constants;
     int32 w = ((const struct tmu_iterators *)call->in)->w, count = call->count;
@@ -146,7 +146,7 @@ void tmu_lod_c(const struct tx_call *call)
     }
 }
 
-void tmu_details_c(const struct tx_call *call)
+void tmu_details_c(const struct pass_call *call)
 {
     const struct tmu_nearness *nearness = call->constants;
     const uint16 *lods = call->in;
@@ -158,7 +158,7 @@ void tmu_details_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tmu_interleave_c(const struct tx_call *call)
+void tmu_interleave_c(const struct pass_call *call)
 {
     const struct tmu_quarters *quarters = call->constants;
     const uint8 *in = call->in;
@@ -168,7 +168,7 @@ void tmu_interleave_c(const struct tx_call *call)
         *out++ = *(const uint32 *)(in + (i & 3) * quarters->bytes + (i & ~3));
 }
 
-void tmu_logarithms_c(const struct tx_call *call)
+void tmu_logarithms_c(const struct pass_call *call)
 {
     tmu_logarithms_make(call->out, call->in);
 }

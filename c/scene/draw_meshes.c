@@ -1,9 +1,9 @@
 /* From instances to polygons: every point goes before the camera and on the screen once;
    faces seen from the back or outside one border fall away; the others are drawn from the
    farthest to the nearest, cut where they cross a border. */
-#include "mesh/draw.h"
+#include "scene/draw_meshes.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/fan.h"
 
 /* A fan of triangles where gradients are for those: cutting makes more corners. */

@@ -1,4 +1,4 @@
-#include "tx/plain.h"
+#include "plain/n64.h"
 
 #define FIELD 0x00ff00ffu
 #define SCALE 8u        /* a channel's integer is the upper byte of its word */
@@ -31,7 +31,7 @@ static uint32 mean(uint32 a, uint32 b, uint32 c, uint32 d)
     return SCALE * (8 * ((a & FIELD) + (b & FIELD) + (c & FIELD) + (d & FIELD)) + 0x00100010u);
 }
 
-void tx_quads_c(const struct tx_call *call)
+void tx_quads_c(const struct pass_call *call)
 {
     const struct tx_quad_row *row = call->constants;
     const uint32 *above = call->in, *below = row->below;

@@ -1,7 +1,7 @@
-#include "tmu/plain.h"
+#include "plain/glide.h"
 #include "tmu/unit.h"
 
-void tmu_walk_c(const struct tx_call *call)
+void tmu_walk_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_steps *step = call->constants;
@@ -23,7 +23,7 @@ static inline uint32 clamped(int32 coordinate, int32 last)
     return (uint32)(coordinate < 0 ? 0 : coordinate > last ? last : coordinate);
 }
 
-void tmu_walk_clamp_c(const struct tx_call *call)
+void tmu_walk_clamp_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_steps *step = call->constants;
@@ -46,7 +46,7 @@ static inline uint32 index_of(const struct tmu_decoded *level, uint32 st)
     return t >> 4 << level->columns_bits | s >> 4;
 }
 
-void tmu_point_c(const struct tx_call *call)
+void tmu_point_c(const struct pass_call *call)
 {
     const struct tmu_decoded *level = call->constants;
     const uint32 *in = call->in;
@@ -76,7 +76,7 @@ static inline uint32 packed(uint32 texel)
     return (texel >> 16 & 0xf800) | (texel >> 13 & 0x07e0) | (texel >> 11 & 0x001f);
 }
 
-void tmu_bilinear_c(const struct tx_call *call)
+void tmu_bilinear_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -97,7 +97,7 @@ static inline uint32 weighed(const struct tmu_pair_8 *pair, uint32 fs, uint32 ft
     return (first & 0xff0000) | second >> 16;
 }
 
-void tmu_bilinear_8_c(const struct tx_call *call)
+void tmu_bilinear_8_c(const struct pass_call *call)
 {
     const struct tmu_decoded *level = call->constants;
     const uint32 mask_s = level->mask_s << 4, mask_t = level->mask_t << 4;
@@ -115,7 +115,7 @@ void tmu_bilinear_8_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tmu_bilinear_565_c(const struct tx_call *call)
+void tmu_bilinear_565_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -126,7 +126,7 @@ void tmu_bilinear_565_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tmu_store_565_c(const struct tx_call *call)
+void tmu_store_565_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -137,7 +137,7 @@ void tmu_store_565_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tmu_widen_565_c(const struct tx_call *call)
+void tmu_widen_565_c(const struct pass_call *call)
 {
     const uint16 *in = call->in;
     uint32 *out = call->out;
@@ -154,7 +154,7 @@ static inline int32 index_on_page(uint32 s, uint32 t)
     return (int16)((t >> 16 & 0xff00) | s >> 24);
 }
 
-void tmu_tile_16_c(const struct tx_call *call)
+void tmu_tile_16_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_paging *paging = call->constants;
@@ -168,7 +168,7 @@ void tmu_tile_16_c(const struct tx_call *call)
         *out++ = page[index_on_page(s, t)];
 }
 
-void tmu_tile_32_c(const struct tx_call *call)
+void tmu_tile_32_c(const struct pass_call *call)
 {
     const struct tmu_iterators *start = call->in;
     const struct tmu_paging *paging = call->constants;
@@ -182,14 +182,14 @@ void tmu_tile_32_c(const struct tx_call *call)
         *out++ = page[index_on_page(s, t)];
 }
 
-void tmu_quads_c(const struct tx_call *call)
+void tmu_quads_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
 
     tmu_quads_make(call->out, in, in + call->count, (uint32)call->count);
 }
 
-void tmu_quads_8_c(const struct tx_call *call)
+void tmu_quads_8_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
 

@@ -1,4 +1,4 @@
-#include "tx/plain.h"
+#include "plain/n64.h"
 
 /* s and t at a point, and whether either overflows 17 bits. */
 struct quotients {
@@ -30,7 +30,7 @@ static inline uint32 nearest(int32 value)
     return (uint32)(value > 32767 ? 32767 : value < -32768 ? -32768 : value) & 0xffff;
 }
 
-void tx_divide_c(const struct tx_call *call)
+void tx_divide_c(const struct pass_call *call)
 {
     const struct tx_iterators *start = call->in;
     const struct tx_division *step = call->constants;
@@ -54,7 +54,7 @@ static int32 longer(int32 most, int32 change)
     return change > most ? change : most;
 }
 
-void tx_lod_c(const struct tx_call *call)
+void tx_lod_c(const struct pass_call *call)
 {
     const struct tx_iterators *start = call->in;
     const struct tx_lod_steps *d = call->constants;

@@ -1,6 +1,6 @@
-#include "tx/plain.h"
+#include "plain/n64.h"
 
-void tx_walk_c(const struct tx_call *call)
+void tx_walk_c(const struct pass_call *call)
 {
     const struct tx_iterators *start = call->in, *step = call->constants;
     int32 s = start->s, t = start->t, count = call->count;
@@ -41,7 +41,7 @@ static inline uint32 packed(uint32 texel)
         | (texel >> 7 & 1);
 }
 
-void tx_threepoint_c(const struct tx_call *call)
+void tx_threepoint_c(const struct pass_call *call)
 {
     const struct tx_decoded *tile = call->constants;
     const uint32 *in = call->in;
@@ -55,7 +55,7 @@ void tx_threepoint_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_threepoint_16_c(const struct tx_call *call)
+void tx_threepoint_16_c(const struct pass_call *call)
 {
     const struct tx_decoded *tile = call->constants;
     const uint32 *in = call->in;
@@ -69,7 +69,7 @@ void tx_threepoint_16_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_average_c(const struct tx_call *call)
+void tx_average_c(const struct pass_call *call)
 {
     const struct tx_decoded *tile = call->constants;
     const uint32 *in = call->in;
@@ -85,7 +85,7 @@ void tx_average_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_point_c(const struct tx_call *call)
+void tx_point_c(const struct pass_call *call)
 {
     const struct tx_decoded *tile = call->constants;
     const uint32 *in = call->in;
@@ -100,7 +100,7 @@ void tx_point_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_store_16_c(const struct tx_call *call)
+void tx_store_16_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -121,7 +121,7 @@ static uint32 relative(int32 c, const struct tx_axis_range *axis)
     return c < axis->low ? 0 : (uint32)(c - axis->low);
 }
 
-void tx_tile_c(const struct tx_call *call)
+void tx_tile_c(const struct pass_call *call)
 {
     const struct tx_axes *axes = call->constants;
     const uint32 *in = call->in;
@@ -142,7 +142,7 @@ static uint32 blended(uint32 texel, uint32 other, int32 fraction)
     return value < 256 ? value : value < 384 ? 255 : 0;
 }
 
-void tx_lerp_c(const struct tx_call *call)
+void tx_lerp_c(const struct pass_call *call)
 {
     const struct tx_blend *blend = call->constants;
     const uint8 *fractions = (const uint8 *)blend->fractions;
@@ -161,7 +161,7 @@ void tx_lerp_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_reciprocals_c(const struct tx_call *call)
+void tx_reciprocals_c(const struct pass_call *call)
 {
     tx_divide_table_make(call->out);
 }

@@ -1,6 +1,6 @@
 /* Chunky to planar in plain C, bit by bit: the yardsticks of the bench. */
-#ifndef SCREEN_PLAIN_H
-#define SCREEN_PLAIN_H
+#ifndef PLAIN_SCREEN_H
+#define PLAIN_SCREEN_H
 
 #include "screen/planar.h"
 

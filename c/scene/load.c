@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/tolerance.h"
 #include "system/file.h"
 #include "system/outcome.h"

@@ -1,4 +1,4 @@
-#include "tmu/plain.h"
+#include "plain/glide.h"
 
 #define FIELD 0x00ff00ffu
 
@@ -19,7 +19,7 @@ static inline uint32 next(const struct tmu_mix *mix, const uint8 **other)
     return texel;
 }
 
-void tmu_lerp_c(const struct tx_call *call)
+void tmu_lerp_c(const struct pass_call *call)
 {
     const struct tmu_mix *mix = call->constants;
     const uint8 *factors = mix->factors, *others = (const uint8 *)mix->other;
@@ -36,7 +36,7 @@ void tmu_lerp_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tmu_scale_c(const struct tx_call *call)
+void tmu_scale_c(const struct pass_call *call)
 {
     const struct tmu_mix *mix = call->constants;
     const uint8 *factors = mix->factors;
@@ -57,7 +57,7 @@ static inline uint32 product(uint32 a, uint32 b)
     return (a & 255) * ((b & 255) + 1) >> 8;
 }
 
-void tmu_modulate_c(const struct tx_call *call)
+void tmu_modulate_c(const struct pass_call *call)
 {
     const struct tmu_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
@@ -73,7 +73,7 @@ void tmu_modulate_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tmu_modulate_rgb_c(const struct tx_call *call)
+void tmu_modulate_rgb_c(const struct pass_call *call)
 {
     const struct tmu_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
@@ -97,7 +97,7 @@ static inline uint32 sums(uint32 a, uint32 b)
     return (sum | (over - (over >> 8))) & FIELD;
 }
 
-void tmu_add_c(const struct tx_call *call)
+void tmu_add_c(const struct pass_call *call)
 {
     const struct tmu_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
@@ -112,7 +112,7 @@ void tmu_add_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tmu_alpha_c(const struct tx_call *call)
+void tmu_alpha_c(const struct pass_call *call)
 {
     const struct tmu_alphas *from = call->constants;
     const uint8 *alphas = from->alphas;
@@ -126,7 +126,7 @@ void tmu_alpha_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tmu_combiner_c(const struct tx_call *call)
+void tmu_combiner_c(const struct pass_call *call)
 {
     const struct tmu_inputs *inputs = call->constants;
     const uint8 *other = inputs->other, *local = inputs->local, *factor = inputs->factor,

@@ -57,9 +57,9 @@ const char *scene_wrong_header(const struct scene_header *h, uint32 bytes)
         return "size";
     if (h->checksum != crc32((const uint8 *)h + summed, bytes - summed))
         return "checksum";
-    if (h->width < 4 || h->width > SCENE_SIDE_MAX || h->width & 3)
+    if (h->width < 4 || h->width > FRAME_SIDE_MAX || h->width & 3)
         return "width";
-    if (h->height < 1 || h->height > SCENE_SIDE_MAX)
+    if (h->height < 1 || h->height > FRAME_SIDE_MAX)
         return "height";
     if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
         return "frames";

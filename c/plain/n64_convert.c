@@ -1,6 +1,6 @@
-#include "tx/plain.h"
+#include "plain/n64.h"
 
-void tx_chroma_c(const struct tx_call *call)
+void tx_chroma_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -30,7 +30,7 @@ static inline void convert(struct sums *to, const struct tx_matrix *matrix, uint
     to->y = y;
 }
 
-void tx_convert_c(const struct tx_call *call)
+void tx_convert_c(const struct pass_call *call)
 {
     const struct tx_yuv_conversion *by = call->constants;
     const uint32 *in = call->in, *chroma = by->chroma;
@@ -51,7 +51,7 @@ static inline int16 extended(int32 value)
     return (int16)(((value + 128) & 511) - 128);
 }
 
-void tx_convert_wide_c(const struct tx_call *call)
+void tx_convert_wide_c(const struct pass_call *call)
 {
     const struct tx_yuv_conversion *by = call->constants;
     const uint32 *in = call->in, *chroma = by->chroma;
@@ -69,7 +69,7 @@ void tx_convert_wide_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_matrix_c(const struct tx_call *call)
+void tx_matrix_c(const struct pass_call *call)
 {
     tx_matrix_make(call->out, call->in);
 }

@@ -1,4 +1,4 @@
-#include "screen/plain.h"
+#include "plain/screen.h"
 
 /* 32 dots' bytes as longwords of the planes from `first` on. */
 static void store(uint8 *planes, int32 plane_pitch, const uint8 *dots, int32 first)

@@ -1,6 +1,6 @@
 /* All instances of one place in a scene's order. */
-#ifndef MESH_DRAW_H
-#define MESH_DRAW_H
+#ifndef SCENE_DRAW_MESHES_H
+#define SCENE_DRAW_MESHES_H
 
 #include "scene/scene.h"
 

@@ -1,8 +1,8 @@
 /* The combine unit's choice of passes, called as a pass. */
-#include "tmu/plain.h"
+#include "plain/glide.h"
 #include "tmu/plan.h"
 
-void tmu_combine_line_c(const struct tx_call *call)
+void tmu_combine_line_c(const struct pass_call *call)
 {
     const struct tmu_combine_call *given = call->constants;
     struct tmu_combining combining;

@@ -1,4 +1,4 @@
-#include "tx/plain.h"
+#include "plain/n64.h"
 
 static uint32 product(uint32 a, uint32 b)
 {
@@ -12,7 +12,7 @@ static inline uint32 integer(int32 shade)
     return value < 0 ? 0 : value > 255 ? 255 : (uint32)value;
 }
 
-void tx_shade_c(const struct tx_call *call)
+void tx_shade_c(const struct pass_call *call)
 {
     const struct tx_shades *start = call->in, *step = call->constants;
     int32 r = start->r, g = start->g, b = start->b, a = start->a, count = call->count;
@@ -27,7 +27,7 @@ void tx_shade_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_modulate_c(const struct tx_call *call)
+void tx_modulate_c(const struct pass_call *call)
 {
     const struct tx_modulation *modulation = call->constants;
     const uint8 *other = (const uint8 *)modulation->other;
@@ -44,7 +44,7 @@ void tx_modulate_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_map_c(const struct tx_call *call)
+void tx_map_c(const struct pass_call *call)
 {
     const uint8 *tables = call->constants, *in = call->in;
     uint8 *out = call->out;
@@ -60,7 +60,7 @@ void tx_map_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_widen_c(const struct tx_call *call)
+void tx_widen_c(const struct pass_call *call)
 {
     const uint8 *in = call->in;
     int16 *out = call->out;
@@ -71,7 +71,7 @@ void tx_widen_c(const struct tx_call *call)
     while (--count > 0);
 }
 
-void tx_combiner_c(const struct tx_call *call)
+void tx_combiner_c(const struct pass_call *call)
 {
     const struct tx_combination *inputs = call->constants;
     const uint8 *a = (const uint8 *)inputs->a, *b = (const uint8 *)inputs->b;
@@ -92,7 +92,7 @@ void tx_combiner_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_narrow_c(const struct tx_call *call)
+void tx_narrow_c(const struct pass_call *call)
 {
     const int16 *in = call->in;
     uint8 *out = call->out;
@@ -105,7 +105,7 @@ void tx_narrow_c(const struct tx_call *call)
     } while (--count > 0);
 }
 
-void tx_levels_c(const struct tx_call *call)
+void tx_levels_c(const struct pass_call *call)
 {
     tx_levels_make(call->out, call->constants);
 }

@@ -1,4 +1,4 @@
-#include "scene/scene_tables.h"
+#include "scene/tables.h"
 
 #include "span/logarithm.h"
 #include "system/system.h"

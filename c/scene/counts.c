@@ -1,4 +1,4 @@
-#include "scene/scene_counts.h"
+#include "scene/counts.h"
 
 #include "system/system.h"
 #include "system/text.h"

@@ -1,14 +1,14 @@
 #include "scene/scene.h"
 
-#include "mesh/draw.h"
-#include "polygon/math.h"
+#include "math/math.h"
 #include "polygon/fan.h"
+#include "scene/draw_meshes.h"
 #include "span/scanline.h"
 
 /* The background is a span of the whole width on every line. */
 static void clear(const struct frame *frame, uint32 colour)
 {
-    static struct scanline lines[SCENE_SIDE_MAX];
+    static struct scanline lines[FRAME_SIDE_MAX];
     struct span_plan plan;
 
     for (int32 i = 0; i < frame->height; i++) {
