@@ -9,7 +9,7 @@ struct kernel {
     void (*routine)(void);
 };
 
-/* Every routine of src68k's math, mesh, polygon, edge, span and tx, made from their contract blocks. */
+/* Every routine of src68k's math, mesh, polygon, edge, span and n64, made from their contract blocks. */
 extern const struct kernel kernel_table[];
 
 /* One of those or of the ones in C; 0: no kernel has this name. */

@@ -5,11 +5,11 @@
 #include "compiler.h"
 
 /* Engines as new, in VECTOR_DRAM_BYTES of memory that each overwrites when it is reset. */
-void vector_tx_open(uint8 *memory);
-void vector_tmu_open(uint8 *memory);
+void vector_n64_open(uint8 *memory);
+void vector_glide_open(uint8 *memory);
 
 /* Does one operation (enum vector_code), whose longs are as many as it wants. */
-void vector_tx_run(uint32 code, const int32 *values, uint32 count);
-void vector_tmu_run(uint32 code, const int32 *values, uint32 count);
+void vector_n64_run(uint32 code, const int32 *values, uint32 count);
+void vector_glide_run(uint32 code, const int32 *values, uint32 count);
 
 #endif

@@ -10,7 +10,7 @@ enum vector_constants {
     VECTOR_MAGIC = 0x56454354,  /* "VECT" */
     VECTOR_VERSION = 1,
     VECTOR_DRAM_BYTES = 0x100000,       /* or two units' memories and the texels of a call */
-    VECTOR_TMU_BYTES = 0x40000, /* of each texture unit */
+    VECTOR_GLIDE_BYTES = 0x40000, /* of each texture unit */
     VECTOR_RANDOM_FROM = 0x1000,        /* what VECTOR_DRAM_RANDOM fills */
     VECTOR_RANDOM_END = 0x9000,
     VECTOR_CALL_PAIRS = 8,      /* words of one call, at most */
@@ -39,7 +39,7 @@ enum vector_code {
     VECTOR_DRAM_RANDOM,         /* seed */
     VECTOR_TMEM,                /* address, bytes: a long each */
     VECTOR_DRAM,                /* address, bytes: a long each */
-    VECTOR_MODE,                /* byte of struct tx_modes, value */
+    VECTOR_MODE,                /* byte of struct n64_modes, value */
     VECTOR_TILE,                /* n, fields in the order of a line `tile` */
     VECTOR_CONVERT,             /* K0-K5 */
     VECTOR_WORDS,               /* pairs: each is run, whatever comes of it */
@@ -54,42 +54,42 @@ enum vector_code {
     VECTOR_PIXEL,               /* s, t, w, their 6 gradients, first tile, max_level, min_level
                                    = s, t, tile 0, tile 1, fraction, two colours */
     VECTOR_COPY,                /* tile, s, t = two longs */
-    VECTOR_LIST,                /* pairs = enum tx_result, command */
-    VECTOR_CHECK_TILE,          /* tile = enum tx_result */
-    VECTOR_CHECK_DRAWING,       /* = enum tx_result */
-    VECTOR_CHECK_COORDINATES,   /* s, t = enum tx_result */
+    VECTOR_LIST,                /* pairs = enum n64_result, command */
+    VECTOR_CHECK_TILE,          /* tile = enum n64_result */
+    VECTOR_CHECK_DRAWING,       /* = enum n64_result */
+    VECTOR_CHECK_COORDINATES,   /* s, t = enum n64_result */
     VECTOR_GENERATIONS,         /* tile = those of TMEM, the tile, the modes */
     VECTOR_DRAW,                /* s, t, w, their 6 gradients, shade = R G B A in one long */
     VECTOR_CALL,                /* pairs there is room for, enum vector_call, its arguments
-                                   = enum tx_result, pairs, VECTOR_CALL_PAIRS pairs */
-    VECTOR_DECODE,              /* tile, with quads = enum tx_result, columns_bits, rows_bits,
+                                   = enum n64_result, pairs, VECTOR_CALL_PAIRS pairs */
+    VECTOR_DECODE,              /* tile, with quads = enum n64_result, columns_bits, rows_bits,
                                    whether it was made anew, texels' address */
-    VECTOR_RESULT_TEXT,         /* enum tx_result = VECTOR_TEXT_BYTES characters, or 0, each */
+    VECTOR_RESULT_TEXT,         /* enum n64_result = VECTOR_TEXT_BYTES characters, or 0, each */
     VECTOR_DECODED,             /* tile, s, t (s10.5) = texel, quad's result or 0 */
     /* Glide's texture units. What changes a unit changes the one that was chosen. */
-    VECTOR_TMU_RESET,           /* bits of weights: new units, the first chosen; memory is 0 */
-    VECTOR_TMU_CHOOSE,          /* unit */
-    VECTOR_TMU_RANDOM,          /* seed: memory, each long's lowest byte first */
-    VECTOR_TMU_PALETTE_RANDOM,  /* seed */
-    VECTOR_TMU_NCC_RANDOM,      /* seed: the registers of both tables */
-    VECTOR_TMU_REGISTERS,       /* the four */
-    VECTOR_TMU_GRADIENTS,       /* of s and t: by x, by y */
-    VECTOR_TMU_PIXEL,           /* s, t, w, other, x, y = A R G B */
-    VECTOR_TMU_CHAIN,           /* units, which have their own points, s, t, w of each of two, x, y
+    VECTOR_GLIDE_RESET,         /* bits of weights: new units, the first chosen; memory is 0 */
+    VECTOR_GLIDE_CHOOSE,        /* unit */
+    VECTOR_GLIDE_RANDOM,        /* seed: memory, each long's lowest byte first */
+    VECTOR_GLIDE_PALETTE_RANDOM,  /* seed */
+    VECTOR_GLIDE_NCC_RANDOM,    /* seed: the registers of both tables */
+    VECTOR_GLIDE_REGISTERS,     /* the four */
+    VECTOR_GLIDE_GRADIENTS,     /* of s and t: by x, by y */
+    VECTOR_GLIDE_PIXEL,         /* s, t, w, other, x, y = A R G B */
+    VECTOR_GLIDE_CHAIN,         /* units, which have their own points, s, t, w of each of two, x, y
                                    = A R G B */
-    VECTOR_TMU_CALL,            /* enum vector_tmu_call, its arguments
-                                   = enum tmu_result, the four registers, a call's own answer */
-    VECTOR_TMU_GENERATIONS,     /* = those of memory, tables, modes */
-    VECTOR_TMU_BYTES_OF,        /* address, bytes / 4 = longs, big-endian */
-    VECTOR_TMU_SUM,             /* level = of its texels, each times twice its number plus one */
-    VECTOR_TMU_QUOTIENT,        /* s, w = s / w */
-    VECTOR_TMU_LOGARITHM,       /* upper, lower long = 8.8 */
-    VECTOR_TMU_LOD,             /* 4 gradients = 8.8 */
-    VECTOR_TMU_RESULT_TEXT,     /* enum tmu_result = VECTOR_TEXT_BYTES characters, or 0, each */
+    VECTOR_GLIDE_CALL,          /* enum vector_glide_call, its arguments
+                                   = enum glide_result, the four registers, a call's own answer */
+    VECTOR_GLIDE_GENERATIONS,   /* = those of memory, tables, modes */
+    VECTOR_GLIDE_BYTES_OF,      /* address, bytes / 4 = longs, big-endian */
+    VECTOR_GLIDE_SUM,           /* level = of its texels, each times twice its number plus one */
+    VECTOR_GLIDE_QUOTIENT,      /* s, w = s / w */
+    VECTOR_GLIDE_LOGARITHM,     /* upper, lower long = 8.8 */
+    VECTOR_GLIDE_LOD,           /* 4 gradients = 8.8 */
+    VECTOR_GLIDE_RESULT_TEXT,   /* enum glide_result = VECTOR_TEXT_BYTES characters, or 0, each */
     VECTOR_CODES
 };
 
-/* The calls of tx/calls.h, whose arguments come in their order. */
+/* The calls of n64/calls.h, whose arguments come in their order. */
 enum vector_call {
     VECTOR_CALL_TEXTURE_BLOCK,
     VECTOR_CALL_TEXTURE_BLOCK_4B,
@@ -122,34 +122,34 @@ enum vector_call {
     VECTOR_CALLS
 };
 
-/* The calls of tmu/tmu.h, whose arguments come in their order. Where a call takes a struct
-   tmu_texture its fields come one by one. Where it takes texels, a seed: they are the random longs
+/* The calls of glide/glide.h, whose arguments come in their order. Where a call takes a struct
+   glide_texture its fields come one by one. Where it takes texels, a seed: they are the random longs
    that follow it. */
-enum vector_tmu_call {
-    VECTOR_TMU_CALL_INIT,               /* bytes; the memory is the unit's */
-    VECTOR_TMU_CALL_MEMORY_REQUIRED,    /* own answer: the bytes */
-    VECTOR_TMU_CALL_SOURCE,
-    VECTOR_TMU_CALL_DOWNLOAD,
-    VECTOR_TMU_CALL_DOWNLOAD_LEVEL,
-    VECTOR_TMU_CALL_DOWNLOAD_ROWS,
-    VECTOR_TMU_CALL_PALETTE,            /* first, last, entries; own answer: sum of all, as of
+enum vector_glide_call {
+    VECTOR_GLIDE_CALL_INIT,             /* bytes; the memory is the unit's */
+    VECTOR_GLIDE_CALL_MEMORY_REQUIRED,  /* own answer: the bytes */
+    VECTOR_GLIDE_CALL_SOURCE,
+    VECTOR_GLIDE_CALL_DOWNLOAD,
+    VECTOR_GLIDE_CALL_DOWNLOAD_LEVEL,
+    VECTOR_GLIDE_CALL_DOWNLOAD_ROWS,
+    VECTOR_GLIDE_CALL_PALETTE,          /* first, last, entries; own answer: sum of all, as of
                                            texels */
-    VECTOR_TMU_CALL_NCC,                /* table, Y, I, Q; own answer: such a sum of its values */
-    VECTOR_TMU_CALL_NCC_REGISTERS,      /* table, registers; own answer the same */
-    VECTOR_TMU_CALL_NCC_SELECT,
-    VECTOR_TMU_CALL_FILTER,
-    VECTOR_TMU_CALL_FRACTION_BITS,
-    VECTOR_TMU_CALL_CLAMP,
-    VECTOR_TMU_CALL_MIPMAP,
-    VECTOR_TMU_CALL_BLEND_LEVELS,
-    VECTOR_TMU_CALL_LOD_BIAS,
-    VECTOR_TMU_CALL_DETAIL,
-    VECTOR_TMU_CALL_COMBINE,
-    VECTOR_TMU_CALL_PERSPECTIVE,
-    VECTOR_TMU_CALL_REGISTERS,
-    VECTOR_TMU_CALL_SUBDIVISION,
-    VECTOR_TMU_CALL_CHAIN,              /* tmu_chain_init, tmu_chain_hints: units, own */
-    VECTOR_TMU_CALLS
+    VECTOR_GLIDE_CALL_NCC,              /* table, Y, I, Q; own answer: such a sum of its values */
+    VECTOR_GLIDE_CALL_NCC_REGISTERS,    /* table, registers; own answer the same */
+    VECTOR_GLIDE_CALL_NCC_SELECT,
+    VECTOR_GLIDE_CALL_FILTER,
+    VECTOR_GLIDE_CALL_FRACTION_BITS,
+    VECTOR_GLIDE_CALL_CLAMP,
+    VECTOR_GLIDE_CALL_MIPMAP,
+    VECTOR_GLIDE_CALL_BLEND_LEVELS,
+    VECTOR_GLIDE_CALL_LOD_BIAS,
+    VECTOR_GLIDE_CALL_DETAIL,
+    VECTOR_GLIDE_CALL_COMBINE,
+    VECTOR_GLIDE_CALL_PERSPECTIVE,
+    VECTOR_GLIDE_CALL_REGISTERS,
+    VECTOR_GLIDE_CALL_SUBDIVISION,
+    VECTOR_GLIDE_CALL_CHAIN,            /* glide_chain_init, glide_chain_hints: units, own */
+    VECTOR_GLIDE_CALLS
 };
 
 #endif

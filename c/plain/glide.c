@@ -1,10 +1,10 @@
 #include "plain/glide.h"
-#include "tmu/unit.h"
+#include "glide/unit.h"
 
-void tmu_walk_c(const struct pass_call *call)
+void glide_walk_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_steps *step = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_steps *step = call->constants;
     const int32 shift = step->shift, half = step->half;
     int32 s = start->s, t = start->t, count = call->count;
     uint32 *out = call->out;
@@ -23,10 +23,10 @@ static inline uint32 clamped(int32 coordinate, int32 last)
     return (uint32)(coordinate < 0 ? 0 : coordinate > last ? last : coordinate);
 }
 
-void tmu_walk_clamp_c(const struct pass_call *call)
+void glide_walk_clamp_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_steps *step = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_steps *step = call->constants;
     const int32 shift = step->shift, half = step->half;
     int32 s = start->s, t = start->t, count = call->count;
     uint32 *out = call->out;
@@ -39,16 +39,16 @@ void tmu_walk_clamp_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-static inline uint32 index_of(const struct tmu_decoded *level, uint32 st)
+static inline uint32 index_of(const struct glide_decoded *level, uint32 st)
 {
     const uint32 s = st >> 16 & level->mask_s, t = st & level->mask_t;
 
     return t >> 4 << level->columns_bits | s >> 4;
 }
 
-void tmu_point_c(const struct pass_call *call)
+void glide_point_c(const struct pass_call *call)
 {
-    const struct tmu_decoded *level = call->constants;
+    const struct glide_decoded *level = call->constants;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
@@ -58,14 +58,14 @@ void tmu_point_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-static inline uint32 sum(const struct tmu_pair *pair, uint32 fs, uint32 ft)
+static inline uint32 sum(const struct glide_pair *pair, uint32 fs, uint32 ft)
 {
     return pair->corner + fs * (pair->s + ft * pair->st) + ft * pair->t;
 }
 
-static inline uint32 filtered(const struct tmu_decoded *level, uint32 st)
+static inline uint32 filtered(const struct glide_decoded *level, uint32 st)
 {
-    const struct tmu_quad *quads = level->quads, *quad = quads + index_of(level, st);
+    const struct glide_quad *quads = level->quads, *quad = quads + index_of(level, st);
     const uint32 fs = st >> 16 & 15, ft = st & 15;
 
     return (sum(&quad->rb, fs, ft) & 0xff00ff00u) | (sum(&quad->ga, fs, ft) >> 8 & 0x00ff00ffu);
@@ -76,7 +76,7 @@ static inline uint32 packed(uint32 texel)
     return (texel >> 16 & 0xf800) | (texel >> 13 & 0x07e0) | (texel >> 11 & 0x001f);
 }
 
-void tmu_bilinear_c(const struct pass_call *call)
+void glide_bilinear_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -88,7 +88,7 @@ void tmu_bilinear_c(const struct pass_call *call)
 }
 
 /* Of both sides' words, two channels each: their upper bytes. */
-static inline uint32 weighed(const struct tmu_pair_8 *pair, uint32 fs, uint32 ft)
+static inline uint32 weighed(const struct glide_pair_8 *pair, uint32 fs, uint32 ft)
 {
     const uint32 upper = pair->upper + fs * pair->upper_s, lower = pair->lower + fs * pair->lower_s;
     const uint32 first = (upper >> 16) * (256 - ft) + (lower >> 16) * ft;
@@ -97,25 +97,25 @@ static inline uint32 weighed(const struct tmu_pair_8 *pair, uint32 fs, uint32 ft
     return (first & 0xff0000) | second >> 16;
 }
 
-void tmu_bilinear_8_c(const struct pass_call *call)
+void glide_bilinear_8_c(const struct pass_call *call)
 {
-    const struct tmu_decoded *level = call->constants;
+    const struct glide_decoded *level = call->constants;
     const uint32 mask_s = level->mask_s << 4, mask_t = level->mask_t << 4;
-    const struct tmu_quad_8 *quads = level->quads;
+    const struct glide_quad_8 *quads = level->quads;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
 
     do {
         const uint32 st = *in++, s = st >> 16 & mask_s, t = st & mask_t;
-        const struct tmu_quad_8 *quad = &quads[t >> 8 << level->columns_bits | s >> 8];
+        const struct glide_quad_8 *quad = &quads[t >> 8 << level->columns_bits | s >> 8];
 
         *out++ = weighed(&quad->rb, st >> 16 & 255, st & 255) << 8
             | weighed(&quad->ga, st >> 16 & 255, st & 255);
     } while (--count > 0);
 }
 
-void tmu_bilinear_565_c(const struct pass_call *call)
+void glide_bilinear_565_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -126,7 +126,7 @@ void tmu_bilinear_565_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-void tmu_store_565_c(const struct pass_call *call)
+void glide_store_565_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -137,14 +137,14 @@ void tmu_store_565_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-void tmu_widen_565_c(const struct pass_call *call)
+void glide_widen_565_c(const struct pass_call *call)
 {
     const uint16 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
 
     do
-        *out++ = tmu_wide_565(*in++);
+        *out++ = glide_wide_565(*in++);
     while (--count > 0);
 }
 
@@ -154,10 +154,10 @@ static inline int32 index_on_page(uint32 s, uint32 t)
     return (int16)((t >> 16 & 0xff00) | s >> 24);
 }
 
-void tmu_tile_16_c(const struct pass_call *call)
+void glide_tile_16_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_paging *paging = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_paging *paging = call->constants;
     const uint16 *page = paging->pixels;
     const int32 left = paging->left;
     uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
@@ -168,10 +168,10 @@ void tmu_tile_16_c(const struct pass_call *call)
         *out++ = page[index_on_page(s, t)];
 }
 
-void tmu_tile_32_c(const struct pass_call *call)
+void glide_tile_32_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_paging *paging = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_paging *paging = call->constants;
     const uint32 *page = paging->pixels;
     const int32 left = paging->left;
     uint32 s = (uint32)start->s << left, t = (uint32)start->t << left;
@@ -182,16 +182,16 @@ void tmu_tile_32_c(const struct pass_call *call)
         *out++ = page[index_on_page(s, t)];
 }
 
-void tmu_quads_c(const struct pass_call *call)
+void glide_quads_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
 
-    tmu_quads_make(call->out, in, in + call->count, (uint32)call->count);
+    glide_quads_make(call->out, in, in + call->count, (uint32)call->count);
 }
 
-void tmu_quads_8_c(const struct pass_call *call)
+void glide_quads_8_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
 
-    tmu_quads_8_make(call->out, in, in + call->count, (uint32)call->count);
+    glide_quads_8_make(call->out, in, in + call->count, (uint32)call->count);
 }

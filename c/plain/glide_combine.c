@@ -3,7 +3,7 @@
 #define FIELD 0x00ff00ffu
 
 /* The factor of the next pixel, of 256. */
-static inline int32 factor_of(const struct tmu_mix *mix, const uint8 **factors)
+static inline int32 factor_of(const struct glide_mix *mix, const uint8 **factors)
 {
     const int32 factor = (**factors ^ (mix->flip & 255)) + mix->one;
 
@@ -11,7 +11,7 @@ static inline int32 factor_of(const struct tmu_mix *mix, const uint8 **factors)
     return factor;
 }
 
-static inline uint32 next(const struct tmu_mix *mix, const uint8 **other)
+static inline uint32 next(const struct glide_mix *mix, const uint8 **other)
 {
     const uint32 texel = *(const uint32 *)*other;
 
@@ -19,9 +19,9 @@ static inline uint32 next(const struct tmu_mix *mix, const uint8 **other)
     return texel;
 }
 
-void tmu_lerp_c(const struct pass_call *call)
+void glide_lerp_c(const struct pass_call *call)
 {
-    const struct tmu_mix *mix = call->constants;
+    const struct glide_mix *mix = call->constants;
     const uint8 *factors = mix->factors, *others = (const uint8 *)mix->other;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -36,9 +36,9 @@ void tmu_lerp_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tmu_scale_c(const struct pass_call *call)
+void glide_scale_c(const struct pass_call *call)
 {
-    const struct tmu_mix *mix = call->constants;
+    const struct glide_mix *mix = call->constants;
     const uint8 *factors = mix->factors;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -57,9 +57,9 @@ static inline uint32 product(uint32 a, uint32 b)
     return (a & 255) * ((b & 255) + 1) >> 8;
 }
 
-void tmu_modulate_c(const struct pass_call *call)
+void glide_modulate_c(const struct pass_call *call)
 {
-    const struct tmu_mix *mix = call->constants;
+    const struct glide_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -73,9 +73,9 @@ void tmu_modulate_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tmu_modulate_rgb_c(const struct pass_call *call)
+void glide_modulate_rgb_c(const struct pass_call *call)
 {
-    const struct tmu_mix *mix = call->constants;
+    const struct glide_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -97,9 +97,9 @@ static inline uint32 sums(uint32 a, uint32 b)
     return (sum | (over - (over >> 8))) & FIELD;
 }
 
-void tmu_add_c(const struct pass_call *call)
+void glide_add_c(const struct pass_call *call)
 {
-    const struct tmu_mix *mix = call->constants;
+    const struct glide_mix *mix = call->constants;
     const uint8 *others = (const uint8 *)mix->other;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -112,9 +112,9 @@ void tmu_add_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tmu_alpha_c(const struct pass_call *call)
+void glide_alpha_c(const struct pass_call *call)
 {
-    const struct tmu_alphas *from = call->constants;
+    const struct glide_alphas *from = call->constants;
     const uint8 *alphas = from->alphas;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -126,9 +126,9 @@ void tmu_alpha_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tmu_combiner_c(const struct pass_call *call)
+void glide_combiner_c(const struct pass_call *call)
 {
-    const struct tmu_inputs *inputs = call->constants;
+    const struct glide_inputs *inputs = call->constants;
     const uint8 *other = inputs->other, *local = inputs->local, *factor = inputs->factor,
         *added = inputs->added;
     uint8 *out = call->out;

@@ -36,7 +36,7 @@ static int32 divided(int32 s, int32 w, int32 shift)
     return (int32)((s < 0) != (w < 0) ? 0 - found - (rest != 0) : found);
 }
 
-static inline uint32 coordinate(int32 s, int32 w, const struct tmu_steps *step, int32 last)
+static inline uint32 coordinate(int32 s, int32 w, const struct glide_steps *step, int32 last)
 {
     int32 found = (!w || (w < 0 && step->behind) ? 0 : divided(s, w, step->shift)) - step->half;
 
@@ -45,10 +45,10 @@ static inline uint32 coordinate(int32 s, int32 w, const struct tmu_steps *step, 
     return (uint32)(found < 0 ? 0 : found > last ? last : found);
 }
 
-void tmu_divide_c(const struct pass_call *call)
+void glide_divide_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_steps *step = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_steps *step = call->constants;
     int32 s = start->s, t = start->t, w = start->w, count = call->count;
     uint32 *out = call->out;
 
@@ -60,12 +60,12 @@ void tmu_divide_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-static int32 divided_at(int32 s, int32 w, const struct tmu_steps *step)
+static int32 divided_at(int32 s, int32 w, const struct glide_steps *step)
 {
     return !w || (w < 0 && step->behind) ? 0 : divided(s, w, 0);
 }
 
-static uint32 level_coordinate(int32 value, const struct tmu_steps *step, int32 last)
+static uint32 level_coordinate(int32 value, const struct glide_steps *step, int32 last)
 {
     const int32 found = (value >> step->shift) - step->half;
 
@@ -82,10 +82,10 @@ static int32 step_of(int32 from, int32 to, int32 pixels)
     return step * pixels > way ? step - 1 : step;
 }
 
-void tmu_pieces_c(const struct pass_call *call)
+void glide_pieces_c(const struct pass_call *call)
 {
-    const struct tmu_iterators *start = call->in;
-    const struct tmu_steps *step = call->constants;
+    const struct glide_iterators *start = call->in;
+    const struct glide_steps *step = call->constants;
     int32 s_over_w = start->s, t_over_w = start->t, w = start->w;
     int32 s0 = divided_at(s_over_w, w, step), t0 = divided_at(t_over_w, w, step);
     int32 skip = step->skip, left = step->left - 1, count = call->count;
@@ -120,9 +120,9 @@ void tmu_pieces_c(const struct pass_call *call)
 }
 
 /* A pixel's LOD. */
-static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
+static inline int32 lod_of(int32 w, int32 lod, const struct glide_lods *lods)
 {
-    const struct tmu_logarithm *entry;
+    const struct glide_logarithm *entry;
     uint32 size = fix_magnitude(w);
 
     if (!size)
@@ -134,10 +134,10 @@ static inline int32 lod_of(int32 w, int32 lod, const struct tmu_lods *lods)
     return lod < lods->least ? lods->least : lod > lods->most ? lods->most : lod;
 }
 
-void tmu_lod_c(const struct pass_call *call)
+void glide_lod_c(const struct pass_call *call)
 {
-    const struct tmu_lods *lods = call->constants;
-    int32 w = ((const struct tmu_iterators *)call->in)->w, count = call->count;
+    const struct glide_lods *lods = call->constants;
+    int32 w = ((const struct glide_iterators *)call->in)->w, count = call->count;
     uint16 *out = call->out;
 
     for (int32 i = 0; i < count; i++) {
@@ -146,9 +146,9 @@ void tmu_lod_c(const struct pass_call *call)
     }
 }
 
-void tmu_details_c(const struct pass_call *call)
+void glide_details_c(const struct pass_call *call)
 {
-    const struct tmu_nearness *nearness = call->constants;
+    const struct glide_nearness *nearness = call->constants;
     const uint16 *lods = call->in;
     uint8 *out = call->out;
     int32 count = call->count;
@@ -158,9 +158,9 @@ void tmu_details_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-void tmu_interleave_c(const struct pass_call *call)
+void glide_interleave_c(const struct pass_call *call)
 {
-    const struct tmu_quarters *quarters = call->constants;
+    const struct glide_quarters *quarters = call->constants;
     const uint8 *in = call->in;
     uint32 *out = call->out;
 
@@ -168,7 +168,7 @@ void tmu_interleave_c(const struct pass_call *call)
         *out++ = *(const uint32 *)(in + (i & 3) * quarters->bytes + (i & ~3));
 }
 
-void tmu_logarithms_c(const struct pass_call *call)
+void glide_logarithms_c(const struct pass_call *call)
 {
-    tmu_logarithms_make(call->out, call->in);
+    glide_logarithms_make(call->out, call->in);
 }

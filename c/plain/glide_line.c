@@ -1,26 +1,26 @@
 /* The combine unit's choice of passes, called as a pass. */
 #include "plain/glide.h"
-#include "tmu/plan.h"
+#include "glide/plan.h"
 
-void tmu_combine_line_c(const struct pass_call *call)
+void glide_combine_line_c(const struct pass_call *call)
 {
-    const struct tmu_combine_call *given = call->constants;
-    struct tmu_combining combining;
-    struct tmu_factors factors;
+    const struct glide_combine_call *given = call->constants;
+    struct glide_combining combining;
+    struct glide_factors factors;
     uint32 *out = call->out;
-    struct tmu_known known;
+    struct glide_known known;
 
     known.detail = given->detail;
     known.fraction = given->fraction;
     known.flip = given->flip;
-    tmu_combining_find(&combining, &given->modes, &known, given->has_other, given->has_alpha);
+    glide_combining_find(&combining, &given->modes, &known, given->has_other, given->has_alpha);
     factors.details = given->details;
     factors.fractions = given->fractions;
     factors.detail_step = given->detail_step;
     factors.fraction_step = given->fraction_step;
     factors.flip = given->modes.trilinear && given->odd ? 255 : 0;
-    tmu_combine_line(&combining, &given->modes, &factors, call->in,
-                     given->has_other ? given->other : 0, out, call->count);
+    glide_combine_line(&combining, &given->modes, &factors, call->in,
+                       given->has_other ? given->other : 0, out, call->count);
     if (!given->has_alpha)
         for (int32 n = 0; n < call->count; n++)
             out[n] &= 0xffffff00;

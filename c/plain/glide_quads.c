@@ -1,4 +1,4 @@
-#include "tmu/passes.h"
+#include "glide/passes.h"
 
 /* Each loop lies in one function, calls nothing and fits the instruction cache: its cycles do not
    depend on where the linker puts others. */
@@ -6,7 +6,7 @@
 #define FIELD 0x00ff00ffu
 
 /* Two channels of the four texels, in the lower bytes of words. */
-static void pair_make(struct tmu_pair *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+static void pair_make(struct glide_pair *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
 {
     c00 &= FIELD;
     c10 &= FIELD;
@@ -18,7 +18,7 @@ static void pair_make(struct tmu_pair *pair, uint32 c00, uint32 c10, uint32 c01,
     pair->corner = 256 * c00;
 }
 
-void tmu_quads_make(struct tmu_quad *quad, const uint32 *upper, const uint32 *lower, uint32 columns)
+void glide_quads_make(struct glide_quad *quad, const uint32 *upper, const uint32 *lower, uint32 columns)
 {
     uint32 c00 = *upper, c01 = *lower;
 
@@ -32,7 +32,7 @@ void tmu_quads_make(struct tmu_quad *quad, const uint32 *upper, const uint32 *lo
     }
 }
 
-static void pair_8_make(struct tmu_pair_8 *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
+static void pair_8_make(struct glide_pair_8 *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
 {
     pair->upper_s = (c10 & FIELD) - (c00 & FIELD);
     pair->upper = (c00 & FIELD) << 8;
@@ -40,8 +40,8 @@ static void pair_8_make(struct tmu_pair_8 *pair, uint32 c00, uint32 c10, uint32 
     pair->lower = (c01 & FIELD) << 8;
 }
 
-void tmu_quads_8_make(struct tmu_quad_8 *quad, const uint32 *upper, const uint32 *lower,
-                      uint32 columns)
+void glide_quads_8_make(struct glide_quad_8 *quad, const uint32 *upper, const uint32 *lower,
+                        uint32 columns)
 {
     uint32 c00 = *upper, c01 = *lower;
 

@@ -1,8 +1,8 @@
 #include "plain/n64.h"
 
-void tx_walk_c(const struct pass_call *call)
+void n64_walk_c(const struct pass_call *call)
 {
-    const struct tx_iterators *start = call->in, *step = call->constants;
+    const struct n64_iterators *start = call->in, *step = call->constants;
     int32 s = start->s, t = start->t, count = call->count;
     uint32 *out = call->out;
 
@@ -14,16 +14,16 @@ void tx_walk_c(const struct pass_call *call)
 }
 
 /* The quad of a pair of coordinates. */
-static inline const struct tx_quad *quad_at(const struct tx_decoded *tile, uint32 st)
+static inline const struct n64_quad *quad_at(const struct n64_decoded *tile, uint32 st)
 {
     const uint32 s = st >> 16 & tile->mask_s, t = st & tile->mask_t;
 
     return tile->quads + (t >> 5 << tile->columns_bits | s >> 5);
 }
 
-static inline uint32 filtered(const struct tx_quad *quad, uint32 st)
+static inline uint32 filtered(const struct n64_quad *quad, uint32 st)
 {
-    const struct tx_triangle *triangle = &quad->lower;
+    const struct n64_triangle *triangle = &quad->lower;
     uint32 fs = st >> 16 & 31, ft = st & 31;
 
     if (fs + ft >= 32) {
@@ -41,9 +41,9 @@ static inline uint32 packed(uint32 texel)
         | (texel >> 7 & 1);
 }
 
-void tx_threepoint_c(const struct pass_call *call)
+void n64_threepoint_c(const struct pass_call *call)
 {
-    const struct tx_decoded *tile = call->constants;
+    const struct n64_decoded *tile = call->constants;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
@@ -55,9 +55,9 @@ void tx_threepoint_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_threepoint_16_c(const struct pass_call *call)
+void n64_threepoint_16_c(const struct pass_call *call)
 {
-    const struct tx_decoded *tile = call->constants;
+    const struct n64_decoded *tile = call->constants;
     const uint32 *in = call->in;
     uint16 *out = call->out;
     int32 count = call->count;
@@ -69,25 +69,25 @@ void tx_threepoint_16_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_average_c(const struct pass_call *call)
+void n64_average_c(const struct pass_call *call)
 {
-    const struct tx_decoded *tile = call->constants;
+    const struct n64_decoded *tile = call->constants;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
 
     do {
         const uint32 st = *in++;
-        const struct tx_quad *quad = quad_at(tile, st);
+        const struct n64_quad *quad = quad_at(tile, st);
 
         *out++ = (st & 0x001f001f) != 0x00100010 ? filtered(quad, st)
             : (quad->mean_rb & 0xff00ff00u) | (quad->mean_ga >> 8 & 0x00ff00ffu);
     } while (--count > 0);
 }
 
-void tx_point_c(const struct pass_call *call)
+void n64_point_c(const struct pass_call *call)
 {
-    const struct tx_decoded *tile = call->constants;
+    const struct n64_decoded *tile = call->constants;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
@@ -100,7 +100,7 @@ void tx_point_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_store_16_c(const struct pass_call *call)
+void n64_store_16_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint16 *out = call->out;
@@ -111,7 +111,7 @@ void tx_store_16_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-static uint32 relative(int32 c, const struct tx_axis_range *axis)
+static uint32 relative(int32 c, const struct n64_axis_range *axis)
 {
     c = axis->shift >= 0 ? c >> axis->shift : (int16)((uint32)c << -axis->shift);
     if (!axis->clamp)
@@ -121,9 +121,9 @@ static uint32 relative(int32 c, const struct tx_axis_range *axis)
     return c < axis->low ? 0 : (uint32)(c - axis->low);
 }
 
-void tx_tile_c(const struct pass_call *call)
+void n64_tile_c(const struct pass_call *call)
 {
-    const struct tx_axes *axes = call->constants;
+    const struct n64_axes *axes = call->constants;
     const uint32 *in = call->in;
     uint32 *out = call->out;
     int32 count = call->count;
@@ -142,9 +142,9 @@ static uint32 blended(uint32 texel, uint32 other, int32 fraction)
     return value < 256 ? value : value < 384 ? 255 : 0;
 }
 
-void tx_lerp_c(const struct pass_call *call)
+void n64_lerp_c(const struct pass_call *call)
 {
-    const struct tx_blend *blend = call->constants;
+    const struct n64_blend *blend = call->constants;
     const uint8 *fractions = (const uint8 *)blend->fractions;
     const uint32 *in = call->in, *other = blend->other;
     uint32 *out = call->out;
@@ -161,7 +161,7 @@ void tx_lerp_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_reciprocals_c(const struct pass_call *call)
+void n64_reciprocals_c(const struct pass_call *call)
 {
-    tx_divide_table_make(call->out);
+    n64_divide_table_make(call->out);
 }

@@ -12,9 +12,9 @@ static inline uint32 integer(int32 shade)
     return value < 0 ? 0 : value > 255 ? 255 : (uint32)value;
 }
 
-void tx_shade_c(const struct pass_call *call)
+void n64_shade_c(const struct pass_call *call)
 {
-    const struct tx_shades *start = call->in, *step = call->constants;
+    const struct n64_shades *start = call->in, *step = call->constants;
     int32 r = start->r, g = start->g, b = start->b, a = start->a, count = call->count;
     uint32 *out = call->out;
 
@@ -27,9 +27,9 @@ void tx_shade_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_modulate_c(const struct pass_call *call)
+void n64_modulate_c(const struct pass_call *call)
 {
-    const struct tx_modulation *modulation = call->constants;
+    const struct n64_modulation *modulation = call->constants;
     const uint8 *other = (const uint8 *)modulation->other;
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -44,7 +44,7 @@ void tx_modulate_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_map_c(const struct pass_call *call)
+void n64_map_c(const struct pass_call *call)
 {
     const uint8 *tables = call->constants, *in = call->in;
     uint8 *out = call->out;
@@ -60,7 +60,7 @@ void tx_map_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_widen_c(const struct pass_call *call)
+void n64_widen_c(const struct pass_call *call)
 {
     const uint8 *in = call->in;
     int16 *out = call->out;
@@ -71,12 +71,12 @@ void tx_widen_c(const struct pass_call *call)
     while (--count > 0);
 }
 
-void tx_combiner_c(const struct pass_call *call)
+void n64_combiner_c(const struct pass_call *call)
 {
-    const struct tx_combination *inputs = call->constants;
+    const struct n64_combination *inputs = call->constants;
     const uint8 *a = (const uint8 *)inputs->a, *b = (const uint8 *)inputs->b;
     const uint8 *c = (const uint8 *)inputs->c, *d = (const uint8 *)inputs->d;
-    struct tx_wide *out = call->out;
+    struct n64_wide *out = call->out;
     int32 count = call->count;
 
     do {
@@ -92,7 +92,7 @@ void tx_combiner_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_narrow_c(const struct pass_call *call)
+void n64_narrow_c(const struct pass_call *call)
 {
     const int16 *in = call->in;
     uint8 *out = call->out;
@@ -105,7 +105,7 @@ void tx_narrow_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_levels_c(const struct pass_call *call)
+void n64_levels_c(const struct pass_call *call)
 {
-    tx_levels_make(call->out, call->constants);
+    n64_levels_make(call->out, call->constants);
 }

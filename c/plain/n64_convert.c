@@ -1,6 +1,6 @@
 #include "plain/n64.h"
 
-void tx_chroma_c(const struct pass_call *call)
+void n64_chroma_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;
     uint32 *out = call->out;
@@ -18,10 +18,10 @@ struct sums {
     int32 r, g, b, y;
 };
 
-static inline void convert(struct sums *to, const struct tx_matrix *matrix, uint32 chroma,
+static inline void convert(struct sums *to, const struct n64_matrix *matrix, uint32 chroma,
                            uint32 luma)
 {
-    const struct tx_addend *u = &matrix->u[chroma >> 24], *v = &matrix->v[chroma >> 16 & 255];
+    const struct n64_addend *u = &matrix->u[chroma >> 24], *v = &matrix->v[chroma >> 16 & 255];
     const int32 y = (int32)(luma & 255);
 
     to->r = y + v->other;
@@ -30,9 +30,9 @@ static inline void convert(struct sums *to, const struct tx_matrix *matrix, uint
     to->y = y;
 }
 
-void tx_convert_c(const struct pass_call *call)
+void n64_convert_c(const struct pass_call *call)
 {
-    const struct tx_yuv_conversion *by = call->constants;
+    const struct n64_yuv_conversion *by = call->constants;
     const uint32 *in = call->in, *chroma = by->chroma;
     uint32 *out = call->out;
     int32 count = call->count;
@@ -51,11 +51,11 @@ static inline int16 extended(int32 value)
     return (int16)(((value + 128) & 511) - 128);
 }
 
-void tx_convert_wide_c(const struct pass_call *call)
+void n64_convert_wide_c(const struct pass_call *call)
 {
-    const struct tx_yuv_conversion *by = call->constants;
+    const struct n64_yuv_conversion *by = call->constants;
     const uint32 *in = call->in, *chroma = by->chroma;
-    struct tx_wide *out = call->out;
+    struct n64_wide *out = call->out;
     int32 count = call->count;
     struct sums at;
 
@@ -69,7 +69,7 @@ void tx_convert_wide_c(const struct pass_call *call)
     } while (--count > 0);
 }
 
-void tx_matrix_c(const struct pass_call *call)
+void n64_matrix_c(const struct pass_call *call)
 {
-    tx_matrix_make(call->out, call->in);
+    n64_matrix_make(call->out, call->in);
 }

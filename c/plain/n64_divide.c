@@ -30,10 +30,10 @@ static inline uint32 nearest(int32 value)
     return (uint32)(value > 32767 ? 32767 : value < -32768 ? -32768 : value) & 0xffff;
 }
 
-void tx_divide_c(const struct pass_call *call)
+void n64_divide_c(const struct pass_call *call)
 {
-    const struct tx_iterators *start = call->in;
-    const struct tx_division *step = call->constants;
+    const struct n64_iterators *start = call->in;
+    const struct n64_division *step = call->constants;
     int32 s = start->s, t = start->t, w = start->w, count = call->count;
     uint32 *out = call->out;
     struct quotients q;
@@ -54,10 +54,10 @@ static int32 longer(int32 most, int32 change)
     return change > most ? change : most;
 }
 
-void tx_lod_c(const struct pass_call *call)
+void n64_lod_c(const struct pass_call *call)
 {
-    const struct tx_iterators *start = call->in;
-    const struct tx_lod_steps *d = call->constants;
+    const struct n64_iterators *start = call->in;
+    const struct n64_lod_steps *d = call->constants;
     int32 s = start->s, t = start->t, w = start->w, count = call->count;
     uint32 *out = call->out, *blending = (uint32 *)d->blendings;
     struct quotients q, x, y;

@@ -14,7 +14,7 @@ static uint32 corner_of(uint32 pair)
     return SCALE * (32 * pair + 0x00100010u);
 }
 
-static void triangle_make(struct tx_triangle *triangle, uint32 corner, uint32 in_s, uint32 in_t)
+static void triangle_make(struct n64_triangle *triangle, uint32 corner, uint32 in_s, uint32 in_t)
 {
     const uint32 rb = corner >> 8 & FIELD, ga = corner & FIELD;
 
@@ -31,11 +31,11 @@ static uint32 mean(uint32 a, uint32 b, uint32 c, uint32 d)
     return SCALE * (8 * ((a & FIELD) + (b & FIELD) + (c & FIELD) + (d & FIELD)) + 0x00100010u);
 }
 
-void tx_quads_c(const struct pass_call *call)
+void n64_quads_c(const struct pass_call *call)
 {
-    const struct tx_quad_row *row = call->constants;
+    const struct n64_quad_row *row = call->constants;
     const uint32 *above = call->in, *below = row->below;
-    struct tx_quad *quad = call->out;
+    struct n64_quad *quad = call->out;
     int32 count = call->count;
 
     do {

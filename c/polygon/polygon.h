@@ -82,7 +82,7 @@ enum mapper {
                                    START_SUBTEXEL */
     MAPPER_DITHERED,            /* as MAPPER_AFFINE, points moved by up to 3/8 texel: see
                                    span_dithered; GRADIENTS_PLANE, START_SUBTEXEL */
-    MAPPER_UNIT,                /* by the material's texture unit: not by polygon_draw */
+    MAPPER_N64,                /* by the material's texture unit: not by polygon_draw */
     MAPPER_GLIDE,               /* by its pipe of Glide's texture units: the same */
     MAPPER_KINDS
 };
@@ -102,8 +102,8 @@ enum span_kind {
     SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
     SPAN_DITHERED, SPAN_DITHERED_WRAP, SPAN_DITHERED_16, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32,
     SPAN_DITHERED_32_WRAP,
-    SPAN_TX_PASSES, SPAN_TX_PIXELS, SPAN_TMU_PASSES, SPAN_TMU_PIXELS,
-    SPAN_TMU_TILES,
+    SPAN_N64_PASSES, SPAN_N64_PIXELS, SPAN_GLIDE_PASSES, SPAN_GLIDE_PIXELS,
+    SPAN_GLIDE_TILES,
     SPAN_KINDS,
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
@@ -129,12 +129,12 @@ enum rule {
     RULE_NO_WRAP_DITHERED,      /* v, moved, does not */
     RULE_SHORT,                 /* no line is longer than the cache has room for: no loop; ... */
     RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
-    RULE_TX_FLAT,               /* no texel reaches the combiner's result: flat */
-    RULE_TX_PLAIN,              /* one tile's points and constants: an affine span of its pixels */
-    RULE_TX_PASSES,             /* the modes have passes over lines: not pixel by pixel */
-    RULE_TMU_PLAIN,             /* one unit's points of one level: an affine span of its pixels */
-    RULE_TMU_PASSES,            /* as RULE_TX_PASSES */
-    RULE_TMU_TILES,             /* one LOD, not divided, drawn often enough: from prefiltered tiles */
+    RULE_N64_FLAT,              /* no texel reaches the combiner's result: flat */
+    RULE_N64_PLAIN,             /* one tile's points and constants: an affine span of its pixels */
+    RULE_N64_PASSES,            /* the modes have passes over lines: not pixel by pixel */
+    RULE_GLIDE_PLAIN,           /* one unit's points of one level: an affine span of its pixels */
+    RULE_GLIDE_PASSES,          /* as RULE_N64_PASSES */
+    RULE_GLIDE_TILES,           /* one LOD, not divided, drawn often enough: from prefiltered tiles */
     RULES
 };
 
@@ -169,8 +169,8 @@ struct material {
     const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
     const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
     polygon_routine *draw;      /* what meshes and scenes call for it */
-    struct tx_unit *unit;       /* MAPPER_UNIT */
-    struct tmu_pipe *pipe;      /* MAPPER_GLIDE. 48 bytes: an index is multiplied by two additions
+    struct n64_unit *unit;      /* MAPPER_N64 */
+    struct glide_pipe *pipe;    /* MAPPER_GLIDE. 48 bytes: an index is multiplied by two additions
                                    and a shift */
 };
 
@@ -193,7 +193,7 @@ struct drawing {
                                    than three vertices are not looked at for them */
 };
 
-/* By every mapper but MAPPER_UNIT and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
+/* By every mapper but MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
    three vertices whose values lie on no plane (fan.c has how near they must come) is drawn as a
    fan of triangles from its first vertex: so every vertex shows its own. */
 polygon_routine polygon_draw;

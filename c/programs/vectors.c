@@ -9,7 +9,7 @@
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
-#include "tx/tx.h"
+#include "n64/n64.h"
 
 #define REPORTED 512
 #define ANY 0xffff              /* longs: as many as there are */
@@ -24,7 +24,7 @@ static const uint16 longs_of[VECTOR_CODES] = {
 static int32 in_memory(const struct vector_operation *operation, const int32 *values)
 {
     const uint32 at = (uint32)values[0], count = operation->longs - 1u;
-    const uint32 room = operation->code == VECTOR_TMEM ? TX_TMEM_BYTES : VECTOR_DRAM_BYTES;
+    const uint32 room = operation->code == VECTOR_TMEM ? N64_TMEM_BYTES : VECTOR_DRAM_BYTES;
 
     return at <= room && count <= room - at;
 }
@@ -39,10 +39,10 @@ static int32 usable_operation(const struct vector_operation *operation, uint32 l
     if (longs_of[operation->code] != ANY)
         return operation->longs == longs_of[operation->code]
             && (operation->code != VECTOR_MODE
-                || (uint32)values[0] < sizeof(struct tx_modes));
+                || (uint32)values[0] < sizeof(struct n64_modes));
     if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
         return operation->longs && in_memory(operation, values);
-    if (operation->code == VECTOR_TMU_CALL)
+    if (operation->code == VECTOR_GLIDE_CALL)
         return operation->longs >= 1;
     return operation->code != VECTOR_CALL || operation->longs >= 2;
 }

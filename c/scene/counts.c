@@ -12,16 +12,16 @@ static const char *const span_names[SPAN_KINDS] = {
     "lit_short", "lit_short_wrap",
     "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy", "affine_32",
     "affine_32_wrap", "affine_32_row", "dithered", "dithered_wrap", "dithered_16",
-    "dithered_16_wrap", "dithered_32", "dithered_32_wrap", "tx_passes", "tx_pixels", "tmu_passes",
-    "tmu_pixels", "tmu_tiles"
+    "dithered_16_wrap", "dithered_32", "dithered_32_wrap", "n64_passes", "n64_pixels", "glide_passes",
+    "glide_pixels", "glide_tiles"
 };
 
 static const char *const rule_names[RULES] = {
     "outside", "equal_shades", "equal_levels", "no_light", "full_light", "constant_w",
     "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "unit_step",
     "still_u", "no_wrap", "no_wrap_lit", "no_wrap_dithered", "short", "short_wrap", "short_row",
-    "short_gouraud", "short_lit", "short_lit_wrap", "tx_flat", "tx_plain", "tx_passes",
-    "tmu_plain", "tmu_passes", "tmu_tiles"
+    "short_gouraud", "short_lit", "short_lit_wrap", "n64_flat", "n64_plain", "n64_passes",
+    "glide_plain", "glide_passes", "glide_tiles"
 };
 
 /* Sets counts to 0, or adds others to them. */

@@ -22,11 +22,11 @@ static const struct {
     {sizeof(struct scene_view), "views or views_at"},
     {sizeof(struct scene_unit), "units or units_at"},
     {sizeof(struct scene_list), "lists or lists_at"},
-    {sizeof(struct tx_word), "words or words_at"},
+    {sizeof(struct n64_word), "words or words_at"},
     {1, "dram or dram_at"},
-    {sizeof(struct scene_tmu), "tmus or tmus_at"},
+    {sizeof(struct scene_glide_unit), "glide_units or glide_units_at"},
     {sizeof(struct scene_pipe), "pipes or pipes_at"},
-    {1, "tmu_memory or tmu_memory_at"}
+    {1, "glide_memory or glide_memory_at"}
 };
 
 /* Behind the header, inside the file, and not too long; of bytes a multiple of 8. */

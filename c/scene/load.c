@@ -76,7 +76,7 @@ static int32 needs_plane(uint32 mapper)
 /* By texture units, of either kind. */
 static int32 is_unit(uint32 mapper)
 {
-    return mapper == MAPPER_UNIT || mapper == MAPPER_GLIDE;
+    return mapper == MAPPER_N64 || mapper == MAPPER_GLIDE;
 }
 
 /* Whether a mapper draws pixels of a format. */
@@ -86,7 +86,7 @@ static int32 draws(uint32 mapper, uint32 format)
 
     if (is_unit(mapper))
         return bytes == 4
-            || (bytes == 2 && format == (mapper == MAPPER_UNIT ? PIXEL_RGBA5551 : PIXEL_RGB565));
+            || (bytes == 2 && format == (mapper == MAPPER_N64 ? PIXEL_RGBA5551 : PIXEL_RGB565));
     return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
         || mapper == MAPPER_DITHERED
         || (bytes == 2 && mapper == MAPPER_COLUMNS);
@@ -97,7 +97,7 @@ static int32 unit_usable(const struct scene_header *h, const struct scene_materi
 {
     if (!is_unit(m->mapper))
         return m->unit == NO_UNIT;
-    return (uint32)m->unit < (m->mapper == MAPPER_UNIT ? h->units : h->pipes);
+    return (uint32)m->unit < (m->mapper == MAPPER_N64 ? h->units : h->pipes);
 }
 
 static const char *wrong_material(const struct scene *scene)
@@ -117,7 +117,7 @@ static const char *wrong_material(const struct scene *scene)
             return "material.mapper";
         if (!unit_usable(h, m))
             return "material.unit";
-        if (m->primitive >= (m->mapper == MAPPER_UNIT ? UNIT_PRIMITIVES : 1))
+        if (m->primitive >= (m->mapper == MAPPER_N64 ? UNIT_PRIMITIVES : 1))
             return "material.primitive";
         if (m->edges >= EDGES_KINDS || (is_unit(m->mapper) && m->edges == EDGES_INTEGER))
             return "material.edges";

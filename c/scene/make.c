@@ -32,8 +32,8 @@ void scene_place(struct scene *scene, const uint8 *data)
     scene->views = (const struct scene_view *)(data + header->views_at);
     scene->units = (const struct scene_unit *)(data + header->units_at);
     scene->lists = (const struct scene_list *)(data + header->lists_at);
-    scene->words = (const struct tx_word *)(data + header->words_at);
-    scene->tmus = (const struct scene_tmu *)(data + header->tmus_at);
+    scene->words = (const struct n64_word *)(data + header->words_at);
+    scene->glide_units = (const struct scene_glide_unit *)(data + header->glide_units_at);
     scene->pipes = (const struct scene_pipe *)(data + header->pipes_at);
 }
 
@@ -72,7 +72,7 @@ static int32 make_logarithms(struct scene *scene)
 static polygon_routine *routine_of(const struct scene *scene,
                                    const struct scene_material *material)
 {
-    if (material->mapper == MAPPER_UNIT)
+    if (material->mapper == MAPPER_N64)
         return scene_unit_routine(material->primitive);
     if (material->mapper == MAPPER_GLIDE)
         return scene_pipe_routine(scene, material);
@@ -102,7 +102,7 @@ static int32 make_materials(struct scene *scene)
         to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
         to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
         to->draw = routine_of(scene, from);
-        to->unit = from->mapper == MAPPER_UNIT ? &scene->engines[from->unit] : 0;
+        to->unit = from->mapper == MAPPER_N64 ? &scene->engines[from->unit] : 0;
         to->pipe = from->mapper == MAPPER_GLIDE ? &scene->pipe[from->unit] : 0;
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];

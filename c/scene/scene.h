@@ -5,8 +5,8 @@
 #include "mesh/mesh.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
-#include "tmu/unit.h"
-#include "tx/unit.h"
+#include "glide/unit.h"
+#include "n64/unit.h"
 
 struct scene {
     const struct scene_header *header;
@@ -24,17 +24,17 @@ struct scene {
     const struct scene_view *views;
     const struct scene_unit *units;
     const struct scene_list *lists;
-    const struct tx_word *words;
-    const struct scene_tmu *tmus;
+    const struct n64_word *words;
+    const struct scene_glide_unit *glide_units;
     const struct scene_pipe *pipes;
     struct mesh_work work;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
-    struct tx_unit *engines;    /* one a unit */
-    struct tmu *tmu;            /* one each of tmus */
-    struct tmu_pipe *pipe;      /* one each of pipes */
+    struct n64_unit *engines;   /* one a unit */
+    struct glide *glide;        /* one each of glide_units */
+    struct glide_pipe *pipe;    /* one each of pipes */
 };
 
 /* Puts the textures of a checked scene into memory of the kind given, each as its
@@ -83,7 +83,7 @@ const char *scene_why(const struct scene *scene, uint32 result);
 /* Why the last polygon that a texture engine refused was. */
 const char *scene_why_refused(const struct scene *scene);
 
-/* scene_glide.c. The first field of tmus or pipes that is wrong, or 0; tables lie in the file. */
+/* scene_glide.c. The first field of glide_units or pipes that is wrong, or 0; tables lie in the file. */
 const char *scene_wrong_pipe(const struct scene *scene);
 
 /* Makes Glide's texture units and their pipes; 0 where memory is short. */
@@ -96,7 +96,7 @@ int32 scene_has_own(const struct scene *scene, const struct scene_material *mate
 polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material);
 
-/* What was drawn is drawn again (1), or not (0): see struct tmu_pipe. */
+/* What was drawn is drawn again (1), or not (0): see struct glide_pipe. */
 void scene_settle_pipes(const struct scene *scene, int32 settled);
 
 /* Why a pipe refused a polygon; 0: none did. */

@@ -9,8 +9,8 @@
 #include "limits.h"
 #include "mesh/records.h"
 #include "polygon/vertex.h"
-#include "tmu/tmu.h"
-#include "tx/tx.h"
+#include "glide/glide.h"
+#include "n64/n64.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
@@ -40,12 +40,12 @@ struct scene_header {
     uint32 textures, materials, objects, vertices, poses;
     uint32 points, normals, corners, faces, meshes, instances, views;
     uint32 units, lists, words, dram;           /* dram: bytes, a multiple of 8 */
-    uint32 tmus, pipes, tmu_memory;             /* tmu_memory: bytes, the same */
+    uint32 glide_units, pipes, glide_memory;    /* glide_memory: bytes, the same */
     uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
     uint32 textures_at, materials_at, objects_at, vertices_at, poses_at;
     uint32 points_at, normals_at, corners_at, faces_at, meshes_at, instances_at, views_at;
     uint32 units_at, lists_at, words_at, dram_at;
-    uint32 tmus_at, pipes_at, tmu_memory_at;
+    uint32 glide_units_at, pipes_at, glide_memory_at;
 };
 
 /* A map, width x height texels in the order of its layout; MAP_PAGE and MAP_MARGINS
@@ -65,7 +65,7 @@ struct scene_material {
     uint32 colour;              /* pixel of a flat material */
     int32 light;                /* index of a MAP_LIGHT: lit; else NO_TEXTURE */
     fix16 tolerance;            /* texels, 0 to TOLERANCE_MAX; 0 without a perspective */
-    int32 unit;                 /* index: of a unit where MAPPER_UNIT, of a pipe where
+    int32 unit;                 /* index: of a unit where MAPPER_N64, of a pipe where
                                    MAPPER_GLIDE; else NO_UNIT */
     uint32 primitive;           /* enum unit_primitive; 0 without a unit */
 };
@@ -76,7 +76,7 @@ enum unit_primitive {
     UNIT_COLOURED,              /* polygons; shade is the vertex's R G B A, a byte each */
     UNIT_RECTANGLES,            /* two vertices in whole pixels: left and top, right and bottom; s
                                    and t of the first are s10.5, at the upper left pixel, of the
-                                   second the steps, s5.10: tx/rectangle.h */
+                                   second the steps, s5.10: n64/rectangle.h */
     UNIT_FLIPPED,               /* the same, s downwards and t to the right */
     UNIT_PRIMITIVES
 };
@@ -88,17 +88,17 @@ struct scene_unit {
     uint32 list, lists;         /* first, how many: 1 or 1 + frames */
 };
 
-/* A display list: struct tx_word in the table of words. */
+/* A display list: struct n64_word in the table of words. */
 struct scene_list {
     uint32 word, words;         /* first, how many */
 };
 
-/* A texture unit of Glide's: its registers (tmu/tmu.h) and its part of the file's tmu_memory, where
+/* A texture unit of Glide's: its registers (glide/glide.h) and its part of the file's glide_memory, where
    its tables lie too. */
-struct scene_tmu {
+struct scene_glide_unit {
     uint32 mode, lod, detail, base;
     uint32 memory, bytes;       /* offset, a multiple of 4; how many: a power of two, 8 or more */
-    int32 palette;              /* offset of TMU_ENTRIES longs 00RRGGBB, or NO_TABLE */
+    int32 palette;              /* offset of GLIDE_ENTRIES longs 00RRGGBB, or NO_TABLE */
     int32 ncc;                  /* offset of two tables' registers, or NO_TABLE */
     uint32 fraction_bits;       /* of filter weights: 4 or 8 */
     uint32 dithered;            /* 1: points may stand in for the bilinear filter; or 0 */
@@ -107,12 +107,12 @@ struct scene_tmu {
 
 /* Units in a row, the first nearest the frame. */
 struct scene_pipe {
-    uint32 tmu, tmus;           /* first, how many: 1 or 2 */
+    uint32 glide, glide_units;  /* first, how many: 1 or 2 */
     uint32 own;                 /* 2: the second has s, t and w of its own. An object's vertices are
                                    twice its corners' then: the first half as always, of the second
                                    s, t and w (not 0) count. Not for meshes */
-    uint32 prefilter;           /* bytes: tmu_pipe_prefilter */
-    uint32 adds;                /* 1: tmu_pipe_adds; or 0 */
+    uint32 prefilter;           /* bytes: glide_pipe_prefilter */
+    uint32 adds;                /* 1: glide_pipe_adds; or 0 */
 };
 
 /* One convex polygon that moves, or a rectangle: in frame f it is drawn with pose

@@ -22,7 +22,7 @@ static const struct {
 
 static int32 is_unit(uint32 mapper)
 {
-    return mapper == MAPPER_UNIT || mapper == MAPPER_GLIDE;
+    return mapper == MAPPER_N64 || mapper == MAPPER_GLIDE;
 }
 
 /* Gradients and start of these are what they are. */
@@ -90,8 +90,8 @@ static void restore_gradients(const struct scene *scene)
 
 static void set_units(struct scene *scene, int32 step)
 {
-    for (uint32 i = 0; i < scene->header->tmus; i++)
-        tmu_subdivision(&scene->tmu[i], step == SETTINGS_OWN ? scene->tmus[i].subdivision
+    for (uint32 i = 0; i < scene->header->glide_units; i++)
+        glide_subdivision(&scene->glide[i], step == SETTINGS_OWN ? scene->glide_units[i].subdivision
                                                              : perspective[step].subdivision);
 }
 

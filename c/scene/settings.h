@@ -2,7 +2,7 @@
 
    `accuracy` is edges, gradients and start together, `perspective` is enum perspective. A step sets
    every material as far as it allows:
-   - perspective: where the scene asks for one. Texture units of Glide's take it as tmu_subdivision:
+   - perspective: where the scene asks for one. Texture units of Glide's take it as glide_subdivision:
      16 pixels (none, every16), 8, else at each pixel;
    - gradients and start: not where a perspective is drawn, nor with MAPPER_LIT_GOURAUD,
      MAPPER_DITHERED or texture units;

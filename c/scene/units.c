@@ -3,7 +3,7 @@
 
 #include "system/system.h"
 #include "system/text.h"
-#include "tx/rectangle.h"
+#include "n64/rectangle.h"
 
 const char *scene_wrong_unit(const struct scene *scene)
 {
@@ -21,11 +21,11 @@ const char *scene_wrong_unit(const struct scene *scene)
     return 0;
 }
 
-static enum tx_result run_list(const struct scene *scene, uint32 unit, uint32 number)
+static enum n64_result run_list(const struct scene *scene, uint32 unit, uint32 number)
 {
     const struct scene_list *list = &scene->lists[scene->units[unit].list + number];
 
-    return tx_list_run(&scene->engines[unit].tx, &scene->words[list->word], list->words);
+    return n64_list_run(&scene->engines[unit].n64, &scene->words[list->word], list->words);
 }
 
 int32 scene_make_units(struct scene *scene, int32 kind)
@@ -38,7 +38,7 @@ int32 scene_make_units(struct scene *scene, int32 kind)
     if (!mem_alloc(&scene->engines, (int32)(h->units * sizeof *scene->engines), MEMORY_ANY))
         return 0;
     for (uint32 i = 0; i < h->units; i++) {
-        tx_unit_init(&scene->engines[i], dram, h->dram, kind);
+        n64_unit_init(&scene->engines[i], dram, h->dram, kind);
         run_list(scene, i, 0);
     }
     return 1;
@@ -49,7 +49,7 @@ static enum polygon_result draw_rectangle(const struct frame *frame, const struc
                                           const struct material *material,
                                           const struct drawing *drawing)
 {
-    struct tx_rectangle rectangle;
+    struct n64_rectangle rectangle;
 
     rectangle.left = first->x >> 16;
     rectangle.top = first->y >> 16;
@@ -60,7 +60,7 @@ static enum polygon_result draw_rectangle(const struct frame *frame, const struc
     rectangle.dsdx = last->s;
     rectangle.dtdy = last->t;
     rectangle.flip = flip;
-    return tx_rectangle_draw(frame, &rectangle, material, drawing);
+    return n64_rectangle_draw(frame, &rectangle, material, drawing);
 }
 
 static enum polygon_result draw_upright(const struct frame *frame, const struct vertex *vertices,
@@ -80,7 +80,7 @@ static enum polygon_result draw_flipped(const struct frame *frame, const struct 
 polygon_routine *scene_unit_routine(uint32 primitive)
 {
     static polygon_routine *const routines[UNIT_PRIMITIVES] = {
-        tx_polygon_draw, tx_polygon_draw_coloured, draw_upright, draw_flipped
+        n64_polygon_draw, n64_polygon_draw_coloured, draw_upright, draw_flipped
     };
 
     return routines[primitive];
@@ -94,7 +94,7 @@ void scene_start_units(const struct scene *scene, int32 number)
 }
 
 static int32 refuse(const char *name, uint32 unit, uint32 list, uint32 command,
-                    enum tx_result result)
+                    enum n64_result result)
 {
     text_add(name);
     text_add(": unit ");
@@ -103,30 +103,30 @@ static int32 refuse(const char *name, uint32 unit, uint32 list, uint32 command,
     text_number((int32)list);
     text_add(", command ");
     text_number((int32)command);
-    return text_refuse("", tx_result_text(result));
+    return text_refuse("", n64_result_text(result));
 }
 
 int32 scene_try_units(const struct scene *scene, const char *name)
 {
     for (uint32 i = 0; i < scene->header->units; i++)
         for (uint32 list = 0; list < scene->units[i].lists; list++) {
-            enum tx_result result = run_list(scene, i, list);
+            enum n64_result result = run_list(scene, i, list);
 
-            if (result != TX_DONE)
-                return refuse(name, i, list, scene->engines[i].tx.command, result);
+            if (result != N64_DONE)
+                return refuse(name, i, list, scene->engines[i].n64.command, result);
         }
     return 1;
 }
 
 const char *scene_why_refused(const struct scene *scene)
 {
-    enum tx_result result = TX_DONE;
+    enum n64_result result = N64_DONE;
     const char *pipe = scene_why_pipe_refused(scene);
 
     if (pipe)
         return pipe;
     for (uint32 i = 0; i < scene->header->units; i++)
-        if (scene->engines[i].result != TX_DONE)
+        if (scene->engines[i].result != N64_DONE)
             result = scene->engines[i].result;
-    return tx_result_text(result);
+    return n64_result_text(result);
 }

@@ -1,4 +1,4 @@
-; The parts of tmu_pieces: quotients, steps, coordinates. They use its registers and its stack.
+; The parts of glide_pieces: quotients, steps, coordinates. They use its registers and its stack.
 
 ; \1 = the quotient of \1 = s by d3 = w, above 0; \2: where 32 bits are too few. d5 = 2 w, d4 = 30.
 ; Uses d2.
@@ -18,7 +18,7 @@ quotient macro
 .down\@
         endm
 
-; s and t at d0 and d1 and their steps d2 and d3, moved by d5, as tx_step has them: SSss, ttTT,
+; s and t at d0 and d1 and their steps d2 and d3, moved by d5, as n64_step has them: SSss, ttTT,
 ; tt--, d5 = TT.
 scaled  macro
         lsl.l   d5,d0
@@ -80,7 +80,7 @@ quotients_of_ends macro
 .one    move.l  a5,d3
         beq.s   .zero
         bpl.s   .front
-        tst.w   tmu_steps_behind(a0)
+        tst.w   glide_steps_behind(a0)
         bne.s   .zero
 .front  move.l  d0,d4
         eor.l   d3,d4                   ; below 0: the quotient is

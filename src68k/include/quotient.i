@@ -1,4 +1,4 @@
-; The parts of tmu_divide: quotients by dividing, or from the last ones by differences (see there
+; The parts of glide_divide: quotients by dividing, or from the last ones by differences (see there
 ; for the letters). They use its registers and its stack.
 
 ; d5 = u - half, d6 = r of magnitudes d5 = s, d4 = w, the quotient's sign that of a6. d7 = 30 -

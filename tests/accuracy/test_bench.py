@@ -86,7 +86,7 @@ def test_every_scene_has_rows(found) -> None:
         assert 50_000 < figures[f"scene_{name}", "a1200-fast"] < figures[f"scene_{name}", "a1200"]
 
 
-@pytest.mark.parametrize("name", ["glide_wall", "environment", "corridor", "tx_rectangles"])
+@pytest.mark.parametrize("name", ["glide_wall", "environment", "corridor", "n64_rectangles"])
 def test_cut_scenes_have_their_frames(name: str) -> None:
     """Frames of a scene, some of them twice, show the polygons that they show in the whole of it: all of
     them, and no other frame's."""

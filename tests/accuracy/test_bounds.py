@@ -182,7 +182,7 @@ def test_random_polygons_have_all_that_is_promised() -> None:
     hard."""
     some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
     for kind, names in fuzz_polygons.SETTINGS.items():
-        assert {getattr(p.settings, kind) for p in some} == set(names) - {"unit", "glide"}
+        assert {getattr(p.settings, kind) for p in some} == set(names) - {"n64", "glide"}
     far = sum(any(abs(c) >= 1 << 30 for v in p.vertices for c in v[:4]) for p in some)
     assert 20 < far < 300
     assert {len(p.vertices) for p in some} >= set(range(3, 10))

@@ -113,7 +113,7 @@ def wrong_mappers() -> list[Row]:
     widest.entry("materials", 1, "mapper", *(mappers[name] for name in (
         "gouraud", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud")))
     widest.entry("materials", 1, "perspective", 1, 4)
-    every.entry("materials", flat, "mapper", mappers["unit"], mappers["glide"], M32)
+    every.entry("materials", flat, "mapper", mappers["n64"], mappers["glide"], M32)
     every.entry("materials", flat, "texture", 0)
     every.entry("materials", gouraud, "texture", 0)
     every.entry("materials", affine, "texture", linear, light, -1, past_all)

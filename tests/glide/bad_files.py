@@ -16,33 +16,33 @@ def scene() -> Scene:
                  [Material("glide", unit=0), Material("glide", unit=1), Material()],
                  [Object(0, 0, 3, 0, 1, 0), Object(1, 3, 6, 0, 1, 0), Object(2, 9, 3, 0, 1, 0)],
                  vertices, np.array([IDENTITY]), "rgb565",
-                 tmus=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0, 8]] * 2),
-                 pipes=np.array([[0, 1, 0, 0, 0], [0, 2, 2, 0, 1]]), tmu_memory=bytes(256))
+                 glide_units=np.array([[LOCAL | 10 << 8, 0, 0, 0, 0, 64, -1, 128, 4, 0, 8]] * 2),
+                 pipes=np.array([[0, 1, 0, 0, 0], [0, 2, 2, 0, 1]]), glide_memory=bytes(256))
 
 
 def wrong_pipes() -> list[Row]:
     """What must be said of each is the field, behind the name of what has it."""
     rows: list[Row] = []
     wrong = WrongFields(scene(), rows)
-    entry, memory = wrong.entry, "tmu_memory or tmu_memory_at"
-    registers = "tmu.mode, lod, detail or base"
-    wrong.header("tmu_memory", 257, 1 << 20, M32, said=memory)
-    wrong.header("tmu_memory_at", 0, 2, len(wrong.data), M32 - 7, said=memory)
-    entry("tmus", 1, "mode", LOCAL | 6 << 8, LOCAL | 15 << 8, LOCAL | 6 << 14, LOCAL | 7 << 23,
+    entry, memory = wrong.entry, "glide_memory or glide_memory_at"
+    registers = "glide.mode, lod, detail or base"
+    wrong.header("glide_memory", 257, 1 << 20, M32, said=memory)
+    wrong.header("glide_memory_at", 0, 2, len(wrong.data), M32 - 7, said=memory)
+    entry("glide_units", 1, "mode", LOCAL | 6 << 8, LOCAL | 15 << 8, LOCAL | 6 << 14, LOCAL | 7 << 23,
           said=registers)
-    entry("tmus", 0, "lod", 1 << 23, M32, said=registers)
-    entry("tmus", 0, "detail", 1 << 17, M32, said=registers)
-    entry("tmus", 0, "base", 1 << 29, M32, said=registers)
-    entry("tmus", 0, "memory", 2, 196, 256, M32 - 3)
-    entry("tmus", 0, "bytes", 0, 4, 65)
-    entry("tmus", 0, "bytes", 512, 1 << 31, said="tmu.memory")
-    entry("tmus", 0, "palette", 0, 2, M32 - 1, 1 << 31)
-    entry("tmus", 0, "ncc", 164, 2, M32 - 1)
-    entry("tmus", 1, "fraction_bits", 0, 5, M32)
-    entry("tmus", 1, "dithered", 2, M32)
-    entry("tmus", 1, "subdivision", 1, 4, 32, M32)
-    entry("pipes", 0, "tmus", 0, 3, M32)
-    entry("pipes", 1, "tmu", 1, 2, M32, said="pipe.tmus")
+    entry("glide_units", 0, "lod", 1 << 23, M32, said=registers)
+    entry("glide_units", 0, "detail", 1 << 17, M32, said=registers)
+    entry("glide_units", 0, "base", 1 << 29, M32, said=registers)
+    entry("glide_units", 0, "memory", 2, 196, 256, M32 - 3)
+    entry("glide_units", 0, "bytes", 0, 4, 65)
+    entry("glide_units", 0, "bytes", 512, 1 << 31, said="glide.memory")
+    entry("glide_units", 0, "palette", 0, 2, M32 - 1, 1 << 31)
+    entry("glide_units", 0, "ncc", 164, 2, M32 - 1)
+    entry("glide_units", 1, "fraction_bits", 0, 5, M32)
+    entry("glide_units", 1, "dithered", 2, M32)
+    entry("glide_units", 1, "subdivision", 1, 4, 32, M32)
+    entry("pipes", 0, "glide_units", 0, 3, M32)
+    entry("pipes", 1, "glide", 1, 2, M32, said="pipe.glide_units")
     entry("pipes", 0, "own", 1, 2)
     entry("pipes", 1, "own", 1, 3, M32)
     entry("pipes", 0, "adds", 2, M32)

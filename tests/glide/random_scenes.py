@@ -210,7 +210,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
     flats = PIXELS[pixels].flat(STRIPS)
-    materials, objects, corners, tmus, pipes = [], [], [], [], []
+    materials, objects, corners, glide_units, pipes = [], [], [], [], []
     for n in range(len(STRIPS)):
         objects += [Object(len(cases) + n, len(corners), 4, 0, 1, frame)
                     for frame, each in enumerate(cases) if each.adds]
@@ -219,16 +219,16 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
         materials.append(Material("glide", each.edges, clip=each.clip, unit=n))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices
-        pipes.append([len(tmus), len(each.units), 2 * each.own, PREFILTER_KB << 10,
+        pipes.append([len(glide_units), len(each.units), 2 * each.own, PREFILTER_KB << 10,
                       each.adds])
-        tmus += each.units
+        glide_units += each.units
     ground, dot = PIXELS[pixels].flat([(16, 32, 48), (240, 24, 24)])
     materials += [Material(colour=colour) for colour in [*flats, dot]]
     objects.append(Object(len(materials) - 1, len(corners), 3, 0, len(cases), 0))
     corners += [(x * ONE, y * ONE, 0, 0, 0, ONE) for x, y in ((0, 0), (2, 0), (0, 2))]
     return Scene(WIDTH, HEIGHT, len(cases), ground, np.zeros((256, 3), np.uint8), [], materials,
                  objects, np.array(corners, np.int64), np.array([IDENTITY] * len(cases), np.int64),
-                 pixels, tmus=np.array(tmus, np.int64), pipes=np.array(pipes, np.int64),
-                 tmu_memory=memory.tobytes())
+                 pixels, glide_units=np.array(glide_units, np.int64), pipes=np.array(pipes, np.int64),
+                 glide_memory=memory.tobytes())
 
 

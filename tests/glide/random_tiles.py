@@ -79,15 +79,15 @@ def scene(seed: int, numbers: list[int], pixels: str, prefilter: int) -> Scene:
     """Cases by their numbers, each FRAMES frames long; ``prefilter``: bytes."""
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
-    materials, objects, corners, poses, tmus, pipes = [], [], [], [], [], []
+    materials, objects, corners, poses, glide_units, pipes = [], [], [], [], [], []
     for k, number in enumerate(numbers):
         rng = random.Random(f"tiles, {seed}, {number}")
         kind = KINDS[number % len(KINDS)]
         count = 1 if kind in ("bilinear", "repeated") else 2 if kind != "any" else rng.choice((1, 2))
         largest = rng.choice((1, 2, 2, 3, 4, 5)) if kind != "repeated" else rng.choice((4, 5, 6))
-        pipes.append([len(tmus), count, 0, prefilter, 0])
-        tmus += [unit(rng, kind, n, count, max(largest - rng.randrange(2) * n, 0))
-                 for n in range(count)]
+        pipes.append([len(glide_units), count, 0, prefilter, 0])
+        glide_units += [unit(rng, kind, n, count, max(largest - rng.randrange(2) * n, 0))
+                        for n in range(count)]
         materials.append(Material("glide", rng.choice(("subpixel", "exact")), unit=k))
         made = vertices(rng, kind, 2 ** largest)
         objects.append(Object(k, len(corners), len(made), len(poses), FRAMES, FRAMES * k))
@@ -96,5 +96,5 @@ def scene(seed: int, numbers: list[int], pixels: str, prefilter: int) -> Scene:
     ground, = PIXELS[pixels].flat([(16, 32, 48)])
     return Scene(WIDTH, HEIGHT, FRAMES * len(numbers), ground, np.zeros((256, 3), np.uint8), [],
                  materials, objects, np.array(corners, np.int64), np.array(poses, np.int64), pixels,
-                 tmus=np.array(tmus, np.int64), pipes=np.array(pipes, np.int64),
-                 tmu_memory=memory.tobytes())
+                 glide_units=np.array(glide_units, np.int64), pipes=np.array(pipes, np.int64),
+                 glide_memory=memory.tobytes())

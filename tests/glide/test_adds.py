@@ -46,12 +46,12 @@ def glide(more: str, *units: str) -> str:
 def blend_whole(scene: Scene, parities: tuple[str, ...]) -> Scene:
     """The registers of units with whole maps as Glide's tex-lod-blend call leaves them: of each
     the levels that it draws."""
-    tmus = scene.tmus.copy()
-    for row, parity in zip(tmus, parities):
+    glide_units = scene.glide_units.copy()
+    for row, parity in zip(glide_units, parities):
         for field, bit in (("trilinear", 1), ("odd", *LEVELS[parity])):
             register, shift, _ = FIELDS[field]
             row[register] |= int(bit) << shift
-    return replace(scene, tmus=tmus)
+    return replace(scene, glide_units=glide_units)
 
 
 def trilinear(folder, whole: bool, passes: int, pixels: str = "rgba8888") -> Scene:
@@ -116,6 +116,6 @@ def test_nothing_is_replaced(folder):
             asked[f"{texels}, {pixels}"] = Asked(compiled(folder, text))
     for (name, each), drawn in zip(asked.items(), guest_runs.draw([*asked.values()])):
         guest_runs.check(name, each, drawn)
-        assert "tmu_passes" in drawn.rules, (name, drawn.rules)
-        assert not drawn.rules & {"tmu_plain", "tmu_tiles"}, (name, drawn.rules)
-        assert drawn.spans == {"tmu_passes"}, (name, drawn.figures)
+        assert "glide_passes" in drawn.rules, (name, drawn.rules)
+        assert not drawn.rules & {"glide_plain", "glide_tiles"}, (name, drawn.rules)
+        assert drawn.spans == {"glide_passes"}, (name, drawn.figures)

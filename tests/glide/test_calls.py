@@ -203,25 +203,25 @@ def answers() -> dict:
     choose = random.Random(22)
     words = [random_registers(choose) for _ in range(ROUNDS)]
     note("round", min([guest.call("REGISTERS", *(word for word in four)) for four in words]))
-    guest.do("TMU_RESET", 4)
+    guest.do("GLIDE_RESET", 4)
     first = guest.call("SOURCE", *MAP)
-    guest.ask("TMU_GENERATIONS", numbers=3)
+    guest.ask("GLIDE_GENERATIONS", numbers=3)
     for name, arguments, _ in BAD:
         guest.call(name, *arguments)
-    guest.ask("TMU_GENERATIONS", numbers=3)
+    guest.ask("GLIDE_GENERATIONS", numbers=3)
     note("bad", first)
-    first = guest.ask("TMU_GENERATIONS", numbers=3)
+    first = guest.ask("GLIDE_GENERATIONS", numbers=3)
     for name, arguments in CHANGES:
         guest.call(name, *arguments)
-        guest.ask("TMU_GENERATIONS", numbers=3)
+        guest.ask("GLIDE_GENERATIONS", numbers=3)
     note("generations", first)
     first = guest.call("PALETTE", 0, 255, *PALETTE)
     guest.call("PALETTE", 3, 4, 0xFF123456, 0x654321)
     guest.call("NCC", 1, *NCC)
     guest.call("NCC_REGISTERS", 0, *NCC_WORDS)
     note("tables", first)
-    count = layout.load().constants["TMU_RESULTS"]
-    note("texts", min([guest.ask("TMU_RESULT_TEXT", n, numbers=TEXT_LONGS)
+    count = layout.load().constants["GLIDE_RESULTS"]
+    note("texts", min([guest.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
                        for n in range(count + 1)]))
     found = guest.run()
     return {name: found[first:end] for name, (first, end) in ranges.items()} | {

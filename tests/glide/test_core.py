@@ -55,7 +55,7 @@ class Questions:
 
     def regs(self, mode: int, lod: int = WIDE, detail: int = 0) -> None:
         """The registers; base address 0."""
-        self.guest.do("TMU_REGISTERS", mode, lod, detail, 0)
+        self.guest.do("GLIDE_REGISTERS", mode, lod, detail, 0)
 
     def pixel(self, argb: int, s: int, t: int, w: int = W_ONE, other: int = 0, x: int = 0,
               y: int = 0) -> None:
@@ -64,7 +64,7 @@ class Questions:
 
     def lod(self, level: Fraction) -> None:
         """Gradients of a LOD that is a whole number."""
-        self.guest.do("TMU_GRADIENTS", int(2 ** level * ONE), 0, 0, 0)
+        self.guest.do("GLIDE_GRADIENTS", int(2 ** level * ONE), 0, 0, 0)
 
 
 def nearest_logarithm(x: int) -> int:
@@ -141,7 +141,7 @@ def detail_factors(q: Questions) -> None:
                                              (4, 5, 200, 17, 0), (8, 5, 200, 4, 200),
                                              (-32, 7, 255, 0, 0), (31, 7, 255, 0, 255)):
         q.regs(DETAIL_FACTOR | REVERSE, lods(lod, 32), details(bias, scale, most))
-        q.guest.do("TMU_GRADIENTS", 0, 0, 0, 0)
+        q.guest.do("GLIDE_GRADIENTS", 0, 0, 0, 0)
         q.pixel((255 * (expected + 1) >> 8) * 0x01010101, 0, 0, other=MASK)
 
 
@@ -220,8 +220,8 @@ class Chain:
 
     def regs(self, unit: int, mode: int, rest: int) -> None:
         """Of one."""
-        self.guest.do("TMU_CHOOSE", unit)
-        self.guest.do("TMU_REGISTERS", mode | AI88, lods(0, 32, rest=WIDE | rest), 0, 0)
+        self.guest.do("GLIDE_CHOOSE", unit)
+        self.guest.do("GLIDE_REGISTERS", mode | AI88, lods(0, 32, rest=WIDE | rest), 0, 0)
 
     def chain(self, units: int, own: int, *points: tuple[int, int]) -> int:
         """A pixel of units in a row."""
@@ -230,7 +230,7 @@ class Chain:
 
     def blend(self, lod: int, even_first: bool) -> None:
         """Trilinear filtering in one pass; each unit's own colour besides."""
-        self.guest.do("TMU_GRADIENTS", *gradients(lod))
+        self.guest.do("GLIDE_GRADIENTS", *gradients(lod))
         parities = (SPLIT, SPLIT | ODD) if even_first else (SPLIT | ODD, SPLIT)
         point = 37 * ONE, 91 * ONE
         own = []
@@ -244,11 +244,11 @@ class Chain:
 
     def two_passes(self, lod: int) -> None:
         """Of a whole map: even levels, then odd ones; the colours of both before."""
-        self.guest.do("TMU_GRADIENTS", *gradients(lod))
+        self.guest.do("GLIDE_GRADIENTS", *gradients(lod))
         point = 200 * ONE, 17 * ONE, W_ONE, 0, 0, 0
         asked = []
         for level in (lod >> 8, (lod >> 8) + 1):
-            self.guest.do("TMU_REGISTERS", LOCAL | AI88, lods(4 * level, 4 * level), 0, 0)
+            self.guest.do("GLIDE_REGISTERS", LOCAL | AI88, lods(4 * level, 4 * level), 0, 0)
             asked.append(self.guest.one("PIXEL", *point))
         for reverse, rest in ((REVERSE, 0), (0, ODD)):
             self.regs(0, ZERO_OTHER | SUB_LOCAL | ADD_LOCAL | LOD_FACTOR | reverse | TRILINEAR,
@@ -284,18 +284,18 @@ def answers() -> tuple[Questions, Chain, list[int]]:
     """One boot for all."""
     q = Questions()
     numbers(q, random.Random(41))
-    q.guest.do("TMU_RESET", 4)
+    q.guest.do("GLIDE_RESET", 4)
     fractions(q)
     detail_factors(q)
-    q.guest.do("TMU_RANDOM", SEED)
+    q.guest.do("GLIDE_RANDOM", SEED)
     samples(q, xorshift(SEED, 1 << 16).astype("<u4").tobytes())
     chain = Chain(q.guest)
-    q.guest.do("TMU_CHOOSE", 1)
-    q.guest.do("TMU_RANDOM", SEED)
+    q.guest.do("GLIDE_CHOOSE", 1)
+    q.guest.do("GLIDE_RANDOM", SEED)
     for lod in LODS:
         chain.blend(lod, True)
         chain.blend(lod, False)
-    q.guest.do("TMU_CHOOSE", 0)
+    q.guest.do("GLIDE_CHOOSE", 0)
     for lod in LODS:
         chain.two_passes(lod)
     chain.whose_points()
@@ -354,7 +354,7 @@ def test_programs_carry_what_they_call() -> None:
     """The linker leaves out the rest."""
     maps = {name: (ROOT / "build" / "programs" / f"{name}.map").read_text()
             for name in ("vectors", "render", "bench")}
-    assert "tmu_pixel" in maps["vectors"] and "tmu_pixel" in maps["render"]
-    assert "tmu_pixel" not in maps["bench"], "bench has passes alone"
-    for call in ("tmu_download_rows", "tmu_registers_of"):
+    assert "glide_pixel" in maps["vectors"] and "glide_pixel" in maps["render"]
+    assert "glide_pixel" not in maps["bench"], "bench has passes alone"
+    for call in ("glide_download_rows", "glide_registers_of"):
         assert call in maps["vectors"] and call not in maps["render"], call

@@ -31,7 +31,7 @@ class Map:
     form: str
 
     def numbers(self) -> list[int]:
-        """The arguments of tmu_source, and of the downloads."""
+        """The arguments of glide_source, and of the downloads."""
         return [self.start, LEVEL_NUMBERS[self.levels],
                 *texture(self.largest, self.smallest, self.aspect, self.form)]
 
@@ -106,8 +106,8 @@ class Replay:
 
     def __init__(self, seed: int) -> None:
         self.guest, self.memory = Guest(), Memory(seed)
-        self.guest.do("TMU_RESET", 4)
-        self.guest.do("TMU_RANDOM", seed)
+        self.guest.do("GLIDE_RESET", 4)
+        self.guest.do("GLIDE_RANDOM", seed)
         self.expected: list[tuple[str, list[int]]] = []
 
     def call(self, name: str, *numbers: int) -> None:
@@ -124,7 +124,7 @@ class Replay:
                                   [self.memory.total(of.form, address, of.texels(level))]))
         for address in (of.start - 4 * AROUND, of.start + of.required()):
             address %= MEMORY
-            self.guest.ask("TMU_BYTES_OF", address, AROUND, numbers=AROUND)
+            self.guest.ask("GLIDE_BYTES_OF", address, AROUND, numbers=AROUND)
             self.expected.append((f"{of}: memory at {address}",
                                   self.memory.longs(address, AROUND)))
 
@@ -179,7 +179,7 @@ def replay() -> Replay:
         replay.part(of, level, rows, choose.getrandbits(32) | 1)
         replay.look(of)
     for address in range(0, MEMORY, MEMORY // 8):
-        replay.guest.ask("TMU_BYTES_OF", address, MEMORY // 32, numbers=MEMORY // 32)
+        replay.guest.ask("GLIDE_BYTES_OF", address, MEMORY // 32, numbers=MEMORY // 32)
         replay.expected.append((f"all memory from {address} on",
                                 replay.memory.longs(address, MEMORY // 32)))
     return replay

@@ -71,15 +71,15 @@ def factors(name: str) -> np.ndarray:
 def test_levels_are_priced_where_they_differ() -> None:
     """Far polygons cross three levels; the constant ones have one; trilinear filtering that is
     magnified has no fraction; a detail texture is there wholly, fades, and is gone."""
-    for name in ("tmu_mip_point", "tmu_mip_bilinear", "tmu_trilinear", "tmu_mip_bilinear_dither"):
+    for name in ("glide_mip_point", "glide_mip_bilinear", "glide_trilinear", "glide_mip_bilinear_dither"):
         assert len(np.unique(drawn_levels(name) >> 8)) >= 3, name
-    for name in ("tmu_mip_level", "tmu_trilinear_level"):
+    for name in ("glide_mip_level", "glide_trilinear_level"):
         found = np.unique(drawn_levels(name))
         assert len(found) == 1 and found[0] > 3 * 256 and found[0] & 255, name
-    assert np.unique(drawn_levels("tmu_trilinear_double")).tolist() == [3 * 256]
-    assert factors("tmu_detail_near").min() >= 255
-    assert factors("tmu_detail").min() < 64 and factors("tmu_detail").max() > 192
-    assert factors("tmu_detail_away").max() <= 0
+    assert np.unique(drawn_levels("glide_trilinear_double")).tolist() == [3 * 256]
+    assert factors("glide_detail_near").min() >= 255
+    assert factors("glide_detail").min() < 64 and factors("glide_detail").max() > 192
+    assert factors("glide_detail_away").max() <= 0
 
 
 #: How far a coordinate is off, in texels of 8 units: steps of S and T are rounded to 1/2^17 unit
@@ -96,10 +96,10 @@ CUT = 1  # of a result to 8 bits
 
 
 @pytest.mark.parametrize("name, steps", [
-    ("tmu_bilinear", STEP), ("tmu_bilinear_8", STEP_8), ("tmu_double", STEP),
-    ("tmu_eightfold", STEP), ("tmu_bilinear_perspective", STEP),
-    ("tmu_level_bilinear", STEP), ("tmu_decal", STEP), ("tmu_detail_away", STEP),
-    ("tmu_trilinear_double", STEP)])
+    ("glide_bilinear", STEP), ("glide_bilinear_8", STEP_8), ("glide_double", STEP),
+    ("glide_eightfold", STEP), ("glide_bilinear_perspective", STEP),
+    ("glide_level_bilinear", STEP), ("glide_decal", STEP), ("glide_detail_away", STEP),
+    ("glide_trilinear_double", STEP)])
 def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
     """On the smooth picture, whose steps are small, and on noise, whose steps are up to 255."""
     for kind, slope in zip(KINDS, (SLOPE, 255)):
@@ -114,8 +114,8 @@ def test_bilinear_errors_of_formats(name) -> None:
 
 
 @pytest.mark.parametrize("name, has_factor", [
-    ("tmu_modulate", 1), ("tmu_modulate_perspective", 1), ("tmu_projected", 1), ("tmu_add", 0),
-    ("tmu_blend", 1)])
+    ("glide_modulate", 1), ("glide_modulate_perspective", 1), ("glide_projected", 1), ("glide_add", 0),
+    ("glide_blend", 1)])
 def test_errors_of_two_units(name, has_factor) -> None:
     """Texels of both units count once each where they are multiplied or added; a blend is of one or
     the other, and its factor, an alpha, is off as much as texels are, times a difference of
@@ -128,13 +128,13 @@ def test_errors_of_two_units(name, has_factor) -> None:
 def test_trilinear_error_of_one_level() -> None:
     """Both levels' samples, mixed, so the larger of their errors; the level to 1/256, rounded by
     as much as the weight w + 1 for w; one cut (tests/glide/test_ideal.py: test_trilinear_samples)."""
-    off = glide_errors.error_of(EVERY["tmu_trilinear_level"], "noise")
+    off = glide_errors.error_of(EVERY["glide_trilinear_level"], "noise")
     assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, off
 
 
 @pytest.mark.parametrize("name", [
-    "tmu_copy", "tmu_point", "tmu_point_clamp", "tmu_point_inside", "tmu_level_point",
-    "tmu_point_565", *(names[0] for names in FORMATS.values())])
+    "glide_copy", "glide_point", "glide_point_clamp", "glide_point_inside", "glide_level_point",
+    "glide_point_565", *(names[0] for names in FORMATS.values())])
 def test_point_sampling_without_perspective_is_exact(name) -> None:
     """On both pictures, in frames of both widths; frames of 565 show the bits that texels have."""
     for kind in KINDS:
@@ -150,9 +150,9 @@ def test_what_is_meant_is_nearer() -> None:
         found = scene.pixel.picture(render(scene, measure.FIRST))[on.y, on.x]
         return error(found, glide_errors.intended(on, how or mode.filter)).rms
 
-    one_level = rms("tmu_mip_bilinear", "trilinear")
-    assert rms("tmu_trilinear") < rms("tmu_mip_bilinear_dither") < one_level
-    assert rms("tmu_bilinear_8") < rms("tmu_bilinear") / 4
+    one_level = rms("glide_mip_bilinear", "trilinear")
+    assert rms("glide_trilinear") < rms("glide_mip_bilinear_dither") < one_level
+    assert rms("glide_bilinear_8") < rms("glide_bilinear") / 4
 
 
 def test_pictures_are_what_they_say() -> None:
@@ -190,5 +190,5 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
     """Some; the bench draws them all."""
     few = {mode.name: mode for mode in MODES[:4]}
-    monkeypatch.setitem(engines.ENGINES, "tmu", replace(engines.TMU, every=few))
-    mode_tables.check(tmp_path, capsys, "tmu", list(few.values()))
+    monkeypatch.setitem(engines.ENGINES, "glide", replace(engines.GLIDE, every=few))
+    mode_tables.check(tmp_path, capsys, "glide", list(few.values()))

@@ -1,6 +1,6 @@
 """Random polygons of Glide's texture units: every frame of the guest is the model's, bit for bit.
 
-TMU_SEED and TMU_COUNT choose others; TMU_CASE draws one of them alone.
+GLIDE_SEED and GLIDE_COUNT choose others; GLIDE_CASE draws one of them alone.
 """
 
 from dataclasses import replace
@@ -29,7 +29,7 @@ def lines(each: Case) -> list[str]:
             *vertex_lines(each.vertices)]
 
 
-POLYGONS = Polygons("TMU", 60, lambda seed, number, _: case(seed, number), scene, lines, MOST)
+POLYGONS = Polygons("GLIDE", 60, lambda seed, number, _: case(seed, number), scene, lines, MOST)
 SEED = POLYGONS.seed
 
 
@@ -106,9 +106,9 @@ def test_pieces_are_seen() -> None:
     seen, found = 0, {"pieces": set(), "filters": set(), "clamp": set(), "own": set()}
     for each in POLYGONS.first("rgba8888"):
         made = scene([each], SEED, "rgba8888")
-        tmus = made.tmus.copy()
-        tmus[:, pipes.COLUMNS["tmus"].index("subdivision")] = 0
-        exact = model.render(replace(made, tmus=tmus), 0)
+        glide_units = made.glide_units.copy()
+        glide_units[:, pipes.COLUMNS["glide_units"].index("subdivision")] = 0
+        exact = model.render(replace(made, glide_units=glide_units), 0)
         if np.array_equal(exact, model.render(made, 0)):
             continue
         assert all(modes["mode"] != "nearest_dither" for modes in each.modes), each
@@ -124,11 +124,11 @@ def test_pieces_are_seen() -> None:
 def test_frames_are_the_models(pixels: str) -> None:
     """Each polygon in a frame of its own, many in a boot, by the rules of lowering."""
     rules, spans = POLYGONS.check(pixels)
-    assert "tmu_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
+    assert "glide_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
     if not POLYGONS.asked("CASE"):
-        assert rules >= {"tmu_plain", "tmu_passes", "constant_w"}, rules
+        assert rules >= {"glide_plain", "glide_passes", "constant_w"}, rules
         assert spans & {f"dithered_{BITS[pixels]}{end}" for end in ("", "_wrap")}, spans
-        assert "tmu_passes" in spans, spans
+        assert "glide_passes" in spans, spans
 
 
 @pytest.mark.parametrize("pixels", PIXELS)
@@ -136,4 +136,4 @@ def test_frames_are_the_models_without_rules(pixels: str) -> None:
     """Fewer polygons, and other ones."""
     _, spans = POLYGONS.check(pixels, "all")
     if not POLYGONS.asked("CASE"):
-        assert "tmu_pixels" in spans and "tmu_passes" not in spans, spans
+        assert "glide_pixels" in spans and "glide_passes" not in spans, spans

@@ -166,7 +166,7 @@ def test_large_maps_with_chip_ram_alone(folder):
                      f'mipmap = "none", min = "bilinear", mag = "bilinear", weights = {bits}')
         asked[f"weights of {bits} bits"] = Asked(make(folder, unit, SQUARE.replace("256", "250")))
     for name, drawn in zip(asked, check_all(asked, "a1200")):
-        assert drawn.spans == {"tmu_passes"}, (name, drawn.spans)
+        assert drawn.spans == {"glide_passes"}, (name, drawn.spans)
 
 
 def test_slide(folder):
@@ -186,7 +186,7 @@ def test_slide(folder):
 def test_equal_units_and_texels_are_there_once(folder):
     """Two units of one map: rows of their own, one copy of the texels."""
     scene = make(folder, units(UNIT, UNIT))
-    assert len(scene.tmus) == 2 and len(scene.tmu_memory) == 4096
+    assert len(scene.glide_units) == 2 and len(scene.glide_memory) == 4096
     assert pipes.unit_of(scene, 0).memory.size == 4096
 
 
@@ -250,7 +250,7 @@ def test_refused(folder, glide, message):
     ({"pixels": "rgba5551"}, "materials.it.glide: a scene in rgba5551 has no texture engine of "
                              "this kind; one in rgb565 or rgba8888 has"),
     ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
-    ({"more": 'mapper = "unit", '}, "materials.it.mapper: 'unit' is not one of glide"),
+    ({"more": 'mapper = "n64", '}, "materials.it.mapper: 'n64' is not one of glide"),
     ({"obj": SQUARE.replace("32, 0,", "32, 0, 1,")},
      "objects[0].vertices[1]: must be [x, y, s, t]"),
     ({"obj": SQUARE.replace("256", "9000")},

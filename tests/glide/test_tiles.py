@@ -1,7 +1,7 @@
 """Prefiltered tiles of Glide's texture units: frames are the model's, bit for bit, before tiles
 pay, while they are made and afterwards, with memory for many and for a few.
 
-TMU_SEED and TMU_COUNT choose others; TMU_CASE draws one of them alone.
+GLIDE_SEED and GLIDE_COUNT choose others; GLIDE_CASE draws one of them alone.
 """
 
 import os
@@ -18,9 +18,9 @@ from tmap.model import model
 from tmap.run import run
 
 MACHINE = "a1200-fast"
-SEED = int(os.environ.get("TMU_SEED", "1"))
-COUNT = int(os.environ.get("TMU_COUNT", "14"))
-ALONE = os.environ.get("TMU_CASE")
+SEED = int(os.environ.get("GLIDE_SEED", "1"))
+COUNT = int(os.environ.get("GLIDE_COUNT", "14"))
+ALONE = os.environ.get("GLIDE_CASE")
 PIXELS = ("rgb565", "rgba8888")
 TILES = (8, 2, 1, 0)  # that there is memory for
 PAID = PIXELS[0], TILES[0]
@@ -44,7 +44,7 @@ def about(number: int, frame: int, pixels: str, tiles: int) -> str:
 
 def again(number: int, pixels: str) -> str:
     """The command that draws a case alone."""
-    return (f"; again, pixel by pixel: TMU_SEED={SEED} TMU_CASE={number} .deps/venv/bin/python -m "
+    return (f"; again, pixel by pixel: GLIDE_SEED={SEED} GLIDE_CASE={number} .deps/venv/bin/python -m "
             f"pytest tests/glide/test_tiles.py -k 'counted and {pixels}'")
 
 
@@ -55,7 +55,7 @@ def drawn() -> dict[tuple, tuple[Asked, Drawn]]:
     asked = {(pixels, tiles): Asked(scene(SEED, numbers(k * COUNT), pixels, room(pixels, tiles)),
                                     counted=(pixels, tiles) == PAID)
              for pixels in PIXELS for k, tiles in enumerate(TILES)}
-    asked["directly"] = Asked(asked[PAID].scene, "tmu_tiles", counted=False)
+    asked["directly"] = Asked(asked[PAID].scene, "glide_tiles", counted=False)
     return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()], MACHINE))))
 
 
@@ -90,10 +90,10 @@ def test_what_is_counted(pixels: str) -> None:
     if ALONE:
         return
     rules = {rule for material in done.executed for rule in material["rules"]}
-    assert "tmu_tiles" in rules, rules
+    assert "glide_tiles" in rules, rules
     of_cases = [[*kinds[k:k + FRAMES]] for k in range(0, len(kinds), FRAMES)]
-    assert any({"tmu_passes"} == case[0] and {"tmu_tiles"} == case[-1] for case in of_cases)
-    assert any({"tmu_passes"} == case[-1] for case in of_cases)
+    assert any({"glide_passes"} == case[0] and {"glide_tiles"} == case[-1] for case in of_cases)
+    assert any({"glide_passes"} == case[-1] for case in of_cases)
 
 
 def test_tiles_pay(drawn) -> None:
@@ -105,7 +105,7 @@ def test_tiles_pay(drawn) -> None:
     paid = 0
     for k in range(0, each.scene.frames, FRAMES):
         last = k + FRAMES - 1
-        if all(set(on.figures[f]["spans"]) == {"tmu_tiles"} for f in (last - 1, last)):
+        if all(set(on.figures[f]["spans"]) == {"glide_tiles"} for f in (last - 1, last)):
             ticks = [int(found.digests["ticks"][last]) for found in (on, off)]
             assert ticks[0] < ticks[1], f"case {k // FRAMES}: {ticks[0]} ticks, {ticks[1]} directly"
             paid += 1

@@ -20,7 +20,7 @@ def checked(tmp_path_factory) -> dict[str, vectors.File]:
     name that tells the wrong weights."""
     folder = tmp_path_factory.mktemp("vectors")
     lines = gzip.decompress(FILES[0].read_bytes()).decode().splitlines()[:SHORT]
-    (folder / "tmu.txt").write_text("\n".join(lines) + "\n")
+    (folder / "glide.txt").write_text("\n".join(lines) + "\n")
     place = [n for n, line in enumerate(lines) if line.startswith("pix")][3]
     question, _, answer = lines[place].partition(" = ")
     lines[place] = f"{question} = {int(answer, 16) ^ 0x100:08x}"
@@ -58,5 +58,5 @@ def test_a_wrong_answer_is_noticed(checked) -> None:
 
 def test_the_name_tells_how_wide_weights_are(checked) -> None:
     """Weights of 4 bits do not give the colours of those of 8."""
-    file = checked["tmu.txt"]
+    file = checked["glide.txt"]
     assert len(file.questions) == 100 and len(file.wrong) > 20 and not file.passes()

@@ -1,4 +1,4 @@
-"""Every routine of src68k/math, mesh, polygon, edge, span, tx, tmu and screen,
+"""Every routine of src68k/math, mesh, polygon, edge, span, n64, glide and screen,
 called on the emulated A1200 and held to its contract block and to a reference in Python."""
 
 from concurrent.futures import ThreadPoolExecutor
@@ -23,8 +23,8 @@ ALL_IN_C = [IN_C,
             replace(IN_C, name="logarithms_make", file="c/polygon/logarithms.c",
                     summary="tables of logarithms and powers"),
             *(replace(IN_C, name=name, file=file, summary=summary) for file, summary, names in (
-                ("c/tx", "a pass in C", n64.IN_C),
-                ("c/tmu", "a pass in C", glide.IN_C),
+                ("c/plain", "a pass in C", n64.IN_C),
+                ("c/plain", "a pass in C", glide.IN_C),
                 ("c/screen", "in C", screen.IN_C)) for name in names)]
 CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL_IN_C]}
 ROOMS = (mappers, reciprocal, span, tiled,

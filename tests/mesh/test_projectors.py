@@ -139,9 +139,9 @@ def test_nothing_is_shown_behind_a_projector(folder):
 def test_the_window_needs_its_clamp():
     """In its first frame the scene would have another window where w is below 0."""
     scene = compile_scene(SCENES / "glide_window.toml", 1)
-    words = scene.tmus.copy()
+    words = scene.glide_units.copy()
     words[:, 0] &= ~CLAMP_W
-    assert np.count_nonzero(model.render(scene, 0) != model.render(replace(scene, tmus=words), 0)) \
+    assert np.count_nonzero(model.render(scene, 0) != model.render(replace(scene, glide_units=words), 0)) \
         > 1000
 
 

@@ -21,7 +21,7 @@ def primitives() -> Scene:
     """A rectangle and a coloured triangle of the texture engine."""
     vertices = np.full((6, 6), 65536)
     vertices[:, 2:4] = 7
-    materials = [*(Material("unit", unit=0, primitive=kind) for kind in KINDS), Material()]
+    materials = [*(Material("n64", unit=0, primitive=kind) for kind in KINDS), Material()]
     return with_engine(Scene(
         8, 8, 3, 0, np.zeros((256, 3), np.uint8), [], materials,
         [Object(0, 0, 2, 0, 3, 0), Object(1, 2, 3, 0, 3, 0)], vertices, np.array([IDENTITY] * 4)))
@@ -30,12 +30,12 @@ def primitives() -> Scene:
 def boxes() -> Scene:
     """Meshes, and a material they cannot have."""
     scene = with_engine(mesh_cases.boxes(1))
-    scene.materials = [Material()] * 6 + [Material("unit", unit=0, primitive="coloured")]
+    scene.materials = [Material()] * 6 + [Material("n64", unit=0, primitive="coloured")]
     return scene
 
 
 def wrong_primitives() -> list[Row]:
-    """As wrong_pipes of tmu_bad_files."""
+    """As wrong_pipes of glide_bad_files."""
     rows: list[Row] = []
     entry = WrongFields(primitives(), rows).entry
     entry("materials", 0, "primitive", 4, M32)

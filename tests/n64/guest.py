@@ -70,8 +70,8 @@ class Guest(vector_guest.Guest):
 
 
 def result(name: str) -> int:
-    """A result's number; ``name`` without TX_."""
-    return layout.load().constants[f"TX_{name}"]
+    """A result's number; ``name`` without N64_."""
+    return layout.load().constants[f"N64_{name}"]
 
 
 def result_name(number: int) -> str:

@@ -280,7 +280,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
     texels = rng.integers(0, 256, DRAM_BYTES, np.uint8)
     materials, objects, corners, units, lists, words = [], [], [], [], [], []
     for n, each in enumerate(cases):
-        materials.append(Material("unit", each.edges, clip=each.clip, unit=n,
+        materials.append(Material("n64", each.edges, clip=each.clip, unit=n,
                                   primitive=each.primitive))
         objects.append(Object(n, len(corners), len(each.vertices), 0, 1, n))
         corners += each.vertices

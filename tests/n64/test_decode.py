@@ -44,7 +44,7 @@ def tiles() -> Iterator[tuple[str, dict[str, int], tuple[int, ...], tuple[int, i
         form, (format, size, more) = list(FORMATS.items())[number % len(FORMATS)]
         across, down = pairs[number % len(pairs)]
         if format == YUV and AXES[across][1]:
-            across = "clamp"  # mirrored chroma is nobody's: c/tx/yuv.c
+            across = "clamp"  # mirrored chroma is nobody's: c/n64/yuv.c
         line, tmem = chosen.choice(LINES), chosen.choice(PLACES)
         (*s, columns, wide), (*t, rows, high) = AXES[across], AXES[down]
         sl, tl = chosen.randrange(12), chosen.randrange(12)
@@ -129,8 +129,8 @@ def long_of(colour: list[int]) -> int:
 
 
 def test_every_texel_and_quad(asked) -> None:
-    """Point sampled, in both triangles and in the middle of each quad: tx_decode's against
-    tx_sample's, of tiles in every format, wrapped, mirrored, clamped, of any size, which go round
+    """Point sampled, in both triangles and in the middle of each quad: n64_decode's against
+    n64_sample's, of tiles in every format, wrapped, mirrored, clamped, of any size, which go round
     TMEM's end or have rows of an odd number of words."""
     every, answers = asked["everything"], asked["answers"]["everything"]
     for name, at in every.decoded:

@@ -108,7 +108,7 @@ def test_pages_keep_all_bits_of_u() -> None:
 
 def test_accuracy_tells_of_modes(tmp_path, capsys) -> None:
     """All of them."""
-    mode_tables.check(tmp_path, capsys, "tx", list(EVERY.values()))
+    mode_tables.check(tmp_path, capsys, "n64", list(EVERY.values()))
 
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:

@@ -43,7 +43,7 @@ def drawn(tmp_path_factory):
 def text_of(pixels: str) -> str:
     """Polygons of one engine beside each other, drawn one after the other; each at rows of its own."""
     columns = max(len(ranges) for _, ranges in ENGINES.values())
-    text = many_text(SIDE * columns, SIDE * len(ENGINES), pixels, (tx for tx, _ in ENGINES.values()))
+    text = many_text(SIDE * columns, SIDE * len(ENGINES), pixels, (engine for engine, _ in ENGINES.values()))
     for n, (_, ranges) in enumerate(ENGINES.values()):
         for k, (low, high) in enumerate(ranges):
             left, top = SIDE * k + 1, SIDE * n + 1

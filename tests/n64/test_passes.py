@@ -76,13 +76,13 @@ ENGINES = {
 }
 
 
-def corners(n: int, tx: str) -> str:
+def corners(n: int, engine: str) -> str:
     """Vertices of the engine's triangle, with w and shade where it reads them."""
     left, top = 3 + GAP * (n % COLUMNS), 2 + GAP * (n // COLUMNS)
     rows = [[left + 0.3, top, -5.3, 3.1], [left + SIDE, top + 1.6, 22.4, -7.7],
             [left + 4.2, top + SIDE, 21.9, 38.2]]
     for row, w, shade in zip(rows, (1, 1.5, 2.1), (255, 30, 128)):
-        row += [w] * ("perspective" in tx) + [shade] * ("shade" in tx)
+        row += [w] * ("perspective" in engine) + [shade] * ("shade" in engine)
     return f"vertices = {rows}"
 
 
@@ -98,9 +98,9 @@ def drawn(tmp_path_factory):
 def text_of(pixels: str) -> str:
     """One frame of all engines."""
     lines = -(-len(ENGINES) // COLUMNS)
-    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, (tx for tx, _ in ENGINES.values()))
-    for n, (tx, _) in enumerate(ENGINES.values()):
-        text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, tx)}\n'
+    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, (engine for engine, _ in ENGINES.values()))
+    for n, (engine, _) in enumerate(ENGINES.values()):
+        text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, engine)}\n'
     return text
 
 
@@ -115,4 +115,4 @@ def test_passes_are_the_models(drawn, pixels):
         part = frame[top:top + GAP, left:left + GAP]
         assert len(np.unique(part)) > 20, f"{name}: hardly any colours"
         spans = list(material["spans"])
-        assert spans == [("tx_pixels", "tx_passes")[by_passes]], f"{name}: drawn by {spans}"
+        assert spans == [("n64_pixels", "n64_passes")[by_passes]], f"{name}: drawn by {spans}"

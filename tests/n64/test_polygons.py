@@ -1,7 +1,7 @@
 """Random polygons and rectangles of texture engines: every frame of the guest is the model's, bit
 for bit.
 
-TX_SEED and TX_COUNT choose others; TX_CASE draws one of them alone.
+N64_SEED and N64_COUNT choose others; N64_CASE draws one of them alone.
 """
 
 from dataclasses import astuple
@@ -29,7 +29,7 @@ def lines(each: Case) -> list[str]:
             *vertex_lines(each.vertices, raw)]
 
 
-POLYGONS = Polygons("TX", 100, case, scene, lines)
+POLYGONS = Polygons("N64", 100, case, scene, lines)
 SEED = POLYGONS.seed
 
 
@@ -72,8 +72,8 @@ def test_frames_are_the_models(pixels: str) -> None:
     """Each polygon in a frame of its own, by the rules of lowering."""
     rules, spans = POLYGONS.check(pixels)
     if not POLYGONS.asked("CASE"):
-        assert rules >= {"tx_flat", "tx_plain", "tx_passes", "equal_shades", "constant_w"}, rules
-        assert {"tx_pixels", "tx_passes"} < spans, spans
+        assert rules >= {"n64_flat", "n64_plain", "n64_passes", "equal_shades", "constant_w"}, rules
+        assert {"n64_pixels", "n64_passes"} < spans, spans
         assert pixels != "rgba5551" or "affine_16_copy" in spans, spans
 
 
@@ -82,4 +82,4 @@ def test_frames_are_the_models_without_rules(pixels: str) -> None:
     """Fewer polygons, and other ones."""
     _, spans = POLYGONS.check(pixels, "all")
     if not POLYGONS.asked("CASE"):
-        assert "tx_pixels" in spans and "tx_passes" not in spans, spans
+        assert "n64_pixels" in spans and "n64_passes" not in spans, spans

@@ -102,7 +102,7 @@ def rectangle(more: str = "", box: str = BOX) -> str:
     return f"{box}\n{more}"
 
 
-@pytest.mark.parametrize("tx, obj, message", [
+@pytest.mark.parametrize("n64, obj, message", [
     (ONE, rectangle(box="rectangle = [4, 6, 4, 22]"), "objects[0].rectangle: is empty: "),
     (ONE, rectangle(box="rectangle = [4, 6, 8]"),
      "objects[0].rectangle: must have 4 entries, not 3"),
@@ -137,21 +137,21 @@ def rectangle(more: str = "", box: str = BOX) -> str:
      "objects[0].shades: there are colours instead"),
     (SHADED, CORNERS.replace("]]", ", 255]]") + "\n" + COLOURS,
      "objects[0].vertices[2]: must be [x, y, s, t]"),
-    ("cycles = 'fill', " + ONE, SQUARE, "materials.it.tx.cycles: 'fill' is not one of copy"),
+    ("cycles = 'fill', " + ONE, SQUARE, "materials.it.n64.cycles: 'fill' is not one of copy"),
     ("filter = 'bilerp', " + COPY, SQUARE,
-     "materials.it.tx.filter: is not for copy mode, which leaves texels as they are"),
-    ("combine = 'primitive', " + COPY, SQUARE, "materials.it.tx.combine: is not for copy mode"),
+     "materials.it.n64.filter: is not for copy mode, which leaves texels as they are"),
+    ("combine = 'primitive', " + COPY, SQUARE, "materials.it.n64.combine: is not for copy mode"),
     ("cycles = 'copy', tiles = [{ " + TILE.replace("rgba16", "i8") + " }]", rectangle(),
-     'materials.it.tx.tiles[0].format: "i8": copy mode is for rgba16, ia16, ci4, ci8'),
+     'materials.it.n64.tiles[0].format: "i8": copy mode is for rgba16, ia16, ci4, ci8'),
 ])
-def test_refused(folder, tx, obj, message):
+def test_refused(folder, engine, obj, message):
     """One line that names file and field."""
-    check_refused(folder, scene_of(tx, obj, pixels="rgba5551"), message)
+    check_refused(folder, scene_of(engine, obj, pixels="rgba5551"), message)
 
 
 def test_refused_by_other_scenes(folder):
     """Copy mode has 16-bit frames; other materials have neither colours nor rectangles."""
-    with pytest.raises(UserError, match='tx.cycles: "copy" is for scenes in rgba5551'):
+    with pytest.raises(UserError, match='n64.cycles: "copy" is for scenes in rgba5551'):
         make(folder, COPY, BOX)
     for obj, field in ((BOX, "rectangle"), (CORNERS + "\n" + COLOURS, "colours")):
         check_refused(folder, scene_text('colour = "#ffffff"', obj),
@@ -160,10 +160,10 @@ def test_refused_by_other_scenes(folder):
 
 def test_the_pages_example(folder):
     """It compiles as it stands, and moves."""
-    text = (ROOT / "c" / "tx" / "README.md").read_text()
+    text = (ROOT / "c" / "n64" / "README.md").read_text()
     example = text.split("```")[3].removeprefix("toml")
     (folder / "scene.toml").write_text(HEAD.format(frames=2, pixels="rgba5551")
-                                       + example.replace("tx/letter.png", "noise.png"))
+                                       + example.replace("n64/letter.png", "noise.png"))
     frames = [shown(compile_scene(folder / "scene.toml"), number) for number in range(2)]
     assert np.array_equal(frames[0][8:40, 8:54], frames[1][8:40, 10:56])
 

@@ -15,8 +15,8 @@ from tmap.n64 import images
 from tmap.run import run
 from tmap.scene_file import scene_file, units
 
-NAMES = ("tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv", "tx_rectangles")
-MOVING = ("tx_ocean", "tx_palettes")  # with a display list for each frame
+NAMES = ("n64_room", "n64_wall", "n64_ocean", "n64_floor", "n64_palettes", "n64_yuv", "n64_rectangles")
+MOVING = ("n64_ocean", "n64_palettes")  # with a display list for each frame
 
 
 @pytest.fixture
@@ -68,7 +68,7 @@ def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
 
 def test_a_frame_of_one_colour_fails():
     """Where the model shows more."""
-    scene = compile_scene(SCENES / "tx_wall.toml", 1)
+    scene = compile_scene(SCENES / "n64_wall.toml", 1)
     empty = np.full((scene.height, scene.width), scene.background, np.uint16)
     with pytest.raises(UserError, match="frame 0: one colour only"):
         run.check_frame(empty, scene, 0)
@@ -135,9 +135,9 @@ def test_levels_are_means(folder):
 
 def test_equal_engines_and_texels_are_there_once(folder):
     """Two materials of one engine; tiles that share DRAM and TMEM."""
-    tx = f"cycles = 2, combine = 'interference', tiles = [{{ {TILE} }}, {{ {TILE}, s.shift = 1 }}]"
-    text = scene_of(tx) + SQUARE.replace("vertices", '[[objects]]\nmaterial = "other"\nvertices')
-    other = f'[materials.other]\nedges = "exact"\ntx = {{ {tx} }}\n'
+    engine = f"cycles = 2, combine = 'interference', tiles = [{{ {TILE} }}, {{ {TILE}, s.shift = 1 }}]"
+    text = scene_of(engine) + SQUARE.replace("vertices", '[[objects]]\nmaterial = "other"\nvertices')
+    other = f'[materials.other]\nedges = "exact"\nn64 = {{ {engine} }}\n'
     (folder / "scene.toml").write_text(text.replace("[[objects]]", other + "[[objects]]", 1))
     scene = compile_scene(folder / "scene.toml")
     assert [m.unit for m in scene.materials] == [0, 0] and len(scene.units) == 1
@@ -164,96 +164,104 @@ def two(tile: str, other: str = TILE) -> str:
 
 CI = 'image = "noise.png", format = "ci4"'
 MESSAGES = [
-    ("cycles = 3, " + ONE, "tx.cycles: must be from 1 to 2"),
-    ("mode = 1, " + ONE, "tx.mode: unknown field; known are cycles, combine, "),
-    ("combine = 'decals', " + ONE, "tx.combine: 'decals' is not one of primitive, shade, decal, "),
-    ("combine = ['decal', 'pass'], " + ONE, 'tx.combine: has two cycles: "cycles" must be 2'),
+    ("cycles = 3, " + ONE, "n64.cycles: must be from 1 to 2"),
+    ("mode = 1, " + ONE, "n64.mode: unknown field; known are cycles, combine, "),
+    ("combine = 'decals', " + ONE, "n64.combine: 'decals' is not one of primitive, shade, decal, "),
+    ("combine = ['decal', 'pass'], " + ONE, 'n64.combine: has two cycles: "cycles" must be 2'),
     ("combine = { rgb = [['noise', '0', '0', '0']], alpha = [['0', '0', '0', '0']] }, " + ONE,
-     "tx.combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
+     "n64.combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
     ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0']] }, " + ONE,
-     "tx.combine.alpha[0]: must have 4 entries, not 3"),
+     "n64.combine.alpha[0]: must have 4 entries, not 3"),
     ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0', 'k5']] }, " + ONE,
-     "tx.combine.alpha[0][3]: 'k5' is no input D"),
-    ("lod = true, " + ONE, 'tx.lod: the level of detail needs "cycles" 2'),
-    ("convert = 'filter, convert', " + ONE, 'tx.convert: "filter, convert" needs "cycles" 2'),
-    ("k = [1, 2, 3], " + ONE, "tx.k: must have 6 entries, not 3"),
-    ("primitive = '#12', " + ONE, 'tx.primitive: must be a colour like "#8040ff"'),
-    ("filter = 'bilinear', " + ONE, "tx.filter: 'bilinear' is not one of point, bilerp, average"),
-    ("perspective = 1, " + ONE, "tx.perspective: must be true or false"),
-    ("tlut = 'ia16', " + ONE, 'tx.tlut: "ia16", but no tile is CI'),
-    ("palettes = 'palettes.png', " + ONE, "tx.palettes: there is no tile that is CI"),
-    ("tile = 1, " + ONE, "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+     "n64.combine.alpha[0][3]: 'k5' is no input D"),
+    ("lod = true, " + ONE, 'n64.lod: the level of detail needs "cycles" 2'),
+    ("convert = 'filter, convert', " + ONE, 'n64.convert: "filter, convert" needs "cycles" 2'),
+    ("k = [1, 2, 3], " + ONE, "n64.k: must have 6 entries, not 3"),
+    ("primitive = '#12', " + ONE, 'n64.primitive: must be a colour like "#8040ff"'),
+    ("filter = 'bilinear', " + ONE, "n64.filter: 'bilinear' is not one of point, bilerp, average"),
+    ("perspective = 1, " + ONE, "n64.perspective: must be true or false"),
+    ("tlut = 'ia16', " + ONE, 'n64.tlut: "ia16", but no tile is CI'),
+    ("palettes = 'palettes.png', " + ONE, "n64.palettes: there is no tile that is CI"),
+    ("tile = 1, " + ONE, "n64.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
     ("cycles = 2, combine = 'trilinear', " + ONE,
-     "tx.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+     "n64.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
     ("cycles = 2, lod = true, max_level = 2, " + two(TILE),
-     "tx.tiles: tile 2 would be drawn; there are tiles 0 to 1"),
-    ("tiles = []", "tx.tiles: must have 1 to 8 entries, not 0"),
+     "n64.tiles: tile 2 would be drawn; there are tiles 0 to 1"),
+    ("tiles = []", "n64.tiles: must have 1 to 8 entries, not 0"),
     (two(TILE, TILE.replace("rgba16", "rgba8")),
-     "tx.tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
-    (two(TILE, CI), 'tx.tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
-    ("tlut = 'none', tiles = [{ " + CI + " }]", 'tx.tlut: "none", but tiles[0] is ci4'),
+     "n64.tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
+    (two(TILE, CI), 'n64.tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
+    ("tlut = 'none', tiles = [{ " + CI + " }]", 'n64.tlut: "none", but tiles[0] is ci4'),
     (two(CI, CI.replace("ci4", "ci8")),
-     'tx.palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
-    ("tiles = [{ " + CI + ", palette = [0, 3] }]", "tx.tiles[0].palette: palette 3 has no colours"),
+     'n64.palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
+    ("tiles = [{ " + CI + ", palette = [0, 3] }]", "n64.tiles[0].palette: palette 3 has no colours"),
     ("palettes = 'half.png', tiles = [{ " + CI + ", colours = 9 }]",
-     "tx.tiles[0].colours: half.png has no row 9"),
+     "n64.tiles[0].colours: half.png has no row 9"),
     ("palettes = 'odd.png', tiles = [{ " + CI + " }]",
-     "tx.palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
-    ("tiles = [{ " + TILE + ", palette = 1 }]", 'tx.tiles[0].palette: is for "ci4", not "rgba16"'),
+     "n64.palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
+    ("tiles = [{ " + TILE + ", palette = 1 }]", 'n64.tiles[0].palette: is for "ci4", not "rgba16"'),
     ("tiles = [{ image = 'no.png', format = 'i8' }]",
-     "tx.tiles[0].image: no.png: no such file"),
+     "n64.tiles[0].image: no.png: no such file"),
     ("tiles = [{ image = 'wide.png', format = 'i8' }]",
-     "tx.tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
+     "n64.tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
     ("tiles = [{ image = 'odd.png', format = 'i8' }]",
-     'tx.tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
+     'n64.tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
     ("tiles = [{ " + TILE + ", s.mask = 6 }]",
-     "tx.tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
+     "n64.tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
     ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', high = 40 } }]",
-     "tx.tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
+     "n64.tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
     ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', low = 9, high = 4 } }]",
-     "tx.tiles[0].t.high: lies before low"),
+     "n64.tiles[0].t.high: lies before low"),
     ("tiles = [{ " + TILE + ", s = { low = 1000 } }]",
-     "tx.tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
+     "n64.tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
     ("tiles = [{ " + TILE + ", s.wrap = 'clamp', slide = [1, 0] }]",
-     "tx.tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
+     "n64.tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
     ("tiles = [{ " + TILE + ", width = 24, levels = 2 }]",
-     "tx.tiles[0].levels: 24x32 texels are not powers of two"),
-    ("tiles = [{ " + TILE + ", levels = 7 }]", "tx.tiles[0].levels: 32x32 texels have 6 levels"),
+     "n64.tiles[0].levels: 24x32 texels are not powers of two"),
+    ("tiles = [{ " + TILE + ", levels = 7 }]", "n64.tiles[0].levels: 32x32 texels have 6 levels"),
     (two(TILE + ", levels = 5", TILE + ", levels = 4"),
-     "tx.tiles[1].levels: makes 9 tiles; an engine has 8"),
+     "n64.tiles[1].levels: makes 9 tiles; an engine has 8"),
     ("tiles = [{ " + TILE + ", levels = 4, s.shift = 9 }]",
-     "tx.tiles[0].s.shift: is more than 10 at level 2"),
+     "n64.tiles[0].s.shift: is more than 10 at level 2"),
     ("tiles = [{ " + TILE + ", width = 64, height = 40, load = 'block', t.wrap = 'clamp' }]",
-     "tx.tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
+     "n64.tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
     ("tiles = [{ image = 'noise.png', format = 'i4', width = 176, height = 40, load = 'block', "
      "s.wrap = 'clamp', t.wrap = 'clamp' }]",
-     'tx.tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
+     'n64.tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
      "load them"),
     (two(TILE + ", tmem = 400"),
-     "tx.tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
+     "n64.tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
     (two("image = 'noise.png', format = 'rgba32', width = 64, height = 16",
          "image = 'odd.png', format = 'rgba32', s.wrap = 'clamp', t.wrap = 'clamp'"),
-     "tx.tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
+     "n64.tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
      "there"),
     ("tiles = [{ " + CI.replace("ci4", "ci8") + ", width = 64, height = 64 }]",
-     "tx.tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
+     "n64.tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
 ]
 
 
-@pytest.mark.parametrize("tx, message", MESSAGES)
-def test_refused(folder, tx, message):
+@pytest.mark.parametrize("engine, message", MESSAGES)
+def test_refused(folder, engine, message):
     """One line that names file and field."""
-    check_refused(folder, scene_of(tx), f"materials.it.{message}")
+    check_refused(folder, scene_of(engine), f"materials.it.{message}")
+
+
+def test_old_words_name_the_new_ones(folder):
+    """A table ``tx`` and the mapper "unit" are of scene files before."""
+    text = scene_of(f"tiles = [{{ {TILE} }}]")
+    check_refused(folder, text.replace("n64 = {", "tx = {"), "materials.it.tx: is called n64 now")
+    check_refused(folder, text.replace("n64 = {", 'mapper = "unit", n64 = {'),
+                  'materials.it.mapper: "unit" is called "n64" now')
 
 
 @pytest.mark.parametrize("kinds, message", [
-    ({"pixels": "rgb565"}, "materials.it.tx: a scene in rgb565 has no texture engine of this kind; "
+    ({"pixels": "rgb565"}, "materials.it.n64: a scene in rgb565 has no texture engine of this kind; "
                            "one in rgba5551 or rgba8888 has"),
-    ({"pixels": "chunky"}, "materials.it.tx: a scene in chunky has no texture engine of this kind"),
+    ({"pixels": "chunky"}, "materials.it.n64: a scene in chunky has no texture engine of this kind"),
     ({"more": 'edges = "integer", '}, 'materials.it.edges: "integer" is not for a texture engine'),
     ({"more": 'gradients = "scanline", '}, "materials.it.gradients: is not for a texture engine"),
     ({"more": 'perspective = "fine", '}, "materials.it.perspective: "),
-    ({"more": 'mapper = "affine", '}, "materials.it.mapper: 'affine' is not one of unit"),
+    ({"more": 'mapper = "affine", '}, "materials.it.mapper: 'affine' is not one of n64"),
     ({"obj": SQUARE.replace("32, 0]", "32, 0, 1]")},
      "objects[0].vertices[1]: must be [x, y, s, t]"),
     ({"obj": SQUARE.replace("32, 0]", "1200, 0]")},
@@ -268,9 +276,9 @@ def test_refused_besides(folder, kinds, message):
 
 def test_the_pages_example(folder):
     """It compiles, and what it says of vertices is right."""
-    text = (ROOT / "c" / "tx" / "README.md").read_text()
+    text = (ROOT / "c" / "n64" / "README.md").read_text()
     example = text.split("```")[1].removeprefix("toml")
-    example = example.replace("tx/pavement.png", "noise.png")
+    example = example.replace("n64/pavement.png", "noise.png")
     corners = [[0, 0, 0, 0, 4, 0], [64, 0, 90, 0, 4, 255], [64, 48, 90, 90, 1, 255]]
     (folder / "scene.toml").write_text(
         HEAD.format(frames=2, pixels="").replace('format = ""', "") + example
@@ -283,13 +291,13 @@ def test_the_pages_example(folder):
 def test_vertices_have_what_the_engine_takes(folder):
     """w with perspective, a shade where the combiner reads it, from 0 to 255."""
     corners = [[0, 0, 0, 0, 1, 0], [32, 0, 32, 0, 2, 255], [32, 32, 32, 32, 2, 255]]
-    tx = "perspective = true, combine = 'modulate', " + ONE
-    scene = make(folder, tx, f"vertices = {corners}")
+    engine = "perspective = true, combine = 'modulate', " + ONE
+    scene = make(folder, engine, f"vertices = {corners}")
     assert scene.vertices[:, 4:].tolist() == [[32768, 65536], [255 * 65536 + 32768, 131072],
                                               [255 * 65536 + 32768, 131072]]
     corners[1][5] = 256
     with pytest.raises(UserError, match=r"vertices\[1\]\[5\]: must be from 0 to 255"):
-        make(folder, tx, f"vertices = {corners}")
+        make(folder, engine, f"vertices = {corners}")
     scene = make(folder, "combine = 'modulate', " + ONE, "sides = 4\nradius = 20")
     assert set(scene.vertices[:, 4].tolist()) == {255 * 65536 + 32768}
     assert scene.vertices[:, 2].max() == 32 << 16  # the whole picture

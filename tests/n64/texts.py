@@ -8,9 +8,9 @@ TILE = 'image = "noise.png", format = "rgba16"'
 ONE = f"tiles = [{{ {TILE} }}]"
 
 
-def scene_of(tx: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
+def scene_of(engine: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
     """A scene's text: one material, one object."""
-    return scene_text(f"{more}tx = {{ {tx} }}", obj, **kinds)
+    return scene_text(f"{more}n64 = {{ {engine} }}", obj, **kinds)
 
 
 def make(folder, *args, **kinds) -> Scene:

@@ -22,7 +22,7 @@ from tmap.glide import images, ncc
 from tmap.glide.mipmap import levels
 from tmap.images import palette
 from tmap.images.mipmap import FILTERS
-from tmap.n64 import images as tx_images
+from tmap.n64 import images as n64_images
 from tmap.n64.state import YUV
 from tmap.scene_file import scene_file
 
@@ -48,7 +48,7 @@ def textures() -> Made:
         table = ncc.fit([picture])
         yield f"narrow channels of {kind}", np.concatenate([*table.i, *table.q, table.y]).tobytes()
         yield f"palette of {kind}", images.palette_of([picture]).tobytes()
-        yield f"YUV of {kind}", tx_images.encode(picture, YUV, 2).data
+        yield f"YUV of {kind}", n64_images.encode(picture, YUV, 2).data
         yield f"light of {kind}", palette.light(picture.reshape(-1, 4)[:256, :3]).tobytes()
 
 

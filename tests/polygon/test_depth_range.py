@@ -23,7 +23,7 @@ TRIANGLE = "vertices = [[0, 0, 0, 0, 1], [32, 0, 32, 0, W], [0, 32, 0, 32, 1]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 KINDS = {
     "affine": ('texture = "noise", perspective = "pixel"', TRIANGLE, "chunky", PLACE + "[1][4]"),
-    "N64": ("tx = { perspective = true, tiles = [{ image = 'noise.png', format = 'rgba16' }] }",
+    "N64": ("n64 = { perspective = true, tiles = [{ image = 'noise.png', format = 'rgba16' }] }",
             TRIANGLE, "rgba8888", PLACE + "[1][4]"),
     "Glide": (f"glide = {{ perspective = true, units = [{{ {UNIT} }}] }}", TRIANGLE, "rgb565",
               PLACE + "[1][4]"),

@@ -230,7 +230,7 @@ def test_16_bit_frames_of_the_model(folder):
 
 
 @pytest.mark.parametrize("text, message", [
-    (["mapper = 3"], "materials.it: needs exactly one of texture, colour, tx, glide, shades"),
+    (["mapper = 3"], "materials.it: needs exactly one of texture, colour, n64, glide, shades"),
     ([FLAT + ', mapper = "affine"'], "materials.it.mapper: unknown field; known are colour, edges"),
     ([FLAT + ", steps = 4"], "materials.it.steps: unknown field"),
     ([FLAT + ', edges = "sharp"'],

@@ -48,9 +48,9 @@ SCENES = {
                     "[[4, 4, 0, 0, 0], [60, 6, 200, 0, 255], [56, 44, 200, 136, 10], [6, 40, 0, 128, 250]]"),
     "perspective": ('texture = "noise", perspective = "every8"',
                     "[[4, 4, 0, 0, 1], [60, 6, 255, 0, 2], [56, 44, 255, 255, 2], [6, 40, 0, 255, 2]]"),
-    "unit": ('tx = { tiles = [{ image = "noise.png", format = "rgba16" }] }',
+    "n64": ('n64 = { tiles = [{ image = "noise.png", format = "rgba16" }] }',
              "[[4, 4, 0, 0], [60, 6, 32, 0], [56, 44, 32, 32], [6, 40, 20, 12]]"),
-    "colours": ('tx = { combine = "modulate", tiles = [{ image = "noise.png", format = "rgba16" }] }',
+    "colours": ('n64 = { combine = "modulate", tiles = [{ image = "noise.png", format = "rgba16" }] }',
                 "[[4, 4, 0, 0], [60, 4, 32, 0], [60, 44, 32, 32], [4, 44, 0, 32]]\n"
                 'colours = ["#ffffff", "#ff0000", "#00ff00", "#0000ff"]'),
     "glide": (f"glide = {{ units = [{{ {NOISE} }}] }}",
@@ -62,7 +62,7 @@ SCENES = {
                   "[[4, 4, 0, 0], [60, 4, 255, 0], [60, 44, 255, 255], [4, 44, 0, 255]]\n"
                   "st1 = [[0, 0], [64, 0], [64, 64], [40, 0]]"),
 }
-FORMATS = {"unit": "rgba8888", "colours": "rgba8888", "glide": "rgb565", "glide_divided": "rgb565",
+FORMATS = {"n64": "rgba8888", "colours": "rgba8888", "glide": "rgb565", "glide_divided": "rgb565",
            "glide_own": "rgba8888"}
 
 

@@ -21,7 +21,7 @@ from tmap.run import run
 
 SIZES = ((360, 740), (1280, 900))  # a phone, a desk; CSS pixels
 SECTIONS = ["ran", "scenes", "addx", "bench", "accuracy", "perspective", "hard", "polygons",
-            "whole", "tx", "tmu"]
+            "whole", "n64", "glide"]
 SCENE = "mappers"
 NAME = '<script>alert("rows & columns")</script>'
 

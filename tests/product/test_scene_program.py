@@ -56,9 +56,9 @@ height = 32
 frames = 2
 format = "rgba5551"
 background = "#102030"
-[materials.page.tx]
+[materials.page.n64]
 tiles = [{ image = "tile.png", format = "rgba16" }]
-[materials.filtered.tx]
+[materials.filtered.n64]
 filter = "bilerp"
 tiles = [{ image = "tile.png", format = "ia8", s.wrap = "mirror" }]
 [[objects]]
@@ -154,9 +154,9 @@ def test_texture_units(folder, tmp_path, capsys):
     check(about, tmp_path, "units")
     inside = routines(tmp_path, "units")
     assert {"span_affine_16", "span_affine_16_wrap"} & inside
-    assert {"tx_threepoint_16", "tx_weights", "tx_command"} <= inside
-    assert not inside & {"tx_divide", "tx_lod", "tx_combiner", "tx_lerp", "tx_convert",
-                         "tx_draw_pixel", "span_affine_addx"}
+    assert {"n64_threepoint_16", "n64_weights", "n64_command"} <= inside
+    assert not inside & {"n64_divide", "n64_lod", "n64_combiner", "n64_lerp", "n64_convert",
+                         "n64_draw_pixel", "span_affine_addx"}
 
 
 def test_wrong_frame_is_refused():

@@ -216,7 +216,7 @@ def test_objects_are_the_measured_ones(elf):
             assert home[name].data[start:start + section.size] == section.data, name
 
 
-@pytest.mark.parametrize("name", ["span/affine_addx", "tmu/bilinear"])
+@pytest.mark.parametrize("name", ["span/affine_addx", "glide/bilinear"])
 def test_hunks_are_as_vasm_writes_them(libraries, tmp_path, name):
     source, target = ROOT / "src68k" / f"{name}.s", tmp_path / "object"
     subprocess.run([ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Fhunk",

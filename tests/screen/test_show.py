@@ -147,7 +147,7 @@ def prompt(on: Screen, before: np.ndarray) -> np.ndarray:
 
 def test_pictures_keys_and_the_end(server, steps, tmp_path) -> None:
     """Typed at the prompt, as a user does."""
-    scene, ocean = steps[1], compile_scene(SCENES / "tx_ocean.toml", 1)
+    scene, ocean = steps[1], compile_scene(SCENES / "n64_ocean.toml", 1)
     files = {"a.scene": write(scene), "h.scene": write(ocean), "show": PROGRAMS / "show"}
     with shell(server, files, tmp_path / "run") as volume:
         server.settled("the prompt")

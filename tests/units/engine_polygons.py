@@ -1,5 +1,5 @@
 """Random polygons of texture engines, each in a frame of its own: the guest's against the model's,
-bit for bit. An engine's name begins what chooses others: TX_SEED, TX_COUNT; TX_CASE draws one."""
+bit for bit. An engine's name begins what chooses others: N64_SEED, N64_COUNT; N64_CASE draws one."""
 
 import os
 from collections.abc import Callable

@@ -36,7 +36,7 @@ def many_text(width: int, height: int, pixels: str, engines) -> str:
     """A scene of one frame with texture engines as its materials m0, m1, ...; no object yet."""
     return (f'width = {width}\nheight = {height}\nframes = 1\nformat = "{pixels}"\n'
             'background = "#102030"\n[materials]\n'
-            + "".join(f"m{n} = {{ tx = {{ {tx} }} }}\n" for n, tx in enumerate(engines)))
+            + "".join(f"m{n} = {{ n64 = {{ {engine} }} }}\n" for n, engine in enumerate(engines)))
 
 
 def compiled(folder, text: str) -> Scene:

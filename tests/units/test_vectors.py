@@ -7,8 +7,8 @@ from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.guest import emulator
 from tmap.vectors import vector_file, vectors
-from tmap.vectors.glide_text import TmuLines
-from tmap.vectors.n64_text import TxLines
+from tmap.vectors.glide_text import GlideLines
+from tmap.vectors.n64_text import N64Lines
 from tmap.vectors.vector_text import Line
 
 FILE = ROOT / "tests" / "vectors" / "tx_copy.txt.gz"
@@ -42,13 +42,13 @@ def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
 
 
 @pytest.mark.parametrize(("engine", "kinds", "wrong", "passes"), [
-    (TxLines, {"exact": 1000}, {}, True),
-    (TxLines, {"exact": 1000}, {"exact": 1}, False),
-    (TmuLines, {"without perspective": 500}, {"without perspective": 1}, True),
-    (TmuLines, {"without perspective": 999}, {"without perspective": 2}, False),
-    (TmuLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 3},
+    (N64Lines, {"exact": 1000}, {}, True),
+    (N64Lines, {"exact": 1000}, {"exact": 1}, False),
+    (GlideLines, {"without perspective": 500}, {"without perspective": 1}, True),
+    (GlideLines, {"without perspective": 999}, {"without perspective": 2}, False),
+    (GlideLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 3},
      True),
-    (TmuLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 4},
+    (GlideLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 4},
      False),
 ])
 def test_how_many_may_be_wrong(engine, kinds: dict, wrong: dict, passes: bool) -> None:
@@ -120,9 +120,9 @@ def test_the_program_refuses_bad_files() -> None:
     good = vector_file.Operations()
     good.add("HASH")
     codes = good.codes
-    mode, tmem, fetch, call, tmu_pixel, tmu_call, end = (
+    mode, tmem, fetch, call, glide_pixel, glide_call, end = (
         codes[f"VECTOR_{name}"] << 16 for name in (
-            "MODE", "TMEM", "FETCH", "CALL", "TMU_PIXEL", "TMU_CALL", "CODES"))
+            "MODE", "TMEM", "FETCH", "CALL", "GLIDE_PIXEL", "GLIDE_CALL", "CODES"))
     files = {
         "is empty": [b""],
         "size": [good.file()[:20], good.file()[:-4], good.file() + bytes(4)],
@@ -133,7 +133,7 @@ def test_the_program_refuses_bad_files() -> None:
                         operations(mode | 2, 12, 0), operations(mode | 2, 1 << 31, 0),
                         operations(tmem | 0), operations(tmem | 2, 4096, 0),
                         operations(tmem | 2, 0xFFFFFFFF, 0), operations(call | 1, 8),
-                        operations(tmu_pixel | 5, 0, 0, 0, 0, 0), operations(tmu_call | 0)],
+                        operations(glide_pixel | 5, 0, 0, 0, 0, 0), operations(glide_call | 0)],
         "operation 1": [operations(fetch | 3, 0, 0, 0, count=2)],
     }
     cases = [(words, data) for words, several in files.items() for data in several]

@@ -3,11 +3,11 @@
 from tests.kernels.checker import Trial
 from tests.kernels.trials.n64 import COUNTS, ROUNDS, pass_trial
 from tmap.bench import glide
-from tmap.bench.examples import glide as tmu_examples
+from tmap.bench.examples import glide as glide_examples
 
 IN_C = [name for name in glide.NAMES if name.endswith("_c")] + [
-    f"{name}_c" for name in tmu_examples.IN_C_ALONE]
-MANY = "tmu_combine_line"  # each function with each factor, for colour and for alpha
+    f"{name}_c" for name in glide_examples.IN_C_ALONE]
+MANY = "glide_combine_line"  # each function with each factor, for colour and for alpha
 NAMES = [name for name in glide.NAMES if not name.endswith("_c")] + IN_C
 
 
@@ -18,6 +18,6 @@ def rounds(name: str) -> int:
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
-    return [pass_trial(name, count, 1000 * k + n, tmu_examples)
+    return [pass_trial(name, count, 1000 * k + n, glide_examples)
             for n, name in enumerate(NAMES)
             for k, count in enumerate(COUNTS * rounds(name))]

@@ -4,17 +4,17 @@ import numpy as np
 
 from tests.kernels.checker import Memory, Trial, Write
 from tmap.bench import n64
-from tmap.bench.examples import n64 as tx_examples
+from tmap.bench.examples import n64 as n64_examples
 
 COUNTS = (1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 100)
 ROUNDS = 4
-WITH_TABLE = ("tx_divide", "tx_lod", "tx_reciprocals")  # of 128 KB, in each call: fewer rounds
+WITH_TABLE = ("n64_divide", "n64_lod", "n64_reciprocals")  # of 128 KB, in each call: fewer rounds
 IN_C = [name for name in n64.NAMES if name.endswith("_c")] + [
-    f"{name}_c" for name in tx_examples.IN_C_ALONE]
+    f"{name}_c" for name in n64_examples.IN_C_ALONE]
 NAMES = [name for name in n64.NAMES if not name.endswith("_c")] + IN_C
 
 
-def pass_trial(name: str, count: int, seed: int, examples=tx_examples) -> Trial:
+def pass_trial(name: str, count: int, seed: int, examples=n64_examples) -> Trial:
     """One call on random input, its output between guards."""
     example, kernel = n64.example_of(examples, name, np.random.default_rng(seed), count)
     near, far = Memory(seed), Memory(seed + 1)

@@ -30,7 +30,7 @@ from tmap.setup.shading import LIT
 BASELINE_SETS = "medium", "depth"
 #: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
 #: of tmap.accuracy.engines), the page of hard cases.
-METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("tx", "tmu")
+METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("n64", "glide")
 
 
 def set_polygons(name: str, mapper: str) -> list:

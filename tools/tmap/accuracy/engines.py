@@ -37,12 +37,12 @@ class Engine:
 
 TITLES = [f"{kind}: {what}" for kind in KINDS for what in ("largest", "rms")]
 
-TX = Engine("tx", "texture engine", n64.MODES, n64.FORMATS, n64.EVERY,
-            n64.THREE, n64_errors.error_of, "exact coordinates, filters and combiners")
-TMU = Engine("tmu", "Glide's texture unit", glide.MODES, glide.FORMATS, glide.EVERY,
-             "bilinear", glide_errors.error_of,
-             "exact coordinates, levels of detail, filters and combine units")
-ENGINES = {engine.name: engine for engine in (TX, TMU)}
+N64 = Engine("n64", "texture engine", n64.MODES, n64.FORMATS, n64.EVERY,
+             n64.THREE, n64_errors.error_of, "exact coordinates, filters and combiners")
+GLIDE = Engine("glide", "Glide's texture unit", glide.MODES, glide.FORMATS, glide.EVERY,
+               "bilinear", glide_errors.error_of,
+               "exact coordinates, levels of detail, filters and combine units")
+ENGINES = {engine.name: engine for engine in (N64, GLIDE)}
 
 
 def table(engine: Engine, machine: str) -> str:

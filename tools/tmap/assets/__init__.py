@@ -56,20 +56,20 @@ def size(side: int) -> bytes:
 
 def aspect_name(width: int, height: int) -> str:
     """As in tests/scenes/glide_aspects.toml."""
-    return f"tmu/aspect_{max(width // height, 1)}_{max(height // width, 1)}.png"
+    return f"glide/aspect_{max(width // height, 1)}_{max(height // width, 1)}.png"
 
 
-PICTURES = {"tx/bricks.png": surfaces.bricks, "tx/planks.png": surfaces.planks,
-            "tx/plaster.png": surfaces.panels, "tx/pavement.png": surfaces.pavement,
-            "tx/grain.png": surfaces.speckles, "tx/waves.png": surfaces.waves,
-            "tx/landscape.png": views.landscape, "tx/painting.png": views.painting,
-            "tx/letter.png": signs.letter, "tx/medallion.png": signs.medallion,
-            "tx/palettes.png": signs.palettes,
-            "tmu/stones.png": surfaces.stones, "tmu/rough.png": surfaces.rough,
-            "tmu/grass.png": surfaces.grass, "tmu/boards.png": surfaces.boards,
-            "tmu/plaster.png": surfaces.wainscot, "tmu/window.png": views.window,
-            "tmu/pane.png": views.pane, "tmu/light.png": light.hall,
-            "tmu/light_end.png": light.end}
+PICTURES = {"n64/bricks.png": surfaces.bricks, "n64/planks.png": surfaces.planks,
+            "n64/plaster.png": surfaces.panels, "n64/pavement.png": surfaces.pavement,
+            "n64/grain.png": surfaces.speckles, "n64/waves.png": surfaces.waves,
+            "n64/landscape.png": views.landscape, "n64/painting.png": views.painting,
+            "n64/letter.png": signs.letter, "n64/medallion.png": signs.medallion,
+            "n64/palettes.png": signs.palettes,
+            "glide/stones.png": surfaces.stones, "glide/rough.png": surfaces.rough,
+            "glide/grass.png": surfaces.grass, "glide/boards.png": surfaces.boards,
+            "glide/plaster.png": surfaces.wainscot, "glide/window.png": views.window,
+            "glide/pane.png": views.pane, "glide/light.png": light.hall,
+            "glide/light_end.png": light.end}
 
 # How to make each file, by its path in tests/scenes.
 FILES: dict[str, Callable[[], bytes]] = {
@@ -77,4 +77,4 @@ FILES: dict[str, Callable[[], bytes]] = {
     **{name: partial(plain, make) for name, make in PICTURES.items()},
     **{aspect_name(*shape): partial(plain, partial(signs.aspect, *shape, tint))
        for shape, tint in signs.ASPECTS.items()},
-    **{f"tmu/size_{side}.png": partial(size, side) for side in (*signs.SIZES, 4, 2, 1)}}
+    **{f"glide/size_{side}.png": partial(size, side) for side in (*signs.SIZES, 4, 2, 1)}}

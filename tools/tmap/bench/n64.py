@@ -36,7 +36,7 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
             for name, value in example.values.items()})
     if kernel.endswith("_c"):
         more = {} if constants else {"constants": 0}
-        call = arena.struct("tx_call", constants, {"in": source, "out": out},
+        call = arena.struct("n64_call", constants, {"in": source, "out": out},
                             count=example.count, **more)
         return Case(kernel, arena, pointers={"a0": call}, far=far), written
     return Case(kernel, arena, registers={"d0": example.count},

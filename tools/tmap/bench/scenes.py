@@ -18,8 +18,8 @@ from tmap.model import model
 from tmap.scene_file.scene_file import Scene
 
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "shaded", "wide",
-         "panel", "tx_room", "tx_wall", "tx_ocean", "tx_floor", "tx_palettes", "tx_yuv",
-         "tx_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
+         "panel", "n64_room", "n64_wall", "n64_ocean", "n64_floor", "n64_palettes", "n64_yuv",
+         "n64_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
          "glide_lightmap", "dithered")
 FRAMES = 4
 ROW = "scene_"

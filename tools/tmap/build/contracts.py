@@ -30,7 +30,7 @@ from tmap.base.errors import UserError
 FIELDS = ("in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
-KERNELS = ("math", "mesh", "polygon", "edge", "span", "tx", "tmu", "screen")
+KERNELS = ("math", "mesh", "polygon", "edge", "span", "n64", "glide", "screen")
 
 BAR = re.compile(r";={20,}\s*$")
 TITLE = re.compile(r"; (\w+) - (\S.*)$")

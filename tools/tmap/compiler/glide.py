@@ -1,6 +1,6 @@
 """What a scene's TOML says of Glide's texture units: materials with a table ``glide``.
 
-The words are Glide's where it has one; c/tmu/tmu.h tells what each does.
+The words are Glide's where it has one; c/glide/glide.h tells what each does.
 """
 
 import numpy as np

@@ -100,7 +100,7 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
     """The number of each material's pipe, and what a Scene has of all of them. Fills in the sizes
     that units leave to their pictures."""
     numbers, known, memory = {}, {}, BytePool()
-    tmus, pipes = [], []
+    glide_units, pipes = [], []
     for name, material in spec["materials"].items():
         if "glide" not in material:
             continue
@@ -110,13 +110,13 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
             made = [row_of(unit, glide["perspective"], folder, memory, f"{at}.units[{n}]")
                     for n, unit in enumerate(glide["units"])]
             known[key] = len(pipes), glide["units"]
-            pipes.append([len(tmus), len(made), 2 * has_own(material), glide["prefilter"] << 10,
+            pipes.append([len(glide_units), len(made), 2 * has_own(material), glide["prefilter"] << 10,
                           BLENDS.index(glide["blend"])])
-            tmus += made
+            glide_units += made
         numbers[name], glide["units"] = known[key]
-    return numbers, {"tmus": np.array(tmus, np.int64).reshape(-1, len(COLUMNS["tmus"])),
+    return numbers, {"glide_units": np.array(glide_units, np.int64).reshape(-1, len(COLUMNS["glide_units"])),
                      "pipes": np.array(pipes, np.int64).reshape(-1, len(COLUMNS["pipes"])),
-                     "tmu_memory": bytes(memory.data)}
+                     "glide_memory": bytes(memory.data)}
 
 
 def size_of(material: dict) -> tuple[int, int]:

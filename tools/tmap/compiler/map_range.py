@@ -36,7 +36,7 @@ def map_of(material: dict, texture: dict | None) -> Map:
     size = (texture["width"], texture["height"]) if texture else (256, 256)
     if mapper == "glide":
         size = glide_build.size_of(material)
-    return Map(size, n64_build.size_of(material) if mapper == "unit" else extent_of(size))
+    return Map(size, n64_build.size_of(material) if mapper == "n64" else extent_of(size))
 
 
 def inside_map(corners: np.ndarray, texture: dict) -> np.ndarray:
@@ -71,7 +71,7 @@ def check_map(corners: list[list[float]], mapper: str, shown: Map, where: str) -
 
 def check_corners(corners: list[list[float]], mapper: str, shown: Map, where: str) -> None:
     """Refuses corners of one polygon, (x, y, s, t, ...), whose s, t the mapper cannot draw."""
-    if mapper == "unit":
+    if mapper == "n64":
         check_engine(corners, where)
     elif mapper == "glide":
         glide.check_range([corner[2:4] for corner in corners], where)

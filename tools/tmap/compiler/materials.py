@@ -33,14 +33,22 @@ def material_schema():
     settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
                 for name in SETTINGS if name != "mapper"} | {"tolerance": (number(0, 1), 0)}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
-    return choice({
+    check = choice({
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
         "colour": {"colour": (colour, REQUIRED)},
-        "tx": {"tx": (n64.schema(), REQUIRED), "mapper": (one_of("unit"), "unit")},
+        "n64": {"n64": (n64.schema(), REQUIRED), "mapper": (one_of("n64"), "n64")},
         "glide": {"glide": (glide.schema(), REQUIRED),
                   "mapper": (one_of("glide"), "glide")},
         "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
         settings)
+
+    def with_new_words(value, where):
+        if isinstance(value, dict) and "tx" in value:
+            fail(f"{where}.tx", "is called n64 now")
+        if isinstance(value, dict) and value.get("mapper") == "unit":
+            fail(f"{where}.mapper", '"unit" is called "n64" now')
+        return check(value, where)
+    return with_new_words
 
 
 def mapper_of(material: dict) -> str:
@@ -68,12 +76,12 @@ def check_units(material: dict, kind: str, frames: tuple[str, ...], pixel: Pixel
         fail(f"{at}.edges", '"integer" is not for a texture engine')
 
 
-def check_tx(material: dict, pixel: PixelFormat, at: str) -> None:
+def check_n64(material: dict, pixel: PixelFormat, at: str) -> None:
     """Refuses a texture engine that does not fit its material or the scene's pixels."""
-    check_units(material, "tx", n64.FRAMES, pixel, at)
-    if n64.copies(material["tx"]) and pixel.name != n64.COPY_FRAMES:
-        fail(f"{at}.tx.cycles", f'"{n64.COPY}" is for scenes in {n64.COPY_FRAMES}')
-    n64.check(material["tx"], f"{at}.tx")
+    check_units(material, "n64", n64.FRAMES, pixel, at)
+    if n64.copies(material["n64"]) and pixel.name != n64.COPY_FRAMES:
+        fail(f"{at}.n64.cycles", f'"{n64.COPY}" is for scenes in {n64.COPY_FRAMES}')
+    n64.check(material["n64"], f"{at}.n64")
 
 
 def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
@@ -86,8 +94,8 @@ def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
              + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
     if pixel.bytes > 1 and perspective != "none":
         fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
-    if "tx" in material:
-        check_tx(material, pixel, at)
+    if "n64" in material:
+        check_n64(material, pixel, at)
     if "glide" in material:
         check_units(material, "glide", glide.FRAMES, pixel, at)
         glide.check(material["glide"], f"{at}.glide")

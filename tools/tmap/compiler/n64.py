@@ -1,6 +1,6 @@
-"""What a scene's TOML says of texture engines: materials with a table ``tx``.
+"""What a scene's TOML says of texture engines: materials with a table ``n64``.
 
-The words are the N64 manual's where it has one; c/tx/tx.h tells what each does.
+The words are the N64 manual's where it has one; c/n64/n64.h tells what each does.
 """
 
 import re
@@ -117,7 +117,7 @@ def cycle_type(value, where):
 
 
 def schema():
-    """The check of a material's ``tx``."""
+    """The check of a material's ``n64``."""
     black, fraction = (0, 0, 0, 255), integer(0, 255)
     return table({
         "cycles": (cycle_type, 1), "combine": (combine, [PRESETS["decal"]]),
@@ -132,21 +132,21 @@ def schema():
         "tiles": (rows(tile_schema(), 1, TILES), REQUIRED)})
 
 
-def copies(tx: dict) -> bool:
+def copies(engine: dict) -> bool:
     """Whether an engine is in copy mode."""
-    return tx["cycles"] == COPY
+    return engine["cycles"] == COPY
 
 
-def inputs_of(tx: dict) -> set[str]:
+def inputs_of(engine: dict) -> set[str]:
     """The names of the inputs that count. texel0 and texel1: of the first cycle."""
-    cycles, found = tx["combine"], set()
+    cycles, found = engine["combine"], set()
     for number_, cycle in enumerate(cycles):
         for name in (*cycle.rgb, *cycle.alpha):
             name = name.removesuffix(".a")
             if number_ and name in ("texel0", "texel1"):
                 name = "texel1" if name == "texel0" else "texel0"
             found.add(name)
-    if tx["cycles"] == 1 and "texel1" in found:
+    if engine["cycles"] == 1 and "texel1" in found:
         found = found - {"texel1"} | {"texel0"}
     return found
 
@@ -161,14 +161,14 @@ class Looks:
 
 def looks(material: dict) -> Looks | None:
     """What a material's engine needs; None: it has none."""
-    tx = material.get("tx")
-    return tx and Looks(tx["perspective"], "shade" in inputs_of(tx))
+    engine = material.get("n64")
+    return engine and Looks(engine["perspective"], "shade" in inputs_of(engine))
 
 
-def numbers(tx: dict) -> list[int]:
+def numbers(engine: dict) -> list[int]:
     """The number of each tile's first level; then that behind the last."""
     found = [0]
-    for tile in tx["tiles"]:
+    for tile in engine["tiles"]:
         found.append(found[-1] + tile["levels"])
     return found
 
@@ -178,72 +178,72 @@ def is_ci(tile: dict) -> bool:
     return TEXELS[tile["format"]][0] == CI
 
 
-def check_tile(tx: dict, number_: int, where: str) -> None:
+def check_tile(engine: dict, number_: int, where: str) -> None:
     """Refuses a tile that does not go with the first one, or that has what is for others."""
-    tile, at = tx["tiles"][number_], f"{where}.tiles[{number_}]"
-    if is_ci(tile) and tx["tlut"] == "none":
+    tile, at = engine["tiles"][number_], f"{where}.tiles[{number_}]"
+    if is_ci(tile) and engine["tlut"] == "none":
         fail(f"{where}.tlut", f'"none", but tiles[{number_}] is {tile["format"]}')
-    if is_ci(tile) != is_ci(tx["tiles"][0]):
+    if is_ci(tile) != is_ci(engine["tiles"][0]):
         fail(f"{at}.format", f'"{tile["format"]}": with a TLUT all tiles are CI, without it none')
     for name, plain in (("palette", [0]), ("colours", None)):
         if tile[name] != plain and tile["format"] != "ci4":
             fail(f"{at}.{name}", f'is for "ci4", not "{tile["format"]}"')
 
 
-def check_tiles(tx: dict, where: str) -> None:
+def check_tiles(engine: dict, where: str) -> None:
     """Refuses tiles too many, that are missing, or that do not go together; fills in what is left
     out."""
-    firsts = numbers(tx)
-    for i, (tile, end) in enumerate(zip(tx["tiles"], firsts[1:])):
+    firsts = numbers(engine)
+    for i, (tile, end) in enumerate(zip(engine["tiles"], firsts[1:])):
         if end > TILES:
             fail(f"{where}.tiles[{i}].levels", f"makes {end} tiles; an engine has {TILES}")
-        check_tile(tx, i, where)
+        check_tile(engine, i, where)
         if tile["colours"] is None:
             tile["colours"] = tile["palette"][0]
-    has_tlut = is_ci(tx["tiles"][0])
-    if not has_tlut and (tx["tlut"] or "none") != "none":
-        fail(f"{where}.tlut", f'"{tx["tlut"]}", but no tile is CI')
-    if not has_tlut and tx["palettes"]:
+    has_tlut = is_ci(engine["tiles"][0])
+    if not has_tlut and (engine["tlut"] or "none") != "none":
+        fail(f"{where}.tlut", f'"{engine["tlut"]}", but no tile is CI')
+    if not has_tlut and engine["palettes"]:
         fail(f"{where}.palettes", "there is no tile that is CI")
-    tx["tlut"] = tx["tlut"] or ("rgba16" if has_tlut else "none")
-    check_last(tx, firsts[-1], where)
+    engine["tlut"] = engine["tlut"] or ("rgba16" if has_tlut else "none")
+    check_last(engine, firsts[-1], where)
 
 
-def check_last(tx: dict, count: int, where: str) -> None:
+def check_last(engine: dict, count: int, where: str) -> None:
     """Refuses an engine that would draw a tile behind its last; fills in the highest level."""
-    first = tx["tile"] + (tx["detail"] == "detail" and tx["lod"])  # behind a detail tile
-    if tx["max_level"] is None:
-        tx["max_level"] = max(count - 1 - first, 0) if tx["lod"] else 0
-    last = first + tx["max_level"] if tx["lod"] else tx["tile"] + ("texel1" in inputs_of(tx))
+    first = engine["tile"] + (engine["detail"] == "detail" and engine["lod"])  # behind a detail tile
+    if engine["max_level"] is None:
+        engine["max_level"] = max(count - 1 - first, 0) if engine["lod"] else 0
+    last = first + engine["max_level"] if engine["lod"] else engine["tile"] + ("texel1" in inputs_of(engine))
     if last >= count:
         fail(f"{where}.tiles", f"tile {last} would be drawn; there are tiles 0 to {count - 1}")
 
 
-def check_copy(tx: dict, where: str) -> None:
+def check_copy(engine: dict, where: str) -> None:
     """Refuses what copy mode does not do."""
     for name, plain in (NOT_COPIED | {"combine": [PRESETS["decal"]]}).items():
-        if tx[name] != plain:
+        if engine[name] != plain:
             fail(f"{where}.{name}", "is not for copy mode, which leaves texels as they are")
-    for i, tile in enumerate(tx["tiles"]):
+    for i, tile in enumerate(engine["tiles"]):
         if tile["format"] not in COPIED:
             fail(f"{where}.tiles[{i}].format", f'"{tile["format"]}": copy mode is for '
                                                + ", ".join(COPIED))
 
 
-def check(tx: dict, where: str) -> None:
+def check(engine: dict, where: str) -> None:
     """Refuses modes and tiles that do not go together; fills in what is left out."""
-    if copies(tx):
-        check_copy(tx, where)
-        check_tiles(tx, where)
+    if copies(engine):
+        check_copy(engine, where)
+        check_tiles(engine, where)
         return
-    if len(tx["combine"]) > tx["cycles"]:
+    if len(engine["combine"]) > engine["cycles"]:
         fail(f"{where}.combine", 'has two cycles: "cycles" must be 2')
-    if len(tx["combine"]) < tx["cycles"]:
-        tx["combine"] = [*tx["combine"], PRESETS["pass"]]
-    if tx["cycles"] == 1:
-        if tx["lod"] or "lod fraction" in inputs_of(tx):
-            fail(f"{where}.{'lod' if tx['lod'] else 'combine'}",
+    if len(engine["combine"]) < engine["cycles"]:
+        engine["combine"] = [*engine["combine"], PRESETS["pass"]]
+    if engine["cycles"] == 1:
+        if engine["lod"] or "lod fraction" in inputs_of(engine):
+            fail(f"{where}.{'lod' if engine['lod'] else 'combine'}",
                  'the level of detail needs "cycles" 2')
-        if tx["convert"] == "filter, convert":
+        if engine["convert"] == "filter, convert":
             fail(f"{where}.convert", '"filter, convert" needs "cycles" 2')
-    check_tiles(tx, where)
+    check_tiles(engine, where)

@@ -68,20 +68,20 @@ def moved(axis: Axis, way: float, level: int) -> int:
     return (axis.low + (round(4 * way) >> level)) % period
 
 
-def set_modes(words: List, tx: dict) -> None:
+def set_modes(words: List, engine: dict) -> None:
     """All modes, colours and constants."""
-    words.cycle_type({1: "one", 2: "two"}.get(tx["cycles"], tx["cycles"]))
-    words.texture_perspective(tx["perspective"])
-    words.texture_detail(tx["detail"])
-    words.texture_lod(tx["lod"])
-    words.texture_lut(tx["tlut"])
-    words.texture_filter(tx["filter"])
-    words.texture_convert(tx["convert"])
-    words.set_convert(*tx["k"])
-    words.combine_mode(tx["combine"][0], tx["combine"][-1])
-    words.prim_colour(tx["min_level"], tx["primitive_lod_fraction"], tx["primitive"])
-    words.env_colour(tx["environment"])
-    words.texture(tx["max_level"], tx["tile"])
+    words.cycle_type({1: "one", 2: "two"}.get(engine["cycles"], engine["cycles"]))
+    words.texture_perspective(engine["perspective"])
+    words.texture_detail(engine["detail"])
+    words.texture_lod(engine["lod"])
+    words.texture_lut(engine["tlut"])
+    words.texture_filter(engine["filter"])
+    words.texture_convert(engine["convert"])
+    words.set_convert(*engine["k"])
+    words.combine_mode(engine["combine"][0], engine["combine"][-1])
+    words.prim_colour(engine["min_level"], engine["primitive_lod_fraction"], engine["primitive"])
+    words.env_colour(engine["environment"])
+    words.texture(engine["max_level"], engine["tile"])
 
 
 def load_palettes(words: List, palettes: Palettes, dram: BytePool) -> None:
@@ -90,19 +90,19 @@ def load_palettes(words: List, palettes: Palettes, dram: BytePool) -> None:
         words.load_tlut(len(entries), 256 + first, dram.put(entries.astype(">u2").tobytes()))
 
 
-def lists_of(tx: dict, folder: Path, where: str, frames: int, dram: BytePool) -> list[Words]:
+def lists_of(engine: dict, folder: Path, where: str, frames: int, dram: BytePool) -> list[Words]:
     """An engine's display lists: at the start, then, where anything moves, for each frame."""
-    tiles, palettes = make(tx, folder, where)
-    place(tiles, dram, tx["tlut"] != "none")
+    tiles, palettes = make(engine, folder, where)
+    place(tiles, dram, engine["tlut"] != "none")
     start = List()
-    set_modes(start, tx)
+    set_modes(start, engine)
     load_palettes(start, palettes, dram)
     for tile in tiles:
         begin = describe if tile.is_loaded else load
         begin(start, tile, tile.spec["palette"][0])
         start.set_tile_size(tile.number, *edges(tile, 0))
     lists = [start.words]
-    if any(any(tile["slide"]) or len(tile["palette"]) > 1 for tile in tx["tiles"]):
+    if any(any(tile["slide"]) or len(tile["palette"]) > 1 for tile in engine["tiles"]):
         for frame in range(frames):
             words = List()
             words.tile_sync()
@@ -132,19 +132,19 @@ def build(spec: dict, folder: Path, frames: int, where: str) -> tuple[dict[str, 
     numbers_, known, dram = {}, {}, BytePool()
     units, lists, words = [], [], []
     for name, material in spec["materials"].items():
-        if "tx" not in material:
+        if "n64" not in material:
             continue
-        tx, at = material["tx"], join(f"{where}materials", name) + ".tx"
-        key = repr(tx)
+        engine, at = material["n64"], join(f"{where}materials", name) + ".n64"
+        key = repr(engine)
         if key not in known:
-            made = lists_of(tx, folder, at, frames, dram)
+            made = lists_of(engine, folder, at, frames, dram)
             check(made, dram, at)
-            known[key] = len(units), tx["tiles"]
+            known[key] = len(units), engine["tiles"]
             units.append([len(lists), len(made)])
             for each in made:
                 lists.append([len(words), len(each)])
                 words += each
-        numbers_[name], tx["tiles"] = known[key]
+        numbers_[name], engine["tiles"] = known[key]
     tables = {"units": units, "lists": lists, "words": words}
     return numbers_, {name: np.array(rows, np.int64).reshape(-1, 2)
                       for name, rows in tables.items()} | {"dram": bytes(dram.data)}
@@ -152,6 +152,6 @@ def build(spec: dict, folder: Path, frames: int, where: str) -> tuple[dict[str, 
 
 def size_of(material: dict) -> tuple[int, int]:
     """Texels of the first tile that an engine draws, once it is built."""
-    tx = material["tx"]
-    tile = next(tile for tile, end in zip(tx["tiles"], numbers(tx)[1:]) if tx["tile"] < end)
+    engine = material["n64"]
+    tile = next(tile for tile, end in zip(engine["tiles"], numbers(engine)[1:]) if engine["tile"] < end)
     return tile["width"], tile["height"]

@@ -164,29 +164,29 @@ def indexed_level(indices: np.ndarray, size: int, shape: tuple[int, int]) -> tex
     return texels.Texture(CI, size, shape[1], shape[0], indices.shape[1], data.tobytes())
 
 
-def indexed(tx: dict, pictures: list[list[np.ndarray]], folder: Path,
+def indexed(engine: dict, pictures: list[list[np.ndarray]], folder: Path,
             where: str) -> tuple[list[list[texels.Texture]], Palettes]:
     """The levels of CI tiles, and their palettes: those of "ci4" tiles with the same colours share
     one of 16 entries, all "ci8" tiles one of 256."""
-    palettes = Palettes(tx["tlut"] == "ia16")
-    if tx["palettes"]:
-        palettes.read(tx["palettes"], folder, f"{where}.palettes")
-    elif len({tile["format"] for tile in tx["tiles"]}) > 1:
+    palettes = Palettes(engine["tlut"] == "ia16")
+    if engine["palettes"]:
+        palettes.read(engine["palettes"], folder, f"{where}.palettes")
+    elif len({tile["format"] for tile in engine["tiles"]}) > 1:
         fail(f"{where}.palettes", 'is missing: "ci4" and "ci8" tiles share one TLUT')
     groups: dict[int | None, list[int]] = {}  # palette, None: of 256 entries
-    for i, tile in enumerate(tx["tiles"]):
+    for i, tile in enumerate(engine["tiles"]):
         groups.setdefault(tile["colours"] if tile["format"] == "ci4" else None, []).append(i)
     made: dict[int, list[texels.Texture]] = {}
     for number, members in groups.items():
         size, first, count = (1, 0, 256) if number is None else (0, ENTRIES * number, ENTRIES)
-        if tx["palettes"] and number is not None and first not in palettes.entries:
-            fail(f"{where}.tiles[{members[0]}].colours", f"{tx['palettes']} has no row {number}")
+        if engine["palettes"] and number is not None and first not in palettes.entries:
+            fail(f"{where}.tiles[{members[0]}].colours", f"{engine['palettes']} has no row {number}")
         padded = [texels.padded(level, texels.alignment(CI, size))
                   for i in members for level in pictures[i]]
         found = iter(palettes.indices(padded, first, count))
         for i in members:
             made[i] = [indexed_level(next(found), size, level.shape[:2]) for level in pictures[i]]
-    for i, tile in enumerate(tx["tiles"]):
+    for i, tile in enumerate(engine["tiles"]):
         for number in tile["palette"] if tile["format"] == "ci4" else ():
             if ENTRIES * number not in palettes.entries:
                 fail(f"{where}.tiles[{i}].palette", f"palette {number} has no colours")
@@ -202,19 +202,19 @@ def check_slide(steps: list[float], axes: list[Axis], level: int, where: str) ->
             fail(where, f"{name} repeats after more than {REACH} texels")
 
 
-def make(tx: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
+def make(engine: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
     """An engine's tiles, without their places, and its palettes."""
-    spots = [f"{where}.tiles[{i}]" for i in range(len(tx["tiles"]))]
+    spots = [f"{where}.tiles[{i}]" for i in range(len(engine["tiles"]))]
     pictures = [texels.chain(picture_of(tile, folder, at), tile["levels"])
-                for tile, at in zip(tx["tiles"], spots)]
+                for tile, at in zip(engine["tiles"], spots)]
     palettes = Palettes(False)
-    if tx["tlut"] != "none":
-        textures, palettes = indexed(tx, pictures, folder, where)
+    if engine["tlut"] != "none":
+        textures, palettes = indexed(engine, pictures, folder, where)
     else:
         textures = [[texels.encode(level, *TEXELS[tile["format"]]) for level in levels]
-                    for tile, levels in zip(tx["tiles"], pictures)]
+                    for tile, levels in zip(engine["tiles"], pictures)]
     made = []
-    for tile, first, levels, at in zip(tx["tiles"], numbers(tx), textures, spots):
+    for tile, first, levels, at in zip(engine["tiles"], numbers(engine), textures, spots):
         for level, texture in enumerate(levels):
             axes = [axis_of(tile[name], side, level, f"{at}.{name}")
                     for name, side in (("s", tile["width"]), ("t", tile["height"]))]

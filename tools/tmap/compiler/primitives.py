@@ -61,7 +61,7 @@ def check_rectangle(obj: dict, material: dict, where: str) -> None:
     if n64.looks(material).shade:
         fail(f"{where}.rectangle", f"material {name!r} reads shade, which a texture rectangle has "
                                    "not")
-    copies = n64.copies(material["tx"])
+    copies = n64.copies(material["n64"])
     if copies and obj["flip"]:
         fail(f"{where}.flip", "copy mode does not flip")
     (_, _, s, t, *_), (_, _, dsdx, dtdy, *_) = corners_of(obj, material, where)
@@ -76,7 +76,7 @@ def corners_of(obj: dict, material: dict, where: str) -> np.ndarray:
     left, top, right, bottom = obj["rectangle"]
     s, t = whole(obj["texel"], TEXEL, f"{where}.texel")
     dsdx, dtdy = whole(obj["step"], STEP, f"{where}.step")
-    if n64.copies(material["tx"]):
+    if n64.copies(material["n64"]):
         dsdx *= 4  # its step is that of four pixels
     return np.array([[left * ONE, top * ONE, s, t, 0, ONE],
                      [right * ONE, bottom * ONE, dsdx, dtdy, 0, ONE]], np.int64)
@@ -90,7 +90,7 @@ def check(obj: dict, material: dict, where: str) -> None:
         fail(f"{where}.{field}", f"material {name!r} has no texture engine")
     if kind in units.RECTANGLES:
         check_rectangle(obj, material, where)
-    elif looks and n64.copies(material["tx"]):
+    elif looks and n64.copies(material["n64"]):
         fail(f"{where}.material", f"{name!r} is in copy mode, which draws texture rectangles only")
     elif kind == "coloured" and not looks.shade:
         fail(f"{where}.colours", f"material {name!r} reads no shade")
@@ -138,4 +138,4 @@ def is_rectangle(obj: dict) -> bool:
 
 def is_coloured(material: dict) -> bool:
     """Whether a checked material's vertices have colours."""
-    return material.get("primitive") == "coloured" and materials.mapper_of(material) == "unit"
+    return material.get("primitive") == "coloured" and materials.mapper_of(material) == "n64"

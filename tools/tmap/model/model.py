@@ -69,7 +69,7 @@ def render(scene, number: int) -> np.ndarray:
     states = {}
     for which, vertices, vouched in placed_at(scene, number):
         material = scene.materials[which]
-        if material.mapper == "unit":
+        if material.mapper == "n64":
             if material.unit not in states:
                 states[material.unit] = state_at(scene, material.unit, number)
             units.draw_by_engine(states[material.unit], frame, material, vertices, vouched)

@@ -51,9 +51,9 @@ def set_material(own: Material, accuracy: int | None, perspective: int | None,
 def with_settings(scene: Scene, accuracy: int | None, perspective: int | None) -> Scene:
     """A scene whose materials are at these steps, each as far as it allows."""
     polygons = materials_of_polygons(scene)
-    tmus = scene.tmus.copy()
+    glide_units = scene.glide_units.copy()
     if perspective is not None:
-        tmus[:, COLUMNS["tmus"].index("subdivision")] = SUBDIVISION[PERSPECTIVE[perspective]]
-    return replace(scene, tmus=tmus, materials=[
+        glide_units[:, COLUMNS["glide_units"].index("subdivision")] = SUBDIVISION[PERSPECTIVE[perspective]]
+    return replace(scene, glide_units=glide_units, materials=[
         set_material(material, accuracy, perspective, number not in polygons)
         for number, material in enumerate(scene.materials)])

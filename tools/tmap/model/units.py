@@ -4,7 +4,7 @@ import numpy as np
 
 from tmap.base.fixed import M32
 from tmap.glide import polygon
-from tmap.n64 import polygon as tx_polygon
+from tmap.n64 import polygon as n64_polygon
 from tmap.n64.combiner import uses_shade
 from tmap.n64.state import COPY, State
 from tmap.scene_file.pipes import has_own, units_of
@@ -27,7 +27,7 @@ def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip:
         return
     check_range(rectangle_ends(box, (s, t), (dsdx, dtdy), state.modes.cycle == COPY, flip),
                 "rectangle")
-    tx_polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
+    n64_polygon.rectangle(state, frame, box, state.primitive_tile, s, t, dsdx, dtdy, flip)
 
 
 def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tuple],
@@ -47,12 +47,12 @@ def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tup
                 draw_by_engine(state, frame, material, part, vouched)
             return
     if material.primitive == "coloured":
-        corners = [tx_polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
+        corners = [n64_polygon.Vertex(x, y, s, t, w, tuple((shade & M32).to_bytes(4, "big")))
                    for x, y, s, t, shade, w in vertices]
     else:
-        corners = [tx_polygon.Vertex(x, y, s, t, w, shade=shade)
+        corners = [n64_polygon.Vertex(x, y, s, t, w, shade=shade)
                    for x, y, s, t, shade, w in vertices]
-    tx_polygon.draw(state, frame, corners, settings_of(material))
+    n64_polygon.draw(state, frame, corners, settings_of(material))
 
 
 def asked_by(perspective: bool) -> int:

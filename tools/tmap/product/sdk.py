@@ -24,14 +24,14 @@ from tmap.product import sdk_include
 
 #: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
 #: the programs' own.
-C_ROOMS = ("mesh", "polygon", "span", "texture", "tmu", "tx")
+C_ROOMS = ("mesh", "polygon", "span", "texture", "glide", "n64")
 C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources: what each offers, routines or a whole room.
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": "mesh", "tx": "tx", "tmu": "tmu"}
+         "mesh": "mesh", "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')

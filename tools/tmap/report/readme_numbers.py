@@ -72,20 +72,20 @@ FORMATS = (
     Format("9.7", "factors of normals: environment, light", 16, 7, True, "nearest",
            "c/scene/scene_file.h", "tests/mesh/test_mesh_ideal.py"),
     Format("s10.5", "s and t of the N64's texture engine", 16, 5, True, "as the hardware",
-           "c/tx/tx.h", "tests/n64/test_vectors.py"),
-    Format("s0.15", "its w, 0x7fff being 1.0", 16, 15, True, "as the hardware", "c/tx/passes.h",
+           "c/n64/n64.h", "tests/n64/test_vectors.py"),
+    Format("s0.15", "its w, 0x7fff being 1.0", 16, 15, True, "as the hardware", "c/n64/passes.h",
            "tests/n64/test_vectors.py"),
-    Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/tx/tx.h", "tests/n64/test_words.py"),
-    Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/tx/planes.h",
+    Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/n64/n64.h", "tests/n64/test_words.py"),
+    Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/n64/planes.h",
            "tests/n64/test_model_polygons.py"),
     Format("14.18", "s and t of Glide's unit, 0 to 256 along the longer side", 32, 18, True,
-           "as the hardware", "c/tmu/tmu.h", "tests/glide/test_vectors.py"),
-    Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/tmu/tmu.h",
+           "as the hardware", "c/glide/glide.h", "tests/glide/test_vectors.py"),
+    Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/glide/glide.h",
            "tests/glide/test_vectors.py"),
     Format("8.8", "its level of detail: 0 is a texel of level 0 a pixel", 16, 8, True,
-           "as the hardware", "c/tmu/tmu.h", "tests/glide/test_core.py"),
+           "as the hardware", "c/glide/glide.h", "tests/glide/test_core.py"),
     Format("0.4, 0.8", "its filter's weights: of Voodoo and of Voodoo 2", 4, 4, False, "down",
-           "c/tmu/tmu.h", "tests/glide/test_vectors.py"))
+           "c/glide/glide.h", "tests/glide/test_vectors.py"))
 
 
 def formats_table() -> str:

@@ -88,10 +88,10 @@ MODES = {"the N64's manual": {
     "trilinear, levels of detail and perspective; sharpened": ("trilinear", "sharpen"),
     "two tiles blended by a constant": ("blend",)},
          "Glide's guide": {
-    "points; the bilinear filter": ("tmu_point", "tmu_bilinear"),
-    "the same with perspective": ("tmu_point_perspective", "tmu_bilinear_perspective"),
-    "the same with a level of detail a pixel": ("tmu_mip_point", "tmu_mip_bilinear"),
-    "trilinear by two units": ("tmu_trilinear",)}}
+    "points; the bilinear filter": ("glide_point", "glide_bilinear"),
+    "the same with perspective": ("glide_point_perspective", "glide_bilinear_perspective"),
+    "the same with a level of detail a pixel": ("glide_mip_point", "glide_mip_bilinear"),
+    "trilinear by two units": ("glide_trilinear",)}}
 
 
 def mode_rows(baseline: dict, questions: dict[str, tuple[str, ...]]) -> list[tuple[str, str]]:

@@ -82,13 +82,13 @@ def check_unit(scene, material: Material, name: str, where: str) -> None:
     """Refuses a texture unit that is not there, and what none draws."""
     none = layout.load().constants["NO_UNIT"]
     if material.mapper in UNITS:
-        there = scene.units if material.mapper == "unit" else scene.pipes
+        there = scene.units if material.mapper == "n64" else scene.pipes
         require(name, f"{where}.unit", material.unit, 0, len(there) - 1)
         if material.edges == "integer":
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
         require(name, f"{where}.unit", material.unit, none, none)
-    primitives = PRIMITIVES if material.mapper == "unit" else PRIMITIVES[:1]
+    primitives = PRIMITIVES if material.mapper == "n64" else PRIMITIVES[:1]
     if material.primitive not in primitives:
         raise UserError(f"{name}: {where}.primitive: {material.primitive!r} is not for mapper "
                         f"{material.mapper!r}")

@@ -24,9 +24,9 @@ RESERVED_MODE = 1 << 31  # of no meaning here
 #: palette and NCC tables lie, three settings; a pipe's first unit, how many, which of them has
 #: coordinates of its own (2, or 0: none), bytes that prefiltered tiles may take, whether it adds to
 #: the frame.
-COLUMNS = {"tmus": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
-                    "fraction_bits", "dithered", "subdivision"),
-           "pipes": ("tmu", "tmus", "own", "prefilter", "adds")}
+COLUMNS = {"glide_units": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
+                           "fraction_bits", "dithered", "subdivision"),
+           "pipes": ("glide", "glide_units", "own", "prefilter", "adds")}
 
 
 def empty(table: str) -> np.ndarray:
@@ -36,14 +36,14 @@ def empty(table: str) -> np.ndarray:
 
 def longs(scene, at: int, count: int) -> np.ndarray:
     """Big-endian longs of the texture memory."""
-    return np.frombuffer(scene.tmu_memory, ">u4", count, at).astype(np.int64)
+    return np.frombuffer(scene.glide_memory, ">u4", count, at).astype(np.int64)
 
 
 def unit_of(scene, number: int) -> Unit:
     """The model of a unit."""
-    *words, memory, size, palette, ncc, bits, dithered, pixels = scene.tmus[number].tolist()
+    *words, memory, size, palette, ncc, bits, dithered, pixels = scene.glide_units[number].tolist()
     unit = Unit(replace(modes_of(*words, bits), dithered=dithered, subdivision=pixels),
-                np.frombuffer(scene.tmu_memory, np.uint8, size, memory))
+                np.frombuffer(scene.glide_memory, np.uint8, size, memory))
     if palette != NO_TABLE:
         unit.palette = unpacked(longs(scene, palette, 256))[:, :3]
     if ncc != NO_TABLE:
@@ -77,7 +77,7 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
     """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
     *words, memory, count, palette, ncc, bits, dithered, pixels = row
-    for column, word in zip(COLUMNS["tmus"], words):
+    for column, word in zip(COLUMNS["glide_units"], words):
         if not 0 <= word < 1 << 32:
             raise UserError(f"{name}: {where}.{column}: {word} is no register")
     if count < LEAST_BYTES or count & count - 1:
@@ -108,14 +108,14 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
 
 def check(scene, name: str) -> None:
     """Refuses units and pipes that cannot be."""
-    if len(scene.tmu_memory) % 8:
-        raise UserError(f"{name}: tmu_memory: {len(scene.tmu_memory)} bytes are not a multiple "
+    if len(scene.glide_memory) % 8:
+        raise UserError(f"{name}: glide_memory: {len(scene.glide_memory)} bytes are not a multiple "
                         "of 8")
-    for i, row in enumerate(scene.tmus.tolist()):
-        check_unit(row, len(scene.tmu_memory), name, f"tmus[{i}]")
+    for i, row in enumerate(scene.glide_units.tolist()):
+        check_unit(row, len(scene.glide_memory), name, f"glide_units[{i}]")
     for i, (first, count, own, prefilter, adds) in enumerate(scene.pipes.tolist()):
-        if not (1 <= count <= UNITS and 0 <= first <= len(scene.tmus) - count):
-            raise UserError(f"{name}: pipes[{i}].tmus: {first} and {count} of {len(scene.tmus)}")
+        if not (1 <= count <= UNITS and 0 <= first <= len(scene.glide_units) - count):
+            raise UserError(f"{name}: pipes[{i}].glide_units: {first} and {count} of {len(scene.glide_units)}")
         if own and (own, count) != (2, 2):
             raise UserError(f"{name}: pipes[{i}].own: {own} is no hint for {count} units")
         if not 0 <= prefilter < 1 << 32:

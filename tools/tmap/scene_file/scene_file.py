@@ -28,8 +28,8 @@ TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
           "views": "scene_view", "units": "scene_unit", "lists": "scene_list",
-          "words": "tx_word", "tmus": "scene_tmu", "pipes": "scene_pipe"}
-BYTES = ("dram", "tmu_memory")  # behind the tables, without a structure
+          "words": "n64_word", "glide_units": "scene_glide_unit", "pipes": "scene_pipe"}
+BYTES = ("dram", "glide_memory")  # behind the tables, without a structure
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
@@ -80,9 +80,9 @@ class Scene:
     lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
     words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)
     dram: bytes = field(default=b"", repr=False)  # what the lists load from
-    tmus: np.ndarray = field(default_factory=lambda: scene_pipes.empty("tmus"), repr=False)
+    glide_units: np.ndarray = field(default_factory=lambda: scene_pipes.empty("glide_units"), repr=False)
     pipes: np.ndarray = field(default_factory=lambda: scene_pipes.empty("pipes"), repr=False)
-    tmu_memory: bytes = field(default=b"", repr=False)  # of all Glide's units
+    glide_memory: bytes = field(default=b"", repr=False)  # of all Glide's units
 
     @property
     def pixel(self) -> PixelFormat:

@@ -15,8 +15,8 @@ from tmap.build import layout
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
                  "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
-                 "lit_gouraud": "page", "dithered": "page", "unit": None, "glide": None}
-UNITS = ("unit", "glide")  # mappers that are texture units
+                 "lit_gouraud": "page", "dithered": "page", "n64": None, "glide": None}
+UNITS = ("n64", "glide")  # mappers that are texture units
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
 #: What draws pixels of so many bytes.
 MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
@@ -25,7 +25,7 @@ MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
 #: Mappers whose u and v come from one plane, to each first pixel.
 ON_PLANE = ("lit_gouraud", "dithered")
 #: The format with 2 bytes a pixel that each kind of unit draws.
-UNIT_FORMATS = {"unit": "rgba5551", "glide": "rgb565"}
+UNIT_FORMATS = {"n64": "rgba5551", "glide": "rgb565"}
 
 
 @dataclass(eq=False)

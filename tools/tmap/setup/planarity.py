@@ -23,7 +23,7 @@ CORNERS = Settings(mapper="none")  # their u and v share no chain
 
 def asked(material) -> int:
     """What a material (or Settings) draws as planes; of texture units tmap.model.units has it."""
-    if material.mapper in ("flat", "unit", "glide") or material.gradients != "plane":
+    if material.mapper in ("flat", "n64", "glide") or material.gradients != "plane":
         return 0
     if material.mapper == "gouraud":
         return SHADES
@@ -51,7 +51,7 @@ def vouched(vertices, mapper: str, coloured: bool, halves: int) -> int:
     vertices has s, t and w of a second unit."""
     possible = {"flat": 0, "gouraud": SHADES, "lit_gouraud": TEXELS | SHADES,
                 "affine": TEXELS | DEPTHS, "glide": TEXELS | DEPTHS,
-                "unit": TEXELS | DEPTHS | (COLOURS if coloured else SHADES)}.get(mapper, TEXELS)
+                "n64": TEXELS | DEPTHS | (COLOURS if coloured else SHADES)}.get(mapper, TEXELS)
     count, found = len(vertices) // halves, ALL
     for first in range(0, len(vertices), count) if count > 3 else ():
         values = [(*p[:2], *v[2:]) for p, v in zip(vertices, vertices[first:first + count])]

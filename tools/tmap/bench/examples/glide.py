@@ -13,27 +13,27 @@ from tmap.bench.examples.example import Example
 
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tmu_walk": sample.walk, "tmu_walk_small": sample.walk_small,
-    "tmu_walk_clamp": sample.walk_clamp, "tmu_walk_inside": sample.walk_inside,
-    "tmu_point": sample.point, "tmu_bilinear": sample.bilinear,
-    "tmu_bilinear_8": sample.bilinear_8, "tmu_quads_8": sample.quads_8,
-    "tmu_bilinear_565": sample.bilinear_565, "tmu_store_565": sample.store_565,
-    "tmu_widen_565": sample.widen_565,
-    "tmu_divide": depth.divide, "tmu_divide_clamp": depth.divide_clamp,
-    "tmu_divide_each": depth.divide_each,
-    "tmu_pieces": depth.pieces_8, "tmu_pieces_16": depth.pieces_16,
-    "tmu_pieces_clamp": depth.pieces_clamp, "tmu_pieces_small": depth.pieces_small,
-    "tmu_lod": depth.lod, "tmu_logarithms": depth.logarithm_table,
-    "tmu_details": depth.details, "tmu_interleave": sample.interleave,
-    "tmu_lerp": combine.lerp, "tmu_scale": combine.scale, "tmu_modulate": combine.modulate,
-    "tmu_modulate_rgb": combine.modulate_rgb, "tmu_add": combine.add, "tmu_alpha": combine.alpha,
-    "tmu_combiner": combine.combine, "tmu_combine_line": combine.combine_line,
-    "tmu_quads": sample.quads,
+    "glide_walk": sample.walk, "glide_walk_small": sample.walk_small,
+    "glide_walk_clamp": sample.walk_clamp, "glide_walk_inside": sample.walk_inside,
+    "glide_point": sample.point, "glide_bilinear": sample.bilinear,
+    "glide_bilinear_8": sample.bilinear_8, "glide_quads_8": sample.quads_8,
+    "glide_bilinear_565": sample.bilinear_565, "glide_store_565": sample.store_565,
+    "glide_widen_565": sample.widen_565,
+    "glide_divide": depth.divide, "glide_divide_clamp": depth.divide_clamp,
+    "glide_divide_each": depth.divide_each,
+    "glide_pieces": depth.pieces_8, "glide_pieces_16": depth.pieces_16,
+    "glide_pieces_clamp": depth.pieces_clamp, "glide_pieces_small": depth.pieces_small,
+    "glide_lod": depth.lod, "glide_logarithms": depth.logarithm_table,
+    "glide_details": depth.details, "glide_interleave": sample.interleave,
+    "glide_lerp": combine.lerp, "glide_scale": combine.scale, "glide_modulate": combine.modulate,
+    "glide_modulate_rgb": combine.modulate_rgb, "glide_add": combine.add, "glide_alpha": combine.alpha,
+    "glide_combiner": combine.combine, "glide_combine_line": combine.combine_line,
+    "glide_quads": sample.quads,
 } | tiles.MAKERS
 #: Tables, and what chooses passes: C alone.
-IN_C_ALONE = ("tmu_quads", "tmu_quads_8", "tmu_logarithms", "tmu_combine_line")
+IN_C_ALONE = ("glide_quads", "glide_quads_8", "glide_logarithms", "glide_combine_line")
 #: Other input of a pass: beside it there is no C.
-FORMS = {"tmu_walk_small": "tmu_walk", "tmu_walk_inside": "tmu_walk_clamp",
-         "tmu_divide_clamp": "tmu_divide", "tmu_divide_each": "tmu_divide",
-         "tmu_pieces_16": "tmu_pieces", "tmu_pieces_clamp": "tmu_pieces",
-         "tmu_pieces_small": "tmu_pieces"} | tiles.FORMS
+FORMS = {"glide_walk_small": "glide_walk", "glide_walk_inside": "glide_walk_clamp",
+         "glide_divide_clamp": "glide_divide", "glide_divide_each": "glide_divide",
+         "glide_pieces_16": "glide_pieces", "glide_pieces_clamp": "glide_pieces",
+         "glide_pieces_small": "glide_pieces"} | tiles.FORMS

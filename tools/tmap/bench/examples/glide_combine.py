@@ -12,7 +12,7 @@ from tmap.glide.state import Combination, Modes
 
 
 class Mix:
-    """A random struct tmu_mix for ``count`` texels."""
+    """A random struct glide_mix for ``count`` texels."""
 
     def __init__(self, rng, count: int) -> None:
         n = np.arange(count)
@@ -33,35 +33,35 @@ class Mix:
 
     def example(self, kernel: str, texels: np.ndarray, mixed: np.ndarray) -> Example:
         """A call that makes ``mixed`` of texels, [count][4] both."""
-        return Example(kernel, pixels(texels), pixels(mixed), len(texels), "tmu_mix", self.values,
+        return Example(kernel, pixels(texels), pixels(mixed), len(texels), "glide_mix", self.values,
                        self.blocks)
 
 
 def lerp(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("tmu_lerp", texels, texels + ((mix.other - texels) * mix.factor >> 8))
+    return mix.example("glide_lerp", texels, texels + ((mix.other - texels) * mix.factor >> 8))
 
 
 def scale(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("tmu_scale", texels, texels * mix.factor >> 8)
+    return mix.example("glide_scale", texels, texels * mix.factor >> 8)
 
 
 def modulate(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("tmu_modulate", texels, texels * ((mix.other ^ mix.flip) + 1) >> 8)
+    return mix.example("glide_modulate", texels, texels * ((mix.other ^ mix.flip) + 1) >> 8)
 
 
 def modulate_rgb(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
     found = texels * ((mix.other ^ mix.flip) + 1) >> 8
     found[:, 3] = texels[:, 3]
-    return mix.example("tmu_modulate_rgb", texels, found)
+    return mix.example("glide_modulate_rgb", texels, found)
 
 
 def add(rng, count: int) -> Example:
     texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("tmu_add", texels, np.minimum(texels + mix.other, 255))
+    return mix.example("glide_add", texels, np.minimum(texels + mix.other, 255))
 
 
 def alpha(rng, count: int) -> Example:
@@ -70,7 +70,7 @@ def alpha(rng, count: int) -> Example:
     found = texels.copy()
     found[:, 3] = alphas[np.arange(count) * step // 4, 0]
     inverted = rng.choice((0, 255), 4)
-    return Example("tmu_alpha", pixels(texels), pixels(found ^ inverted), count, "tmu_alphas",
+    return Example("glide_alpha", pixels(texels), pixels(found ^ inverted), count, "glide_alphas",
                    {"step": step, "inverted": int.from_bytes(pixels(inverted), "big")},
                    {"alphas": pixels(alphas)})
 
@@ -89,7 +89,7 @@ def combine(rng, count: int) -> Example:
     flip, invert = (255 * int(n) for n in rng.integers(0, 2, 2))
     found = ((other - local) * ((factor ^ flip) + 1) >> 8) + added
     found = np.clip(found, 0, 255) ^ invert
-    return Example("tmu_combiner", bytes(4), found.astype(np.uint8).tobytes(), count, "tmu_inputs",
+    return Example("glide_combiner", bytes(4), found.astype(np.uint8).tobytes(), count, "glide_inputs",
                    steps | {"flip": flip, "invert": invert}, blocks, stride=4)
 
 
@@ -115,10 +115,10 @@ def any_modes(rng) -> Modes:
 
 
 def modes_bytes(modes: Modes) -> list[int]:
-    """struct tmu_modes."""
+    """struct glide_modes."""
     values = {field.name: getattr(modes, field.name) for field in fields(modes)}
     values |= {name: list(astuple(values[name])) for name in ("rgb", "alpha")} | {"spare": [0] * 2}
-    return list(layout.load().struct("tmu_modes").pack(**values))
+    return list(layout.load().struct("glide_modes").pack(**values))
 
 
 def combine_line(rng, count: int) -> Example:
@@ -138,7 +138,7 @@ def combine_line(rng, count: int) -> Example:
     flip = 255 * (modes.trilinear & level)
     known = [int(n) if rng.random() < 0.7 and is_one else -1 for n in (details[0], fractions[0])]
     known.append(flip if rng.random() < 0.8 else -1)
-    return Example("tmu_combine_line", pixels(local), pixels(found), count, "tmu_combine_call",
+    return Example("glide_combine_line", pixels(local), pixels(found), count, "glide_combine_call",
                    {"modes": modes_bytes(modes), "detail_step": step, "fraction_step": step,
                     "odd": level & 1, "has_other": has_other, "has_alpha": has_alpha, "spare": 0}
                    | dict(zip(("detail", "fraction", "flip"), known)), blocks)

@@ -52,8 +52,8 @@ def found(start, step, count: int, ground: Axes) -> Example:
     points = walked(start, step, count)
     divided = np.array([[quotient(int(c), int(w), ground.behind) for c in (s, t)]
                         for s, t, w in points])
-    return Example("tmu_divide", longs(start), pairs(ground.coordinates(divided)), count,
-                   "tmu_steps", ground.values(step))
+    return Example("glide_divide", longs(start), pairs(ground.coordinates(divided)), count,
+                   "glide_steps", ground.values(step))
 
 
 def divide(rng, count: int) -> Example:
@@ -97,8 +97,8 @@ def line_of_pieces(start, step, ground: Axes) -> np.ndarray:
 def some_pieces(start, step, count: int, ground: Axes) -> Example:
     """A run of ``count`` pixels."""
     values = line_of_pieces(start, step, ground)[ground.skip:][:count]
-    return Example("tmu_pieces", longs(start), pairs(ground.coordinates(values)), count,
-                   "tmu_steps", ground.values(step))
+    return Example("glide_pieces", longs(start), pairs(ground.coordinates(values)), count,
+                   "glide_steps", ground.values(step))
 
 
 def pieces(rng, count: int) -> Example:
@@ -152,7 +152,7 @@ def logarithm(value: int) -> int:
 
 @cache
 def logarithms() -> bytes:
-    """What tmu_logarithms_make makes."""
+    """What glide_logarithms_make makes."""
     rows = []
     for first in range(1 << 31, 1 << 32, 1 << 22):
         inside = [limit for limit in limits() if first <= limit < first + (1 << 22)]
@@ -161,7 +161,7 @@ def logarithms() -> bytes:
 
 
 def logarithm_table(_, count: int) -> Example:
-    return Example("tmu_logarithms", longs(limits()), logarithms(), count)
+    return Example("glide_logarithms", longs(limits()), logarithms(), count)
 
 
 def lod(rng, count: int) -> Example:
@@ -177,7 +177,7 @@ def lod(rng, count: int) -> Example:
     w = walked(start, step, count)[:, 2]
     found = [min(max(int(lods[n % 4]) + 31 * 256 - logarithm(abs(int(z))), least), most) if z
              else most for n, z in enumerate(w)]
-    return Example("tmu_lod", longs(start), words(found), count, "tmu_lods",
+    return Example("glide_lod", longs(start), words(found), count, "glide_lods",
                    {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
                    {"logarithms": logarithms()})
 
@@ -191,5 +191,5 @@ def details(rng, count: int) -> Example:
     lods = rng.integers(first, end + 1, count)
     lods[rng.random(count) < 0.1] = first
     factors = (end - lods >> 8 - scale).astype(np.uint8)
-    return Example("tmu_details", words(lods), factors.tobytes(), count, "tmu_nearness",
+    return Example("glide_details", words(lods), factors.tobytes(), count, "glide_nearness",
                    {"end": end, "shift": 8 - scale})

@@ -19,12 +19,12 @@ class Axes:
     half: int
     last: tuple[int, int]
     behind: int = 0
-    bits: int = 0  # of tmu_pieces alone, from here on
+    bits: int = 0  # of glide_pieces alone, from here on
     skip: int = 0
     left: int = 0
 
     def values(self, step) -> dict[str, int]:
-        """struct tmu_steps."""
+        """struct glide_steps."""
         return dict(zip("stw", step)) | {"shift": self.shift, "half": self.half,
                                          "last_s": self.last[0], "last_t": self.last[1],
                                          "behind": self.behind, "bits": self.bits,
@@ -55,7 +55,7 @@ def walk(rng, count: int, levels=(0, 3)) -> Example:
     if rng.random() < 0.5:
         step = rng.integers(-1 << 21, 1 << 21, 2)
     found = ground.coordinates(numbered(start, step, count))
-    return Example("tmu_walk", longs([*start, 0]), pairs(found), count, "tmu_steps",
+    return Example("glide_walk", longs([*start, 0]), pairs(found), count, "glide_steps",
                    ground.values([*step, 0]))
 
 
@@ -76,7 +76,7 @@ def walk_clamp(rng, count: int) -> Example:
         ground = Axes(14, 8, (255 * 16, 255 * 16))
         start, step = [-40 << 18, 50 << 18], [1 << 18, 1 << 18]
     found = ground.coordinates(walked(start, step, count))
-    return Example("tmu_walk_clamp", longs([*start, 0]), pairs(found), count, "tmu_steps",
+    return Example("glide_walk_clamp", longs([*start, 0]), pairs(found), count, "glide_steps",
                    ground.values([*step, 0]))
 
 
@@ -86,8 +86,8 @@ def walk_inside(rng, count: int) -> Example:
     step = (ends[1] - ends[0]) // count
     if count == BENCH:
         ground = Axes(14, 8, (255 * 16, 255 * 16))
-    return Example("tmu_walk_clamp", longs([*ends[0], 0]),
-                   pairs(ground.coordinates(numbered(ends[0], step, count))), count, "tmu_steps",
+    return Example("glide_walk_clamp", longs([*ends[0], 0]),
+                   pairs(ground.coordinates(numbered(ends[0], step, count))), count, "glide_steps",
                    ground.values([*step, 0]))
 
 
@@ -98,13 +98,13 @@ def halves(coefficients: tuple[np.ndarray, ...]) -> bytes:
 
 
 def quad_bytes(corners: np.ndarray) -> bytes:
-    """struct tmu_quad of texels (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): [n][4][4]."""
+    """struct glide_quad of texels (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1): [n][4][4]."""
     c00, c10, c01, c11 = (corners[:, k].astype(np.int64) for k in range(4))
     return halves((c00 - c10 - c01 + c11, 16 * (c10 - c00), 16 * (c01 - c00), 256 * c00))
 
 
 def quad_8_bytes(corners: np.ndarray) -> bytes:
-    """struct tmu_quad_8 of the same."""
+    """struct glide_quad_8 of the same."""
     c00, c10, c01, c11 = (corners[:, k].astype(np.int64) for k in range(4))
     return halves((c10 - c00, 256 * c00, c11 - c01, 256 * c01))
 
@@ -118,12 +118,12 @@ def row_of_quads(rng, count: int) -> tuple[bytes, np.ndarray]:
 
 def quads_8(rng, count: int) -> Example:
     texels, corners = row_of_quads(rng, count)
-    return Example("tmu_quads_8", texels, quad_8_bytes(corners), count)
+    return Example("glide_quads_8", texels, quad_8_bytes(corners), count)
 
 
 def quads(rng, count: int) -> Example:
     texels, corners = row_of_quads(rng, count)
-    return Example("tmu_quads", texels, quad_bytes(corners), count)
+    return Example("glide_quads", texels, quad_bytes(corners), count)
 
 
 @dataclass
@@ -139,13 +139,13 @@ class Level:
                          for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
 
     def decoded(self, to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
-        """struct tmu_decoded: name, values, blocks; ``to_bytes``: of its quads, or without."""
+        """struct glide_decoded: name, values, blocks; ``to_bytes``: of its quads, or without."""
         rows, columns = self.texels.shape[:2]
         blocks = {"texels": pixels(self.texels)}
         if to_bytes:
             y, x = np.divmod(np.arange(rows * columns), columns)
             blocks["quads"] = to_bytes(self.corners(x, y))
-        return "tmu_decoded", dict(
+        return "glide_decoded", dict(
             mask_s=columns - 1 << 4, mask_t=rows - 1 << 4, columns_bits=columns.bit_length() - 1,
             rows_bits=rows.bit_length() - 1) | ({} if to_bytes else {"quads": 0}), blocks
 
@@ -176,13 +176,13 @@ def bilinear(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), level(rng)
     if count == BENCH:  # each pair of fractions once, in no order
         st = (st & ~15) + rng.permuted(np.stack(np.divmod(np.arange(256), 16), 1), axis=0)
-    return Example("tmu_bilinear", pairs(st), pixels(filtered(st, ground, 4)), count,
+    return Example("glide_bilinear", pairs(st), pixels(filtered(st, ground, 4)), count,
                    *ground.decoded(quad_bytes))
 
 
 def bilinear_8(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), level(rng)
-    return Example("tmu_bilinear_8", pairs(st), pixels(filtered(st, ground, 8)), count,
+    return Example("glide_bilinear_8", pairs(st), pixels(filtered(st, ground, 8)), count,
                    *ground.decoded(quad_8_bytes))
 
 
@@ -200,20 +200,20 @@ def bilinear_565(rng, count: int) -> Example:
 
 def point(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), level(rng)
-    return Example("tmu_point", pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
+    return Example("glide_point", pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
                    *ground.decoded())
 
 
 def store_565(rng, count: int) -> Example:
     texels = pixels(any_texels(rng, count))
-    return Example("tmu_store_565", texels, packed(texels), count)
+    return Example("glide_store_565", texels, packed(texels), count)
 
 
 def widen_565(rng, count: int) -> Example:
     found = rng.integers(0, 1 << 16, count)
     r, g, b = found >> 11, found >> 5 & 63, found & 31
     texels = [r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2, 0 * found]
-    return Example("tmu_widen_565", words(found), pixels(np.stack(texels, -1)), count)
+    return Example("glide_widen_565", words(found), pixels(np.stack(texels, -1)), count)
 
 
 def interleave(rng, count: int) -> Example:
@@ -221,5 +221,5 @@ def interleave(rng, count: int) -> Example:
     room = (count + 3) // 4 + int(rng.integers(0, 5))
     quarters = any_texels(rng, 4 * room)
     found = [quarters[n % 4 * room + n // 4] for n in range(count)]
-    return Example("tmu_interleave", pixels(quarters), pixels(np.array(found)), count,
-                   "tmu_quarters", {"bytes": 4 * room})
+    return Example("glide_interleave", pixels(quarters), pixels(np.array(found)), count,
+                   "glide_quarters", {"bytes": 4 * room})

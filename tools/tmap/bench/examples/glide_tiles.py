@@ -29,7 +29,7 @@ def example(start, step, count: int, shift: int, first: int, page: bytes,
             expected: bytes) -> Example:
     """A line over a page of which the rows from ``first`` on are there."""
     bits = len(page) // (SIDE * ROWS) * 8
-    return Example(f"tmu_tile_{bits}", longs([*start, 0]), expected, count, "tmu_paging",
+    return Example(f"glide_tile_{bits}", longs([*start, 0]), expected, count, "glide_paging",
                    {"s": step[0], "t": step[1], "left": 24 - shift, "spare": 0},
                    {"pixels": page}, within={"pixels": -first * SIDE * bits // 8})
 
@@ -96,11 +96,11 @@ def prefiltered(bits: int, filter_of=one_level) -> Callable[..., Example]:
 
 
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tmu_tile_16": any_page(16), "tmu_tile_32": any_page(32),
-    "tmu_bilinear_prefiltered": prefiltered(32), "tmu_bilinear_prefiltered_16": prefiltered(16),
-    "tmu_trilinear_prefiltered": prefiltered(32, two_levels),
-    "tmu_trilinear_prefiltered_16": prefiltered(16, two_levels),
+    "glide_tile_16": any_page(16), "glide_tile_32": any_page(32),
+    "glide_bilinear_prefiltered": prefiltered(32), "glide_bilinear_prefiltered_16": prefiltered(16),
+    "glide_trilinear_prefiltered": prefiltered(32, two_levels),
+    "glide_trilinear_prefiltered_16": prefiltered(16, two_levels),
 }
 #: Rows that are the two kernels on other pages.
-FORMS = {name: "tmu_tile_16" if name.endswith("16") else "tmu_tile_32"
+FORMS = {name: "glide_tile_16" if name.endswith("16") else "glide_tile_32"
          for name in MAKERS if "prefiltered" in name}

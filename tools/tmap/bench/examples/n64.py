@@ -24,7 +24,7 @@ def combined(a, b, c, d) -> np.ndarray:
 def copy_row(rng, count: int) -> Example:
     count = -(-count // 32) * 32
     row = rng.bytes(4 * count)
-    return Example("tx_copy_row", row, row, count)
+    return Example("n64_copy_row", row, row, count)
 
 
 def shade(rng, count: int) -> Example:
@@ -33,7 +33,7 @@ def shade(rng, count: int) -> Example:
     if rng.random() < 0.2:
         start, step = rng.integers(-1 << 31, 1 << 31, (2, 4))
     found = np.clip(walked(start, step, count) >> 16, 0, 255)
-    return Example("tx_shade", longs(start), pixels(found), count, "tx_shades",
+    return Example("n64_shade", longs(start), pixels(found), count, "n64_shades",
                    dict(zip("rgba", step)))
 
 
@@ -43,8 +43,8 @@ def lerp(rng, count: int) -> Example:
     step = some_step(rng, count, 2)
     fractions = np.where(rng.random(count) < 0.2, 0, fractions)
     used = fractions[np.arange(count) * step // 2][:, None]
-    return Example("tx_lerp", pixels(first), pixels(combined(second, first, used, first)), count,
-                   "tx_blend", {"fraction_step": step},
+    return Example("n64_lerp", pixels(first), pixels(combined(second, first, used, first)), count,
+                   "n64_blend", {"fraction_step": step},
                    {"other": pixels(second), "fractions": words(fractions)})
 
 
@@ -52,25 +52,25 @@ def modulate(rng, count: int) -> Example:
     first, other = any_texels(rng, count), any_texels(rng, count)
     step = some_step(rng, count, 4)
     found = first * other[np.arange(count) * step // 4] + 128 >> 8
-    return Example("tx_modulate", pixels(first), pixels(found), count, "tx_modulation",
+    return Example("n64_modulate", pixels(first), pixels(found), count, "n64_modulation",
                    {"step": step}, {"other": pixels(other)})
 
 
 def mapped(rng, count: int) -> Example:
     texels, tables = any_texels(rng, count), rng.integers(0, 256, (4, 256))
-    return Example("tx_map", pixels(texels), pixels(tables[np.arange(4), texels]), count,
+    return Example("n64_map", pixels(texels), pixels(tables[np.arange(4), texels]), count,
                    table=pixels(tables))
 
 
 def widen(rng, count: int) -> Example:
     texels = any_texels(rng, count)
-    return Example("tx_widen", pixels(texels), words(texels), count)
+    return Example("n64_widen", pixels(texels), words(texels), count)
 
 
 def narrow(rng, count: int) -> Example:
     numbers = rng.integers(-128, 384, (count, 4))
     clamped = np.where(numbers < 0, 0, np.where(numbers > 255, 255, numbers))
-    return Example("tx_narrow", words(numbers), pixels(clamped), count)
+    return Example("n64_narrow", words(numbers), pixels(clamped), count)
 
 
 def combine(rng, count: int) -> Example:
@@ -85,24 +85,24 @@ def combine(rng, count: int) -> Example:
     a, b, c, d = used
     value = (a - b) * signed(c, 9) + 256 * d + 128 >> 8 & 0x1FF
     found = np.where(value >> 7 == 3, value - 512, value)
-    return Example("tx_combiner", bytes(4), words(found), count, "tx_combination", steps, inputs,
+    return Example("n64_combiner", bytes(4), words(found), count, "n64_combination", steps, inputs,
                    stride=8)
 
 
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {
-    "tx_walk": sample.walk, "tx_threepoint": sample.threepoint,
-    "tx_threepoint_16": sample.threepoint_16, "tx_average": sample.average,
-    "tx_point": sample.point, "tx_store_16": sample.store_16, "tx_divide": depth.divide,
-    "tx_tile": sample.tiled, "tx_tile_plain": sample.tiled_plain, "tx_lerp": lerp,
-    "tx_modulate": modulate, "tx_map": mapped, "tx_widen": widen, "tx_combiner": combine,
-    "tx_narrow": narrow, "tx_shade": shade, "tx_copy_row": copy_row,
-    "tx_chroma": yuv.halved, "tx_convert": yuv.convert,
-    "tx_convert_wide": yuv.convert_wide, "tx_matrix": yuv.matrix,
-    "tx_lod": depth.lod, "tx_lod_apart": depth.lod_apart, "tx_quads": sample.quads,
-    "tx_reciprocals": depth.reciprocal_table, "tx_levels": depth.levels,
+    "n64_walk": sample.walk, "n64_threepoint": sample.threepoint,
+    "n64_threepoint_16": sample.threepoint_16, "n64_average": sample.average,
+    "n64_point": sample.point, "n64_store_16": sample.store_16, "n64_divide": depth.divide,
+    "n64_tile": sample.tiled, "n64_tile_plain": sample.tiled_plain, "n64_lerp": lerp,
+    "n64_modulate": modulate, "n64_map": mapped, "n64_widen": widen, "n64_combiner": combine,
+    "n64_narrow": narrow, "n64_shade": shade, "n64_copy_row": copy_row,
+    "n64_chroma": yuv.halved, "n64_convert": yuv.convert,
+    "n64_convert_wide": yuv.convert_wide, "n64_matrix": yuv.matrix,
+    "n64_lod": depth.lod, "n64_lod_apart": depth.lod_apart, "n64_quads": sample.quads,
+    "n64_reciprocals": depth.reciprocal_table, "n64_levels": depth.levels,
 }
 #: Tables, made by C alone.
-IN_C_ALONE = ("tx_reciprocals", "tx_levels", "tx_matrix")
+IN_C_ALONE = ("n64_reciprocals", "n64_levels", "n64_matrix")
 #: Another form, or other input, of a pass: beside it there is no C.
-FORMS = {"tx_tile_plain": "tx_tile", "tx_lod_apart": "tx_lod", "tx_copy_row": "tx_copy_row"}
+FORMS = {"n64_tile_plain": "n64_tile", "n64_lod_apart": "n64_lod", "n64_copy_row": "n64_copy_row"}

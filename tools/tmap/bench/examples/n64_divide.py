@@ -20,7 +20,7 @@ def reciprocal(w: int) -> tuple[int, int]:
 
 @cache
 def reciprocals() -> bytes:
-    """What tx_divide_table_make makes."""
+    """What n64_divide_table_make makes."""
     made = [0x7FFFFFFF, 0x7FFFFFFF]
     for w in range(2, 1 << 15):
         r, shifts = reciprocal(w)
@@ -66,12 +66,12 @@ def divide(rng, count: int) -> Example:
         start, step = usual_iterators(rng, count)
     st = [[in_range(divided(int(c), int(w))[0]) for c in (s, t)]
           for s, t, w in walked(start, step, count) >> 16]
-    return Example("tx_divide", longs(start), pairs(np.array(st)), count, "tx_division",
+    return Example("n64_divide", longs(start), pairs(np.array(st)), count, "n64_division",
                    dict(zip("stw", step)), {"reciprocals": reciprocals()})
 
 
 def reciprocal_table(_, count: int) -> Example:
-    return Example("tx_reciprocals", bytes(4), reciprocals(), count)
+    return Example("n64_reciprocals", bytes(4), reciprocals(), count)
 
 
 @dataclass
@@ -110,7 +110,7 @@ class Level:
         return tiles[0] & 7, tiles[1] & 7, fraction
 
     def table(self) -> bytes:
-        """struct tx_levels."""
+        """struct n64_levels."""
         def entry(first: int, second: int, low: int) -> int:
             return first << 24 | second << 16 | low & 0xFFFF
 
@@ -130,7 +130,7 @@ def any_level(rng) -> Level:
 
 def levels(rng, count: int) -> Example:
     mode = any_level(rng)
-    return Example("tx_levels", bytes(4), mode.table(), count, "tx_level_modes", vars(mode))
+    return Example("n64_levels", bytes(4), mode.table(), count, "n64_level_modes", vars(mode))
 
 
 def lod_apart(rng, count: int) -> Example:
@@ -160,6 +160,6 @@ def lod(rng, count: int, apart: int = 0) -> Example:
         blendings.append(first << 24 | second << 16 | fraction & 0xFFFF)
     values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
                                        for axis, n in zip("stw", g)}
-    return Example("tx_lod", longs(start), pairs(np.array(st)), count, "tx_lod_steps", values,
+    return Example("n64_lod", longs(start), pairs(np.array(st)), count, "n64_lod_steps", values,
                    {"reciprocals": reciprocals(), "levels": mode.table()},
                    more={"blendings": longs(blendings)})

@@ -21,12 +21,12 @@ def walk(rng, count: int) -> Example:
     start, step = rng.integers(-1 << 31, 1 << 31, (2, 2))
     if rng.random() < 0.5:
         step = rng.integers(-1 << 21, 1 << 21, 2)
-    return Example("tx_walk", longs([*start, 0]), pairs(walked(start, step, count) >> 16), count,
-                   "tx_iterators", dict(s=step[0], t=step[1], w=0))
+    return Example("n64_walk", longs([*start, 0]), pairs(walked(start, step, count) >> 16), count,
+                   "n64_iterators", dict(s=step[0], t=step[1], w=0))
 
 
 def quad_bytes(corners: np.ndarray) -> bytes:
-    """struct tx_quad of the corners c00, c10, c01, c11: [n][4][4]."""
+    """struct n64_quad of the corners c00, c10, c01, c11: [n][4][4]."""
     corners = corners.astype(np.int64)
     c00, c10, c01, c11 = (corners[:, k] for k in range(4))
     rows = []
@@ -46,7 +46,7 @@ def quads(rng, count: int) -> Example:
     made = quad_bytes(np.stack([above[:-1], above[1:], below[:-1], below[1:]], 1))
     apart = np.zeros((count, step, len(made) // count), np.uint8)
     apart[:, 0] = np.frombuffer(made, np.uint8).reshape(count, -1)
-    return Example("tx_quads", pixels(rows[0]), apart.tobytes(), count, "tx_quad_row",
+    return Example("n64_quads", pixels(rows[0]), apart.tobytes(), count, "n64_quad_row",
                    {"step": step}, {"below": pixels(rows[1])})
 
 
@@ -80,14 +80,14 @@ class Tile:
                          for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
 
     def decoded(self) -> tuple[str, dict[str, int], dict[str, bytes]]:
-        """struct tx_decoded: name, values, blocks."""
+        """struct n64_decoded: name, values, blocks."""
         rows, columns = self.texels.shape[:2]
         y, x = np.divmod(np.arange(rows * columns), columns)
         blocks = {"texels": pixels(self.texels)}
         if self.has_quads:
             blocks["quads"] = quad_bytes(self.corners(32 * x, 32 * y))
         bits = self.bits
-        return "tx_decoded", dict(
+        return "n64_decoded", dict(
             mask_s=columns - 1 << 5, mask_t=rows - 1 << 5, columns_bits=bits[0],
             rows_bits=bits[1]) | ({} if self.has_quads else {"quads": 0}), blocks
 
@@ -103,7 +103,7 @@ def tile(rng, has_quads: bool) -> Tile:
 def threepoint(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), tile(rng, True)
     drawn = filtered(ground.corners(*st.T), *(st.T & 31))
-    return Example("tx_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
+    return Example("n64_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
 
 
 def threepoint_16(rng, count: int) -> Example:
@@ -118,18 +118,18 @@ def average(rng, count: int) -> Example:
     corners, (fs, ft) = ground.corners(*st.T), st.T & 31
     drawn = np.where((fs == 16)[:, None] & (ft == 16)[:, None], corners.sum(1) + 2 >> 2,
                      filtered(corners, fs, ft))
-    return Example("tx_average", pairs(st), pixels(drawn), count, *ground.decoded())
+    return Example("n64_average", pairs(st), pixels(drawn), count, *ground.decoded())
 
 
 def point(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), tile(rng, False)
-    return Example("tx_point", pairs(st), pixels(ground.corners(*st.T)[:, 0]), count,
+    return Example("n64_point", pairs(st), pixels(ground.corners(*st.T)[:, 0]), count,
                    *ground.decoded())
 
 
 def store_16(rng, count: int) -> Example:
     texels = any_texels(rng, count)
-    return Example("tx_store_16", pixels(texels), packed(texels), count)
+    return Example("n64_store_16", pixels(texels), packed(texels), count)
 
 
 def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
@@ -153,22 +153,22 @@ def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
 
 
 def axis_bytes(clamp: int, shift: int, low: int, high: int) -> list[int]:
-    """struct tx_axis_range."""
-    return list(layout.load().struct("tx_axis_range").pack(
+    """struct n64_axis_range."""
+    return list(layout.load().struct("n64_axis_range").pack(
         shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low, high=8 * high,
         last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
 
 
-def tiled(rng, count: int, kernel: str = "tx_tile") -> Example:
+def tiled(rng, count: int, kernel: str = "n64_tile") -> Example:
     st = coordinates(rng, count)
-    axes = [axis(rng, kernel == "tx_tile_plain") for _ in "st"]
+    axes = [axis(rng, kernel == "n64_tile_plain") for _ in "st"]
     for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
         border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
         st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
     found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
-    return Example(kernel, pairs(st), pairs(np.array(found)), count, "tx_axes",
+    return Example(kernel, pairs(st), pairs(np.array(found)), count, "n64_axes",
                    dict(zip("st", (axis_bytes(*a) for a in axes))))
 
 
 def tiled_plain(rng, count: int) -> Example:
-    return tiled(rng, count, "tx_tile_plain")
+    return tiled(rng, count, "n64_tile_plain")

@@ -14,7 +14,7 @@ def halved(rng, count: int) -> Example:
     s, t = st.T
     column, fraction = s >> 5, s & 31
     shared = 32 * column + (fraction >> 1) + 16 * (column & 1)
-    return Example("tx_chroma", pairs(st), pairs(np.stack([shared, t], 1)), count)
+    return Example("n64_chroma", pairs(st), pairs(np.stack([shared, t], 1)), count)
 
 
 def constants(rng) -> list[int]:
@@ -26,7 +26,7 @@ def constants(rng) -> list[int]:
 
 
 def matrix_bytes(k: list[int]) -> bytes:
-    """struct tx_matrix of K0 to K3."""
+    """struct n64_matrix of K0 to K3."""
     chroma = np.arange(256) - NEUTRAL
     k0, k1, k2, k3 = (2 * n + 1 for n in k)
     u = 256 * (k1 * chroma + 128), k3 * chroma + 128 >> 8
@@ -36,7 +36,7 @@ def matrix_bytes(k: list[int]) -> bytes:
 
 def matrix(rng, count: int) -> Example:
     k = constants(rng)
-    return Example("tx_matrix", words(k), matrix_bytes(k), count)
+    return Example("n64_matrix", words(k), matrix_bytes(k), count)
 
 
 def converted(k: list[int], luma: np.ndarray, chroma: np.ndarray) -> np.ndarray:
@@ -49,7 +49,7 @@ def converted(k: list[int], luma: np.ndarray, chroma: np.ndarray) -> np.ndarray:
 
 
 def conversion(rng, count: int) -> tuple[bytes, np.ndarray, dict[str, bytes]]:
-    """Texels; what they are converted to; blocks of struct tx_yuv_conversion."""
+    """Texels; what they are converted to; blocks of struct n64_yuv_conversion."""
     k, luma, chroma = constants(rng), any_texels(rng, count), any_texels(rng, count)
     return pixels(luma), converted(k, luma, chroma), {"chroma": pixels(chroma),
                                                       "matrix": matrix_bytes(k)}
@@ -58,12 +58,12 @@ def conversion(rng, count: int) -> tuple[bytes, np.ndarray, dict[str, bytes]]:
 def convert(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
     colours = rng.integers(0, 256, (512, 4))
-    return Example("tx_convert", texels, pixels(colours[found, np.arange(4)]), count,
-                   "tx_yuv_conversion", {}, blocks | {"colours": pixels(colours)})
+    return Example("n64_convert", texels, pixels(colours[found, np.arange(4)]), count,
+                   "n64_yuv_conversion", {}, blocks | {"colours": pixels(colours)})
 
 
 def convert_wide(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
     taken = np.where(found >> 7 == 3, found - 512, found)
-    return Example("tx_convert_wide", texels, words(taken), count, "tx_yuv_conversion",
+    return Example("n64_convert_wide", texels, words(taken), count, "n64_yuv_conversion",
                    {"colours": 0}, blocks)

@@ -41,7 +41,7 @@ class Mode(modes.Mode):
     """A material with a table ``glide``."""
 
     POLYGONS = modes.POLYGONS | MORE
-    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "glide", "glide", "tmu_plain,tmu_passes", 2
+    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "glide", "glide", "glide_plain,glide_passes", 2
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
@@ -93,79 +93,79 @@ DETAIL = unit(**SMOOTH | LEVELS | by("blend", "one_minus_detail") | {
 MODULATE, ADD = by("scale_other", "local"), by("scale_other_add_local", "one")
 
 MODES = (
-    Mode("tmu_copy", "point, upright, a texel a pixel", of(), "upright"),
-    Mode("tmu_point", "point", of()),
-    Mode("tmu_point_clamp", "point, clamped", of(unit(**CLAMPED)), "outside"),
-    Mode("tmu_point_inside", "point, clamped, inside its map", of(unit(**CLAMPED)), "inside"),
-    Mode("tmu_bilinear", "bilinear", of(BILINEAR), filter="bilinear"),
-    Mode("tmu_bilinear_clamp", "bilinear, clamped", of(BILINEAR | CLAMPED), "outside", "bilinear"),
-    Mode("tmu_bilinear_8", "bilinear, weights of 8 bits (Voodoo 2)", of(BILINEAR | {"weights": 8}),
+    Mode("glide_copy", "point, upright, a texel a pixel", of(), "upright"),
+    Mode("glide_point", "point", of()),
+    Mode("glide_point_clamp", "point, clamped", of(unit(**CLAMPED)), "outside"),
+    Mode("glide_point_inside", "point, clamped, inside its map", of(unit(**CLAMPED)), "inside"),
+    Mode("glide_bilinear", "bilinear", of(BILINEAR), filter="bilinear"),
+    Mode("glide_bilinear_clamp", "bilinear, clamped", of(BILINEAR | CLAMPED), "outside", "bilinear"),
+    Mode("glide_bilinear_8", "bilinear, weights of 8 bits (Voodoo 2)", of(BILINEAR | {"weights": 8}),
          filter="bilinear"),
-    Mode("tmu_double", "bilinear, texels of 2 pixels", of(BILINEAR), "double", "bilinear"),
-    Mode("tmu_eightfold", "bilinear, texels of 8 pixels", of(BILINEAR), "eightfold", "bilinear"),
-    *(Mode(f"tmu_dithered{end}", f"bilinear by dithered points{title}",
+    Mode("glide_double", "bilinear, texels of 2 pixels", of(BILINEAR), "double", "bilinear"),
+    Mode("glide_eightfold", "bilinear, texels of 8 pixels", of(BILINEAR), "eightfold", "bilinear"),
+    *(Mode(f"glide_dithered{end}", f"bilinear by dithered points{title}",
            of(BILINEAR | {"bilinear": "dithered"}), polygon, "bilinear", in_c=False)
       for end, title, polygon in (("", "", "turned"),
                                   ("_eightfold", ", texels of 8 pixels", "eightfold"))),
-    Mode("tmu_point_perspective", "point, perspective", of(**DEEP), "deep"),
-    Mode("tmu_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
+    Mode("glide_point_perspective", "point, perspective", of(**DEEP), "deep"),
+    Mode("glide_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
          "bilinear"),
-    *(Mode(f"tmu_bilinear_every_{pixels}", f"the same, divided each {pixels} pixels",
+    *(Mode(f"glide_bilinear_every_{pixels}", f"the same, divided each {pixels} pixels",
            of(BILINEAR | {"subdivision": pixels}, **DEEP), "deep", "bilinear")
       for pixels in (16, 8)),
-    Mode("tmu_away", "the same, minified", of(BILINEAR, **DEEP), "away", "bilinear"),
-    Mode("tmu_level_point", "point, perspective, all as deep", of(**DEEP), "level"),
-    Mode("tmu_level_bilinear", "bilinear, perspective, all as deep", of(BILINEAR, **DEEP), "level",
+    Mode("glide_away", "the same, minified", of(BILINEAR, **DEEP), "away", "bilinear"),
+    Mode("glide_level_point", "point, perspective, all as deep", of(**DEEP), "level"),
+    Mode("glide_level_bilinear", "bilinear, perspective, all as deep", of(BILINEAR, **DEEP), "level",
          "bilinear"),
-    Mode("tmu_mip_point", "mip-mapped, perspective: point", of(unit(**LEVELS), **DEEP), "far"),
-    Mode("tmu_mip_point_dither", "the same, dithered", of(unit(**LEVELS, dither=True), **DEEP),
+    Mode("glide_mip_point", "mip-mapped, perspective: point", of(unit(**LEVELS), **DEEP), "far"),
+    Mode("glide_mip_point_dither", "the same, dithered", of(unit(**LEVELS, dither=True), **DEEP),
          "far"),
-    Mode("tmu_mip_bilinear", "mip-mapped, perspective: bilinear", of(BILINEAR | LEVELS, **DEEP),
+    Mode("glide_mip_bilinear", "mip-mapped, perspective: bilinear", of(BILINEAR | LEVELS, **DEEP),
          "far", "bilinear"),
-    Mode("tmu_mip_bilinear_dither", "the same, dithered, meant trilinear",
+    Mode("glide_mip_bilinear_dither", "the same, dithered, meant trilinear",
          of(BILINEAR | LEVELS | {"dither": True}, **DEEP), "far", "trilinear"),
-    Mode("tmu_mip_level", "mip-mapped, one level of detail: bilinear", of(BILINEAR | LEVELS),
+    Mode("glide_mip_level", "mip-mapped, one level of detail: bilinear", of(BILINEAR | LEVELS),
          "between_levels", "bilinear"),
-    Mode("tmu_trilinear", "trilinear by two units, perspective", of(*SPLIT, **DEEP), "far",
+    Mode("glide_trilinear", "trilinear by two units, perspective", of(*SPLIT, **DEEP), "far",
          "trilinear"),
-    Mode("tmu_trilinear_level", "trilinear, one level of detail", of(*SPLIT), "between_levels",
+    Mode("glide_trilinear_level", "trilinear, one level of detail", of(*SPLIT), "between_levels",
          "trilinear"),
-    Mode("tmu_trilinear_double", "trilinear, texels of 2 pixels", of(*SPLIT), "double",
+    Mode("glide_trilinear_double", "trilinear, texels of 2 pixels", of(*SPLIT), "double",
          "trilinear"),
-    Mode("tmu_detail_near", "detail texture, perspective: near, all of it",
+    Mode("glide_detail_near", "detail texture, perspective: near, all of it",
          of(DETAIL, BILINEAR, **DEEP), "close", "bilinear"),
-    Mode("tmu_detail", "the same: fading", of(DETAIL, BILINEAR, **DEEP), "near", "bilinear"),
-    Mode("tmu_detail_away", "the same: far, none of it", of(DETAIL, BILINEAR, **DEEP), "away",
+    Mode("glide_detail", "the same: fading", of(DETAIL, BILINEAR, **DEEP), "near", "bilinear"),
+    Mode("glide_detail_away", "the same: far, none of it", of(DETAIL, BILINEAR, **DEEP), "away",
          "bilinear"),
-    Mode("tmu_decal", "two units, of which the first counts", of(BILINEAR, LIGHT),
+    Mode("glide_decal", "two units, of which the first counts", of(BILINEAR, LIGHT),
          filter="bilinear"),
-    Mode("tmu_modulate", "two units: multiplied", of(BILINEAR | MODULATE, LIGHT),
+    Mode("glide_modulate", "two units: multiplied", of(BILINEAR | MODULATE, LIGHT),
          filter="bilinear"),
-    Mode("tmu_add", "two units: added", of(BILINEAR | ADD, LIGHT), filter="bilinear"),
-    Mode("tmu_blend", "two units: blended by the second's alpha",
+    Mode("glide_add", "two units: added", of(BILINEAR | ADD, LIGHT), filter="bilinear"),
+    Mode("glide_blend", "two units: blended by the second's alpha",
          of(BILINEAR | by("blend", "other_alpha"),
             unit("argb4444", **SMOOTH | {"image": SHEER})), filter="bilinear"),
-    Mode("tmu_modulate_perspective", "two units: multiplied, perspective",
+    Mode("glide_modulate_perspective", "two units: multiplied, perspective",
          of(BILINEAR | MODULATE, LIGHT, **DEEP), "deep", "bilinear"),
-    Mode("tmu_projected", "the same, the second projected by its own w",
+    Mode("glide_projected", "the same, the second projected by its own w",
          of(BILINEAR | MODULATE, LIGHT | CLAMPED | {"own": True}, **DEEP), "deep", "bilinear"),
     *(Mode(f"{name}_565", f"frame of 16 bits: {title}", table, polygon, how, "rgb565")
       for name, title, table, polygon, how in (
-          ("tmu_point", "point", of(), "turned", "point"),
-          ("tmu_bilinear", "bilinear", of(BILINEAR), "turned", "bilinear"),
-          ("tmu_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
+          ("glide_point", "point", of(), "turned", "point"),
+          ("glide_bilinear", "bilinear", of(BILINEAR), "turned", "bilinear"),
+          ("glide_bilinear_perspective", "bilinear, perspective", of(BILINEAR, **DEEP), "deep",
            "bilinear"),
-          ("tmu_mip_bilinear", "mip-mapped, perspective: bilinear",
+          ("glide_mip_bilinear", "mip-mapped, perspective: bilinear",
            of(BILINEAR | LEVELS, **DEEP), "far", "bilinear"),
-          ("tmu_trilinear", "trilinear by two units, perspective", of(*SPLIT, **DEEP), "far",
+          ("glide_trilinear", "trilinear by two units, perspective", of(*SPLIT, **DEEP), "far",
            "trilinear"),
-          ("tmu_modulate", "two units: multiplied", of(BILINEAR | MODULATE, LIGHT), "turned",
+          ("glide_modulate", "two units: multiplied", of(BILINEAR | MODULATE, LIGHT), "turned",
            "bilinear"))),
 )
 
 #: Texel format to its modes: point sampled and bilinear.
-FORMATS = {form: ("tmu_point", "tmu_bilinear") if form == "rgb565" else
-           (f"tmu_point_{form}", f"tmu_bilinear_{form}") for form in TEXELS}
+FORMATS = {form: ("glide_point", "glide_bilinear") if form == "rgb565" else
+           (f"glide_point_{form}", f"glide_bilinear_{form}") for form in TEXELS}
 
 SHOWN = {"a8": {"image": SHEER}}  # the others' pictures are opaque
 
@@ -178,7 +178,7 @@ EVERY = {mode.name: mode for mode in (*MODES, *OF_FORMATS)}
 
 #: Polygons of 8 pixels: what is done once a polygon.
 SMALL = {mode.name: mode for mode in (
-    Mode("tmu_point_small", "point", of(), "small", in_c=False),
-    Mode("tmu_bilinear_small", "bilinear", of(BILINEAR), "small", "bilinear", in_c=False),
-    Mode("tmu_bilinear_perspective_small", "bilinear, perspective", of(BILINEAR, **DEEP), "small",
+    Mode("glide_point_small", "point", of(), "small", in_c=False),
+    Mode("glide_bilinear_small", "bilinear", of(BILINEAR), "small", "bilinear", in_c=False),
+    Mode("glide_bilinear_perspective_small", "bilinear, perspective", of(BILINEAR, **DEEP), "small",
          "bilinear", in_c=False))}

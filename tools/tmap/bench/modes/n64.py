@@ -13,9 +13,9 @@ SHADES = (60.5, 140.2, 250.7, 120.1)
 
 @dataclass(frozen=True)
 class Mode(modes.Mode):
-    """A material with a table ``tx``."""
+    """A material with a table ``n64``."""
 
-    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "tx", "unit", "tx_plain,tx_passes", 0
+    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "n64", "n64", "n64_plain,n64_passes", 0
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:

@@ -1,0 +1,164 @@
+/* The passes over a line's pixels for Glide's texture unit: each a routine of src68k/glide
+   (contracts there) that takes what the pass before it left. count is 1 or more. */
+#ifndef GLIDE_PASSES_H
+#define GLIDE_PASSES_H
+
+#include "compiler.h"
+
+/* Iterators at a line's first pixel: s and t 14.18, w 2.30. */
+struct glide_iterators {
+    int32 s, t, w;
+};
+
+/* A coordinate pair: s in the upper, t in the lower word, in texels of one level: 12.4 modulo
+   2^16, 8.8 where weights have 8 bits. */
+typedef uint32 glide_coordinates;
+
+/* From iterators to one level's coordinates. */
+struct glide_steps {
+    int32 s, t, w;              /* what the iterators change by */
+    uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level */
+    uint16 half;                /* half a texel, in coordinates; 0 for point sampling */
+    uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
+    uint16 behind;              /* 1: s and t are 0 where w is negative */
+    uint16 bits;                /* of glide_pieces: a piece has 2^bits pixels; */
+    uint16 skip, spare;         /* how many of the first one's the run leaves out, */
+    int32 left;                 /* how many the line has from that piece on */
+};
+
+/* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +
+   fs * ft * st has 256 times the channel in each word. The words of a difference are added as one
+   signed 32-bit number, so that a negative lower one borrows. */
+struct glide_pair {
+    uint32 st, s, t, corner;
+};
+
+struct glide_quad {
+    struct glide_pair rb, ga;
+};
+
+/* The same for weights of 8 bits: upper + fs * upper_s has 256 times the channel between the upper
+   two texels in each word, lower + fs * lower_s between the lower two. */
+struct glide_pair_8 {
+    uint32 upper_s, upper, lower_s, lower;
+};
+
+struct glide_quad_8 {
+    struct glide_pair_8 rb, ga;
+};
+
+/* A level as texels of four bytes. A coordinate's texel is texels[row << columns_bits | column]:
+   column = s >> 4 (or 8, where weights have 8 bits) modulo 2^columns_bits, row alike. */
+struct glide_decoded {
+    const uint32 *texels;       /* R G B A */
+    const void *quads;          /* struct glide_quad, or glide_quad_8, in the same order; 0 without a
+                                   filter */
+    uint16 mask_s, mask_t;      /* (columns - 1) << 4, (rows - 1) << 4 */
+    uint16 columns_bits, rows_bits;
+};
+
+/* Of the numbers from 2^31 to 2^32 - 1 that share bits 22 to 30: 256 log2(number / 2^31), rounded
+   to the nearest, of those up to the limit; of the others it is one more. */
+struct glide_logarithm {
+    uint32 limit;
+    uint16 value, spare;
+};
+
+#define GLIDE_LOGARITHMS 512
+
+/* A line's levels of detail. */
+struct glide_lods {
+    int16 lods[4];              /* 8.8, -32,000 at least, of pixel 0 and each fourth from there, of
+                                   pixel 1, ...: the polygon's, bias, dither, - 1.0 */
+    int16 least, most;          /* 0.0 to 8.0 */
+    int32 w;                    /* what w changes by */
+    const struct glide_logarithm *logarithms;
+};
+
+/* From LODs to detail factors. */
+struct glide_nearness {
+    int16 end;                  /* 8.8: the LOD from which on they are 0 */
+    uint16 shift;               /* 1 to 8: of what LODs lie below it */
+};
+
+/* Arrays of each fourth texel of a line, from its first one, its second one, ... on. */
+struct glide_quarters {
+    int32 bytes;                /* from array to array */
+};
+
+/* A page of the frame's pixels, and how a line goes over it. pixels: those of row 0 of 256, each
+   256 of them; rows 128 to 255 lie before it. s and t of the iterators and of their steps, times
+   2^left, are 8.24: column and row. left: 6 to 10. */
+struct glide_paging {
+    int32 s, t;                 /* steps */
+    uint16 left, spare;
+    const void *pixels;
+};
+
+/* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
+   pixel: 4, of LODs 2, or 0 for the same everywhere. */
+struct glide_mix {
+    const uint32 *other;
+    const uint8 *factors;
+    int32 other_step, factor_step;
+    uint32 flip;                /* the factor's bits that are inverted; in each byte alike */
+    uint32 one;                 /* 1: factor 255 stands for all; 0: 256 would */
+};
+
+/* One channel of the combine unit: the channel's byte of each, alpha's, or a zero. Steps as in
+   glide_mix. */
+struct glide_inputs {
+    const uint8 *other, *local, *factor, *added;
+    int32 other_step, local_step, factor_step, added_step;
+    uint16 flip, invert;        /* 255, or 0 */
+};
+
+/* A byte for each texel's alpha, `step` bytes from pixel to pixel, and the bits of the texels,
+   R G B A, that are inverted then. */
+struct glide_alphas {
+    const uint8 *alphas;
+    int32 step;
+    uint32 inverted;
+};
+
+/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. tools/tmap/build/glide_logarithms.py works them out. */
+extern const uint32 glide_logarithms[256];
+
+/* limits: as in glide_logarithms. */
+void glide_logarithms_make(struct glide_logarithm *logarithms, const uint32 *limits);
+
+/* The quads of a row of texels R G B A and the row below; the texel behind a row's last is its first.
+   Of each: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
+void glide_quads_make(struct glide_quad *quad, const uint32 *upper, const uint32 *lower, uint32 columns);
+void glide_quads_8_make(struct glide_quad_8 *quad, const uint32 *upper, const uint32 *lower,
+                        uint32 columns);
+
+void glide_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
+void glide_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
+void glide_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
+void glide_pieces(const void *iterators, void *coordinates, const void *steps, int32 count);
+void glide_lod(const void *iterators, void *lods, const void *steps, int32 count);
+void glide_details(const void *lods, void *factors, const void *nearness, int32 count);
+void glide_interleave(const void *texels, void *line, const void *quarters, int32 count);
+void glide_point(const void *coordinates, void *texels, const void *decoded, int32 count);
+void glide_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
+void glide_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
+void glide_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+
+/* filter_line.c: the same two by C, without quads. */
+void glide_filter_line(const void *coordinates, void *texels, const void *decoded, int32 count);
+void glide_filter_line_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+
+void glide_tile_16(const void *iterators, void *pixels, const void *paging, int32 count);
+void glide_tile_32(const void *iterators, void *pixels, const void *paging, int32 count);
+void glide_lerp(const void *texels, void *mixed, const void *mix, int32 count);
+void glide_scale(const void *texels, void *mixed, const void *mix, int32 count);
+void glide_modulate(const void *texels, void *mixed, const void *mix, int32 count);
+void glide_modulate_rgb(const void *texels, void *mixed, const void *mix, int32 count);
+void glide_add(const void *texels, void *mixed, const void *mix, int32 count);
+void glide_alpha(const void *texels, void *results, const void *alphas, int32 count);
+void glide_combiner(const void *nothing, void *results, const void *inputs, int32 count);
+void glide_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
+void glide_widen_565(const void *pixels, void *texels, const void *nothing, int32 count);
+
+#endif

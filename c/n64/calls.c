@@ -1,0 +1,311 @@
+#include "n64/calls.h"
+
+/* The manual's words have these two bits set. */
+#define OPERATION(code) (3u << 30 | (uint32)(code) << 24)
+
+/* A value in a word's bits from shift on; what does not fit is cut. */
+static uint32 field(uint32 value, uint32 shift, uint32 bits)
+{
+    return (value & ((1u << bits) - 1)) << shift;
+}
+
+static enum n64_result append(struct n64_list *list, uint32 hi, uint32 lo)
+{
+    if (list->count >= list->room)
+        return N64_LIST_FULL;
+    list->words[list->count].hi = hi;
+    list->words[list->count].lo = lo;
+    list->count++;
+    return N64_DONE;
+}
+
+static int32 has_room(const struct n64_list *list, uint32 pairs)
+{
+    return list->count <= list->room && list->room - list->count >= pairs;
+}
+
+static enum n64_result edges(struct n64_list *list, enum n64_operation operation, uint32 tile,
+                             uint32 sl, uint32 tl, uint32 sh, uint32 th)
+{
+    return append(list, OPERATION(operation) | field(sl, 12, 12) | field(tl, 0, 12),
+                  field(tile, 24, 3) | field(sh, 12, 12) | field(th, 0, 12));
+}
+
+enum n64_result n64_set_texture_image(struct n64_list *list, uint32 format, uint32 size,
+                                      uint32 width, uint32 image)
+{
+    return append(list, OPERATION(N64_OP_IMAGE) | field(format, 21, 3) | field(size, 19, 2)
+                  | field(width - 1, 0, 10), field(image, 0, 24));
+}
+
+enum n64_result n64_set_tile(struct n64_list *list, uint32 format, uint32 size, uint32 line,
+                             uint32 tmem, uint32 tile, uint32 palette,
+                             const struct n64_addressing *t, const struct n64_addressing *s)
+{
+    return append(list, OPERATION(N64_OP_TILE) | field(format, 21, 3) | field(size, 19, 2)
+                  | field(line, 9, 9) | field(tmem, 0, 9),
+                  field(tile, 24, 3) | field(palette, 20, 4)
+                  | field(t->wrap, 18, 2) | field(t->mask, 14, 4) | field(t->shift, 10, 4)
+                  | field(s->wrap, 8, 2) | field(s->mask, 4, 4) | field(s->shift, 0, 4));
+}
+
+enum n64_result n64_set_tile_size(struct n64_list *list, uint32 tile, uint32 sl, uint32 tl,
+                                  uint32 sh, uint32 th)
+{
+    return edges(list, N64_OP_TILE_SIZE, tile, sl, tl, sh, th);
+}
+
+enum n64_result n64_load_block(struct n64_list *list, uint32 tile, uint32 sl, uint32 tl, uint32 sh,
+                               uint32 dxt)
+{
+    /* Cut to its bits, a number that is too large could pass for one that is not. */
+    return edges(list, N64_OP_LOAD_BLOCK, tile, sl, tl, sh < 0xfff ? sh : 0xfff, dxt);
+}
+
+enum n64_result n64_load_tile(struct n64_list *list, uint32 tile, uint32 sl, uint32 tl, uint32 sh,
+                              uint32 th)
+{
+    return edges(list, N64_OP_LOAD_TILE, tile, sl, tl, sh, th);
+}
+
+enum n64_result n64_load_tlut(struct n64_list *list, uint32 tile, uint32 last)
+{
+    return edges(list, N64_OP_LOAD_TLUT, tile, 0, 0, last << 2, 0);
+}
+
+enum n64_result n64_texture(struct n64_list *list, uint32 max_level, uint32 tile)
+{
+    /* "on", and 1.0 as the scale of s and t, which a texture engine does not look at. */
+    return append(list, OPERATION(N64_OP_TEXTURE) | field(max_level, 11, 3) | field(tile, 8, 3)
+                  | 2, 0xffffffff);
+}
+
+static enum n64_result modes(struct n64_list *list, uint32 shift, uint32 bits, uint32 value)
+{
+    return append(list, OPERATION(N64_OP_MODES) | (32 - shift - bits) << 8 | (bits - 1),
+                  field(value, shift, bits));
+}
+
+enum n64_result n64_cycle_type(struct n64_list *list, uint32 cycle)
+{
+    return modes(list, 20, 2, cycle);
+}
+
+enum n64_result n64_texture_perspective(struct n64_list *list, uint32 on)
+{
+    return modes(list, 19, 1, on != 0);
+}
+
+enum n64_result n64_texture_detail(struct n64_list *list, uint32 detail)
+{
+    return modes(list, 17, 2, detail);
+}
+
+enum n64_result n64_texture_lod(struct n64_list *list, uint32 on)
+{
+    return modes(list, 16, 1, on != 0);
+}
+
+enum n64_result n64_texture_lut(struct n64_list *list, uint32 lut)
+{
+    return modes(list, 14, 2, lut);
+}
+
+enum n64_result n64_texture_filter(struct n64_list *list, uint32 filter)
+{
+    return modes(list, 12, 2, filter);
+}
+
+enum n64_result n64_texture_convert(struct n64_list *list, uint32 conversion)
+{
+    return modes(list, 9, 3, conversion);
+}
+
+enum n64_result n64_set_convert(struct n64_list *list, const int16 *k)
+{
+    const uint32 k2 = (uint32)k[2];
+
+    return append(list, OPERATION(N64_OP_CONVERT) | field((uint32)k[0], 13, 9)
+                  | field((uint32)k[1], 4, 9) | field(k2 >> 5, 0, 4),
+                  field(k2, 27, 5) | field((uint32)k[3], 18, 9) | field((uint32)k[4], 9, 9)
+                  | field((uint32)k[5], 0, 9));
+}
+
+enum n64_result n64_combine_mode(struct n64_list *list, const struct n64_combine *combine)
+{
+    const struct n64_input *rgb = combine->rgb, *alpha = combine->alpha;
+
+    return append(list, OPERATION(N64_OP_COMBINE) | field(rgb[0].a, 20, 4) | field(rgb[0].c, 15, 5)
+                  | field(alpha[0].a, 12, 3) | field(alpha[0].c, 9, 3) | field(rgb[1].a, 5, 4)
+                  | field(rgb[1].c, 0, 5),
+                  field(rgb[0].b, 28, 4) | field(rgb[1].b, 24, 4) | field(alpha[1].a, 21, 3)
+                  | field(alpha[1].c, 18, 3) | field(rgb[0].d, 15, 3) | field(alpha[0].b, 12, 3)
+                  | field(alpha[0].d, 9, 3) | field(rgb[1].d, 6, 3) | field(alpha[1].b, 3, 3)
+                  | field(alpha[1].d, 0, 3));
+}
+
+enum n64_result n64_prim_colour(struct n64_list *list, uint32 min_level, uint32 fraction,
+                                uint32 colour)
+{
+    return append(list, OPERATION(N64_OP_PRIMITIVE) | field(min_level, 8, 8)
+                  | field(fraction, 0, 8), colour);
+}
+
+enum n64_result n64_env_colour(struct n64_list *list, uint32 colour)
+{
+    return append(list, OPERATION(N64_OP_ENVIRONMENT), colour);
+}
+
+enum n64_result n64_load_sync(struct n64_list *list)
+{
+    return append(list, OPERATION(N64_OP_LOAD_SYNC), 0);
+}
+
+enum n64_result n64_tile_sync(struct n64_list *list)
+{
+    return append(list, OPERATION(N64_OP_TILE_SYNC), 0);
+}
+
+enum n64_result n64_pipe_sync(struct n64_list *list)
+{
+    return append(list, OPERATION(N64_OP_PIPE_SYNC), 0);
+}
+
+enum n64_result n64_full_sync(struct n64_list *list)
+{
+    return append(list, OPERATION(N64_OP_FULL_SYNC), 0);
+}
+
+/* TMEM words of a row; of 32 bits and YUV half of the bytes are in each half of TMEM. */
+static uint32 line_of(uint32 format, uint32 size, uint32 texels)
+{
+    if (size == N64_4)
+        return ((texels >> 1) + 7) >> 3;
+    return (texels * (size == N64_8 || format == N64_YUV ? 1u : 2u) + 7) >> 3;
+}
+
+/* 11 fraction bits: what a word of 64 bits adds to the row, rounded up. */
+static uint32 dxt_of(uint32 size, uint32 width)
+{
+    uint32 words = (width << size) >> 4;
+
+    if (!words)
+        words = 1;
+    return (2047 + words) / words;
+}
+
+/* How the load calls go: what the image and the load tile pretend to be, and the render tile. */
+struct plan {
+    uint32 load_size, size;
+    uint32 image_width, load_line, line;
+};
+
+static void begin(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan)
+{
+    n64_set_texture_image(list, texture->format, plan->load_size, plan->image_width,
+                          texture->image);
+    n64_set_tile(list, texture->format, plan->load_size, plan->load_line, texture->tmem,
+                 N64_LOAD_TILE, 0, &texture->t, &texture->s);
+    n64_load_sync(list);
+}
+
+static void end(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan,
+                uint32 sl, uint32 tl, uint32 sh, uint32 th)
+{
+    n64_pipe_sync(list);
+    n64_set_tile(list, texture->format, plan->size, plan->line, texture->tmem, texture->tile,
+                 texture->palette, &texture->t, &texture->s);
+    n64_set_tile_size(list, texture->tile, sl << 2, tl << 2, sh << 2, th << 2);
+}
+
+enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
+
+static enum n64_result block(struct n64_list *list, const struct n64_texture *texture, uint32 size)
+{
+    const uint32 shift = size < N64_16 ? N64_16 - size : 0;    /* texels in one of 16 bits */
+    const uint32 texels = texture->width * texture->height + (1u << shift) - 1;
+    struct plan plan;
+
+    if (!has_room(list, LOAD_PAIRS))
+        return N64_LIST_FULL;
+    plan.size = size;
+    plan.load_size = size == N64_32 ? N64_32 : N64_16;
+    plan.image_width = 1;
+    plan.load_line = 0;
+    plan.line = line_of(texture->format, size, texture->width);
+    begin(list, texture, &plan);
+    n64_load_block(list, N64_LOAD_TILE, 0, 0, (texels >> shift) - 1,
+                   dxt_of(size, texture->width));
+    end(list, texture, &plan, 0, 0, texture->width - 1, texture->height - 1);
+    return N64_DONE;
+}
+
+enum n64_result n64_load_texture_block(struct n64_list *list, const struct n64_texture *texture)
+{
+    return block(list, texture, texture->size);
+}
+
+enum n64_result n64_load_texture_block_4b(struct n64_list *list, const struct n64_texture *texture)
+{
+    return block(list, texture, N64_4);
+}
+
+enum n64_result n64_load_texture_tile(struct n64_list *list, const struct n64_texture *texture)
+{
+    struct plan plan;
+
+    if (!has_room(list, LOAD_PAIRS))
+        return N64_LIST_FULL;
+    plan.size = plan.load_size = texture->size;
+    plan.image_width = texture->width;
+    plan.line = plan.load_line = line_of(texture->format, texture->size,
+                                         texture->sh - texture->sl + 1);
+    begin(list, texture, &plan);
+    n64_load_tile(list, N64_LOAD_TILE, texture->sl << 2, texture->tl << 2, texture->sh << 2,
+                  texture->th << 2);
+    end(list, texture, &plan, texture->sl, texture->tl, texture->sh, texture->th);
+    return N64_DONE;
+}
+
+/* Two texels pass for one of 8 bits: columns, in 10.2, are halved. */
+enum n64_result n64_load_texture_tile_4b(struct n64_list *list, const struct n64_texture *texture)
+{
+    struct plan plan;
+
+    if (!has_room(list, LOAD_PAIRS))
+        return N64_LIST_FULL;
+    plan.size = N64_4;
+    plan.load_size = N64_8;
+    plan.image_width = texture->width >> 1;
+    plan.line = plan.load_line = line_of(texture->format, N64_4, texture->sh - texture->sl + 1);
+    begin(list, texture, &plan);
+    n64_load_tile(list, N64_LOAD_TILE, texture->sl << 1, texture->tl << 2, texture->sh << 1,
+                  texture->th << 2);
+    end(list, texture, &plan, texture->sl, texture->tl, texture->sh, texture->th);
+    return N64_DONE;
+}
+
+static enum n64_result tlut(struct n64_list *list, uint32 tmem, uint32 entries, uint32 image)
+{
+    static const struct n64_addressing none;
+
+    if (!has_room(list, TLUT_PAIRS))
+        return N64_LIST_FULL;
+    n64_set_texture_image(list, N64_RGBA, N64_16, 1, image);
+    n64_tile_sync(list);
+    n64_set_tile(list, N64_RGBA, N64_4, 0, tmem, N64_LOAD_TILE, 0, &none, &none);
+    n64_load_sync(list);
+    n64_load_tlut(list, N64_LOAD_TILE, entries - 1);
+    n64_pipe_sync(list);
+    return N64_DONE;
+}
+
+enum n64_result n64_load_tlut_16(struct n64_list *list, uint32 palette, uint32 image)
+{
+    return tlut(list, N64_HALF_WORDS + 16 * (palette & 15), 16, image);
+}
+
+enum n64_result n64_load_tlut_256(struct n64_list *list, uint32 image)
+{
+    return tlut(list, N64_HALF_WORDS, 256, image);
+}

@@ -1,0 +1,47 @@
+/* Tiles decoded ahead: what the passes over a line's pixels read instead of TMEM. */
+#ifndef N64_DECODE_H
+#define N64_DECODE_H
+
+#include "n64/passes.h"
+#include "n64/texel.h"
+
+enum n64_decode_constants {
+    N64_DECODE_BITS = 15        /* columns_bits + rows_bits, at most: all that fits into TMEM,
+                                   mirrored; 128 KB of texels, 2 MB of quads */
+};
+
+/* Which texels a decoded tile's quads hold beside each one: none are made, the next ones, or in s
+   those after the next ones: chroma of YUV, of which two texels have the same. */
+enum n64_quads { N64_QUADS_NONE, N64_QUADS_NEXT, N64_QUADS_CHROMA };
+
+/* What a tile's texels depend on beside TMEM and TLUT modes. Where it begins is no part of it,
+   unless it clamps: relative coordinates know that. */
+struct n64_tile_key {
+    uint32 tile, s, t;
+};
+
+void n64_tile_key_find(struct n64_tile_key *key, const struct n64_tile *tile);
+
+/* A decoded tile that is kept, with what it was made from. All 0 before the first use. */
+struct n64_kept {
+    struct n64_decoded decoded;
+    const struct n64 *n64;
+    struct n64_tile_key key;
+    uint32 tmem_generation;
+    uint8 tlut, tlut_type;      /* of the modes, only these matter */
+    uint8 kind;                 /* enum n64_quads */
+    uint8 spare;
+    uint32 *texels;
+    struct n64_quad *quads;
+    uint32 texels_room, quads_room;     /* elements */
+};
+
+/* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
+   whether anything was done. Memory is the system's and kept for the next time; a larger tile
+   takes new memory, and what it had stays taken until the program ends. Colours are n64_fetch's;
+   of a TLUT entry's four copies only the first counts (loads make them equal). YUV texels have
+   U + 128 and V + 128 for R and G, Y for B and A; filters leave that as it is. */
+enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
+                           struct n64_kept *kept, int32 *made);
+
+#endif

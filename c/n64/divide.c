@@ -1,0 +1,29 @@
+#include "n64/passes.h"
+
+#define HALF (N64_RECIPROCALS / 2)
+
+/* 2^20 / (64 + i), the hardware's: all are the rounded ones but one. */
+static int32 inverse(int32 i)
+{
+    return i == 6 ? 14979 : ((2 << 20) / (64 + i) + 1) >> 1;
+}
+
+/* s * r >> (13 - shifts) is the upper half of (s << 16) * (r << (3 + shifts)), where shifts bring
+   w's highest bit to bit 14. Those of w and 2 w differ by one, and r is the same: only the upper
+   half of the table is worked out, 256 entries of it along a line. Of w = 1 it is one less, to
+   be a signed number: the quotients differ where they are clamped alone. */
+void n64_divide_table_make(uint32 *reciprocals)
+{
+    uint32 *to = reciprocals + HALF;
+
+    for (int32 i = 0; i < HALF / 256; i++) {
+        const int32 from = inverse(i), step = (inverse(i + 1) - from) * 4;
+        int32 below = 0;
+
+        for (int32 k = 0; k < 256; k++, below += step)
+            *to++ = (uint32)(from + (below >> 10)) << 3;
+    }
+    for (int32 w = HALF - 1; w > 1; w--)
+        reciprocals[w] = reciprocals[2 * w] << 1;
+    reciprocals[0] = reciprocals[1] = 0x7fffffff;
+}

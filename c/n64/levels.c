@@ -1,0 +1,47 @@
+#include "n64/passes.h"
+
+static uint32 blending(const struct n64_level_modes *m, int32 level, int32 distant, int32 magnify,
+                       uint32 low)
+{
+    int32 first = m->tile, second = m->tile + 1;
+
+    if (m->lod) {
+        if (distant)
+            level = m->max_level;
+        if (m->detail) {
+            first += level + !magnify;
+            second = m->tile + level + (distant || magnify ? 1 : 2);
+        } else {
+            first += level;
+            second = distant || (magnify && !m->sharpen) ? first : first + 1;
+        }
+    }
+    return (uint32)(first & 7) << 24 | (uint32)(second & 7) << 16 | (low & 0xffff);
+}
+
+void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
+{
+    const int32 is_plain = !m->sharpen && !m->detail;
+    int32 level = 0;
+
+    levels->far = blending(m, 0, 1, 0, 255);
+    for (int32 i = 0; i < 32; i++) {
+        const int32 distant = m->max_level == 0, most = i > m->min_level ? i : m->min_level;
+        const int32 fraction = is_plain ? (distant ? 255 : 0)
+            : 8 * most - (m->sharpen ? 256 : 0);
+
+        levels->magnified[i] = blending(m, 0, distant, 1, (uint32)fraction);
+    }
+    levels->levels[0] = 0;
+    for (int32 i = 1; i < 512; i++) {
+        int32 distant;
+
+        if (!(i & 255))
+            level = 0;          /* again from the start: the logarithm is of 8 bits */
+        if ((i & 255) >> (level + 1))
+            level++;
+        distant = i >= 256 || m->max_level == 0 || level >= m->max_level;
+        levels->levels[i] = blending(m, level, distant, 0,
+                                     (uint32)level << 8 | (distant && is_plain ? 255 : 0));
+    }
+}

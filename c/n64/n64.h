@@ -1,0 +1,209 @@
+/* The N64's texture engine: its state and the words that change it.
+
+   A texture engine is a value: a program may have as many as it likes, each with its own
+   TMEM. Words are the one way into the state (calls.h writes them); pixel.h draws from it.
+   Formats: 10.2 is unsigned with 2 fraction bits; s10.5 signed, 16 bits, 5 of them fraction;
+   TMEM words have 64 bits. Memory is big-endian throughout. */
+#ifndef N64_H
+#define N64_H
+
+#include "compiler.h"
+
+enum n64_format { N64_RGBA, N64_YUV, N64_CI, N64_IA, N64_I };  /* 5-7 act as N64_I */
+enum n64_size { N64_4, N64_8, N64_16, N64_32 };             /* bits a texel */
+enum n64_cycle { N64_ONE_CYCLE, N64_TWO_CYCLES, N64_COPY, N64_FILL };
+
+enum n64_constants {
+    N64_TMEM_BYTES = 4096,
+    N64_TMEM_WORDS = 512,
+    N64_HALF_WORDS = 256,       /* the high half holds TLUTs, and the low parts' other halves */
+    N64_TILES = 8,
+    N64_LOAD_TILE = 7,          /* the calls of calls.h load through it */
+    N64_BLOCK_TEXELS = 2048,    /* of one load block */
+    N64_COLUMNS_MAX = 1024,     /* of a tile, in texels */
+    N64_ROWS_MAX = 256
+};
+
+/* Operations: bits 29:24 of a pair's upper word. The upper two bits are not looked at.
+   N64_OP_TEXTURE and N64_OP_MODES are no words of the drawing processor: they are what is left
+   of the manual's words for the geometry processor, with the fields it gives them. */
+enum n64_operation {
+    N64_OP_NOTHING = 0x00,
+    N64_OP_TEXTURE = 0x17,      /* hi: max_level 13:11, first tile 10:8 */
+    N64_OP_MODES = 0x23,        /* hi: 32 - shift - bits 15:8, bits - 1 7:0; lo: the bits */
+    N64_OP_LOAD_SYNC = 0x26,
+    N64_OP_PIPE_SYNC = 0x27,
+    N64_OP_TILE_SYNC = 0x28,
+    N64_OP_FULL_SYNC = 0x29,
+    N64_OP_CONVERT = 0x2c,
+    N64_OP_OTHER_MODES = 0x2f,
+    N64_OP_LOAD_TLUT = 0x30,
+    N64_OP_TILE_SIZE = 0x32,
+    N64_OP_LOAD_BLOCK = 0x33,
+    N64_OP_LOAD_TILE = 0x34,
+    N64_OP_TILE = 0x35,
+    N64_OP_PRIMITIVE = 0x3a,
+    N64_OP_ENVIRONMENT = 0x3b,
+    N64_OP_COMBINE = 0x3c,
+    N64_OP_IMAGE = 0x3d
+};
+
+/* What came of a command or a check. All but N64_DONE: nothing was changed. */
+enum n64_result {
+    N64_DONE,
+    N64_UNKNOWN_COMMAND,
+    N64_ILLEGAL_PAIR,           /* no such format of this size */
+    N64_IMAGE_MISALIGNED,       /* its address is no multiple of 8 */
+    N64_IMAGE_4_BIT,            /* in a load: it would hang the hardware */
+    N64_OUTSIDE_DRAM,           /* a load reads beyond the memory given */
+    N64_LOAD_BACKWARDS,         /* the last texel comes before the first */
+    N64_BLOCK_TOO_LARGE,        /* more than N64_BLOCK_TEXELS */
+    N64_LOAD_TOO_LARGE,         /* it goes beyond TMEM */
+    N64_TLUT_IMAGE,             /* a TLUT's image must have 16 bits, */
+    N64_TLUT_TILE,              /* the tile it is loaded through 4 */
+    N64_TLUT_ROWS,              /* more than one: it would hang the hardware */
+    N64_TLUT_ENTRIES,           /* more than 256, or beyond the end of TMEM */
+    N64_TLUT_LOW,               /* it begins in the low half */
+    N64_INDEX_HIGH,             /* CI texels in the high half */
+    N64_SPLIT_HIGH,             /* low part of RGBA 32 or YUV in the high half */
+    N64_TLUT_MODE,              /* a CI tile while TLUT is off, or another while it is on */
+    N64_TILE_TOO_LARGE,         /* more than 1024 columns or 256 rows */
+    N64_TILE_OUTSIDE,           /* the tile shows texels beyond TMEM */
+    N64_TILE_EDGES,             /* sh < sl or th < tl where the tile clamps */
+    N64_COMBINE_INPUT,          /* a code that is not supported: noise, chroma key */
+    N64_CYCLE_TYPE,             /* not one the texture engine can draw this with */
+    N64_COORDINATE_RANGE,       /* not -1024.0 to 1023.96875 texels */
+    N64_NO_LOAD_SYNC,           /* strict: a load after drawing without its sync, */
+    N64_NO_TILE_SYNC,           /* a change of a tile that was drawn from, */
+    N64_NO_PIPE_SYNC,           /* a change of modes */
+    N64_LIST_FULL,              /* calls.h: no room for the words */
+    N64_NO_MEMORY,              /* decode.h */
+    N64_DECODE_TOO_LARGE,       /* its limit: N64_DECODE_BITS */
+    N64_RECTANGLE_MODES,        /* a rectangle in perspective or with shade: it has neither */
+    N64_RESULTS
+};
+
+/* A tile in s or t. */
+struct n64_axis {
+    uint8 clamp, mirror;        /* 0 or 1 */
+    uint8 mask;                 /* 0: none (clamps); n: n low bits of the index, above 10 as 10 */
+    uint8 shift;                /* 0-10 right, 11-15 left by 16 - shift */
+    uint16 low, high;           /* 10.2: edges, both inside */
+};
+
+struct n64_tile {
+    uint8 format, size, palette, spare;
+    uint16 line, tmem;          /* TMEM words: from row to row (9 bits), of the first */
+    struct n64_axis s, t;
+};
+
+struct n64_modes {
+    uint8 cycle;                /* enum n64_cycle */
+    uint8 perspective, detail, sharpen, lod;
+    uint8 tlut, tlut_type;      /* type 0: RGBA 16, 1: IA 16 */
+    uint8 quad, mid;            /* quad 0: point; 1: filter; mid with it: average */
+    uint8 filter0, filter1;     /* in cycle 0 and 1: 1 filter, 0 colour conversion */
+    uint8 convert_one;          /* cycle 1 converts cycle 0's result */
+};
+
+struct n64_input {
+    uint8 a, b, c, d;           /* codes as in the set-combine word */
+};
+
+struct n64_combine {
+    struct n64_input rgb[2], alpha[2];  /* cycle 0, cycle 1; one-cycle mode uses cycle 1's */
+};
+
+struct n64_image {
+    uint32 address;             /* into the DRAM given */
+    uint8 format, size;
+    uint16 width;               /* texels */
+};
+
+/* Bits of n64.inputs: what a pixel's colour depends on. */
+enum n64_inputs {
+    N64_INPUT_TEXEL0 = 1,       /* tile T0's sample, */
+    N64_INPUT_TEXEL1 = 2,       /* T1's */
+    N64_INPUT_SHADE = 4,
+    N64_INPUT_LOD_FRACTION = 8
+};
+
+enum n64_pending { N64_PENDING_LOAD = 1, N64_PENDING_TILE = 2, N64_PENDING_PIPE = 4 };
+
+struct n64 {
+    uint8 tmem[N64_TMEM_BYTES];
+    struct n64_tile tiles[N64_TILES];
+    struct n64_modes modes;
+    struct n64_combine combine;
+    struct n64_image image;
+    int16 k[6];                 /* K0-K5, signed 9 bits */
+    uint8 primitive[4], environment[4];         /* R G B A */
+    uint8 primitive_fraction;
+    uint8 min_level;            /* 0-31 */
+    uint8 max_level;            /* 0-7 */
+    uint8 primitive_tile;       /* 0-7: T0, or the first of a mipmap */
+    uint32 other_modes;         /* bits 23:0 of the last set other modes */
+    uint32 inputs;              /* enum n64_inputs, of this combine mode and cycle type */
+    const uint8 *dram;          /* what addresses of images count into, */
+    uint32 dram_bytes;          /* multiple of 8 */
+    /* Each grows when what it stands for really changes: who keeps something that was made
+       from it compares. */
+    uint32 tmem_generation, tile_generation[N64_TILES], mode_generation;
+    uint8 checked;              /* 1: illegal uses are results of their own; 0: they do what
+                                   the hardware does, but those that hang it */
+    uint8 strict;               /* 1: a change without its sync is a result of its own */
+    uint8 pending;              /* strict: enum n64_pending, set by n64_drawn */
+    uint8 pending_tiles;        /* bit n: the primitives that are pending read tile n */
+    uint32 command;             /* number in the list of the command being run, from 0 on */
+};
+
+struct n64_word {
+    uint32 hi, lo;
+};
+
+/* Everything 0 but: checked, both cycles filter, the colour is texel 0. dram: may be 0. */
+void n64_init(struct n64 *n64, const uint8 *dram, uint32 dram_bytes);
+
+/* Runs one pair of words. */
+enum n64_result n64_command(struct n64 *n64, uint32 hi, uint32 lo);
+
+/* Runs a display list to its end or to the first pair that is refused: n64->command. */
+enum n64_result n64_list_run(struct n64 *n64, const struct n64_word *words, uint32 count);
+
+/* Drawing calls this after each primitive: syncs are due from now on (strict). Tiles that
+   the primitive read: from primitive_tile on, as many as the modes can choose. A pipe sync
+   waits for all that a tile sync waits for, so it stands for one too (the manual's load calls
+   rely on that). */
+void n64_drawn(struct n64 *n64);
+
+/* Whether a tile can be drawn from as it is (only where checked). */
+enum n64_result n64_check_tile(const struct n64 *n64, int32 n);
+
+/* Whether all that a primitive needs is fit for drawing: tiles in use, combine mode. */
+enum n64_result n64_check_drawing(const struct n64 *n64);
+
+/* Whether a vertex's s and t (s15.16, in texels) can be drawn (only where checked). */
+enum n64_result n64_check_coordinates(const struct n64 *n64, fix16 s, fix16 t);
+
+/* The tiles a primitive can read: bit n. */
+uint32 n64_tiles_used(const struct n64 *n64);
+
+/* A line's text for a result, as "no load sync". */
+const char *n64_result_text(enum n64_result result);
+
+/* load.c: what the load commands do; the tile is n64->tiles[n], whose edges they also set. */
+enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo);
+enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo);
+enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo);
+
+/* command.c: the edges of a tile as set tile size and the loads give them. */
+void n64_set_edges(struct n64 *n64, uint32 hi, uint32 lo);
+
+/* check.c: whether a format exists in this size for loads: as for drawing, and views of 16 bits. */
+int32 n64_loadable_pair(uint32 format, uint32 size);
+
+/* combine.c: n64->inputs anew; whether all codes that count are supported. */
+void n64_find_inputs(struct n64 *n64);
+enum n64_result n64_check_combine(const struct n64_combine *combine);
+
+#endif

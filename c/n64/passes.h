@@ -1,0 +1,178 @@
+/* The passes over a line's pixels: each a routine of src68k/n64 (contracts there) that takes
+   what the pass before it left. count is 1 or more. */
+#ifndef N64_PASSES_H
+#define N64_PASSES_H
+
+#include "compiler.h"
+
+/* Iterators at a line's first pixel, or what they change by: s15.16. The upper 16 bits are s and t
+   (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
+struct n64_iterators {
+    int32 s, t, w;
+};
+
+/* A coordinate pair: s in the upper, t in the lower word, both s10.5. */
+typedef uint32 n64_coordinates;
+
+/* One triangle of a 2x2 quad: a corner, and what the texels beside it in s and t differ by.
+   Each long has two channels: R and B, or G and A, the first one in the upper word. The corner
+   is 8 * (32 * channel + 16), a difference 8 * (channel - corner's channel); the words of a
+   difference are added as one signed 32-bit number, so that a negative lower one borrows. */
+struct n64_triangle {
+    uint32 rb_s, rb_t, rb, ga_s, ga_t, ga;
+};
+
+/* What the three-point filter needs of texel c00 and its neighbours: the corner of lower is
+   c00, that of upper c11, whose differences are those of c01 in s and of c10 in t. */
+struct n64_quad {
+    struct n64_triangle lower, upper;
+    uint32 mean_rb, mean_ga;    /* as rb and ga: 8 * (8 * (c00 + c10 + c01 + c11) + 16) */
+    uint32 spare[2];
+};
+
+/* What quads are made of beside a row of texels: the row below it. Of the texels, and the quads,
+   every step-th one counts, and is the next one's neighbour. */
+struct n64_quad_row {
+    const uint32 *below;
+    int32 step;
+};
+
+/* A tile as texels of four bytes. A relative coordinate's texel is texels[row << columns_bits |
+   column]: column = s >> 5 modulo 2^columns_bits, row alike. */
+struct n64_decoded {
+    const uint32 *texels;       /* R G B A */
+    const struct n64_quad *quads;       /* the same order; 0 without a filter */
+    uint16 mask_s, mask_t;      /* (columns - 1) << 5, (rows - 1) << 5 */
+    uint16 columns_bits, rows_bits;
+};
+
+/* From coordinates to relative ones, one axis. */
+struct n64_axis_range {
+    int16 shift;                /* bits to the right; to the left where it is negative */
+    uint16 clamp;               /* 0: low alone counts, and wraps */
+    int16 low, high;            /* s10.5: the origin; where the last texel is shown from on */
+    int16 last;                 /* that texel's relative coordinate, a whole one */
+};
+
+struct n64_axes {
+    struct n64_axis_range s, t;
+};
+
+#define N64_RECIPROCALS 32768   /* longs: 128 KB */
+
+/* What the iterators change by, and the reciprocal of each w. */
+struct n64_division {
+    int32 s, t, w;
+    const uint32 *reciprocals;
+};
+
+/* Texels 1 and by how much they count: 9 bits signed, 256 is all. */
+struct n64_blend {
+    const uint32 *other;
+    const int16 *fractions;
+    int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
+};
+
+/* Colours at a line's first pixel, or what they change by: 16.16. */
+struct n64_shades {
+    int32 r, g, b, a;
+};
+
+/* What texels are multiplied with: texels from pixel to pixel, or one. */
+struct n64_modulation {
+    const uint32 *other;
+    int32 step;                 /* bytes: 4, or 0 for the same everywhere */
+};
+
+/* The four channels of a pixel between the combiner's cycles: R G B A. */
+struct n64_wide {
+    int16 channels[4];
+};
+
+/* What U or V add to Y: green in 1/65536, as the two are added before that is rounded; blue or
+   red, rounded. */
+struct n64_addend {
+    int32 green;
+    int16 spare, other;
+};
+
+/* By U + 128 and V + 128; of K0 to K3. */
+struct n64_matrix {
+    struct n64_addend u[256], v[256];
+};
+
+/* From YUV to R G B A = Y. */
+struct n64_yuv_conversion {
+    const uint32 *chroma;       /* texels: U + 128, V + 128, any, any */
+    const struct n64_matrix *matrix;
+    const uint32 *colours;      /* R G B A by the low 9 bits of each: 512; n64_convert */
+};
+
+/* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
+   constant. Each is the channel's own word of a n64_wide, alpha's, or a single word. */
+struct n64_combination {
+    const int16 *a, *b, *c, *d;
+    int32 a_step, b_step, c_step, d_step;
+};
+
+/* Two tiles and what the second one counts: 9 bits signed, 256 is all. */
+struct n64_blending {
+    uint8 tile0, tile1;
+    int16 fraction;
+};
+
+/* The blending of each level of detail, worked out once for a mode. A level's long has the two
+   tiles, bits to shift the fraction by, and 255 where that is the fraction. */
+struct n64_levels {
+    uint32 magnified[32];       /* n64_blending, by the longest change between pixels */
+    uint32 levels[512];         /* by a 32nd of it, from 1 on */
+    uint32 far;                 /* n64_blending */
+};
+
+/* What the levels depend on. */
+struct n64_level_modes {
+    uint8 lod, sharpen, detail; /* 0 or 1 */
+    uint8 max_level, min_level, tile;
+};
+
+/* What the iterators change by; their gradients; and where the blendings go. */
+struct n64_lod_steps {
+    int32 s, t, w;
+    int32 x_s, x_t, x_w;
+    int32 y_s, y_t, y_w;
+    const uint32 *reciprocals;
+    const struct n64_levels *levels;
+    struct n64_blending *blendings;
+};
+
+/* Of a page: longs, a multiple of 32. */
+void n64_copy_row(const uint32 *row, uint32 *to, int32 longs);
+
+/* k: K0 to K3. */
+void n64_matrix_make(struct n64_matrix *matrix, const int16 *k);
+void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *modes);
+void n64_divide_table_make(uint32 *reciprocals);
+
+void n64_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
+void n64_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
+void n64_threepoint_16(const void *coordinates, void *pixels, const void *decoded,
+                       int32 count);
+void n64_average(const void *coordinates, void *texels, const void *decoded, int32 count);
+void n64_point(const void *coordinates, void *texels, const void *decoded, int32 count);
+void n64_store_16(const void *texels, void *pixels, const void *nothing, int32 count);
+void n64_divide(const void *iterators, void *coordinates, const void *division, int32 count);
+void n64_tile(const void *coordinates, void *relative, const void *axes, int32 count);
+void n64_lerp(const void *texels, void *blended, const void *blend, int32 count);
+void n64_shade(const void *shades, void *colours, const void *steps, int32 count);
+void n64_modulate(const void *texels, void *products, const void *modulation, int32 count);
+void n64_map(const void *texels, void *mapped, const void *tables, int32 count);
+void n64_widen(const void *texels, void *wide, const void *nothing, int32 count);
+void n64_combiner(const void *nothing, void *results, const void *combination, int32 count);
+void n64_narrow(const void *wide, void *texels, const void *nothing, int32 count);
+void n64_chroma(const void *coordinates, void *halved, const void *nothing, int32 count);
+void n64_convert(const void *luma, void *colours, const void *conversion, int32 count);
+void n64_convert_wide(const void *luma, void *wide, const void *conversion, int32 count);
+void n64_quads(const void *texels, void *quads, const void *row, int32 count);
+void n64_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
+
+#endif

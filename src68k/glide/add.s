@@ -1,0 +1,55 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; glide_add - texels and others
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const glide_mix*  the others
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   both
+; writes:  the texels
+; formats: the sum of each channel, 255 at most
+; error:   none
+; cost:    bench row glide_add
+;==============================================================================
+; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries where both have it, or where
+; one has it and the others carry into it.
+
+        routine glide_add,a0,a1,a2,d0
+        movem.l d2-d7/a2-a3,-(sp)
+        lea     (a0,d0.l*4),a3
+        move.l  glide_mix_other_step(a2),d5
+        movea.l glide_mix_other(a2),a2
+        move.l  #$7f7f7f7f,d7
+        move.l  #$80808080,d6
+.pixels move.l  (a0)+,d0
+        move.l  (a2),d1
+        adda.l  d5,a2
+        move.l  d0,d2
+        move.l  d1,d3
+        and.l   d7,d2
+        and.l   d7,d3
+        add.l   d3,d2                   ; of bits 0 to 6
+        move.l  d0,d3
+        eor.l   d1,d3
+        and.l   d1,d0
+        move.l  d2,d1
+        and.l   d3,d1
+        or.l    d1,d0
+        and.l   d6,d3
+        and.l   d6,d0                   ; beyond 255
+        eor.l   d3,d2
+        move.l  d0,d1
+        lsr.l   #7,d1
+        add.l   d0,d0
+        sub.l   d1,d0                   ; 255 for each
+        or.l    d2,d0
+        move.l  d0,(a1)+
+        cmpa.l  a3,a0
+        bne.s   .pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts

@@ -1,0 +1,36 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+
+;==============================================================================
+; glide_alpha - texels with an alpha from elsewhere, channels inverted
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const glide_alphas*  alpha, what is inverted
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the texels, the alphas
+; writes:  the texels
+; formats: R G B of the texels, A a byte of the alphas; then bits are inverted
+; error:   none
+; cost:    bench row glide_alpha
+;==============================================================================
+        routine glide_alpha,a0,a1,a2,d0
+        movem.l d2-d7/a2-a3,-(sp)
+        n64_rounds
+        movem.l glide_alphas_step(a2),d4-d5     ; and inverted
+        movea.l glide_alphas_alphas(a2),a2
+        lea     .pixels(pc,d6.l*2),a3
+        jmp     (a3,d6.l*8)
+.pixels rept    8
+        move.l  (a0)+,d0                ; 10 bytes
+        move.b  (a2),d0
+        adda.l  d4,a2
+        eor.l   d5,d0
+        move.l  d0,(a1)+
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts

@@ -1,0 +1,38 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+        include "glide.i"
+
+;==============================================================================
+; glide_bilinear_565 - texels by the bilinear filter into a 16-bit frame
+;
+; in:      a0  const glide_coordinates*  coordinates
+;          a1  uint16*  pixels, 5/6/5
+;          a2  const glide_decoded*  the level, with quads
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the coordinates, the level, its quads
+; writes:  the pixels
+; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
+; error:   none
+; cost:    bench row glide_bilinear_565
+;==============================================================================
+
+; Writes the texel d2, R-B-, and d3, G-A-.
+write_565 macro
+        lsr.l   #5,d3
+        eor.l   d2,d3
+        and.l   d7,d3                   ; 07e00000
+        eor.l   d3,d2                   ; RG, B-
+        move.w  d2,d3
+        swap    d2
+        lsr.w   #8,d3
+        and.w   #$ffe0,d2
+        lsr.w   #3,d3
+        or.w    d3,d2
+        move.w  d2,(a1)+
+        endm
+
+        routine glide_bilinear_565,a0,a1,a2,d0
+        glide_filter write_565,$07e00000

@@ -1,0 +1,36 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+
+;==============================================================================
+; glide_details - detail factors of levels of detail
+;
+; in:      a0  const uint16*  LODs
+;          a1  uint8*  factors
+;          a2  const glide_nearness*  where they end, how fast they grow
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the LODs
+; writes:  the factors
+; formats: LODs 8.8, none above end, none so far below that a factor leaves a byte: end - LOD,
+;          shifted right
+; error:   none
+; cost:    bench row glide_details
+;==============================================================================
+        routine glide_details,a0,a1,a2,d0
+        movem.l d2-d3/d6-d7/a2,-(sp)
+        n64_rounds
+        move.w  glide_nearness_end(a2),d2
+        move.w  glide_nearness_shift(a2),d3
+        lea     .pixels(pc,d6.l*8),a2
+        jmp     (a2)
+.pixels rept    8
+        move.w  d2,d0                   ; 8 bytes
+        sub.w   (a0)+,d0
+        lsr.w   d3,d0
+        move.b  d0,(a1)+
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d3/d6-d7/a2
+        rts

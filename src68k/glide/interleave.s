@@ -1,0 +1,44 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; glide_interleave - a line of four arrays of each fourth texel
+;
+; in:      a0  const uint32*  texels 0, 4, 8, ...; behind them those of the other arrays
+;          a1  uint32*  texels
+;          a2  const glide_quarters*  how far behind
+;          d0  int32  count, of the line
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the arrays
+; writes:  the texels
+; formats: texels of 32 bits, as they are
+; error:   none
+; cost:    bench row glide_interleave
+;==============================================================================
+        routine glide_interleave,a0,a1,a2,d0
+        movem.l a2-a4,-(sp)
+        move.l  glide_quarters_bytes(a2),d1
+        lea     (a0,d1.l),a2
+        lea     (a2,d1.l),a3
+        lea     (a3,d1.l),a4
+        moveq   #3,d1
+        and.l   d0,d1                   ; pixels of the last round
+        lsr.l   #2,d0
+        bra.s   .next
+.pixels move.l  (a0)+,(a1)+
+        move.l  (a2)+,(a1)+
+        move.l  (a3)+,(a1)+
+        move.l  (a4)+,(a1)+
+.next   dbra    d0,.pixels
+        subq.l  #1,d1
+        bmi.s   .done
+        move.l  (a0),(a1)+
+        subq.l  #1,d1
+        bmi.s   .done
+        move.l  (a2),(a1)+
+        subq.l  #1,d1
+        bmi.s   .done
+        move.l  (a3),(a1)+
+.done   movem.l (sp)+,a2-a4
+        rts

@@ -1,0 +1,40 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+        include "glide.i"
+
+;==============================================================================
+; glide_lerp - texels on the way to others: between levels, the combine unit's blend
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const glide_mix*  the others, and how far
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   both texels, the factors
+; writes:  the texels
+; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)
+; error:   none
+; cost:    bench row glide_lerp
+;==============================================================================
+; Two channels in one product: none leaves its word.
+
+        routine glide_lerp,a0,a1,a2,d0
+        save_all
+        glide_mix_open
+.pixels glide_factor d2
+        move.l  (a0)+,d0
+        move.l  (a3),d1
+        adda.l  d6,a3
+        move.l  d0,d3
+        move.l  d1,d4
+        and.l   d7,d3                   ; -G-A
+        and.l   d7,d4
+        sub.l   d3,d4
+        eor.l   d3,d0                   ; R-B-, 256 of each
+        muls.l  d2,d4
+        n64_between
+        lsr.l   #8,d3
+        add.l   d1,d0
+        glide_mix_close

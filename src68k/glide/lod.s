@@ -1,0 +1,77 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; glide_lod - each pixel's level of detail, by its w
+;
+; in:      a0  const glide_iterators*  w at the first pixel
+;          a1  uint16*  LODs
+;          a2  const glide_lods*  what w changes by, the polygon's LOD, limits, logarithms
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   w, the LODs, the logarithms
+; writes:  the LODs: level in the upper byte, fraction in the lower one
+; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, that rounded to the
+;          nearest, cut to least to most; most where w is 0
+; error:   none
+; cost:    bench row glide_lod
+;==============================================================================
+; w is kept shifted until bit 31 is set, and so is its step: only a clear bit 31 needs a look.
+
+        routine glide_lod,a0,a1,a2,d0
+        save_all
+        lea     (a1,d0.l*2),a5          ; end
+        move.l  glide_iterators_w(a0),d0
+        movea.l glide_lods_w(a2),a0
+        movea.l glide_lods_logarithms(a2),a3
+        movea.w glide_lods_least(a2),a4
+        movea.w glide_lods_most(a2),a6
+        moveq   #0,d6                   ; of the pixel's lods
+        bra.s   .find
+
+.low    move.w  a4,d3
+        bra.s   .write
+.high   move.w  a6,d3
+        bra.s   .write
+.pixel  bfextu  d2{1:9},d4
+        move.w  d7,d3
+        add.w   (a2,d6.w),d3
+        move.l  (a3,d4.w*8),d1
+        sub.l   d2,d1                   ; X where the logarithm is one more
+        move.w  glide_logarithm_value(a3,d4.w*8),d1
+        subx.w  d1,d3
+        cmp.w   a4,d3
+        blt.s   .low
+        cmp.w   a6,d3
+        bgt.s   .high
+.write  move.w  d3,(a1)+
+        cmpa.l  a5,a1
+        beq.s   .done
+        addq.w  #2,d6
+        and.w   #6,d6
+        add.l   a0,d0
+        add.l   d5,d2
+        bmi.s   .pixel
+
+        ; d2 = |w|, d5 = its step, both shifted; d7 = 256 * the shift
+.find   moveq   #0,d5
+        move.l  d0,d2
+        beq.s   .high
+        move.l  a0,d5
+        tst.l   d2
+        bpl.s   .plus
+        neg.l   d2
+        neg.l   d5
+.plus   bfffo   d2{0:0},d7
+        lsl.l   d7,d2
+        move.l  d5,d4
+        lsl.l   d7,d5
+        move.l  d5,d3
+        asr.l   d7,d3
+        lsl.w   #8,d7
+        cmp.l   d4,d3
+        beq.s   .pixel
+        move.l  #$80000000,d5           ; too far: look again
+        bra.s   .pixel
+.done   return_all

@@ -1,0 +1,34 @@
+        include "routine.i"
+        include "layout.i"
+        include "glide.i"
+
+;==============================================================================
+; glide_modulate_rgb - texels times others, channel by channel, but for alpha
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const glide_mix*  the others; flip
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   both
+; writes:  the texels
+; formats: m = other, inverted by flip: texel * (m + 1) >> 8; A is the texel's
+; error:   none
+; cost:    bench row glide_modulate_rgb
+;==============================================================================
+        routine glide_modulate_rgb,a0,a1,a2,d0
+        glide_modulate_open
+        move.w  d0,d2
+        move.w  d1,d3
+        lsr.w   #8,d2
+        lsr.w   #8,d3
+        addq.w  #1,d3
+        mulu.w  d3,d2
+        move.b  d0,d2
+        move.w  d2,d0
+        swap    d0
+        swap    d1
+        glide_products
+        swap    d0
+        glide_modulate_close

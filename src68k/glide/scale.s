@@ -1,0 +1,34 @@
+        include "routine.i"
+        include "layout.i"
+        include "glide.i"
+
+;==============================================================================
+; glide_scale - texels times one factor for all channels
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const glide_mix*  the factors; not the others
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the texels, the factors
+; writes:  the texels
+; formats: factor m, inverted by flip, + one: texel * m >> 8
+; error:   none
+; cost:    bench row glide_scale
+;==============================================================================
+; Local - local * factor is this too: 256 - (m + 1) is m inverted, with 0 for one.
+
+        routine glide_scale,a0,a1,a2,d0
+        save_all
+        glide_mix_open
+.pixels glide_factor d2
+        move.l  (a0)+,d0
+        move.l  d0,d3
+        and.l   d7,d3                   ; -G-A
+        eor.l   d3,d0
+        lsr.l   #8,d0                   ; -R-B
+        mulu.l  d2,d3
+        mulu.l  d2,d0
+        lsr.l   #8,d3
+        glide_mix_close

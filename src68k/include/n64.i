@@ -1,0 +1,169 @@
+; What the passes over a line's pixels share (structs: c/n64/passes.h).
+
+; The texels of relative coordinates by the parts of n64_weights that the table \1 names: see
+; n64_threepoint. \2: what writes a texel, \3: d7 for it.
+n64_filter macro
+        xref    \1
+        save_all
+        lea     (a0,d0.l*4),a3
+        move.l  a3,-(sp)
+        move.l  n64_decoded_mask_s(a2),d6       ; and mask_t
+        move.w  n64_decoded_columns_bits(a2),d5
+        movea.l n64_decoded_quads(a2),a4
+        move.l  #\3,d7
+        move.l  #$001f001f,d4
+        lea     \1,a5
+        lea     .weighed(pc),a3
+        bra.s   .coordinates
+.weighed
+        \2
+        cmpa.l  (sp),a0
+        beq.s   .done
+.coordinates
+        move.l  (a0)+,d0                ; s:t
+        moveq   #0,d2
+        move.l  d0,d1
+        and.l   d6,d0
+        and.l   d4,d1
+        n64_index
+        move.l  d1,d3
+        lsr.l   #8,d3
+        lsr.l   #3,d3
+        or.w    d3,d1                   ; fs << 5 | ft
+        move.w  (a5,d1.w*2),d1
+        lea     (a4,d2.l*2),a2
+        jmp     (a5,d1.w)
+.done   addq.l  #4,sp
+        return_all
+        endm
+
+; Writes the texel d2, R-B-, and d3, G-A-: all bytes, or 5/5/5/1.
+n64_write macro
+        lsr.l   #8,d3                   ; -G-A
+        eor.l   d2,d3
+        and.l   d7,d3                   ; 00ff00ff
+        eor.l   d3,d2
+        move.l  d2,(a1)+
+        endm
+
+n64_write_16 macro
+        lsr.l   #5,d3                   ; G and A as they are beside R and B
+        eor.l   d2,d3
+        and.l   d7,d3                   ; 07c00400
+        eor.l   d3,d2
+        move.w  d2,d3
+        swap    d2
+        lsr.w   #8,d3
+        and.w   #$ffc0,d2
+        lsr.w   #2,d3
+        or.w    d3,d2
+        move.w  d2,(a1)+
+        endm
+
+; d2 = row << columns_bits | column of the masked s:t in d0, in their units; d2 was 0, d5
+; columns_bits.
+n64_index macro
+        move.w  d0,d2
+        lsl.l   d5,d2
+        swap    d0
+        or.w    d0,d2
+        endm
+
+; For a loop of 8 pixels a round that is entered in its middle: d7 = rounds - 1, d6 = pixels
+; that the first round lacks. In: d0 count.
+n64_rounds macro
+        moveq   #7,d7
+        move.l  d0,d6
+        neg.l   d6
+        and.l   d7,d6                   ; pixels the first round lacks
+        move.l  d0,d7
+        subq.l  #1,d7
+        lsr.l   #3,d7
+        endm
+
+; The texels of s:t at a0 by point sampling, 8 a round: all of a routine. \1: the struct at a2,
+; whose texel is \3 from its first one after a shift right by \2.
+n64_texels macro
+        movem.l d2-d7/a2-a3,-(sp)
+        n64_rounds
+        move.l  \1_mask_s(a2),d4       ; and mask_t
+        move.w  \1_columns_bits(a2),d5
+        movea.l \1_texels(a2),a2
+        lsl.l   #2,d6
+        lea     .pixels(pc,d6.l),a3
+        jmp     (a3,d6.l*4)
+.pixels rept    8
+        move.l  (a0)+,d0                ; 20 bytes
+        moveq   #0,d2
+        and.l   d4,d0
+        n64_index
+        lsr.l   #\2,d2
+        move.l  (a2,\3),(a1)+
+        endr
+        dbra    d7,.pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts
+        endm
+
+; Writes s:t, the integers of d0 and d1 in 16.16, to a1, 8 pixels a round; d2, d3 their steps,
+; d6 and d7 as n64_rounds leaves them. s is SSss, t swapped, so that its word is where it is
+; wanted: ttTT. Uses d4-d5/a0.
+n64_step macro
+        swap    d1
+        move.l  d3,d5
+        swap    d5                      ; --TT
+        swap    d3
+        clr.w   d3                      ; tt--
+        lea     .pixels(pc,d6.l*4),a0
+        jmp     (a0,d6.l*8)
+.pixels rept    8
+        move.l  d0,d4                   ; 12 bytes
+        move.w  d1,d4
+        add.l   d2,d0
+        add.l   d3,d1
+        addx.w  d5,d1
+        move.l  d4,(a1)+
+        endr
+        dbra    d7,.pixels
+        endm
+
+; The word of \1 that is nearest to the long.
+n64_nearest macro
+        add.l   \1,\1
+        subx.w  \1,\1                   ; -1 below 0
+        eori.w  #$7fff,\1
+        endm
+
+; Of the pixel at a0 and (chroma) a3: d0 = Y, d1-d3 = R, G, B, words; only their lower 9 bits
+; are right. In: a4, a5 the tables of U and V, d6 = 255, the upper words of d0 and d1 any.
+n64_converted macro
+        move.w  (a3),d1
+        addq.l  #4,a3
+        move.w  d1,d0
+        lsr.w   #8,d0                   ; U
+        and.w   d6,d1                   ; V
+        move.l  n64_addend_green(a4,d0.w*8),d2
+        move.w  n64_addend_other(a4,d0.w*8),d3
+        add.l   n64_addend_green(a5,d1.w*8),d2
+        move.w  n64_addend_other(a5,d1.w*8),d1
+        move.l  (a0)+,d0
+        swap    d2
+        and.w   d6,d0                   ; Y
+        add.w   d0,d1
+        add.w   d0,d2
+        add.w   d0,d3
+        endm
+
+; Two channels in one product, of the way to others: d3 = 256 of the texel's -G-A and d4, their
+; product, d1 = that of -R-B. In: d0 = R-B- of the texel, d1 = R G B A of the other, d2 factor,
+; d3 = -G-A, d7 = 00ff00ff. Uses d4.
+n64_between macro
+        lsl.l   #8,d3
+        lsr.l   #8,d1
+        add.l   d4,d3
+        move.l  d0,d4
+        and.l   d7,d1
+        lsr.l   #8,d4
+        sub.l   d4,d1
+        muls.l  d2,d1
+        endm

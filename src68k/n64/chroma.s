@@ -1,0 +1,33 @@
+        include "routine.i"
+
+;==============================================================================
+; n64_chroma - relative coordinates of YUV's luma to those of its chroma
+;
+; in:      a0  const n64_coordinates*  relative coordinates
+;          a1  n64_coordinates*  the same, they may be the same memory
+;          a2  void*  not read
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the coordinates
+; writes:  the coordinates
+; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is half of
+;          what it was, and another half in odd columns
+; error:   none
+; cost:    bench row n64_chroma
+;==============================================================================
+        routine n64_chroma,a0,a1,a2,d0
+        movem.l d2-d3,-(sp)
+        move.l  #$001f0000,d2
+        move.w  d0,d3
+        subq.w  #1,d3
+.pixels move.l  (a0)+,d0
+        move.l  d0,d1
+        lsr.l   #1,d1
+        eor.l   d0,d1
+        and.l   d2,d1
+        eor.l   d1,d0
+        move.l  d0,(a1)+
+        dbra    d3,.pixels
+        movem.l (sp)+,d2-d3
+        rts

@@ -1,0 +1,47 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+
+;==============================================================================
+; n64_convert_wide - YUV texels as inputs of the combiner
+;
+; in:      a0  const uint32*  texels, Y the last byte
+;          a1  n64_wide*  R, G, B, A = Y
+;          a2  const n64_yuv_conversion*  U and V, tables
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the texels, U and V, the tables
+; writes:  the numbers
+; formats: 9 bits as the combiner takes them: -128 to 383
+; error:   none
+; cost:    bench row n64_convert_wide
+;==============================================================================
+        routine n64_convert_wide,a0,a1,a2,d0
+        save_all
+        lea     (a0,d0.l*4),a6
+        movea.l n64_yuv_conversion_chroma(a2),a3
+        movea.l n64_yuv_conversion_matrix(a2),a4
+        lea     n64_matrix_v(a4),a5
+        move.w  #128,d5
+        move.w  #255,d6
+        move.w  #511,d7
+.pixels n64_converted
+        add.w   d5,d1
+        add.w   d5,d2
+        add.w   d5,d3
+        and.w   d7,d1
+        and.w   d7,d2
+        and.w   d7,d3
+        sub.w   d5,d1
+        sub.w   d5,d2
+        sub.w   d5,d3
+        swap    d1
+        move.w  d2,d1
+        move.l  d1,(a1)+
+        swap    d3
+        move.w  d0,d3
+        move.l  d3,(a1)+
+        cmpa.l  a6,a0
+        bne.s   .pixels
+        return_all

@@ -1,0 +1,64 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+
+;==============================================================================
+; n64_divide - coordinates with perspective
+;
+; in:      a0  const n64_iterators*  at the first pixel
+;          a1  n64_coordinates*  coordinates
+;          a2  const n64_division*  what they change by, the table of reciprocals
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the iterators, the table
+; writes:  the coordinates
+; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,
+;          32,767 where w is not above 0
+; error:   none
+; cost:    bench row n64_divide
+;==============================================================================
+; s * 65536 * reciprocal: the upper half of the product is the quotient.
+
+        routine n64_divide,a0,a1,a2,d0
+        save_all
+        move.l  d0,d7
+        movem.l (a0),d0-d2
+        movem.l (a2),d3-d5
+        movea.l d3,a4
+        movea.l d4,a5
+        movea.l d5,a6
+        movea.l n64_division_reciprocals(a2),a3
+        lea     (a1,d7.l*4),a0
+.pixels move.l  d2,d3
+        swap    d3
+        tst.w   d3
+        ble.s   .bad
+        move.l  (a3,d3.w*4),d3
+        move.l  d0,d4
+        clr.w   d4
+        muls.l  d3,d5:d4
+        move.l  d1,d4
+        clr.w   d4
+        muls.l  d3,d6:d4
+        movea.w d5,a2
+        cmpa.l  d5,a2
+        bne.s   .far_s
+.s      movea.w d6,a2
+        cmpa.l  d6,a2
+        bne.s   .far_t
+.t      swap    d5
+        move.w  d6,d5
+.write  move.l  d5,(a1)+
+        add.l   a4,d0
+        add.l   a5,d1
+        add.l   a6,d2
+        cmpa.l  a0,a1
+        bne.s   .pixels
+        return_all
+.bad    move.l  #$7fff7fff,d5
+        bra.s   .write
+.far_s  n64_nearest d5
+        bra.s   .s
+.far_t  n64_nearest d6
+        bra.s   .t

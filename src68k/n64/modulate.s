@@ -1,0 +1,58 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; n64_modulate - texels times other colours
+;
+; in:      a0  const uint32*  texels, R G B A
+;          a1  uint32*  texels, they may be the same memory
+;          a2  const n64_modulation*  what they are multiplied with
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   both
+; writes:  the texels
+; formats: texel * other + 128 >> 8, each channel: nothing to be clamped
+; error:   none
+; cost:    bench row n64_modulate
+;==============================================================================
+
+; \1's lower word = the lower bytes of d0 and d1 multiplied, and the bytes above them.
+; Uses d3-d4.
+products macro
+        moveq   #0,d3
+        moveq   #0,d4
+        move.b  d0,d3
+        move.b  d1,d4
+        mulu.w  d4,d3
+        move.w  d0,\1
+        move.w  d1,d4
+        lsr.w   #8,\1
+        lsr.w   #8,d4
+        mulu.w  d4,\1
+        add.w   d6,d3
+        add.w   d6,\1
+        lsr.w   #8,d3
+        move.b  d3,\1
+        endm
+
+        routine n64_modulate,a0,a1,a2,d0
+        movem.l d2-d7/a2-a3,-(sp)
+        lea     (a0,d0.l*4),a3
+        move.l  n64_modulation_step(a2),d7
+        movea.l n64_modulation_other(a2),a2
+        move.w  #128,d6
+.pixels move.l  (a0)+,d0
+        move.l  (a2),d1
+        adda.l  d7,a2
+        products d2
+        swap    d0
+        swap    d1
+        products d5
+        swap    d5
+        move.w  d2,d5
+        move.l  d5,(a1)+
+        cmpa.l  a3,a0
+        bne.s   .pixels
+        movem.l (sp)+,d2-d7/a2-a3
+        rts

@@ -1,0 +1,81 @@
+        include "routine.i"
+        include "layout.i"
+
+;==============================================================================
+; n64_tile - coordinates relative to a tile
+;
+; in:      a0  const n64_coordinates*  coordinates
+;          a1  n64_coordinates*  relative coordinates, they may be the same memory
+;          a2  const n64_axes*  the tile's axes
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   the coordinates, the axes
+; writes:  the relative coordinates
+; formats: s:t, both s10.5; the results modulo 2^16
+; error:   none
+; cost:    bench rows n64_tile, n64_tile_plain
+;==============================================================================
+; One axis at a time, by the loop that does no more than the axis needs.
+
+; \1: what shifts d0 by d1.
+axis_loops macro
+        tst.w   n64_axis_range_clamp(a2)
+        bne.s   .clamped\@
+.plain\@
+        move.w  (a3),d0
+        addq.l  #4,a3
+        \1
+        sub.w   d2,d0
+        move.w  d0,(a4)
+        addq.l  #4,a4
+        dbra    d7,.plain\@
+        rts
+.over\@ move.w  d4,(a4)
+        addq.l  #4,a4
+        dbra    d7,.clamped\@
+        rts
+.below\@
+        clr.w   (a4)
+        addq.l  #4,a4
+        dbra    d7,.clamped\@
+        rts
+.clamped\@
+        move.w  (a3),d0
+        addq.l  #4,a3
+        \1
+        cmp.w   d3,d0
+        bge.s   .over\@
+        sub.w   d2,d0
+        blt.s   .below\@
+        move.w  d0,(a4)
+        addq.l  #4,a4
+        dbra    d7,.clamped\@
+        rts
+        endm
+
+        routine n64_tile,a0,a1,a2,d0
+        movem.l d2-d7/a2-a4,-(sp)
+        move.l  d0,d6
+        bsr.s   .axis
+        addq.l  #2,a0
+        addq.l  #2,a1
+        lea     n64_axis_range_sizeof(a2),a2
+        bsr.s   .axis
+        movem.l (sp)+,d2-d7/a2-a4
+        rts
+
+.axis   movea.l a0,a3
+        movea.l a1,a4
+        move.w  d6,d7
+        subq.w  #1,d7
+        move.w  n64_axis_range_low(a2),d2
+        move.w  n64_axis_range_high(a2),d3
+        move.w  n64_axis_range_last(a2),d4
+        move.w  n64_axis_range_shift(a2),d1
+        bgt.s   .right
+        blt     .left
+        axis_loops
+.right  axis_loops <asr.w d1,d0>
+.left   neg.w   d1
+        axis_loops <lsl.w d1,d0>

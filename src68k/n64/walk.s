@@ -1,0 +1,27 @@
+        include "routine.i"
+        include "layout.i"
+        include "n64.i"
+
+;==============================================================================
+; n64_walk - coordinates without perspective
+;
+; in:      a0  const n64_iterators*  s and t at the first pixel
+;          a1  n64_coordinates*  coordinates
+;          a2  const n64_iterators*  what they change by
+;          d0  int32  count
+; out:     -
+; trashes: d0-d1/a0-a1
+; reads:   s and t
+; writes:  the coordinates
+; formats: s15.16 modulo 2^32 to s:t, the upper words
+; error:   none
+; cost:    bench row n64_walk
+;==============================================================================
+        routine n64_walk,a0,a1,a2,d0
+        movem.l d2-d7,-(sp)
+        n64_rounds
+        movem.l (a0),d0-d1
+        movem.l (a2),d2-d3
+        n64_step
+        movem.l (sp)+,d2-d7
+        rts
