@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tmap.accuracy import accuracy, pictures
+from tmap.accuracy.errors import Errors
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE, SCENES
 from tmap.compiler import scene
@@ -94,7 +95,7 @@ def test_errors_are_the_exact_ones() -> None:
     columns = np.arange(10, 20)
     found = (columns << 16) + 32768
     assert plane.errors(found, columns, 5).tolist() == [0.5] * 10
-    total = accuracy.Errors()
+    total = Errors()
     line = model.Line(10, 20, (10 << 16) + 65536 * 3 // 4, 5 << 16, 65536, 0)
     total.texels(model.coordinates(line), 10, 5, ideal.Picture(vertices, 320, 256))
     assert total.worst == 0.75 and total.wrong == 0
@@ -125,10 +126,10 @@ def test_sets_with_depth_are_what_they_say(name: str) -> None:
     assert {m.perspective for m in again.materials} == set(scene_file.SETTINGS["perspective"])
 
 
-def hand_made(name: str, values) -> accuracy.Errors:
+def hand_made(name: str, values) -> Errors:
     """The errors on a set of a renderer: ``values`` are u or v of pixels, 16.16, from a curve, its
     first and last pixel and the line."""
-    total = accuracy.Errors()
+    total = Errors()
     for vertices in polygon_sets.polygons(name):
         picture = perspective.Picture([(*v[:4], v[5]) for v in vertices], 320, 256)
         total.ideal_pixels += picture.pixels

@@ -102,7 +102,7 @@ def rectangle(more: str = "", box: str = BOX) -> str:
     return f"{box}\n{more}"
 
 
-@pytest.mark.parametrize("n64, obj, message", [
+@pytest.mark.parametrize("engine, obj, message", [
     (ONE, rectangle(box="rectangle = [4, 6, 4, 22]"), "objects[0].rectangle: is empty: "),
     (ONE, rectangle(box="rectangle = [4, 6, 8]"),
      "objects[0].rectangle: must have 4 entries, not 3"),

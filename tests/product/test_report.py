@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 from tests.product.browser import browser
+from tmap.accuracy.errors import Errors
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, ROOT
 from tmap.bench import bench, published
@@ -106,7 +107,7 @@ def complete(tmp_path_factory) -> Path:
     asked = {"mapper": "affine", "edges": "exact", "gradients": "plane", "perspective": "every16"}
     scene = about | {
         "scene": "long", "title": NAME, "width": 320, "height": 256, "frames": [frame],
-        "totals": run.total([frame]), "errors": vars(report_page.accuracy.Errors()),
+        "totals": run.total([frame]), "errors": vars(Errors()),
         "materials": {}, "cycles_unit": "CPU cycles",
         "lowering": {"a_material_with_a_rather_long_name_of_its_own": {
             "asked": asked, "polygons": 5, "rules": {"constant_w_needs_no_perspective": 4},

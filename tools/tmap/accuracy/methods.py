@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
-from tmap.accuracy.accuracy import Errors
+from tmap.accuracy.errors import Errors
 from tmap.base import markdown
 from tmap.base.outputs import save_animation
 from tmap.base.paths import SCENES

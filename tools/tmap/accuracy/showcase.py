@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tmap.accuracy.accuracy import Errors
+from tmap.accuracy.errors import Errors
 from tmap.base import markdown
 from tmap.base.errors import UserError
 from tmap.base.outputs import save_animation

@@ -9,6 +9,7 @@ from markdown_it import MarkdownIt
 from markupsafe import Markup
 
 from tmap.accuracy import accuracy, engines, polys, showcase
+from tmap.accuracy.errors import Errors
 from tmap.accuracy.hard_report import every_case
 from tmap.base import markdown
 from tmap.bench import bench, published
@@ -92,7 +93,7 @@ def floored(measured: dict) -> list[dict]:
 
 def scene_errors(scenes: list[dict]) -> list[showcase.Shown]:
     """Scenes with what their texels are off."""
-    return [showcase.Shown(s["scene"], s["totals"], s["count"], accuracy.Errors(**s["errors"]))
+    return [showcase.Shown(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))
             for s in scenes]
 
 
