@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.polygon.surfaces import off_surface
+from tests.helpers.surfaces import off_surface
 from tmap.fuzz import depths as fuzz_depths, polygons, shrink
 from tmap.ideal import perspective
 from tmap.model import model

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.polygon.surfaces import off_surface
+from tests.helpers.surfaces import off_surface
 from tmap.accuracy import hard_report
 from tmap.corpus import hard_cases, hard_depths
 from tmap.corpus.hard_depths import DEEPEST, NEAREST

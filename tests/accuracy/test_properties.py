@@ -1,13 +1,13 @@
-"""What tests/accuracy/properties.py says holds for random polygons and meshes, by fixed seeds."""
+"""What tests/helpers/properties.py says holds for random polygons and meshes, by fixed seeds."""
 
 import random
 
 import numpy as np
 import pytest
 
-from tests.accuracy import properties, property_cases
-from tests.accuracy.property_cases import HEIGHT, WIDTH
-from tests.arrays import first_wrong
+from tests.helpers import properties, property_cases
+from tests.helpers.property_cases import HEIGHT, WIDTH
+from tests.helpers.arrays import first_wrong
 from tmap.corpus import random_meshes
 from tmap.guest import guest_frames
 from tmap.ideal import ideal

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.accuracy import property_cases
-from tests.accuracy.properties import SIDE
+from tests.helpers import property_cases
+from tests.helpers.properties import SIDE
 from tmap.base.fixed import M32, ONE, mul_div, signed
 from tmap.model import model
 from tmap.setup import clip, edges as model_edges, planarity, polygon as model_polygon, texturing

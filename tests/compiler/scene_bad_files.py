@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from tests.compiler.wrong_fields import M32, SHAPES, Row, WrongFields, changed, lengths
+from tests.helpers.wrong_fields import M32, SHAPES, Row, WrongFields, changed, lengths
 from tests.glide.bad_files import wrong_pipes
-from tests.mesh import mesh_cases
+from tests.helpers import mesh_cases
 from tests.mesh.mesh_bad_files import wrong_meshes
 from tests.n64.bad_files import wrong_primitives
 from tmap.scene_file import scene_file

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tmap.__main__ import FORMS, main
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT, SCENES

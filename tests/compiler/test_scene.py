@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.arrays import check_within
+from tests.helpers.arrays import check_within
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.build import layout

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.compiler.scene_examples import LIGHT, TEXTURED, WRITTEN, example, vertices
-from tests.mesh import mesh_cases
+from tests.helpers import mesh_cases
 from tmap.base import maps
 from tmap.base.errors import UserError
 from tmap.base.pixel_formats import FORMATS

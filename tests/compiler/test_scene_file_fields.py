@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.compiler.scene_examples import LIGHT, TEXTURED, example
-from tests.mesh import mesh_cases
+from tests.helpers import mesh_cases
 from tmap.base.errors import UserError
 from tmap.build import layout
 from tmap.scene_file import scene_file

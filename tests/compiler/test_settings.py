@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from tests.polygon.steps_scene import steps_scene
+from tests.helpers.steps_scene import steps_scene
 from tmap.base.paths import SCENES
 from tmap.build import layout
 from tmap.compiler.scene import compile_scene

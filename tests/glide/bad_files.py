@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.compiler.wrong_fields import M32, Row, WrongFields
+from tests.helpers.wrong_fields import M32, Row, WrongFields
 from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene
 
 LOCAL = 0x1 << 12 | 0x1 << 18 | 0x1 << 21 | 0x1 << 27  # colours are the texels

@@ -1,6 +1,6 @@
 """The guest's texture units asked step by step."""
 
-from tests.units import vector_guest
+from tests.helpers import vector_guest
 from tmap.build import layout
 from tmap.glide.words import ASPECTS, FORMATS, LEVELS
 

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
-from tests.units.engine_scenes import compiled, save_noise, scene_text
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
+from tests.helpers.engine_scenes import compiled, save_noise, scene_text
 from tmap.glide.words import FIELDS, LEVELS
 from tmap.guest import guest_frames
 from tmap.model import model

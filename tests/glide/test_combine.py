@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal, check_within
+from tests.helpers.arrays import check_equal, check_within
 from tests.glide.reference import only
 from tmap.base.errors import UserError
 from tmap.glide.chain import Point, chain_pixel, pixel

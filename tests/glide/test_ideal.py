@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal, check_within
+from tests.helpers.arrays import check_equal, check_within
 from tmap.base.errors import UserError
 from tmap.glide import combine
 from tmap.glide.chain import Point, chain_pixel

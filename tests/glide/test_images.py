@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal, check_within
+from tests.helpers.arrays import check_equal, check_within
 from tmap.base.errors import UserError
 from tmap.glide import images, ncc
 from tmap.glide.mipmap import levels, shape_of, store

@@ -7,7 +7,7 @@ from math import floor
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal
+from tests.helpers.arrays import check_equal
 from tests.glide import reference
 from tests.glide.reference import FOLDER, only, questions
 from tmap.base.errors import UserError

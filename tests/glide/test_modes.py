@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal
-from tests.units import mode_points, mode_tables
+from tests.helpers.arrays import check_equal
+from tests.helpers import mode_points, mode_tables
 from tmap.accuracy import engines, glide_errors
 from tmap.base.paths import BASELINE
 from tmap.bench import bench

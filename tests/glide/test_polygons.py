@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.glide.random_scenes import FAR, HEIGHT, WIDTH, Case, case, scene
-from tests.units.engine_polygons import Polygons, vertex_lines
+from tests.helpers.engine_polygons import Polygons, vertex_lines
 from tmap.glide import polygon
 from tmap.glide.lod import chosen, level_of_detail
 from tmap.glide.words import ASPECTS, FORMATS, MIPMAPS

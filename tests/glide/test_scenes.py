@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
-from tests.units.engine_scenes import (check_refused, compiled, explain, run_command, save_noise,
-                                       scene_text)
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
+from tests.helpers.engine_scenes import (check_refused, compiled, explain, run_command, save_noise,
+                                         scene_text)
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.glide import images

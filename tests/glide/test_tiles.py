@@ -9,8 +9,8 @@ import os
 import numpy as np
 import pytest
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked, Drawn
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked, Drawn
 from tests.glide.random_tiles import FRAMES, HEIGHT, KINDS, WIDTH, scene
 from tmap.base.pixel_formats import FORMATS
 from tmap.guest import guest_frames

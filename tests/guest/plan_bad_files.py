@@ -1,6 +1,6 @@
 """Plan files that cannot be, and what must be said of each."""
 
-from tests.compiler.wrong_fields import M32, SHAPES, changed, lengths
+from tests.helpers.wrong_fields import M32, SHAPES, changed, lengths
 from tmap.guest import kernels
 from tmap.guest.kernels import Case
 

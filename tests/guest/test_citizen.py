@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.guest import guest_program
+from tests.helpers import guest_program
 from tmap.base.paths import GUEST, PROGRAMS
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case

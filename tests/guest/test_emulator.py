@@ -5,7 +5,7 @@ import shutil
 
 import pytest
 
-from tests.guest import guest_program
+from tests.helpers import guest_program
 from tmap.base.errors import UserError
 from tmap.base.paths import PROGRAMS, ROOT, SCENES
 from tmap.compiler.scene import compile_scene

@@ -8,7 +8,7 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.guest import guest_program
+from tests.helpers import guest_program
 from tmap.base.paths import BASELINE, GUEST, PROGRAMS, ROOT
 from tmap.bench import bench, owner, scenes
 from tmap.build import layout

@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.guest import guest_program
-from tests.kernels import checker
+from tests.helpers import guest_program
+from tests.helpers import kernel_checker as checker
 from tests.kernels.trials import span
 from tmap.base import paths
 from tmap.build import contracts

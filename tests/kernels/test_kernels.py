@@ -1,15 +1,16 @@
 """Every routine of src68k/math, mesh, polygon, edge, span, n64, glide and screen,
 called on the emulated A1200 and held to its contract block and to a reference in Python."""
 
+import importlib
+import pkgutil
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
 
-from tests.kernels import checker
-from tests.kernels.trials import (dithered, edge, glide, lit, logarithm, mappers, math, mesh, n64,
-                                  perspective, pixel, polygon, reciprocal, scanline, screen, span,
-                                  texturing, tiled, wide)
+from tests.helpers import kernel_checker as checker
+from tests.kernels import trials
+from tests.kernels.trials import glide, n64, screen
 from tmap.base import paths
 from tmap.build import contracts
 
@@ -27,11 +28,8 @@ ALL_IN_C = [IN_C,
                 ("c/plain", "a pass in C", glide.IN_C),
                 ("c/screen", "in C", screen.IN_C)) for name in names)]
 CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL_IN_C]}
-ROOMS = (mappers, reciprocal, span, tiled,
-         lit, pixel, polygon, texturing,
-         perspective, edge, math, mesh,
-         scanline, logarithm, wide, n64,
-         glide, screen, dithered)
+ROOMS = [importlib.import_module(f"{trials.__name__}.{room.name}")
+         for room in pkgutil.iter_modules(trials.__path__)]
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from tests.compiler.wrong_fields import M32, Row, WrongFields
-from tests.mesh import mesh_cases
+from tests.helpers.wrong_fields import M32, Row, WrongFields
+from tests.helpers import mesh_cases
 from tmap.scene_file.scene_file import Material, Texture
 
 UNIT = 1 << 30

@@ -9,7 +9,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.mesh import mesh_cases
+from tests.helpers import mesh_cases
 from tmap.base.paths import SCENES
 from tmap.compiler import objects
 from tmap.compiler.scene import compile_scene

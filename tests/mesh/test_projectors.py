@@ -6,8 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal, check_within
-from tests.units.engine_scenes import check_refused, compiled, save_noise
+from tests.helpers.arrays import check_equal, check_within
+from tests.helpers.engine_scenes import check_refused, compiled, save_noise
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.bench.scenes import some_frames

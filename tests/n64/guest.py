@@ -1,6 +1,6 @@
 """Command words by hand, and the guest's texture engine asked step by step."""
 
-from tests.units import vector_guest
+from tests.helpers import vector_guest
 from tmap.build import layout
 
 RGBA, YUV, CI, IA, I = range(5)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import pytest
 
 from tests.n64.guest import BITS_16, BITS_32, BITS_8, CI, I, IA, RGBA, YUV, Guest, result_name
-from tests.units import vector_guest
+from tests.helpers import vector_guest
 from tmap.build import layout
 from tmap.n64.combiner import ALPHA_NAMES, RGB_NAMES
 from tmap.n64.state import LEGAL

@@ -4,7 +4,7 @@ import pytest
 from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, FULL_SYNC, I, IA, LOAD_SYNC,
                              PIPE_SYNC, RESULTS, RGBA, TILE_SYNC, YUV, Guest, edges, image, modes,
                              result, result_name, size, texture, tile)
-from tests.units import vector_guest
+from tests.helpers import vector_guest
 
 AT = 0x1000  # of images
 IMAGE = image(RGBA, BITS_16, 32, AT)

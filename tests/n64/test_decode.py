@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import pytest
 from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RGBA, WRAPPED, YUV,
                              Guest, modes, packed, result_name)
-from tests.units import vector_guest
+from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads
 RGBA_TLUT, IA_TLUT = {"tlut": 1}, {"tlut": 1, "tlut_type": 1}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.arrays import check_equal, check_within
+from tests.helpers.arrays import check_equal, check_within
 from tests.n64.scene import memory, noise, smooth, unit
 from tmap.base.errors import UserError
 from tmap.n64 import commands, images

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal
+from tests.helpers.arrays import check_equal
 from tests.n64.reference import FOLDER, differences
 from tmap.base.errors import UserError
 from tmap.n64 import commands

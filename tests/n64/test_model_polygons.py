@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.arrays import check_equal, check_within
+from tests.helpers.arrays import check_equal, check_within
 from tests.n64.scene import (COMBINED, N, TEXEL0, TEXEL0_SHADE, TRILINEAR, floor, memory, noise,
                              smooth, square, unit)
 from tmap.base.errors import UserError

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.units import mode_points, mode_tables
+from tests.helpers import mode_points, mode_tables
 from tmap.accuracy import n64_errors
 from tmap.base.errors import UserError
 from tmap.bench.modes import measure

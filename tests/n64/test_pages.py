@@ -1,9 +1,9 @@
 """Pages of the plain mappers: rows are made when polygons need them, and are the model's."""
 
 import pytest
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
-from tests.units.engine_scenes import compiled, many_text, save_noise
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
+from tests.helpers.engine_scenes import compiled, many_text, save_noise
 
 PIXELS = ("rgba5551", "rgba8888")
 SIDE = 40  # pixels of a polygon's place

@@ -3,9 +3,9 @@ its modes, texels straight into 16-bit pixels, the second cycle's texel alone.""
 
 import numpy as np
 import pytest
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
-from tests.units.engine_scenes import compiled, many_text, save_noise
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
+from tests.helpers.engine_scenes import compiled, many_text, save_noise
 
 PIXELS = ("rgba5551", "rgba8888")
 COLUMNS, SIDE, GAP = 5, 22, 26  # engines a row; pixels of a triangle, of its place

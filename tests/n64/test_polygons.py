@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.n64.random_scenes import HEIGHT, WIDTH, Case, case, scene
-from tests.units.engine_polygons import Polygons, vertex_lines
+from tests.helpers.engine_polygons import Polygons, vertex_lines
 from tmap.model import model
 from tmap.n64.combiner import samples
 from tmap.scene_file.scene_file import ONE

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.units.engine_scenes import HEAD, check_refused, compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import HEAD, check_refused, compiled, save_noise, scene_text
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.compiler.scene import compile_scene, parse

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.units.engine_scenes import HEAD, check_refused, explain, run_command, save_noise
+from tests.helpers.engine_scenes import HEAD, check_refused, explain, run_command, save_noise
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT, SCENES
 from tmap.compiler.n64 import TEXELS

@@ -1,6 +1,6 @@
 """Texts of scenes with one of the N64's texture engines."""
 
-from tests.units.engine_scenes import compiled, scene_text
+from tests.helpers.engine_scenes import compiled, scene_text
 from tmap.scene_file.scene_file import Scene
 
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32], [0, 32, 0, 32]]"

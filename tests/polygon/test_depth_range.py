@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.units.engine_scenes import check_refused, compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import check_refused, compiled, save_noise, scene_text
 from tmap.corpus import hard_cases
 from tmap.guest import guest_frames
 from tmap.ideal import bounds

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.units.engine_scenes import explain, run_command
+from tests.helpers.engine_scenes import explain, run_command
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.model import model

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.units.engine_scenes import explain
+from tests.helpers.engine_scenes import explain
 from tmap.compiler.scene import compile_scene
 from tmap.model import model
 from tmap.run import run

@@ -5,7 +5,7 @@ import random
 import numpy as np
 import pytest
 
-from tests.units.engine_scenes import check_refused, compiled, save_noise
+from tests.helpers.engine_scenes import check_refused, compiled, save_noise
 from tmap.corpus import random_polygons
 from tmap.guest import guest_frames
 from tmap.guest.emulator import CYCLES_PER_TICK

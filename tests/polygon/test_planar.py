@@ -8,9 +8,9 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.accuracy.properties import Case, covers_once
-from tests.accuracy.property_cases import HEIGHT, WIDTH, convex, uneven_case
-from tests.units.engine_scenes import compiled, save_noise
+from tests.helpers.properties import Case, covers_once
+from tests.helpers.property_cases import HEIGHT, WIDTH, convex, uneven_case
+from tests.helpers.engine_scenes import compiled, save_noise
 from tmap.base.fixed import ONE, fix, mul
 from tmap.guest import guest_frames
 from tmap.ideal import planarity

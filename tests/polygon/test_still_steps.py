@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tests.polygon.floors import FLOORS, turned
-from tests.units.engine_scenes import compiled, save_noise
+from tests.helpers.engine_scenes import compiled, save_noise
 from tmap.base.paths import BASELINE
 from tmap.bench import bench
 from tmap.guest import guest_frames

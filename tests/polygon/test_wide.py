@@ -5,10 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.compiler import guest_runs
-from tests.compiler.guest_runs import Asked, Drawn
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked, Drawn
 from tests.polygon.floors import FLOORS, turned
-from tests.units.engine_scenes import compiled, save_noise
+from tests.helpers.engine_scenes import compiled, save_noise
 from tmap.base.paths import SCENES
 from tmap.base.pixel_formats import FORMATS
 from tmap.compiler.scene import compile_scene

@@ -15,7 +15,7 @@ import pytest
 from amitools.binfmt.hunk import Hunk
 from amitools.binfmt.hunk.HunkReader import HunkReader
 
-from tests.arrays import first_wrong
+from tests.helpers.arrays import first_wrong
 from tmap.base import planar
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT

@@ -8,7 +8,7 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.guest import guest_program
+from tests.helpers import guest_program
 from tmap.base.paths import GUEST, PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator

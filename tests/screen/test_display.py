@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from tests.guest import guest_program
+from tests.helpers import guest_program
 from tests.screen import copper_lists
 from tmap.base import maps, planar
 from tmap.base.paths import ROOT

@@ -6,7 +6,7 @@ import threading
 import numpy as np
 import pytest
 
-from tests.polygon.steps_scene import steps_scene
+from tests.helpers.steps_scene import steps_scene
 from tests.screen.window import Screen, screen, shell, window
 from tmap.__main__ import main
 from tmap.base import planar

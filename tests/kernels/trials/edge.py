@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, values
+from tests.helpers.kernel_checker import Memory, Trial, Write, values
 from tmap.base.fixed import signed
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case

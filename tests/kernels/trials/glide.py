@@ -1,6 +1,6 @@
 """Trials of the passes for Glide's texture unit against tools/tmap/bench/examples/glide.py."""
 
-from tests.kernels.checker import Trial
+from tests.helpers.kernel_checker import Trial
 from tests.kernels.trials.n64 import COUNTS, ROUNDS, pass_trial
 from tmap.bench import glide
 from tmap.bench.examples import glide as glide_examples

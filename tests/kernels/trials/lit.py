@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, values
+from tests.helpers.kernel_checker import Memory, Trial, values
 from tests.kernels.trials.edge import BIAS, ONE
 from tests.kernels.trials.scanline import held, table_of, table_write
 from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,

@@ -3,7 +3,7 @@ tables cost in precision against exact fractions."""
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, fields_check, first_of
+from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of
 from tests.kernels.trials.reciprocal import PITCH, constants_of, emptied_lines, error, triangles
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.bench import logarithm, perspective

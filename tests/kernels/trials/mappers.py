@@ -4,7 +4,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial
+from tests.helpers.kernel_checker import Memory, Trial
 from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import (FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory,
                                        random_starts, sizes, steps_text, table_trial, texture)

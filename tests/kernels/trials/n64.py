@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory, Trial, Write
 from tmap.bench import n64
 from tmap.bench.examples import n64 as n64_examples
 

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of, values
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.base.fixed import signed

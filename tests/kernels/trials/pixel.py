@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, both, values
+from tests.helpers.kernel_checker import Memory, Trial, Write, both, values
 from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import MAP_ALIGN, STEPS, TURN, texels, texture
 from tmap.bench import instruction_costs

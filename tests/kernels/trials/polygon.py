@@ -3,7 +3,7 @@ model where numbers are rounded."""
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of, values
 from tests.kernels.trials.math import any_size
 from tmap.build import layout
 from tmap.guest.kernels import Case

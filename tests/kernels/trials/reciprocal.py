@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, fields_check, first_of
+from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.base.fixed import signed
 from tmap.bench import perspective as bench_perspective, reciprocal

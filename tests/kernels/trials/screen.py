@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory, Trial, Write
 from tmap.base import planar
 from tmap.bench import screen
 from tmap.guest.kernels import Case, Result

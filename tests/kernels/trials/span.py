@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write, both, values
+from tests.helpers.kernel_checker import Memory, Trial, Write, both, values
 from tests.kernels.trials.edge import BIAS, ONE
 from tmap.build import layout
 from tmap.guest.kernels import Case

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory, Trial, fields_check, first_of, values
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.polygon import (BIAS, HEIGHT, ONE, WIDTH, described, seen_polygons,
                                           sides_block, vertex_block, wanted_sides)

@@ -4,7 +4,7 @@ from functools import cache
 
 import numpy as np
 
-from tests.kernels.checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory, Trial, Write
 from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground,
                                        span_trial, steps_of, texels, texture)
 from tmap.base import maps

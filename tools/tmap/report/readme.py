@@ -9,6 +9,7 @@ import numpy as np
 from PIL import Image
 
 from tmap.accuracy import engines, methods, polys
+from tmap.base import rooms
 from tmap.base.markdown import MACHINES
 from tmap.base.outputs import save_animation
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
@@ -42,7 +43,7 @@ def tables() -> dict[str, str]:
     for engine in engines.ENGINES.values():
         found |= {f"{engine.title} modes": readme_modes.modes_table(measured, engine),
                   f"{engine.title} formats": readme_modes.formats_table(measured, engine)}
-    return (found | readme_numbers.tables() | readme_programs.tables(measured)
+    return (found | rooms.tables() | readme_numbers.tables() | readme_programs.tables(measured)
             | readme_scenes.tables(measured, accuracy, counted))
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.arrays import first_wrong
+from tests.helpers.arrays import first_wrong
 from tmap.model import model
 from tmap.run import run
 from tmap.scene_file.scene_file import ONE, Scene

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.arrays import first_wrong
+from tests.helpers.arrays import first_wrong
 from tmap.base.errors import UserError
 from tmap.compiler.scene import compile_scene
 from tmap.scene_file.scene_file import Scene

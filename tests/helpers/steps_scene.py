@@ -1,6 +1,6 @@
 """A scene on which every step of accuracy shows: each mapper with an 8-bit frame."""
 
-from tests.units.engine_scenes import save_noise
+from tests.helpers.engine_scenes import save_noise
 from tmap.compiler.scene import compile_scene
 from tmap.scene_file.scene_file import Scene
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.arrays import first_wrong
+from tests.helpers.arrays import first_wrong
 from tmap.base.errors import UserError
 from tmap.build import layout
 from tmap.guest import emulator, guest_frames

@@ -2,7 +2,7 @@
 
 They call the integer model through its modules, so that tests can put a wrong renderer in
 its place. Coordinates are 16.16; a vertex is (x, y, s, t, shade, w). What the renderer may be
-off from the ideal stands in tools/tmap/ideal/ideal.py. tests/accuracy/property_cases.py has random cases.
+off from the ideal stands in tools/tmap/ideal/ideal.py. tests/helpers/property_cases.py has random cases.
 """
 
 from dataclasses import dataclass, replace

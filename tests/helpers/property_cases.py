@@ -1,4 +1,4 @@
-"""Random cases of the properties in tests/accuracy/properties.py.
+"""Random cases of the properties in tests/helpers/properties.py.
 
 ``check`` draws one by the property's name, a seed and a number; nothing else counts.
 """
@@ -7,9 +7,9 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tests.accuracy.properties import (Case, clipping, coverage, covers_once, drift, held,
-                                       monotone, pieces, reversal, rotation, rows_kept, splitting,
-                                       translation, within, wrapping)
+from tests.helpers.properties import (Case, clipping, coverage, covers_once, drift, held, monotone,
+                                      pieces, reversal, rotation, rows_kept, splitting,
+                                      translation, within, wrapping)
 from tmap.corpus import random_meshes, random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE

@@ -1,0 +1,81 @@
+"""The rooms of the tree and what each may use.
+
+A room uses the rooms above its own. Rooms of one line do not use each other. ROOMS.md shows these
+lists, and tests/product/test_rooms.py holds every import and include to them.
+"""
+
+import ast
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from tmap.base.markdown import table
+from tmap.base.paths import ROOT
+
+#: tools/tmap; a room's own docstring says what it is for. The top has the command line.
+TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "compiler", "guest",
+         "vectors", "corpus", "ideal", "run", "fuzz", "bench/modes bench/examples", "bench", "accuracy",
+         "report", "product assets", ".")
+#: tests, the same. The top has conftest.py.
+TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon", "accuracy",
+         "screen", "guest", "product", ".")
+#: c, each with a sentence.
+C = {".": "integer types and the limits that all rooms keep to",
+     "math system texture": "products and quotients in assembly; AmigaDOS, memory, clock; maps in memory",
+     "span": "what spans and line makers in `src68k/` are called with",
+     "polygon": "polygons from vertices to spans: edges, gradient set-up, lowering, perspective",
+     "mesh n64 glide screen": "points to polygons; the N64's texture engine; Glide's texture unit; display",
+     "scene": "the scene file: checked, loaded, drawn, saved",
+     "plain show": "passes in plain C, the bench's yardsticks; figures below a picture",
+     "bench demo": "plans and reports of the bench; the demo's parts",
+     "programs": "the programs themselves"}
+#: src68k; include/ has what all use.
+SRC68K = {"math": "products and quotients", "span": "loops over a line's pixels",
+          "edge": "lines of a polygon from its edges", "polygon": "edges, gradient set-up, planes",
+          "mesh": "points, faces, normals", "n64": "passes of the N64's texture engine",
+          "glide": "passes of Glide's texture unit", "screen": "chunky to planar, HAM8",
+          "amiga": "start and end, clock, display, keys", "include": "macros"}
+
+
+def ranks(rooms: Iterable[str]) -> dict[str, int]:
+    """Each room's line."""
+    return {room: line for line, some in enumerate(rooms) for room in some.split()}
+
+
+def room_of(path: Path, top: Path, rooms: Iterable[str]) -> str:
+    """The room of a file below ``top``: the longest of those that its folders begin with."""
+    folder = path.parent.relative_to(top).as_posix()
+    found = [room for room in ranks(rooms) if folder == room or folder.startswith(room + "/")]
+    return max(found, key=len, default=".")
+
+
+def imported(path: Path, package: str, top: Path) -> Iterator[Path]:
+    """The files below ``top`` that a Python file imports from ``package``."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if not isinstance(node, ast.ImportFrom) or (node.module or "").split(".")[0] != package:
+            continue
+        base = top.joinpath(*node.module.split(".")[1:])
+        for file in (base.with_suffix(".py"), *(base / f"{each.name}.py" for each in node.names)):
+            if file.is_file():
+                yield file
+
+
+def included(path: Path) -> Iterator[Path]:
+    """The files of c/ that one includes."""
+    for name in re.findall(r'^#include "([^"]+)"', path.read_text(), re.M):
+        yield ROOT / "c" / name
+
+
+def tables() -> dict[str, str]:
+    """The lists for ROOMS.md, by title."""
+    def sentence(room: str) -> str:
+        text = (ROOT / "tools" / "tmap" / room / "__init__.py").read_text()
+        return " ".join(ast.get_docstring(ast.parse(text)).split("\n\n")[0].split())
+
+    tools = [[", ".join(f"`{room}`" for room in rooms.split()),
+              "<br>".join(sentence(room) for room in rooms.split())] for rooms in TOOLS[:-1]]
+    c, asm = ([[", ".join(f"`{room}`" for room in rooms.split()), text] for rooms, text in listed.items()]
+              for listed in (C, SRC68K))
+    return {"rooms of tools/tmap": table(["room", "what it has"], tools, "ll"),
+            "rooms of c": table(["room", "what it has"], c, "ll"),
+            "rooms of src68k": table(["room", "what it has"], asm, "ll")}
