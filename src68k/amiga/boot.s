@@ -5,12 +5,8 @@
 ;          a1  struct IOStdReq*  the drive's, open
 ; out:     d0  int32  0: start what a0 says; -1: no dos
 ;          a0  void*  dos's initial routine
-; trashes: d0-d1/a0-a1
 ; reads:   exec's list of resident modules
-; writes:  -
 ; formats: behind 12 bytes of the sectors' own; position-independent, no data elsewhere
-; error:   -
-; cost:    -
 ;==============================================================================
         include "amiga.i"
 

@@ -8,14 +8,9 @@
 ;==============================================================================
 ; break_asked - whether the user wants the program to end: Ctrl-C, or Break
 ;
-; in:      -
 ; out:     d0  int32  1: he does; printed, as AmigaDOS's commands do. 0: he does not
-; trashes: d0-d1/a0-a1
 ; reads:   the task's signals
 ; writes:  clears that one
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine break_asked
         move.l  a6,-(sp)

@@ -16,14 +16,9 @@ CACR_ALLOCATE           equ     $2000   ; on writes, too
 ;==============================================================================
 ; cache_data - switches the data cache on until the program's end, which leaves it as it was
 ;
-; in:      -
 ; out:     d0  int32  1 it is on, 0 there is none
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  CACR; bursts and write allocation are on, too
-; formats: -
 ; error:   call it once
-; cost:    -
 ;==============================================================================
         routine cache_data
         movem.l a5-a6,-(sp)

@@ -12,14 +12,9 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ;
 ; in:      a0  int32*  d0-d7/a0-a6 for it, then one longword more
 ;          d0  void*   the routine
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the block
 ; writes:  the block: the registers after the call, then by how much the stack
 ;          pointer was off
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; The value for a0 lies on the stack too: C's first argument.
 
@@ -48,13 +43,6 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ; call_place - puts the calling loop where it and a routine share no cache line
 ;
 ; in:      a0  void*   the routine that call_repeat shall call
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; The 68020's instruction cache is direct-mapped: which of its lines two pieces of
 ; code share depends on their addresses modulo 256. With the loop ending where the
@@ -97,12 +85,7 @@ LOOP_SIZE               equ     *-calling_loop
 ;
 ; in:      a0  int32*  d0-d7/a0-a6 for it
 ;          d0  int32   how often, 1 or more
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the block
-; writes:  -
-; formats: -
-; error:   -
 ; cost:    the same for every routine: measure one that only returns
 ;==============================================================================
         routine call_repeat,a0,d0

@@ -19,14 +19,7 @@ ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges 
 ;==============================================================================
 ; clock_open - takes CIA-B's two timers
 ;
-; in:      -
 ; out:     d0  int32  1 ours, 0 somebody else has them
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine clock_open
         movem.l d2/a6,-(sp)
@@ -64,14 +57,7 @@ ciab_name       dc.b    'ciab.resource',0
 ;==============================================================================
 ; clock_close - gives the timers back
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   does nothing where they are not ours
-; cost:    -
 ;==============================================================================
         routine clock_close
         move.l  a6,-(sp)
@@ -93,13 +79,7 @@ ciab_name       dc.b    'ciab.resource',0
 ;              after the field's first, at the same time in the E-clock; on NTSC machines, where
 ;              that place may not come, for line 128 at most
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   CIA-B, the beam's position
-; writes:  -
-; formats: -
-; error:   -
 ; cost:    1 to 25 ms
 ;==============================================================================
 ; Chip RAM is refreshed at fixed places of each raster line: what starts anywhere else in
@@ -133,13 +113,9 @@ ciab_name       dc.b    'ciab.resource',0
 ;               interrupts count as what they interrupt
 ;
 ; in:      d0  int32  limit before the watchdog bites, in 65,536 E-clocks (92 ms)
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the beam's position
 ; writes:  CIA-B timers A and B
-; formats: -
 ; error:   limits from 1 to 65,535
-; cost:    -
 ;==============================================================================
         routine clock_start,d0
         lea     ciab,a0
@@ -159,15 +135,10 @@ ciab_name       dc.b    'ciab.resource',0
 ;==============================================================================
 ; clock_stop - stops the clock
 ;
-; in:      -
 ; out:     d0  uint32  colour clocks since clock_start, 4 CPU cycles each
-; trashes: d0-d1/a0-a1
 ; reads:   CIA-B timers A and B, the beam's position
-; writes:  -
-; formats: -
 ; error:   one colour clock; ROUGH of them where raster lines do not have LINE of them each (NTSC);
 ;          the pair's own constant cost is the caller's to subtract
-; cost:    -
 ;==============================================================================
 ; The timers count E-clocks, whose place between two instructions is not known: a time is up to
 ; two of them off. The beam's place in its line shows the rest.

@@ -21,14 +21,8 @@ SINCE                   equ     20      ; and from which field on
 ;==============================================================================
 ; display_has_aga - whether the machine has AGA
 ;
-; in:      -
 ; out:     d0  int32  1 or 0
-; trashes: d0-d1/a0-a1
 ; reads:   Denise's number
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; The first Denise has no number: what was last on the bus is read.
 
@@ -47,10 +41,7 @@ SINCE                   equ     20      ; and from which field on
 ;
 ; in:      d0  uint16*  copper list in chip RAM
 ; out:     d0  int32    1 taken, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the copper's first list, DMACON, BEAMCON0 of NTSC machines
-; formats: -
 ; error:   0 where it is taken already, or there is no graphics.library
 ; cost:    two fields or more
 ;==============================================================================
@@ -109,11 +100,7 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ; display_show - shows another list from the next field on; returns when it is shown
 ;
 ; in:      d0  uint16*  copper list in chip RAM
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the copper's first list
-; formats: -
 ; error:   the display must be ours
 ; cost:    a field or two
 ;==============================================================================
@@ -130,13 +117,8 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ;
 ; in:      d0  uint16*  copper list in chip RAM
 ;          d1  uint32   field, as display_fields counts; one that is over: the next one
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the copper's first list, when it is time
-; formats: -
 ; error:   the display must be ours, and what was posted before be shown
-; cost:    -
 ;==============================================================================
         routine display_post,d0,d1
         move.l  d1,state+DUE            ; first: until then the old list is the next one
@@ -146,14 +128,7 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ;==============================================================================
 ; display_since - since when the copper is at its list
 ;
-; in:      -
 ; out:     d0  uint32  the first field of it, as display_fields counts
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine display_since
         move.l  state+SINCE,d0
@@ -162,14 +137,9 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ;==============================================================================
 ; display_age - how long the copper has been at its list
 ;
-; in:      -
 ; out:     d0  uint32  raster lines since its first field began, of fields of 312
-; trashes: d0-d1/a0-a1
 ; reads:   the beam's position
-; writes:  -
-; formats: -
 ; error:   a line each field where they have 313
-; cost:    -
 ;==============================================================================
         routine display_age
         lea     state,a0
@@ -196,12 +166,6 @@ FIELD_LINES             equ     312
 ;==============================================================================
 ; display_wait - waits for the next field, and leaves the processor to other tasks until then
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   the display must be ours
 ; cost:    a field at most
 ;==============================================================================
@@ -215,14 +179,7 @@ FIELD_LINES             equ     312
 ;==============================================================================
 ; display_shown - the list that the copper is at
 ;
-; in:      -
 ; out:     d0  uint32  the list's address
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine display_shown
         move.l  state+SHOWN,d0
@@ -231,14 +188,7 @@ FIELD_LINES             equ     312
 ;==============================================================================
 ; display_fields - fields while the display was ours
 ;
-; in:      -
 ; out:     d0  uint32  vertical blanks, 50 a second
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine display_fields
         move.l  state+FIELDS,d0
@@ -247,12 +197,7 @@ FIELD_LINES             equ     312
 ;==============================================================================
 ; display_close - gives the display back
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  what display_open does
-; formats: -
 ; error:   does nothing where it is not ours
 ; cost:    two fields or more
 ;==============================================================================

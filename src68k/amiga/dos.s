@@ -30,12 +30,9 @@ transfer macro
 ; in:      d0  char*  name, zero-terminated
 ;          d1  int32  mode: 1005 old file for reading, 1006 new file
 ; out:     d0  int32  handle 1 to 8, or 0: not opened
-; trashes: d0-d1/a0-a1
 ; reads:   name
 ; writes:  the table of open files
-; formats: -
 ; error:   0 too when 8 files are open
-; cost:    -
 ;==============================================================================
         routine file_open,d0,d1
         movem.l d2/d3/a6,-(sp)
@@ -68,12 +65,8 @@ transfer macro
 ;          d1  void*  where to
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes read, or -1
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  memory at d1
-; formats: -
 ; error:   fewer bytes than asked at the file's end
-; cost:    -
 ;==============================================================================
         routine file_read,d0,d1,a0
         transfer Read
@@ -85,12 +78,8 @@ transfer macro
 ;          d1  void*  what
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes written, or -1
-; trashes: d0-d1/a0-a1
 ; reads:   memory at d1
-; writes:  -
-; formats: -
 ; error:   fewer bytes than asked when the volume is full
-; cost:    -
 ;==============================================================================
         routine file_write,d0,d1,a0
         transfer Write
@@ -100,12 +89,7 @@ transfer macro
 ;
 ; in:      d0  int32  handle from file_open
 ; out:     d0  int32  bytes
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   -1 where the file system cannot tell
-; cost:    -
 ;==============================================================================
         routine file_size,d0
         movem.l d2/d3/d4/a6,-(sp)
@@ -127,13 +111,7 @@ transfer macro
 ; file_close - closes a file
 ;
 ; in:      d0  int32  handle from file_open
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the table of open files
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine file_close,d0
         move.l  a6,-(sp)
@@ -150,13 +128,8 @@ transfer macro
 ; file_delete - deletes a file that is not whole
 ;
 ; in:      d0  char*  name, zero-terminated; closed
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   name
-; writes:  -
-; formats: -
 ; error:   ignored: a line says already what is wrong
-; cost:    -
 ;==============================================================================
         routine file_delete,d0
         move.l  a6,-(sp)
@@ -170,13 +143,8 @@ transfer macro
 ; print - writes text to the program's output
 ;
 ; in:      d0  char*  text, zero-terminated
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   text
-; writes:  -
-; formats: -
 ; error:   a failed write is ignored: there is nowhere to report it
-; cost:    -
 ;==============================================================================
         routine print,d0
         movem.l d2/d3/a6,-(sp)
@@ -199,12 +167,9 @@ transfer macro
 ; in:      d0  char*   template
 ;          d1  int32*  one longword an item, preset to the defaults
 ; out:     d0  int32   1 understood, 0 not
-; trashes: d0-d1/a0-a1
 ; reads:   template
 ; writes:  the items; texts and numbers they point to live until the end
 ; formats: ReadArgs: /N items point to an int32
-; error:   -
-; cost:    -
 ;==============================================================================
         routine args_read,d0,d1
         movem.l d2-d4/a6,-(sp)
@@ -224,14 +189,7 @@ transfer macro
 ;==============================================================================
 ; file_close_all - closes what is open and frees the arguments
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the table of open files
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         section .text.dos_end,code
 file_close_all:

@@ -11,13 +11,9 @@
 ; at_end - has a routine called at the program's end, whichever way that comes
 ;
 ; in:      a0  struct end*   static; `next` as the program was loaded with it: 0
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the chain
 ; writes:  the chain
-; formats: -
 ; error:   what is in the chain stays there once
-; cost:    -
 ;==============================================================================
 ; The last one in is called first, before timers, files and memory go back. Routines keep
 ; d2-d7/a2-a6 and do nothing where they have nothing to close: they stay in the chain when a

@@ -17,13 +17,8 @@
 ; fault_handler - the task's trap code: notes the fault, resumes at the report
 ;
 ; in:      sp  exec's frame: int32 exception number, then the 680x0 frame
-; out:     -
 ; trashes: everything
-; reads:   -
 ; writes:  the fault record
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         section .text.fault,code
 fault_handler:
@@ -48,14 +43,9 @@ fault_enter:                            ; supervisor mode, number noted already
 ;==============================================================================
 ; fault_report - prints the fault record and ends the program
 ;
-; in:      -
-; out:     -
 ; trashes: everything
 ; reads:   the fault record
-; writes:  -
 ; formats: "fault: exception N pc $OFFSET", then d0-d7 and a0-a7, hexadecimal
-; error:   -
-; cost:    -
 ;==============================================================================
 fault_report:
         lea     -64(sp),sp              ; stay clear of what was in use

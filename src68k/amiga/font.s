@@ -13,12 +13,9 @@ ROWS                    equ     8
 ; in:      d0  uint8*  room for 96 of them, 8 bytes each from the top, the leftmost dot the
 ;                      highest bit
 ; out:     d0  int32   1, or 0: the ROM has none
-; trashes: d0-d1/a0-a1
 ; reads:   the font
 ; writes:  the room
-; formats: -
 ; error:   characters that the font lacks are left alone
-; cost:    -
 ;==============================================================================
         routine font_read,d0
         movem.l d2-d6/a2-a3/a6,-(sp)

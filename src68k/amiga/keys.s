@@ -12,14 +12,8 @@ C_KEY                   equ     $33
 ;==============================================================================
 ; keys_open - takes keys and mouse from the system, until keys_close or the end
 ;
-; in:      -
 ; out:     d0  int32  1 taken, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   0 where memory is short, or they are taken already
-; cost:    -
 ;==============================================================================
         routine keys_open
         movem.l d2/a6,-(sp)
@@ -70,14 +64,7 @@ tell    movea.l request,a1
 ;==============================================================================
 ; keys_close - gives keys and mouse back
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   does nothing where they are not ours
-; cost:    -
 ;==============================================================================
         routine keys_close
         move.l  a6,-(sp)
@@ -106,14 +93,9 @@ tell    movea.l request,a1
 ;==============================================================================
 ; key_take - the next key that was pressed
 ;
-; in:      -
 ; out:     d0  uint32  its raw code, 0 to $7f, or $ffffffff: none
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the keys that wait
-; formats: -
 ; error:   keys are forgotten while 15 wait
-; cost:    -
 ;==============================================================================
         routine key_take
         moveq   #-1,d0

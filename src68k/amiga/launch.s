@@ -12,12 +12,9 @@
 ; out:     d0  uint32   address of its first hunk's link, or 0: not loaded. A link is a quarter of
 ;                       the next one's address, or 0; the longword before it has the hunk's
 ;                       bytes, those of itself and the link included
-; trashes: d0-d1/a0-a1
 ; reads:   name
-; writes:  -
 ; formats: AmigaDOS segment list
 ; error:   0 too where memory is short
-; cost:    -
 ;==============================================================================
         routine program_load,d0
         move.l  a6,-(sp)
@@ -32,13 +29,7 @@
 ; program_unload - gives a program's memory back
 ;
 ; in:      d0  uint32   from program_load
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the links
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine program_unload,d0
         move.l  a6,-(sp)
@@ -57,12 +48,9 @@
 ;          a0  int32    their bytes
 ;          a1  char*    name of the file for its output
 ; out:     d0  int32   its return code, or -1: not run
-; trashes: d0-d1/a0-a1
 ; reads:   arguments, name
 ; writes:  whatever the program does
-; formats: -
 ; error:   -1 where the file cannot be made, or memory is short
-; cost:    -
 ;==============================================================================
         routine program_run,d0,d1,a0,a1
         movem.l d2-d7/a6,-(sp)

@@ -12,13 +12,9 @@ AGNUS_BITS              equ     $7f
 ; machine_read - reads what exec and Agnus say of the machine
 ;
 ; in:      a0  struct machine*  where to
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   ExecBase, VPOSR
 ; writes:  the struct
 ; formats: as its fields say
-; error:   -
-; cost:    -
 ;==============================================================================
         routine machine_read,a0
         movem.l a2/a6,-(sp)
@@ -67,12 +63,6 @@ fast_bytes
 ;
 ; in:      a0  const void*  the address
 ; out:     d0  int32        1 it is, 0 it is not
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine memory_is_chip,a0
         move.l  a6,-(sp)
@@ -90,13 +80,8 @@ fast_bytes
 ;
 ; in:      d0  char*  where the text goes, zero-terminated
 ;          d1  int32  how many bytes there are for it
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the text
-; formats: -
 ; error:   a number that dos does not know is written as a number
-; cost:    -
 ;==============================================================================
         routine dos_fault,d0,d1
         movem.l d2-d4/a6,-(sp)
@@ -115,12 +100,7 @@ fast_bytes
 ;
 ; in:      d0  int32  the window's address; 0 on Workbench's screen, -1 nowhere: calls just fail
 ; out:     d0  int32  the same as it was before
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the process's pr_WindowPtr, which is the shell's too: put the old one back
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine dos_requests,d0
         movem.l d2/a6,-(sp)

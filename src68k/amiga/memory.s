@@ -17,12 +17,8 @@
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   *d0 is left alone where memory is short
-; cost:    -
 ;==============================================================================
         routine mem_alloc,d0,d1,a0
         move.l  d1,asked_bytes
@@ -34,12 +30,7 @@
 ;
 ; in:      a0  int32*  where the kind goes
 ; out:     d0  int32   bytes
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *a0
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine mem_asked,a0
         move.l  asked_kind,(a0)
@@ -51,12 +42,6 @@
 ;
 ; in:      d0  int32   kind: 0 any, 2 chip, 4 fast
 ; out:     d0  int32   bytes
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine mem_largest,d0
         move.l  a6,-(sp)
@@ -74,12 +59,8 @@
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   *d0 is left alone where memory is short
-; cost:    -
 ;==============================================================================
         section .text.mem_cleared,code
 mem_cleared:
@@ -114,12 +95,8 @@ allocate:
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   *d0 is left alone where memory is short
-; cost:    -
 ;==============================================================================
         section .text.mem_uncleared,code
 mem_uncleared:

@@ -31,14 +31,7 @@ take    macro
 ;==============================================================================
 ; mem_reserve - sets memory aside for mem_take: half of the largest block
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   none is set aside where there is none
-; cost:    -
 ;==============================================================================
         routine mem_reserve
         moveq   #0,d0
@@ -64,12 +57,8 @@ take    macro
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   *d0 is left alone where memory is short
-; cost:    -
 ;==============================================================================
         routine mem_take,d0,d1,a0
         take
@@ -82,12 +71,8 @@ take    macro
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1: it returns only then
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   memory is short: prints so, return code 20
-; cost:    -
 ;==============================================================================
 ; Programs of one scene call it wherever others call mem_take.
 

@@ -11,14 +11,8 @@
 ;==============================================================================
 ; mem_mark - what is allocated from now on can be given back by mem_release
 ;
-; in:      -
 ; out:     d0  uint32  the mark
-; trashes: d0-d1/a0-a1
 ; reads:   the list of blocks
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine mem_mark
         move.l  mem_blocks,d0
@@ -28,13 +22,7 @@
 ; mem_release - frees what was allocated since mem_mark, and forgets what is set aside
 ;
 ; in:      d0  uint32  the mark; none is older that was released
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the list of blocks
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine mem_release,d0
         movem.l a2/a3/a6,-(sp)
@@ -55,14 +43,7 @@
 ;==============================================================================
 ; mem_free_all - frees every block of mem_alloc
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the list of blocks
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         section .text.mem_end,code
 mem_free_all:

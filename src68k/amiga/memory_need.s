@@ -16,12 +16,8 @@
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1: it returns only then
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  *d0
-; formats: -
 ; error:   memory is short: prints so, return code 20
-; cost:    -
 ;==============================================================================
 ; Programs of one scene call it wherever others call mem_alloc.
 
@@ -33,12 +29,7 @@
 ;
 ; in:      d0  int32  1 there was enough, 0 not
 ; out:     d0  int32  1: it returns only then
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   memory is short: prints so, return code 20
-; cost:    -
 ;==============================================================================
 mem_needed
         tst.l   d0

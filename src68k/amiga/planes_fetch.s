@@ -8,14 +8,8 @@
 ; planes_fetch - fetches eight planes, of 256 lines a field, or stops it; in quiet mode only
 ;
 ; in:      d0  uint32  enum plan_display
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  bitplane registers, of which the system's copper list sets all but FMODE again, which
 ;          is 0 when it is stopped; DMACON, as quiet_leave finds and leaves it
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine planes_fetch,d0
         lea     custom,a0

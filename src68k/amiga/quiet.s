@@ -16,14 +16,8 @@ VECTOR_LEVEL_6          equ     $78
 ;==============================================================================
 ; quiet_enter - switches DMA and interrupts off, all but the watchdog
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
-; formats: -
 ; error:   calls do not nest; clock_open must have succeeded
-; cost:    -
 ;==============================================================================
         routine quiet_enter
         movem.l a5/a6,-(sp)
@@ -74,14 +68,8 @@ watchdog:
 ;==============================================================================
 ; quiet_leave - restores what quiet_enter changed
 ;
-; in:      -
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  DMACON, INTENA, the level 6 vector
-; formats: -
 ; error:   does nothing outside quiet mode
-; cost:    -
 ;==============================================================================
         routine quiet_leave
         movem.l a5/a6,-(sp)

@@ -1,14 +1,9 @@
 ;==============================================================================
 ; uaequit - the command that ends an FS-UAE session
 ;
-; in:      -
 ; out:     d0  int32  0, where there is no UAE
-; trashes: d0-d1/a0-a1
 ; reads:   $F0FF60
-; writes:  -
-; formats: -
 ; error:   where there is no UAE ($F0FF60 reads zero) it just returns
-; cost:    -
 ;==============================================================================
 ; A command of its own, so that the programs stay ordinary Amiga programs. UAE
 ; answers at $F0FF60 to calls with a function number on the stack.

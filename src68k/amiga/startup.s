@@ -23,14 +23,7 @@ DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand
 ;==============================================================================
 ; start - entry of a program, from a shell or by a double click
 ;
-; in:      -
 ; out:     d0  int32  AmigaDOS return code: 0, 5, 10 or 20
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; All of it is a 68000's code, and for any Kickstart.
         section .text.start,code
@@ -50,12 +43,8 @@ start:
 ; in:      a4  struct Process*   this task
 ;          a6  struct ExecBase*  exec
 ; out:     d0  int32  return code, from program_end
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the task's trap vector
-; formats: -
 ; error:   no 68020 or no Kickstart 2.0: prints so, returns 20
-; cost:    -
 ;==============================================================================
 ; On the stack are d2-d7/a2-a6. A 68000 runs this, and what ends a program that has opened nothing.
 program_begin:
@@ -84,13 +73,8 @@ program_begin:
 ; program_end - ends the program from anywhere, in user mode
 ;
 ; in:      d0  int32  AmigaDOS return code
-; out:     -
 ; trashes: -
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   never returns to its caller
-; cost:    -
 ;==============================================================================
 program_end:
         movea.l initial_sp,sp

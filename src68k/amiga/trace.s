@@ -21,10 +21,7 @@ SR_TRACE                equ     $8000
 ;==============================================================================
 ; trace_main - runs main and writes the file trace.flags
 ;
-; in:      -
 ; out:     d0  int32  what main returns
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  the trace vector, restored at the end
 ; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
 ;          there and was executed, bit 1 in quiet mode, bit 2 more than once so
@@ -82,14 +79,7 @@ trace_step:                             ; the stacked PC: the next instruction
 ;==============================================================================
 ; trace_wait - what clock_wait is while instructions are noted: nothing
 ;
-; in:      -
-; out:     -
 ; trashes: -
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; Its loops ask for one place of the beam; traced, each round takes lines, and can pass that
 ; place by for ever.
@@ -100,13 +90,7 @@ trace_step:                             ; the stacked PC: the next instruction
 ; trace_start - what clock_start is while instructions are noted: the longest limit
 ;
 ; in:      d0  int32  limit before the watchdog bites, which is not looked at
-; out:     -
-; trashes: d0-d1/a0-a1
-; reads:   -
 ; writes:  CIA-B timers A and B
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         routine trace_start,d0
         move.l  #TRACE_LIMIT,d0

@@ -22,9 +22,7 @@ DELAY                   equ     250     ; fiftieths of a second
 ; trashes: everything
 ; reads:   the start-up message
 ; writes:  the process's input, output and current directory
-; formats: -
 ; error:   no window: does not run, returns 20
-; cost:    -
 ;==============================================================================
 ; On the stack are d2-d7/a2-a6, as start saved them. The window shows with the first line.
 ; Kickstart 1.3 shows it at once and knows no waiting: it stays for a while.
@@ -85,15 +83,8 @@ dos_name        dc.b    'dos.library',0
 ;==============================================================================
 ; no_arguments - for ReadArgs, which would wait for a line from the window
 ;
-; in:      -
 ; out:     d0  struct RDArgs*  an empty line of arguments, freed at the program's end; 0 where the
 ;                              program was started from a shell, or memory is short
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
         section .text.no_arguments,code
 no_arguments:

@@ -13,10 +13,6 @@
 ; out:     d0  int32  return code 20
 ; trashes: everything
 ; reads:   the start-up message
-; writes:  -
-; formats: -
-; error:   -
-; cost:    -
 ;==============================================================================
 ; On the stack are d2-d7/a2-a6, as start saved them. Such programs have it in place of workbench.
         section .text.workbench_none,code

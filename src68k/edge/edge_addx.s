@@ -31,8 +31,6 @@ addx_step macro
 ; edge_addx - fills a scanline table: left, last and packed u, v
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
@@ -47,8 +45,6 @@ addx_step macro
 ; edge_addx_exact - the same, x by integer quotient and remainder
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: as edge_addx

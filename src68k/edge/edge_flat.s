@@ -22,8 +22,6 @@ steps   macro
 ; edge_flat - fills a scanline table without u and v: all a flat polygon needs
 ;
 ; in:      a0  edge_plan*  both sides and their edges
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, of its edges lines, x, whole, error and part
 ; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768
@@ -37,8 +35,6 @@ steps   macro
 ; edge_flat_exact - the same, x by integer quotient and remainder
 ;
 ; in:      a0  edge_plan*  both sides and their edges
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, of its edges lines, x, whole, error, part and height
 ; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: as edge_flat

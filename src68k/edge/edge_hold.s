@@ -6,8 +6,6 @@
 ; edge_hold - moves the lines of a table so that no pixel leaves a range of u and v
 ;
 ; in:      a0  hold_plan*  the table, the steps, the ranges
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  start0, start1, start2 of the lines (plain form); dudx, dvdx where even the
 ;          longest line could not stay in the range with them

@@ -45,8 +45,6 @@ plain_step macro
 ; edge_plain - fills a scanline table: left, last and u, v in 16.16
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
@@ -61,8 +59,6 @@ plain_step macro
 ; edge_plain_exact - the same, x by integer quotient and remainder
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: as edge_plain

@@ -6,8 +6,6 @@
 ; edge_ramp - u, v and their steps on each scanline, by two divides a scanline
 ;
 ; in:      a0  ramp_plan*  the table, both sides' ramps, where the steps go
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  start0, start1, start2 of lines with pixels and their entry of steps; the
 ;          ramps, which run down

@@ -16,7 +16,6 @@ steps   macro
 ; edge_right - steps the right side: the last pixel of each line
 ;
 ; in:      a6  edge_plan*  the right side and its edges
-; out:     -
 ; trashes: d0-d7/a0-a1/a4-a5
 ; reads:   the plan, its right edges but for height
 ; writes:  last of plan->lines[0 .. lines of the side - 1]
@@ -31,7 +30,6 @@ steps   macro
 ; edge_right_exact - the same, x by integer quotient and remainder
 ;
 ; in:      a6  edge_plan*  the right side and its edges
-; out:     -
 ; trashes: d0-d7/a0-a1/a4-a5
 ; reads:   the plan, its right edges
 ; writes:  last of plan->lines[0 .. lines of the side - 1]

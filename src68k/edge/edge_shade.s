@@ -19,8 +19,6 @@ packed  macro
 ; edge_shade - the shade of each line's first pixel, on the polygon's plane
 ;
 ; in:      a0  shade_plan*  the table, the plane, the range, where the shades go
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  the shades of lines with pixels, of others where inside is said; dcdx where
 ;          even the longest line could not stay in the range with it

@@ -13,8 +13,6 @@ joined  macro
 ; edge_swap - fills a scanline table by add and swap, for comparison
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its edges but for height
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,

@@ -38,8 +38,6 @@ step    macro
 ;
 ; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
 ;          a1  scanline_step*     what u and v grow by a pixel: one a line
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines

@@ -35,7 +35,6 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 ;          a1  logarithm_tables*  the tables
 ;          d0  logarithm_line*    where the lines go
 ; out:     d0  int32              lines that are left to others
-; trashes: d0-d1/a0-a1
 ; reads:   the plan but for what pieces need, its planes, left and last of its lines, logs
 ;          and parts of the tables
 ; writes:  count logarithm_lines; if some are left, last of the lines that are not, so

@@ -21,8 +21,6 @@ logarithm macro
 ; perspective_lines - what perspective spans need to know of each line
 ;
 ; in:      a0  perspective_plan*  the table, the planes, where the lines go
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  count perspective_lines; of an empty one n alone, of one of a single pixel
 ;          left, n, u and v

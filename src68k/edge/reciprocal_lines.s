@@ -27,7 +27,6 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 ;
 ; in:      a0  reciprocal_plan*  the planes, the constants, where the lines go
 ; out:     d0  int32             lines that are left to others
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its planes, left and last of its lines, the table
 ; writes:  count reciprocal_lines; if some are left, last of the lines that are not, so
 ;          that they are empty to others

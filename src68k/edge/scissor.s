@@ -75,8 +75,6 @@ start_addx macro
 ; scissor_flat - cuts a scanline table without u and v to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table and the frame's width
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  left and last of its lines
 ; formats: x with EDGE_BIAS, 0 to 32,769; of a line wholly outside last is below left
@@ -90,8 +88,6 @@ start_addx macro
 ; scissor_addx - cuts a scanline table of the addx form to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = Vv, start2 = v--U
@@ -105,8 +101,6 @@ start_addx macro
 ; scissor_plain - cuts a scanline table of the plain form to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines
 ; writes:  its lines: the start moves on with the first pixel
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = UU, start2 = VVvv

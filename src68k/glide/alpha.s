@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const glide_alphas*  alpha, what is inverted
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels, the alphas
 ; writes:  the texels
 ; formats: R G B of the texels, A a byte of the alphas; then bits are inverted

@@ -10,8 +10,6 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_decoded*  the level, with quads
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the level, its quads
 ; writes:  the texels
 ; formats: s:t, both 12.4 modulo 2^16; weights of 1/256, the sum cut to 8 bits

@@ -10,8 +10,6 @@
 ;          a1  uint16*  pixels, 5/6/5
 ;          a2  const glide_decoded*  the level, with quads
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the level, its quads
 ; writes:  the pixels
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits

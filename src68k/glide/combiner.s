@@ -8,8 +8,6 @@
 ;          a1  uint8*  the channel of the results, texels from pixel to pixel
 ;          a2  const glide_inputs*  what goes in
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the inputs
 ; writes:  a byte of each pixel
 ; formats: factor m, inverted by flip: ((other - local) * (m + 1) >> 8) + added, cut to 0 to 255,

@@ -9,8 +9,6 @@
 ;          a1  uint8*  factors
 ;          a2  const glide_nearness*  where they end, how fast they grow
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the LODs
 ; writes:  the factors
 ; formats: LODs 8.8, none above end, none so far below that a factor leaves a byte: end - LOD,

@@ -9,8 +9,6 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  what they change by, the level
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the iterators, the steps
 ; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t: q = s * 2^30 / w rounded down and cut to 32 bits, 0

@@ -8,8 +8,6 @@
 ;          a1  uint32*  texels
 ;          a2  const glide_quarters*  how far behind
 ;          d0  int32  count, of the line
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the arrays
 ; writes:  the texels
 ; formats: texels of 32 bits, as they are

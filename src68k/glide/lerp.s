@@ -10,8 +10,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const glide_mix*  the others, and how far
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   both texels, the factors
 ; writes:  the texels
 ; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)

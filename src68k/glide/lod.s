@@ -8,8 +8,6 @@
 ;          a1  uint16*  LODs
 ;          a2  const glide_lods*  what w changes by, the polygon's LOD, limits, logarithms
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   w, the LODs, the logarithms
 ; writes:  the LODs: level in the upper byte, fraction in the lower one
 ; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, that rounded to the

@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const glide_mix*  the others; flip
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   both
 ; writes:  the texels
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8

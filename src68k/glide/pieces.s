@@ -10,8 +10,6 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  what they change by, the level, the piece
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the iterators, the steps
 ; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a

@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_decoded*  the level
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the level, its texels
 ; writes:  the texels
 ; formats: s:t, both 12.4 modulo 2^16

@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const glide_mix*  the factors; not the others
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels, the factors
 ; writes:  the texels
 ; formats: factor m, inverted by flip, + one: texel * m >> 8

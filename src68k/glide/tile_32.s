@@ -10,8 +10,6 @@
 ;          a1  uint32*  pixels
 ;          a2  const glide_paging*  the page, what they change by
 ;          d0  int32  count, 16,384 at most
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   s and t, the steps, the page
 ; writes:  the pixels
 ; formats: s and t times 2^left are 8.24: column and row of the page, modulo 256

@@ -9,8 +9,6 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  what they change by, the level
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   s and t, the steps
 ; writes:  the coordinates
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16

@@ -9,8 +9,6 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  what they change by, the level
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   s and t, the steps
 ; writes:  the coordinates
 ; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, cut to 0 to last_s, or modulo 2^16

@@ -7,8 +7,6 @@
 ;          a1  uint32*  texels, R G B and 0
 ;          a2  void*  not read
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the pixels
 ; writes:  the texels
 ; formats: to each channel's bits its upper ones are added below

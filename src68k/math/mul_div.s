@@ -7,9 +7,6 @@
 ;          d1  int32  b
 ;          a0  int32  c, above 0
 ; out:     d0  int32  floor((a * b + floor(c / 2)) / c)
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
 ; formats: any; with b = 65536 the quotient a / c in 16.16
 ; error:   half a unit; the quotient must fit 32 bits
 ; cost:    110 cycles with the cache warm, call and arguments besides

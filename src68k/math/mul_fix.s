@@ -7,8 +7,6 @@
 ;          d1  int32  b, 16.16
 ; out:     d0  int32  floor(a * b / 65536), its low 32 bits
 ; trashes: d0-d1
-; reads:   -
-; writes:  -
 ; formats: 16.16 signed; the product must be within 16.16 to be meaningful
 ; error:   0 to 1/65536 too low (floor)
 ; cost:    40 cycles with the cache warm, call and arguments besides

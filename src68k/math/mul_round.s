@@ -7,8 +7,6 @@
 ;          d1  int32  b, 16.16
 ; out:     d0  int32  floor(a * b / 65536 + 1/2), its low 32 bits
 ; trashes: d0-d1
-; reads:   -
-; writes:  -
 ; formats: 16.16 signed; the product must be within 16.16 to be meaningful
 ; error:   half of 1/65536
 ; cost:    46 cycles with the cache warm, call and arguments besides

@@ -7,9 +7,6 @@
 ;          d1  int32  b
 ;          a0  int32  bits, 1 to 31
 ; out:     d0  int32  floor(a * b / 2^bits), its low 32 bits
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
 ; formats: any
 ; error:   less than a unit too low
 ; cost:    60 cycles with the cache warm, call and arguments besides

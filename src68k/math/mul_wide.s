@@ -7,9 +7,7 @@
 ; in:      a0  number64*  gradient, 48.16 signed
 ;          d0  fix16      offset, 16.16
 ; out:     d0  int32      (gradient * offset + 2^31) / 2^32 rounded down, its low 32 bits
-; trashes: d0-d1/a0-a1
 ; reads:   *a0
-; writes:  -
 ; formats: the product in units, 32.0
 ; error:   half a unit
 ; cost:    110 cycles, in chip RAM 130; with the cache warm, call and arguments besides

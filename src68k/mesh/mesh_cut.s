@@ -5,8 +5,6 @@
 ; mesh_cut - the point of an edge that a border cuts, all six values of a vertex
 ;
 ; in:      a0  const struct cut_plan*  part is 0 or more and less than whole
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, both vertices
 ; writes:  *to
 ; formats: any; the ends' values differ by less than 2^31

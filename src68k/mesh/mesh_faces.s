@@ -6,7 +6,6 @@
 ;
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its mesh_placed, the view's eye, count faces, their corners' points
 ; writes:  so many entries at to
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted

@@ -5,8 +5,6 @@
 ; mesh_looks - what a light or an environment makes of normals
 ;
 ; in:      a0  const struct look_plan*  count is 1 at least
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, three factors, count normals
 ; writes:  to and the same field of the following entries, count in all
 ; formats: normals 2.14, -1 to 1; factors 9.7; base, low, high and results 16.16

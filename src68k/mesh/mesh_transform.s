@@ -5,8 +5,6 @@
 ; mesh_transform - points of a mesh before the camera and on the screen
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its view, count points
 ; writes:  to: x, y, w and outside of count entries; screen_x and screen_y where
 ;          outside is 0

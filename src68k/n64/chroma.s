@@ -7,8 +7,6 @@
 ;          a1  n64_coordinates*  the same, they may be the same memory
 ;          a2  void*  not read
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates
 ; writes:  the coordinates
 ; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is half of

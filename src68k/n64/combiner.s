@@ -8,8 +8,6 @@
 ;          a1  int16*  the channel of the results, n64_wide from pixel to pixel
 ;          a2  const n64_combination*  A, B, C, D
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the inputs
 ; writes:  a word of each pixel
 ; formats: (A - B) * C + 256 * D + 128 >> 8 as 9 bits, then as the number that A, B and D

@@ -9,8 +9,6 @@
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels, U and V, the tables
 ; writes:  the colours
 ; formats: R, G, B, A = Y as 9 bits find the channels of the colours

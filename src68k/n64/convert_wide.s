@@ -9,8 +9,6 @@
 ;          a1  n64_wide*  R, G, B, A = Y
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels, U and V, the tables
 ; writes:  the numbers
 ; formats: 9 bits as the combiner takes them: -128 to 383

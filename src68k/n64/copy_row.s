@@ -6,11 +6,8 @@
 ; in:      a0  const uint32*  the row
 ;          a1  uint32*  where it goes
 ;          d0  int32  longwords, a multiple of 32
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the row
 ; writes:  as much
-; formats: -
 ; error:   none
 ; cost:    bench row n64_copy_row
 ;==============================================================================

@@ -9,8 +9,6 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_division*  what they change by, the table of reciprocals
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the iterators, the table
 ; writes:  the coordinates
 ; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,

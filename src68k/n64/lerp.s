@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const n64_blend*  texels 1, and by how much they count
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   both texels, the fractions
 ; writes:  the texels
 ; formats: fractions of 256, -256 to 255: (texel 1 - texel 0) * fraction + 256 * texel 0 +

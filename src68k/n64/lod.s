@@ -9,8 +9,6 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_lod_steps*  what they change by, gradients, tables, the other output
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the iterators, the gradients, the tables
 ; writes:  the coordinates, a n64_blending of each pixel
 ; formats: coordinates as n64_divide; the gradients are cut to 2^5 in x and 2^15 in y

@@ -7,11 +7,8 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const uint8*  256 bytes for each of R, G, B, A
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels, the tables
 ; writes:  the texels
-; formats: -
 ; error:   none
 ; cost:    bench row n64_map
 ;==============================================================================

@@ -8,8 +8,6 @@
 ;          a1  uint32*  texels, they may be the same memory
 ;          a2  const n64_modulation*  what they are multiplied with
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   both
 ; writes:  the texels
 ; formats: texel * other + 128 >> 8, each channel: nothing to be clamped

@@ -7,8 +7,6 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  void*  not read
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the results
 ; writes:  the texels
 ; formats: -128 to 383, clamped to 0 to 255

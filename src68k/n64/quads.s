@@ -8,8 +8,6 @@
 ;          a1  struct n64_quad*  quads
 ;          a2  const n64_quad_row*  the row below, and steps to the texel beside
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   count + 1 texels of both rows, each a step from the one before
 ; writes:  the quads, each a step from the one before, but for what they have to spare
 ; formats: channels of quads 8.8

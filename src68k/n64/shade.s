@@ -8,8 +8,6 @@
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_shades*  what they change by
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   both
 ; writes:  the colours
 ; formats: 16.16 modulo 2^32, signed; the integers clamped to 0 to 255

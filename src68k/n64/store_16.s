@@ -8,8 +8,6 @@
 ;          a1  uint16*  pixels, 5/5/5/1
 ;          a2  void*  not read
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels
 ; writes:  the pixels
 ; formats: channels >> 3, alpha >> 7

@@ -9,8 +9,6 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  const n64_decoded*  the tile, with quads
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the tile, its quads
 ; writes:  the texels
 ; formats: s:t, both s10.5 modulo 2^16

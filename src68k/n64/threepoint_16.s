@@ -9,8 +9,6 @@
 ;          a1  uint16*  pixels, 5/5/5/1
 ;          a2  const n64_decoded*  the tile, with quads
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the tile, its quads
 ; writes:  the pixels
 ; formats: s:t, both s10.5 modulo 2^16; channels >> 3, alpha >> 7

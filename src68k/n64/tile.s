@@ -8,8 +8,6 @@
 ;          a1  n64_coordinates*  relative coordinates, they may be the same memory
 ;          a2  const n64_axes*  the tile's axes
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the coordinates, the axes
 ; writes:  the relative coordinates
 ; formats: s:t, both s10.5; the results modulo 2^16

@@ -9,8 +9,6 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_iterators*  what they change by
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   s and t
 ; writes:  the coordinates
 ; formats: s15.16 modulo 2^32 to s:t, the upper words

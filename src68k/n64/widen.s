@@ -7,8 +7,6 @@
 ;          a1  n64_wide*  the same
 ;          a2  void*  not read
 ;          d0  int32  count
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the texels
 ; writes:  the numbers
 ; formats: 0 to 255

@@ -8,7 +8,6 @@
 ;          a1  vertex*  upper end, 16.16
 ;          a2  vertex*  lower end, below the upper one
 ;          d1  int32    line, between the two
-; out:     -
 ; trashes: d0-d7
 ; reads:   x, y of both ends
 ; writes:  edge: x, whole, error, part, height

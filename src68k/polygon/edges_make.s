@@ -11,8 +11,6 @@
 ;          a1  sides*      as sides_find fills them
 ;          d0  rectangle*  the lines that the polygon covers, one at least
 ;          d1  int32       1: exact edges, 0: rounded ones
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   *sides, its vertices, top and bottom of the rectangle
 ; writes:  plan: lefts, rights; so many edges each: all but u, v, du, dv
 ; formats: as edge_exact, edge_rounded

@@ -47,8 +47,6 @@ plane   macro
 ;
 ; in:      a0  found_planes*   what is filled in
 ;          a1  plane_corners*  a corner, two vectors and the pixel asked for
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   *plane_corners
 ; writes:  *found_planes
 ; formats: with vectors a and b and D = xa yb - xb ya > 0:

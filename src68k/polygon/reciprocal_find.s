@@ -131,7 +131,6 @@ FLAT    equ     1<<8                    ; q grows less a pixel: no line would be
 ;          d0  int32             a pixel of the polygon: its distance from
 ;          d1  int32             that of the planes, right and down
 ; out:     d0  int32             0: K of u or v is 1,024 texels or more from the base
-; trashes: d0-d1/a0-a1
 ; reads:   the plan's planes
 ; writes:  cu, cv, dcu, dcv; ku and kv, less their bases
 ; formats: K = (ds/dx) / (dq/dx), 32.32 here and 16.16 in the plan; C = s - K q,

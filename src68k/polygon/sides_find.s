@@ -17,7 +17,6 @@ in_range macro
 ;          d0  int32    how many, 3 or more
 ; out:     d0  int32    POLYGON_DRAWN; POLYGON_OUTSIDE_RANGE: a coordinate is not in
 ;                       -POLYGON_FAR to POLYGON_FAR; POLYGON_EMPTY: no area
-; trashes: d0-d1/a0-a1
 ; reads:   x, y, s, t of the vertices
 ; writes:  *sides; not all of it where the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63

@@ -142,8 +142,6 @@ chain           equ     box+4
 ;          a1  sides*      the polygon, its area not 0
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   u_cut, v_cut; *sides, top, bottom and apex vertex, the rectangle
 ; writes:  *texturing but for v_cut; u_cut where the chain needs a bit
 ; formats: with vectors from the top vertex to the bottom (1) and the apex (2), D =

@@ -23,8 +23,6 @@ start   macro
 ; in:      a0  texturing*  as texturing_plane fills it
 ;          a1  edge*       the edges, as edges_make fills them
 ;          d0  int32       how many, 1 or more
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   *texturing; x, whole and top of the edges
 ; writes:  u, v, du, dv of the edges
 ; formats: 16.16 modulo 2^32; with x, y counted from pixel (i, j):

@@ -27,8 +27,6 @@ travel  macro
 ; in:      a0  texturing*  v and its steps, but for CHAIN_ANYWHERE: at the box's middle
 ;          a1  rectangle*  the pixels that the polygon may cover
 ;          d0  int32       enum chain
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   v, dvdx, dvdy; the rectangle
 ; writes:  wraps, guard; u_cut where u's lowest bit is kept free
 ; formats: a wrap of v in a span carries into the lowest bit of u. Where v stays

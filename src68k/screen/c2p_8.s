@@ -6,8 +6,6 @@
 ; c2p_8 - a chunky frame as eight planes
 ;
 ; in:      a0  const planar_plan*  the pixels and the planes
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, the pixels
 ; writes:  the rows of eight planes
 ; formats: 8-bit chunky pixels; the leftmost of 8 is a byte's highest bit

@@ -6,8 +6,6 @@
 ; c2p_ham8_32 - an RGBA8888 frame as the colour planes of HAM8
 ;
 ; in:      a0  const planar_plan*  the pixels and the planes
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, the pixels
 ; writes:  the rows of planes 2 to 7
 ; formats: R G B A, four dots on the screen each: c/screen/planar.h

@@ -7,8 +7,6 @@
 ; span_affine_32_row - span_affine_row with 32-bit texels and pixels
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_affine_row and span_affine_32

@@ -7,8 +7,6 @@
 ; span_affine_addx - draws a scanline table from a 256x256 map, the addx chain
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.16, both wrap at 256; 8-bit texels and pixels. Where v wraps

@@ -7,8 +7,6 @@
 ; span_affine_addx_wrap - the same where v wraps more than once in a span
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.16, both wrap at 256 any number of times; 8-bit texels, pixels

@@ -7,8 +7,6 @@
 ; span_affine_column - span_affine_addx where u's step is 0: walls on their side
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: v 8.16, U 8 bits; both wrap at 256; 8-bit texels and pixels. Of dvdx counts

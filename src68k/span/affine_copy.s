@@ -5,8 +5,6 @@
 ; span_affine_copy - span_affine_row where u's step is one texel a pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1 texel and

@@ -7,8 +7,6 @@
 ; span_affine_row - span_affine_addx where v's step is 0: floors, upright pictures
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u 8.16, V 8 bits; both wrap at 256; 8-bit texels and pixels. Of dudx counts

@@ -7,8 +7,6 @@
 ; span_affine_scanline - span_affine_addx_wrap with steps of each line's own
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, a table of steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their
 ;          steps, the map
 ; writes:  the pixels of the lines, nothing else

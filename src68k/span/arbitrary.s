@@ -6,8 +6,6 @@
 ; span_arbitrary - draws a scanline table from a map of any size
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its width, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), of the
 ;          map the texels shown and no byte more
 ; writes:  the pixels of the lines, nothing else

@@ -136,8 +136,6 @@ columns_18_\1:
 ; span_columns - draws a scanline table from a map in columns 4 texels wide
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map,
 ;          its column_layout
 ; writes:  the pixels of the lines, nothing else
@@ -154,8 +152,6 @@ columns_18_\1:
 ; span_columns_16 - the same from 16-bit texels to a 16-bit frame
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   as span_columns; plan->row is 2 EDGE_BIAS bytes before its first pixel
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_columns

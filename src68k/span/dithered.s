@@ -8,8 +8,6 @@
 ; span_dithered - span_affine_addx with points that are moved in a pattern of 2x2 pixels
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.16, u wraps at 256, v, moved, does not inside a span; 8-bit texels and

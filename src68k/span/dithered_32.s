@@ -8,8 +8,6 @@
 ; span_dithered_32 - span_dithered with 32-bit texels and pixels
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_dithered, but for 32-bit texels and pixels, as span_affine_32 has them

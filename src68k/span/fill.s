@@ -6,8 +6,6 @@
 ; span_fill - draws a scanline table in one colour
 ;
 ; in:      a0  span_plan*  the table, the frame, the colour
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels

@@ -32,8 +32,6 @@ copy    macro
 ; out:     d0  uint8   the byte
 ; trashes: d7
 ; reads:   the byte
-; writes:  -
-; formats: -
 ; error:   none
 ; cost:    bench row floor_fetch
 ;==============================================================================
@@ -48,9 +46,7 @@ copy    macro
 ;          d7  int32   rounds of 16, less one
 ; out:     a1  uint8*  behind the last byte
 ; trashes: d7
-; reads:   -
 ; writes:  16 bytes a round
-; formats: -
 ; error:   none
 ; cost:    bench row floor_store
 ;==============================================================================
@@ -67,7 +63,6 @@ copy    macro
 ; trashes: d7
 ; reads:   the byte
 ; writes:  16 bytes a round
-; formats: -
 ; error:   none
 ; cost:    bench row floor_copy
 ;==============================================================================

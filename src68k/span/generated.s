@@ -10,8 +10,6 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; span_generated - draws a scanline table by code written for the polygon's steps
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, the code
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start1 = UU, start2 = VVvv), the map with its
 ;          margins (MAP_MARGINS, texel (0, 0) at a multiple of 65536)
 ; writes:  the pixels of the lines; of the code, 4 bytes for each pixel of the longest

@@ -7,8 +7,6 @@
 ; span_gouraud - draws a scanline table with interpolated shades
 ;
 ; in:      a0  span_plan*  the table, the frame, the step dudx
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = ss, start1 = SS)
 ; writes:  the pixels of the lines, nothing else
 ; formats: s 16.16, pixels are its integer modulo 256; dudx shades a pixel. Of it

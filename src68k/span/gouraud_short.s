@@ -7,8 +7,6 @@
 ; span_gouraud_short - span_gouraud for short lines
 ;
 ; in:      a0  span_plan*  the table, the frame, the step dudx
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = ss, start1 = SS)
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_gouraud; a line has SHORT_GOURAUD pixels at most

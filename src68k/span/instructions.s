@@ -10,7 +10,6 @@
 ; trashes: d1-d7/a0-a6
 ; reads:   the code, what it reads
 ; writes:  what the code writes
-; formats: -
 ; error:   none
 ; cost:    bench row instruction_none, whose code is a dbra
 ;==============================================================================

@@ -7,8 +7,6 @@
 ; span_lit - span_affine_addx through one row of a light table
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
 ;          256 bytes at light, a multiple of 256
 ; writes:  the pixels of the lines, nothing else

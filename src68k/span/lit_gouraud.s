@@ -7,8 +7,6 @@
 ; span_lit_gouraud - draws a scanline table from a 256x256 map, lit pixel by pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the light, all steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their shades
 ;          (c-Cc, as edge_shade packs them for this dvdx), the map, the light table
 ; writes:  the pixels of the lines, nothing else

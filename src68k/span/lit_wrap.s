@@ -7,8 +7,6 @@
 ; span_lit_wrap - the same where v wraps more than once in a span
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   as span_lit
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_affine_addx_wrap

@@ -5,8 +5,6 @@
 ; span_logarithm - draws lines with perspective, each pixel by logarithms
 ;
 ; in:      a0  logarithm_span*  the lines, the frame, the map, the tables
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the span, its lines, both tables, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.8, both wrap at 256; 8-bit texels and pixels. q's index steps in 16.16,

@@ -71,8 +71,6 @@ bend    macro
 ; span_perspective_curves - draws lines with perspective, by curved pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, the longest piece
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. A piece of 4, 8, 16 or

@@ -32,8 +32,6 @@ pack_steps macro
 ; span_perspective_pieces - draws lines with perspective, by straight pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, log2 of a piece: 3 or 4
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. u and v are right at the

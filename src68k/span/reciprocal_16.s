@@ -7,8 +7,6 @@
 ; span_reciprocal_16 - draws lines with perspective, pieces of 16 pixels, by a table
 ;
 ; in:      a0  reciprocal_span*  the lines, the frame, the map, the table
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the span, its lines, the table, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.24, both wrap at 256; 8-bit texels and pixels. A piece's steps are C

@@ -7,8 +7,6 @@
 ; span_reciprocal_8 - draws lines with perspective, pieces of 8 pixels, by a table
 ;
 ; in:      a0  reciprocal_span*  the lines, the frame, the map, the table
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   as span_reciprocal_16
 ; writes:  the pixels of the lines, nothing else
 ; formats: as span_reciprocal_16

@@ -77,8 +77,6 @@ chain_3 macro
 ;          d7  int32   rounds of 16 steps, less one
 ; out:     d0  uint32  value after the steps
 ; trashes: d6-d7
-; reads:   -
-; writes:  -
 ; formats: 16.16; the integer is taken to d6's low word
 ; error:   none
 ; cost:    bench row step_swap_1
@@ -97,8 +95,6 @@ chain_3 macro
 ; out:     d0  uint32  value after the steps
 ;          d1  uint32  value after the steps
 ; trashes: d6-d7
-; reads:   -
-; writes:  -
 ; formats: 16.16; the integer is taken to d6's low word
 ; error:   none
 ; cost:    bench row step_swap_2
@@ -120,8 +116,6 @@ chain_3 macro
 ;          d1  uint32  value after the steps
 ;          d2  uint32  value after the steps
 ; trashes: d6-d7
-; reads:   -
-; writes:  -
 ; formats: 16.16; the integer is taken to d6's low word
 ; error:   none
 ; cost:    bench row step_swap_3
@@ -138,8 +132,6 @@ chain_3 macro
 ;          d7  int32   rounds of 16 steps, less one
 ; out:     d0  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: integer in the low word, positive and below 32,768
 ; error:   none
 ; cost:    bench row step_addx_1
@@ -159,8 +151,6 @@ chain_3 macro
 ; out:     d0  uint32  value after the steps
 ;          d1  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: integer in the low word, positive and below 32,768
 ; error:   none
 ; cost:    bench row step_addx_2
@@ -183,8 +173,6 @@ chain_3 macro
 ;          d1  uint32  value after the steps
 ;          d2  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: integer in the low word, positive and below 32,768
 ; error:   none
 ; cost:    bench row step_addx_3
@@ -200,8 +188,6 @@ chain_3 macro
 ;          d7  int32   rounds of 16 steps, less one
 ; out:     d0  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0 and again
 ; error:   none, but the last register's carry comes one step late; X is clear
@@ -223,8 +209,6 @@ chain_3 macro
 ; out:     d0  uint32  value after the steps
 ;          d1  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1 and again
 ; error:   none, but the last register's carry comes one step late; X is clear
@@ -249,8 +233,6 @@ chain_3 macro
 ;          d1  uint32  value after the steps
 ;          d2  uint32  value after the steps
 ; trashes: d7
-; reads:   -
-; writes:  -
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1, d2 and again
 ; error:   none, but the last register's carry comes one step late; X is clear

@@ -7,8 +7,6 @@
 ; span_tiled - draws a scanline table from a 256x256 map in tiles of 8x8
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
-; out:     -
-; trashes: d0-d1/a0-a1
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels; the map at a

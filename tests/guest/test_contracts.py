@@ -15,7 +15,7 @@ FIELDS = {
     "out": "d0:d1  wide  product",
     "trashes": "d0-d2/a1",
     "reads": "the plan",
-    "writes": "-",
+    "writes": "memory",
     "formats": "16.16\n;            x = a / b",
     "error": "none: exact",
     "cost": "about 50 cycles",
@@ -56,7 +56,7 @@ def test_good_block(parse):
                                ("a1", "const struct plan*", "the plan, all of it"))
     assert contract.outputs == (("d0:d1", "wide", "product"),)
     assert contract.trashes == {"d0", "d1", "d2", "a1"}
-    assert (contract.reads, contract.writes) == ("the plan", "")
+    assert (contract.reads, contract.writes) == ("the plan", "memory")
     assert contract.formats == "16.16 x = a / b"
     assert contract.error == "none: exact"
     assert contract.cost == "about 50 cycles"
@@ -64,7 +64,7 @@ def test_good_block(parse):
 
 
 def test_nothing_in_nothing_trashed(parse):
-    contract, = parse(source("        routine scale\n", **{"in": "-", "out": "-", "trashes": "-"}))
+    contract, = parse(source("        routine scale\n", **{"in": None, "out": None, "trashes": "-"}))
     assert contract.inputs == contract.outputs == ()
     assert contract.trashes == set()
 
@@ -74,9 +74,15 @@ def test_everything_trashed(parse):
     assert len(contract.trashes) == 15 and "a7" not in contract.trashes
 
 
-@pytest.mark.parametrize("field", FIELDS)
-def test_missing_field(parse, field):
-    assert complaint(parse, source(**{field: None})) == f"scale: field {field!r} is missing"
+def test_fields_may_be_left_out(parse):
+    contract, = parse(source("        routine scale\n", **dict.fromkeys(FIELDS)))
+    assert contract.inputs == contract.outputs == () and contract.trashes == {"d0", "d1", "a0", "a1"}
+    assert contract.reads == contract.writes == contract.formats == contract.error == contract.cost == ""
+
+
+@pytest.mark.parametrize("field", sorted(FIELDS.keys() - {"trashes"}))
+def test_a_field_that_says_nothing(parse, field):
+    assert f"field {field!r} says nothing" in complaint(parse, source(**{field: "-"}))
 
 
 @pytest.mark.parametrize("field", FIELDS)
@@ -95,15 +101,15 @@ def test_empty_field(parse, field):
     ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
     ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
     ({"colour": "blue"}, "unknown field 'colour'"),
-    ({"cost": "-\n; cost:    -"}, "second field 'cost'"),
-    ({"cost": "-\n        moveq #0,d0"}, "this line ends no contract block"),
+    ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
+    ({"cost": "none\n        moveq #0,d0"}, "this line ends no contract block"),
 ])
 def test_wrong_field(parse, changes, message):
     assert message in complaint(parse, source(**changes))
 
 
 def test_wrong_order(parse):
-    text = source(cost=None).replace("; reads:", "; cost:    -\n; reads:")
+    text = source(cost=None).replace("; reads:", "; cost:    none\n; reads:")
     assert "order" in complaint(parse, text)
 
 

@@ -4,13 +4,14 @@
     ; name - summary
     ;
     ; in:      d0  int32  meaning
-    ; out:     -
-    ; trashes: d0-d1/a0-a1, - or everything
-    ; reads: writes: formats: error: cost:    free text, or -
+    ; out:     d0  fix16  meaning
+    ; trashes: d0-d2/a1, everything, or - for nothing
+    ; reads: writes: formats: error: cost:    free text
     ;==============================================================================
 
-Every field is there, in this order; a longer one goes on indented. A routine is
-what the ``routine`` macro or an exported label of a code section begins. Other
+Fields are in this order; a longer one goes on indented, and one that has nothing
+to say is left out. Without ``trashes`` a routine changes what C allows, TRASHED.
+A routine is what the ``routine`` macro or an exported label of a code section begins. Other
 labels that a documented routine runs into are entries of that routine, and the
 entry ``start`` of a command may be documented under the command's name.
 
@@ -28,6 +29,7 @@ from typing import NamedTuple
 from tmap.base.errors import UserError
 
 FIELDS = ("in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+TRASHED = "d0-d1/a0-a1"
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
 KERNELS = ("math", "mesh", "polygon", "edge", "span", "n64", "glide", "screen")
@@ -57,7 +59,7 @@ class Argument(NamedTuple):
 
 @dataclass(frozen=True)
 class Contract:
-    """One routine's block; texts are "" where the block says "-"."""
+    """One routine's block; texts are "" where the block has no such field."""
 
     name: str
     file: str
@@ -121,7 +123,7 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
     Lines at the first one's column begin an argument, deeper ones continue it.
     """
-    if lines[0].strip() == "-" and len(lines) == 1:
+    if not lines:
         return ()
     column = len(lines[0]) - len(lines[0].lstrip())
     arguments: list[Argument] = []
@@ -163,31 +165,29 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
             if match[1] in fields:
                 fail(number, f"{name}: second field {match[1]!r}")
             if not match[2]:
-                fail(number, f"{name}: field {match[1]!r} is empty: write - for nothing")
+                fail(number, f"{name}: field {match[1]!r} is empty: leave it out")
+            if match[2] == "-" and match[1] != "trashes":
+                fail(number, f"{name}: field {match[1]!r} says nothing: leave it out")
             current = [" " * match.start(2) + match[2].rstrip()]
             fields[match[1]] = number, current
         elif line.strip() != ";":
             current.append(" " + line[1:].rstrip())
-    for field in FIELDS:
-        if field not in fields:
-            fail(first, f"{name}: field {field!r} is missing")
-    if tuple(fields) != FIELDS:
+    if list(fields) != sorted(fields, key=FIELDS.index):
         fail(first, f"{name}: the fields' order is {', '.join(FIELDS)}")
 
     def read(field: str, reader):
-        number, content = fields[field]
+        number, content = fields.get(field, (first, []))
         try:
             return reader(content)
         except ValueError as error:
             fail(number, f"{name}: {field}: {error}")
 
     def text(content: list[str]) -> str:
-        joined = " ".join(part.strip() for part in content)
-        return "" if joined == "-" else joined
+        return " ".join(part.strip() for part in content)
 
     return Contract(
         name, file, first, text(summary), read("in", parse_arguments),
-        read("out", parse_arguments), read("trashes", lambda c: expand(text(c) or "-")),
+        read("out", parse_arguments), read("trashes", lambda c: expand(text(c) or TRASHED)),
         *(read(field, text) for field in FIELDS[3:]))
 
 

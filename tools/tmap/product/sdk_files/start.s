@@ -24,14 +24,8 @@ RETURN_FAIL             equ     20
 ;==============================================================================
 ; start - calls int main(void), whose result is the program's
 ;
-; in:      -
 ; out:     d0  int32  AmigaDOS return code; 20 where it cannot run
-; trashes: d0-d1/a0-a1
-; reads:   -
-; writes:  -
-; formats: -
 ; error:   it is for the Shell: started from Workbench it leaves at once
-; cost:    -
 ;==============================================================================
         section .text,code
 start:
@@ -76,12 +70,9 @@ start:
 ;          d1  const void*  what goes into it
 ;          a0  int32        bytes
 ; out:     d0  int32        1 written, 0 not
-; trashes: d0-d1/a0-a1
 ; reads:   the bytes
 ; writes:  the file
-; formats: -
 ; error:   a file that could not be written whole stays as it is
-; cost:    -
 ;==============================================================================
         cnop    0,4
 _save:
