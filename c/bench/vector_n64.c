@@ -4,8 +4,8 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_n64_calls.h"
-#include "plain/n64.h"
 #include "n64/decode.h"
+#include "n64/passes.h"
 #include "n64/pixel.h"
 
 static struct n64 n64;
@@ -227,16 +227,11 @@ static void decoded(const int32 *at)
     const uint32 place = (t & from->mask_t) >> 5 << from->columns_bits | (s & from->mask_s) >> 5;
     const uint32 coordinates = s << 16 | t;
     uint32 colour = 0;
-    struct pass_call pass;
 
-    pass.in = &coordinates;
-    pass.out = &colour;
-    pass.constants = from;
-    pass.count = 1;
     if (from->quads && n64.modes.mid)
-        n64_average_c(&pass);
+        n64_average(&coordinates, &colour, from, 1);
     else if (from->quads)
-        n64_threepoint_c(&pass);
+        n64_threepoint(&coordinates, &colour, from, 1);
     vector_answer(from->texels ? (int32)from->texels[place] : 0);
     vector_answer((int32)colour);
 }

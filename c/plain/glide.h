@@ -1,33 +1,10 @@
-/* The passes in plain C: the yardsticks of the bench. */
+/* Routines of Glide's unit that are in C, called as passes are. */
 #ifndef PLAIN_GLIDE_H
 #define PLAIN_GLIDE_H
 
-#include "plain/call.h"
-#include "glide/passes.h"
 #include "glide/glide.h"
-
-void glide_walk_c(const struct pass_call *call);
-void glide_walk_clamp_c(const struct pass_call *call);
-void glide_divide_c(const struct pass_call *call);
-void glide_pieces_c(const struct pass_call *call);
-void glide_lod_c(const struct pass_call *call);
-void glide_details_c(const struct pass_call *call);
-void glide_interleave_c(const struct pass_call *call);
-void glide_point_c(const struct pass_call *call);
-void glide_bilinear_c(const struct pass_call *call);
-void glide_bilinear_8_c(const struct pass_call *call);
-void glide_bilinear_565_c(const struct pass_call *call);
-void glide_store_565_c(const struct pass_call *call);
-void glide_widen_565_c(const struct pass_call *call);
-void glide_tile_16_c(const struct pass_call *call);
-void glide_tile_32_c(const struct pass_call *call);
-void glide_lerp_c(const struct pass_call *call);
-void glide_scale_c(const struct pass_call *call);
-void glide_modulate_c(const struct pass_call *call);
-void glide_modulate_rgb_c(const struct pass_call *call);
-void glide_add_c(const struct pass_call *call);
-void glide_alpha_c(const struct pass_call *call);
-void glide_combiner_c(const struct pass_call *call);
+#include "glide/passes.h"
+#include "plain/call.h"
 
 /* A line through the combine unit: glide_combining_find and glide_combine_line. */
 struct glide_combine_call {

@@ -5,10 +5,9 @@ from tests.kernels.trials.n64 import COUNTS, ROUNDS, pass_trial
 from tmap.bench import glide
 from tmap.bench.examples import glide as glide_examples
 
-IN_C = [name for name in glide.NAMES if name.endswith("_c")] + [
-    f"{name}_c" for name in glide_examples.IN_C_ALONE]
+IN_C = [f"{name}_c" for name in glide_examples.IN_C_ALONE]
 MANY = "glide_combine_line"  # each function with each factor, for colour and for alpha
-NAMES = [name for name in glide.NAMES if not name.endswith("_c")] + IN_C
+NAMES = [*glide.NAMES, *IN_C]
 
 
 def rounds(name: str) -> int:

@@ -9,9 +9,8 @@ from tmap.bench.examples import n64 as n64_examples
 COUNTS = (1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 100)
 ROUNDS = 4
 WITH_TABLE = ("n64_divide", "n64_lod", "n64_reciprocals")  # of 128 KB, in each call: fewer rounds
-IN_C = [name for name in n64.NAMES if name.endswith("_c")] + [
-    f"{name}_c" for name in n64_examples.IN_C_ALONE]
-NAMES = [name for name in n64.NAMES if not name.endswith("_c")] + IN_C
+IN_C = [f"{name}_c" for name in n64_examples.IN_C_ALONE]
+NAMES = [*n64.NAMES, *IN_C]
 
 
 def pass_trial(name: str, count: int, seed: int, examples=n64_examples) -> Trial:

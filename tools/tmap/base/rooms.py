@@ -26,7 +26,7 @@ C = {".": "integer types and the limits that all rooms keep to",
      "polygon": "polygons from vertices to spans: edges, gradient set-up, lowering, perspective",
      "mesh n64 glide screen": "points to polygons; the N64's texture engine; Glide's texture unit; display",
      "scene": "the scene file: checked, loaded, drawn, saved",
-     "plain show": "passes in plain C, the bench's yardsticks; figures below a picture",
+     "plain show": "routines in C as the bench calls them; figures below a picture",
      "bench demo": "plans and reports of the bench; the demo's parts",
      "programs": "the programs themselves"}
 #: src68k; include/ has what all use.

@@ -1,4 +1,4 @@
-"""Bench rows of the passes for Glide's texture unit: in assembly, and in plain C beside it."""
+"""Bench rows of the passes for Glide's texture unit."""
 
 from tmap.bench import n64
 from tmap.bench.examples import glide

@@ -1,4 +1,4 @@
-"""Bench rows of the texture engine's passes: in assembly, and in plain C beside it."""
+"""Bench rows of the N64's passes, and how a pass is called."""
 
 import numpy as np
 
@@ -10,9 +10,8 @@ LENGTH = 256
 
 
 def names(examples) -> list[str]:
-    """What is measured of a module of examples: its passes, and in C those that C has."""
-    return [name + end for name in examples.MAKERS if name not in examples.IN_C_ALONE
-            for end in ("", "_c") if not end or name not in examples.FORMS]
+    """What is measured of a module of examples: its passes in assembly."""
+    return [name for name in examples.MAKERS if name not in examples.IN_C_ALONE]
 
 
 NAMES = names(n64)
@@ -36,7 +35,7 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
             for name, value in example.values.items()})
     if kernel.endswith("_c"):
         more = {} if constants else {"constants": 0}
-        call = arena.struct("n64_call", constants, {"in": source, "out": out},
+        call = arena.struct("pass_call", constants, {"in": source, "out": out},
                             count=example.count, **more)
         return Case(kernel, arena, pointers={"a0": call}, far=far), written
     return Case(kernel, arena, registers={"d0": example.count},

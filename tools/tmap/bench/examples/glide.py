@@ -32,7 +32,7 @@ MAKERS: dict[str, Callable[..., Example]] = {
 } | tiles.MAKERS
 #: Tables, and what chooses passes: C alone.
 IN_C_ALONE = ("glide_quads", "glide_quads_8", "glide_logarithms", "glide_combine_line")
-#: Other input of a pass: beside it there is no C.
+#: Other input of a pass, and the pass.
 FORMS = {"glide_walk_small": "glide_walk", "glide_walk_inside": "glide_walk_clamp",
          "glide_divide_clamp": "glide_divide", "glide_divide_each": "glide_divide",
          "glide_pieces_16": "glide_pieces", "glide_pieces_clamp": "glide_pieces",

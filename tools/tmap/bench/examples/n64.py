@@ -104,5 +104,5 @@ MAKERS: dict[str, Callable[..., Example]] = {
 }
 #: Tables, made by C alone.
 IN_C_ALONE = ("n64_reciprocals", "n64_levels", "n64_matrix")
-#: Another form, or other input, of a pass: beside it there is no C.
+#: Another form, or other input, of a pass, and the pass.
 FORMS = {"n64_tile_plain": "n64_tile", "n64_lod_apart": "n64_lod", "n64_copy_row": "n64_copy_row"}
