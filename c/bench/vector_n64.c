@@ -4,9 +4,9 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_n64_calls.h"
-#include "n64/decode.h"
 #include "n64/passes.h"
 #include "n64/pixel.h"
+#include "n64/polygons/decode.h"
 
 static struct n64 n64;
 static struct n64_kept kept[N64_TILES];

@@ -1,6 +1,6 @@
 #include "plain/glide.h"
 
-#include "glide/plan.h"
+#include "glide/polygons/plan.h"
 
 void glide_combine_line_c(const struct pass_call *call)
 {

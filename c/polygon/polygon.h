@@ -108,7 +108,7 @@ enum span_kind {
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
 
-/* Why less is done than a material asks for: c/polygon/lower.c has them line by line. */
+/* Why less is done than a material asks for: c/drawing/lower.c has them line by line. */
 enum rule {
     RULE_OUTSIDE,               /* the polygon lies beside the frame: nothing */
     RULE_EQUAL_SHADES,          /* the same pixel at all vertices: flat */

@@ -5,11 +5,11 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
+#include "n64/n64.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
-#include "n64/n64.h"
 
 #define REPORTED 512
 #define ANY 0xffff              /* longs: as many as there are */

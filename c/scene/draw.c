@@ -1,7 +1,7 @@
 #include "scene/scene.h"
 
+#include "drawing/fan.h"
 #include "math/math.h"
-#include "polygon/fan.h"
 #include "scene/draw_meshes.h"
 #include "span/scanline.h"
 

@@ -3,8 +3,8 @@
    farthest to the nearest, cut where they cross a border. */
 #include "scene/draw_meshes.h"
 
+#include "drawing/fan.h"
 #include "math/math.h"
-#include "polygon/fan.h"
 
 /* A fan of triangles where gradients are for those: cutting makes more corners. */
 static enum polygon_result draw_polygon(const struct vertex *vertices, int32 count,

@@ -1,7 +1,7 @@
 #include "scene/scene.h"
 
 #include "math/math.h"
-#include "polygon/tolerance.h"
+#include "perspective/tolerance.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"

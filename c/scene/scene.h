@@ -2,11 +2,11 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include "glide/polygons/unit.h"
 #include "mesh/mesh.h"
+#include "n64/polygons/unit.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
-#include "glide/unit.h"
-#include "n64/unit.h"
 
 struct scene {
     const struct scene_header *header;

@@ -6,11 +6,11 @@
 #define SCENE_FILE_H
 
 #include "compiler.h"
+#include "glide/glide.h"
 #include "limits.h"
 #include "mesh/records.h"
-#include "polygon/vertex.h"
-#include "glide/glide.h"
 #include "n64/n64.h"
+#include "polygon/vertex.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */

@@ -1,9 +1,9 @@
 /* The texture engines of a scene and the display lists that set them up. */
 #include "scene/scene.h"
 
+#include "n64/polygons/rectangle.h"
 #include "system/system.h"
 #include "system/text.h"
-#include "n64/rectangle.h"
 
 const char *scene_wrong_unit(const struct scene *scene)
 {

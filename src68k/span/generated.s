@@ -22,7 +22,7 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ;          Pixel n is fetched 256 floor(B + n dvdx) + floor(B + n dudx) bytes, modulo
 ;          65536, from the first one's texel: where u leaves 0 to 255 inside a line, what
 ;          follows comes from the row beside. polygon_draw has polygons with such lines
-;          drawn by the affine spans (c/polygon/generated.c)
+;          drawn by the affine spans (c/drawing/generated.c)
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
 ;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
 ;          of code a pixel: the instruction cache does not hold lines above 64 pixels

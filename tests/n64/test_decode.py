@@ -44,7 +44,7 @@ def tiles() -> Iterator[tuple[str, dict[str, int], tuple[int, ...], tuple[int, i
         form, (format, size, more) = list(FORMATS.items())[number % len(FORMATS)]
         across, down = pairs[number % len(pairs)]
         if format == YUV and AXES[across][1]:
-            across = "clamp"  # mirrored chroma is nobody's: c/n64/yuv.c
+            across = "clamp"  # mirrored chroma is nobody's: c/n64/polygons/yuv.c
         line, tmem = chosen.choice(LINES), chosen.choice(PLACES)
         (*s, columns, wide), (*t, rows, high) = AXES[across], AXES[down]
         sl, tl = chosen.randrange(12), chosen.randrange(12)

@@ -1,5 +1,6 @@
 """The rooms of the tree: who may use whom, no circles, short files, folders that are not full."""
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
@@ -12,7 +13,7 @@ TOOLS, TESTS, C = ROOT / "tools" / "tmap", ROOT / "tests", ROOT / "c"
 LINES = {".py": 400, ".c": 400, ".h": 400, ".s": 300, ".i": 300}
 #: Longer ones: a server with its ten short routines; one program with 32 ways to end.
 LONG = {"src68k/amiga/display.s": 345, "tests/guest/citizen.s": 381}
-FILES = 25  # of a folder of Python, __init__.py not counted
+FILES = 25  # of a folder, __init__.py not counted
 
 
 def python(top: Path) -> list[Path]:
@@ -88,9 +89,8 @@ def test_files_are_short() -> None:
     assert LONG.keys() <= counts.keys()
 
 
-@pytest.mark.parametrize("top", [TOOLS, TESTS])
-def test_folders_are_not_full(top: Path) -> None:
-    """Of Python."""
-    folders = {file.parent for file in python(top)}
-    counts = {str(folder.relative_to(ROOT)): len(list(folder.glob("*.py"))) - 1 for folder in folders}
-    assert not {folder: count for folder, count in counts.items() if count > FILES}
+@pytest.mark.parametrize("tree", GRAPHS)
+def test_folders_are_not_full(tree: str) -> None:
+    """Of Python and C."""
+    counts = Counter(file.parent for file in GRAPHS[tree][2] if file.name != "__init__.py")
+    assert not {str(folder.relative_to(ROOT)): n for folder, n in counts.items() if n > FILES}

@@ -46,11 +46,11 @@ Lines by tables are off from their planes' quotients by what ``reciprocal.bound`
 comes on top, and what they are raised by for it: never below the exact value at a line's first pixel
 and, by logarithms, at all.
 
-Where the planes are not sure enough (c/polygon/perspective.h) the polygon is drawn affine: both the
+Where the planes are not sure enough (c/perspective/perspective.h) the polygon is drawn affine: both the
 exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
 may be as far apart as that.
 
-**A tolerance** (c/polygon/tolerance.c derives the errors): pieces longer than the setting's are off by
+**A tolerance** (c/perspective/tolerance.c derives the errors): pieces longer than the setting's are off by
 it at most between their ends, straight lines and triangles drawn affine by it besides their own bounds.
 
 **Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the

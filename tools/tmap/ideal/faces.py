@@ -20,7 +20,7 @@ brackets is at most
 
     f / w' + (|u' - u| + f) e / (w' (w' - e)) + (|A_x| + |A_y|) o.
 
-Where the planes of 1 / w are not sure enough, polygons are drawn affine (c/polygon/perspective.h): the
+Where the planes of 1 / w are not sure enough, polygons are drawn affine (c/perspective/perspective.h): the
 exact u and the drawn one are both in the range of the corners' then, and may be apart as far as that.
 """
 

@@ -1,7 +1,7 @@
 """Whether polygons are drawn in as many pieces as they should be, by exact planes.
 
 Values of more than three vertices that are on one plane but for rounding are drawn in one piece, and
-all others as triangles. c/polygon/fan.c derives how far rounding leads; it shares no arithmetic
+all others as triangles. c/drawing/fan.c derives how far rounding leads; it shares no arithmetic
 with this. What lies between the two numbers below may be drawn either way:
 
 * LEAST: half a unit of each number that the vertices say, which a polygon must be allowed;

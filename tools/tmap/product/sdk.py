@@ -24,7 +24,8 @@ from tmap.product import sdk_include
 
 #: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
 #: the programs' own.
-C_ROOMS = ("mesh", "polygon", "span", "texture", "glide", "n64")
+C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "glide", "glide/polygons",
+           "n64", "n64/polygons")
 C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources: what each offers, routines or a whole room.

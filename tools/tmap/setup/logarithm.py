@@ -1,4 +1,4 @@
-"""The integer model's perspective by logarithms: c/polygon/logarithms.c,
+"""The integer model's perspective by logarithms: c/perspective/logarithms.c,
 src68k/edge/logarithm_lines and src68k/span/logarithm.
 
 On a line u = K + C / q as in ``model_reciprocal``; here q's index finds its logarithm at each

@@ -1,4 +1,4 @@
-"""The integer model's perspective: c/polygon/perspective.c, src68k/polygon/planes_find,
+"""The integer model's perspective: c/perspective/perspective.c, src68k/polygon/planes_find,
 src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
 
 q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are

@@ -1,4 +1,4 @@
-"""The integer model's look at polygons of more than three vertices: c/polygon/fan.c, which derives
+"""The integer model's look at polygons of more than three vertices: c/drawing/fan.c, which derives
 the limits. Those with values that lie on no plane are drawn as a fan of triangles from their first
 vertex.
 

@@ -21,7 +21,7 @@ from tmap.setup.tolerance import coarser, is_flat
 
 CORNERS_MAX = 64
 FAR = 16384 << 16
-INSET = ONE // 16  # see c/polygon/material.c
+INSET = ONE // 16  # see c/drawing/material.c
 ON_PLANE = 3 * INSET // 4
 STEEP = 4 << 16
 

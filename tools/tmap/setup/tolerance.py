@@ -1,4 +1,4 @@
-"""The integer model's tolerance: c/polygon/tolerance.c, which derives the errors."""
+"""The integer model's tolerance: c/perspective/tolerance.c, which derives the errors."""
 
 from tmap.base.fixed import mul_div, signed
 from tmap.setup.perspective import PIECES, Perspective, keeps_level

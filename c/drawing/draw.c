@@ -1,0 +1,337 @@
+/* From a convex polygon to its scanline table and the call that draws it.
+
+   With gradients of the plane and sub-texel starts, all numbers that decide a pixel
+   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, j0
+   being its first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
+   (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
+   side is cut, an edge from far above has not drifted when it reaches the frame, and
+   polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
+   arithmetic. */
+#include "drawing/fan.h"
+#include "drawing/generated.h"
+#include "drawing/lower.h"
+#include "drawing/material.h"
+#include "drawing/outline.h"
+#include "perspective/perspective.h"
+#include "polygon/clip.h"
+#include "polygon/kind.h"
+#include "polygon/ramps.h"
+#include "polygon/setup.h"
+#include "polygon/shading.h"
+
+/* The layout that each mapper with a map reads. */
+static const uint8 layout_of[MAPPER_KINDS] = {
+    [MAPPER_AFFINE] = MAP_PAGE,
+    [MAPPER_ARBITRARY] = MAP_LINEAR,
+    [MAPPER_TILED] = MAP_TILED,
+    [MAPPER_COLUMNS] = MAP_COLUMNS,
+    [MAPPER_GENERATED] = MAP_MARGINS,
+    [MAPPER_LIT] = MAP_PAGE,
+    [MAPPER_LIT_GOURAUD] = MAP_PAGE,
+    [MAPPER_DITHERED] = MAP_PAGE
+};
+
+/* Whether a material draws texels of 2 or 4 bytes. */
+static int32 draws_wide(const struct material *m, int32 bytes)
+{
+    return m->mapper == MAPPER_AFFINE ? !m->perspective
+         : m->mapper == MAPPER_DITHERED || (m->mapper == MAPPER_COLUMNS && bytes == 2);
+}
+
+/* What the mapper needs of map and frame. */
+static enum polygon_result set_map(struct setup *s)
+{
+    static struct column_layout columns;
+    static uint8 code[CODE_BYTES + CACHE_BYTES];
+    const struct map *map = s->material->map;
+    enum mapper mapper = s->material->mapper;
+
+    if (mapper == MAPPER_GOURAUD)
+        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
+    if (mapper == MAPPER_FLAT)
+        return POLYGON_DRAWN;
+    if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes
+        || (map->texel_bytes > 1 && !draws_wide(s->material, map->texel_bytes)))
+        return POLYGON_WRONG_MAP;
+    s->span.map = map->texels;
+    s->span.map_width = map->width;
+    s->span.map_height = map->height;
+    s->span.columns = &columns;
+    s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
+    if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
+        && !shading_light(&s->span, s->material,
+                          s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
+        return POLYGON_WRONG_MAP;
+    if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
+        return POLYGON_WRONG_MAP;
+    return POLYGON_DRAWN;
+}
+
+/* Of a flat polygon. */
+static uint32 colour(const struct setup *s)
+{
+    enum mapper mapper = s->material->mapper;
+
+    return mapper == MAPPER_FLAT ? s->material->colour
+         : mapper == MAPPER_GOURAUD ? (uint32)s->given->shade >> 16
+         : *s->span.light;
+}
+
+static int32 is_flat(const struct setup *s)
+{
+    return s->kind <= SPAN_FILL_32;
+}
+
+static enum polygon_result set_span(struct setup *s)
+{
+    const struct frame *frame = s->frame;
+    enum polygon_result result;
+
+    s->span.lines = s->edges.lines;
+    s->span.count = s->box.bottom - s->box.top;
+    s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
+    s->span.pitch = frame->pitch;
+    result = set_map(s);
+    if (result == POLYGON_DRAWN && is_flat(s))
+        s->span.colour = colour(s);
+    return result;
+}
+
+/* How u and v of the polygon's spans share an addx chain. */
+static enum chain chain_of(const struct setup *s)
+{
+    const struct material *m = s->material;
+
+    if (m->mapper == MAPPER_LIT_GOURAUD)
+        return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
+    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT
+        && (m->mapper != MAPPER_GENERATED || s->kind == SPAN_GENERATED))
+        return CHAIN_NONE;
+    if (m->gradients != GRADIENTS_PLANE || m->start != START_SUBTEXEL)
+        return CHAIN_ANYWHERE;
+    return m->whole ? CHAIN_WHOLE : CHAIN_PLANE;
+}
+
+/* What the mapper's spans do not keep of u and v. */
+static void set_cuts(struct texturing *t, enum mapper mapper)
+{
+    t->u_cut = mapper == MAPPER_COLUMNS ? CUT_COLUMNS : 0;
+    t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
+}
+
+/* Steps of the whole polygon, and starts on its left edges. */
+static enum polygon_result set_texturing(struct setup *s)
+{
+    const struct material *m = s->material;
+    struct texturing *t = &s->texturing;
+
+    set_cuts(t, m->mapper);
+    if (m->gradients == GRADIENTS_PLANE)
+        texturing_plane(t, &s->sides, &s->box, chain_of(s));
+    else if (s->count == 3)
+        texturing_longest(t, &s->sides, &s->box, chain_of(s));
+    else
+        return POLYGON_NO_TRIANGLE;
+    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start,
+                    s->box.right - s->box.left);
+    s->span.dudx = t->dudx;
+    s->span.dvdx = t->dvdx;
+    s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
+    s->edges.dvdx = m->start == START_SUBTEXEL ? t->dvdx : 0;
+    return POLYGON_DRAWN;
+}
+
+/* The table of lines as a kind of span needs it. */
+static void make_lines(struct setup *s, enum span_kind kind)
+{
+    const struct line_routines *routines = &line_routines[kind_lines[kind]];
+
+    outline_lines(s, s->material->edges == EDGES_EXACT ? routines->exact_edges : routines->edges,
+                  routines->scissor);
+}
+
+/* Two divides a scanline: the sides' u and v after their x. */
+static void set_ramps(struct setup *s)
+{
+    static struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
+    static struct scanline_step steps[FRAME_SIDE_MAX];
+    struct ramp_plan plan;
+
+    make_lines(s, SPAN_FILL);
+    ramps_make(left, s->edges.left, s->edges.lefts);
+    ramps_make(right, s->edges.right, s->edges.rights);
+    plan.lines = s->edges.lines;
+    plan.count = s->span.count;
+    plan.left = left;
+    plan.right = right;
+    plan.steps = steps;
+    plan.truncated = s->material->start == START_TRUNCATED;
+    plan.packed = kind_lines[s->kind] == LINES_ADDX || s->kind == SPAN_AFFINE_SCANLINE;
+    edge_ramp(&plan);
+    s->span.steps = steps;
+}
+
+/* A step that falls, slower by two units: the start of a line may be moved below the far
+   border by one, and u is above the exact value again a pixel on. */
+static fix16 slower(fix16 step)
+{
+    return step >= 0 ? step : step < -2 ? step + 2 : 0;
+}
+
+/* Keeps u and v of every pixel where the mapper needs them. */
+static void hold_lines(struct setup *s)
+{
+    struct hold_plan hold;
+    int32 leaves;
+
+    if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
+        || is_flat(s))
+        return;
+    leaves = material_leaves_range(s);
+    if (lower_to_no_hold(s, leaves))
+        return;
+    material_range(&hold, s);
+    hold.lines = (struct scanline *)s->span.lines;
+    hold.count = s->span.count;
+    hold.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
+    hold.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
+    edge_hold(&hold);
+    s->span.dudx = hold.dudx;
+    s->span.dvdx = hold.dvdx;
+}
+
+/* Raises what a line has in bits that its span does not keep. */
+static void raise_line(struct scanline *line, struct span_plan *span, const struct texturing *t)
+{
+    uint32 u = texturing_raised((uint32)line->start1 << 16 | line->start0, t->u_cut);
+
+    line->start1 = (uint16)(u >> 16);
+    line->start0 = (uint16)u;
+    line->start2 = texturing_raised(line->start2, t->v_cut);
+    span->dudx = (fix16)texturing_raised((uint32)span->dudx, t->u_cut);
+    span->dvdx = (fix16)texturing_raised((uint32)span->dvdx, t->v_cut);
+}
+
+/* Line by line, for mappers whose spans have one pair of steps only. */
+static void draw_each_line(struct setup *s)
+{
+    struct span_plan *line = &s->span;
+    int32 count = line->count;
+
+    set_cuts(&s->texturing, s->material->mapper);
+    line->count = 1;
+    for (int32 i = 0; i < count; i++) {
+        line->lines = &s->edges.lines[i];
+        line->dudx = line->steps[i].dudx;
+        line->dvdx = line->steps[i].dvdx;
+        if (line->lines->last >= line->lines->left) {
+            raise_line(&s->edges.lines[i], line, &s->texturing);
+            hold_lines(s);
+            kind_spans[s->kind](line);
+        }
+        line->row += line->pitch;
+    }
+}
+
+/* Perspective: 0 where the affine spans do, because its planes are not sure enough. */
+static int32 draw_perspective(struct setup *s)
+{
+    struct perspective_plan plan;
+
+    s->perspective = &plan;
+    if (lower_w_is_constant(s)) {       /* its rule is off */
+        set_texturing(s);
+        if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
+            return 0;
+    } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
+        return 0;
+    }
+    make_lines(s, SPAN_FILL);
+    plan.lines = s->edges.lines;
+    plan.count = s->span.count;
+    lower_by_planes(s);
+    perspective_draw(s);
+    return 1;
+}
+
+static void draw_affine(struct setup *s)
+{
+    int32 scanline = !is_flat(s) && s->material->gradients == GRADIENTS_SCANLINE;
+
+    if (scanline) {
+        set_ramps(s);
+    } else {
+        lower_by_steps(s);
+        make_lines(s, s->kind);
+        hold_lines(s);
+        if (s->kind == SPAN_GENERATED)
+            generated_span(s);
+    }
+    if (s->kind == SPAN_LIT_GOURAUD)
+        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);
+    if (s->counts) {
+        s->counts->polygons++;
+        s->counts->pixels[s->kind] += lines_pixels(s->edges.lines, s->span.count);
+    }
+    if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
+        draw_each_line(s);
+    else
+        kind_spans[s->kind](&s->span);
+}
+
+/* A quick question: where it does, the polygon may lie outside the frame as a whole. */
+static int32 begins_outside(const struct setup *s)
+{
+    return (uint32)s->given->x >= (uint32)s->frame->width << 16
+        || (uint32)s->given->y >= (uint32)s->frame->height << 16;
+}
+
+/* What is drawn as planes through three corners. */
+static uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
+enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
+                                 int32 count, const struct material *material,
+                                 const struct drawing *drawing)
+{
+    struct setup s;
+    enum polygon_result result;
+
+    if (count < 3 || count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    s.form = drawing->form;
+    setup_begin(&s, frame, vertices, count, material, drawing);
+    if (begins_outside(&s) && lower_to_nothing(&s))
+        return POLYGON_EMPTY;
+    if (count > 3 && drawing->planar != PLANAR_ALL
+        && !planar_is(drawing, vertices, vertices, count, planes_asked(material)))
+        return polygon_fan(polygon_draw, frame, vertices, count, material, drawing);
+    s.vertices = material_vertices(vertices, count, material);
+    if (lower_asked(&s))
+        lower_by_vertices(&s);
+    result = outline_find(&s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    result = set_span(&s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    if (s.kind == SPAN_PERSPECTIVE) {
+        if (draw_perspective(&s))
+            return POLYGON_DRAWN;
+        s.kind = lower_affine(material, s.form);
+    }
+    if (!is_flat(&s) && material->gradients != GRADIENTS_SCANLINE) {
+        result = set_texturing(&s);
+        if (result != POLYGON_DRAWN)
+            return result;
+    }
+    draw_affine(&s);
+    return POLYGON_DRAWN;
+}

@@ -1,0 +1,82 @@
+#include "drawing/generated.h"
+
+#include "drawing/lower.h"
+#include "polygon/kind.h"
+
+enum {
+    LAST = MAP_PAGE_SIDE - 1,
+    STEEP = 32 * 65536          /* texels a pixel: 8 of them leave the row */
+};
+
+/* With a texel to spare on both sides, as a map from its first to its last texel has 0 and 256 at
+   its vertices. Code needs steps of the polygon, which GRADIENTS_SCANLINE has not. */
+int32 generated_may_draw(const struct setup *s)
+{
+    const uint32 texel = 65536, row = MAP_PAGE_SIDE * texel;
+    fix16 low, range;
+
+    if (s->material->gradients == GRADIENTS_SCANLINE)
+        return 0;
+    range = vertex_range(&s->vertices->s, s->count, &low);
+    return (((uint32)low + texel) & (row - 1)) + (uint32)range <= row + 2 * texel;
+}
+
+/* u's texels from a line's first pixel, as the code has them; no overflow below STEEP. */
+static int32 offset(fix16 dudx, int32 steps)
+{
+    return (GENERATED_BIAS + steps * dudx) >> 16;
+}
+
+/* The code adds u's texels to an address, whose row they change where they leave it. They rise or
+   fall along the line, so its last pixel decides: exactly, whatever start and steps come from. A
+   start from which as many pixels as the box is wide stay in the row needs no product. */
+static int32 stays_in_row(const struct setup *s)
+{
+    const struct scanline *line = s->edges.lines;
+    const fix16 dudx = s->span.dudx;
+    int32 far, least, most;
+
+    if (dudx >= STEEP || dudx <= -STEEP)
+        return 0;
+    far = offset(dudx, s->box.right - s->box.left - 1);
+    least = far < 0 ? -far : 0;
+    most = far < 0 ? LAST : LAST - far;
+    for (int32 i = s->span.count; i > 0; i--, line++) {
+        const int32 u = line->start1 & LAST;
+
+        if (u < least || u > most) {
+            const int32 steps = line->last - line->left;
+
+            if (steps >= 0 && (uint32)(u + offset(dudx, steps)) > LAST)
+                return 0;
+        }
+    }
+    return 1;
+}
+
+/* Plain starts become those of the addx form. */
+static void pack(struct scanline *line, int32 count)
+{
+    for (; count > 0; count--, line++) {
+        const uint32 u = line->start1 & LAST, v = line->start2;
+
+        line->start1 = (uint16)(v >> 8);
+        line->start2 = v << 24 | u;
+    }
+}
+
+void generated_span(struct setup *s)
+{
+    const struct material *m = s->material;
+
+    if (stays_in_row(s))
+        return;
+    s->kind = lower_affine(m, s->form);
+    if (kind_lines[s->kind] == LINES_ADDX)
+        pack(s->edges.lines, s->span.count);
+    if (m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL)
+        texturing_wrap(&s->texturing, &s->box, CHAIN_WHOLE);    /* u has all its bits already */
+    else
+        s->texturing.wraps = 1;
+    lower_by_steps(s);
+}

@@ -1,0 +1,216 @@
+#include "drawing/lower.h"
+
+#include "drawing/dithered.h"
+#include "drawing/generated.h"
+#include "drawing/material.h"
+#include "perspective/tolerance.h"
+#include "polygon/counts.h"
+#include "polygon/shading.h"
+
+#define ONE_PIXEL 65536
+
+/* A rule is a line: its name, where it applies (counts.h), and below also from which kind of
+   span to which. What one leads to, the lines after it may lead on. */
+#define LOWER(rule, from, to, condition) \
+    if (kind == SPAN_##from && APPLIES(rule, condition)) \
+        kind = SPAN_##to;
+
+static int32 is_beyond(fix16 value, uint32 far)
+{
+    return (uint32)value + far >= 2 * far;
+}
+
+/* By a whole pixel where edges are rounded, so that no rounding leads inside. What may be
+   refused is left to the set-up: a map is up to 128 texels for 1 of s. */
+static int32 is_outside(const struct setup *s)
+{
+    enum { LEFT = 1, RIGHT = 2, ABOVE = 4, BELOW = 8 };
+    const uint32 far = (uint32)POLYGON_FAR << 16;
+    uint32 far_texel = s->material->map && s->material->map->scale > 65536 ? far >> 7 : far;
+    fix16 right = (s->frame->width + 1) << 16, below = s->frame->height << 16;
+    const struct vertex *v = s->given;
+    uint32 sides = LEFT | RIGHT | ABOVE | BELOW;
+
+    for (int32 i = s->count; i > 0; i--, v++) {
+        if (v->x >= -ONE_PIXEL)
+            sides &= ~(uint32)LEFT;
+        if (v->x < right)
+            sides &= ~(uint32)RIGHT;
+        if (v->y >= -ONE_PIXEL)
+            sides &= ~(uint32)ABOVE;
+        if (v->y < below)
+            sides &= ~(uint32)BELOW;
+        if (!sides || is_beyond(v->x, far) || is_beyond(v->y, far)
+            || is_beyond(v->s, far_texel) || is_beyond(v->t, far_texel))
+            return 0;
+    }
+    return 1;
+}
+
+/* Whether a field of struct vertex, given by its first value, is the same everywhere but for
+   its lowest bits. */
+static int32 is_equal(const fix16 *value, int32 count, int32 lowest)
+{
+    int32 first = *value >> lowest;
+
+    while (--count > 0) {
+        value += VERTEX_FIELDS;
+        if (*value >> lowest != first)
+            return 0;
+    }
+    return 1;
+}
+
+int32 lower_w_is_constant(const struct setup *s)
+{
+    return is_equal(&s->given->w, s->count, 0);
+}
+
+/* No pixel has a level or a shade beyond those of the vertices. */
+static int32 has_one_level(const struct setup *s)
+{
+    return is_equal(&s->given->shade, s->count, LEVEL_BITS);
+}
+
+static int32 has_one_shade(const struct setup *s)
+{
+    return is_equal(&s->given->shade, s->count, 16);
+}
+
+static int32 level(const struct setup *s)
+{
+    return s->given->shade >> LEVEL_BITS;
+}
+
+/* Whether a step is 0, and whether one is small enough for the spans that step u or v
+   alone: 62 texels a pixel, for 1,024 pixels. Both as the map repeats, modulo 256. */
+static int32 is_still(fix16 step)
+{
+    return !((uint32)step << 8);
+}
+
+static int32 is_slow(fix16 step)
+{
+    const uint32 most = (uint32)62 << 24;
+
+    return ((uint32)step << 8) + most <= 2 * most;
+}
+
+/* What draws anything that a mapper may be asked for, with 1, 2 and 4 bytes a pixel; and whether
+   vertices may show that something else will do. */
+static const struct {
+    uint8 kind[3], by_vertices;
+} asked[MAPPER_KINDS] = {
+    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32}, 0},
+    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0, 0}, 1},
+    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_32_WRAP}, 0},
+    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0, 0}, 0},
+    [MAPPER_TILED] = {{SPAN_TILED, 0, 0}, 0},
+    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16, 0}, 0},
+    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 1},
+    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0, 0}, 1},
+    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1},
+    [MAPPER_DITHERED] = {{SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP}, 0}
+};
+
+enum span_kind lower_affine(const struct material *material, enum form form)
+{
+    return material->gradients == GRADIENTS_SCANLINE ? SPAN_AFFINE_SCANLINE
+         : form == FORM_SWAP ? SPAN_AFFINE_SWAP
+         : form == FORM_C ? SPAN_AFFINE_C
+         : SPAN_AFFINE_ADDX_WRAP;
+}
+
+int32 lower_to_nothing(struct setup *s)
+{
+    return APPLIES(OUTSIDE, is_outside(s));
+}
+
+int32 lower_asked(struct setup *s)
+{
+    const struct material *m = s->material;
+
+    s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes >> 1];
+    if (s->kind == SPAN_AFFINE_ADDX_WRAP)
+        s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
+    return m->perspective || asked[m->mapper].by_vertices;
+}
+
+void lower_by_vertices(struct setup *s)
+{
+    const struct material *m = s->material;
+    enum span_kind kind = s->kind;
+
+    if (kind == SPAN_PERSPECTIVE) {
+        LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
+        LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
+    } else if (kind == SPAN_GENERATED) {
+        if (!generated_may_draw(s))
+            kind = SPAN_AFFINE_ADDX_WRAP;
+    } else {
+        LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))
+        LOWER(EQUAL_LEVELS, LIT_GOURAUD, LIT_WRAP, has_one_level(s))
+        LOWER(NO_LIGHT, LIT_WRAP, FILL, level(s) == 0 && m->light && m->light->dark)
+        LOWER(FULL_LIGHT, LIT_WRAP, AFFINE_ADDX_WRAP,
+              level(s) == LIGHT_LEVELS - 1 && m->light && m->light->full)
+    }
+    s->kind = kind == SPAN_AFFINE_ADDX_WRAP ? lower_affine(m, s->form) : kind;
+}
+
+void lower_by_planes(struct setup *s)
+{
+    s->setting = (enum perspective)s->material->perspective;
+    s->straight = 0;
+    (void)APPLIES(COARSER, s->material->tolerance && tolerance_is_coarser(s));
+}
+
+void lower_by_steps(struct setup *s)
+{
+    const struct span_plan *span = &s->span;
+    int32 width = s->box.right - s->box.left;
+    enum span_kind kind = s->kind;
+
+    if (kind == SPAN_AFFINE_ADDX_WRAP) {
+        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, is_still(span->dudx) && is_slow(span->dvdx))
+        LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
+        LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
+        LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
+        LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY,
+              is_still(span->dudx - 65536) && width >= COPY_LEAST)
+        LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
+    } else if (kind == SPAN_LIT_WRAP) {
+        LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
+        LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
+        LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    } else if (kind == SPAN_GOURAUD) {
+        LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
+    } else if (kind == SPAN_AFFINE_16_WRAP) {
+        LOWER(STILL_V, AFFINE_16_WRAP, AFFINE_16_ROW,
+              is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(NO_WRAP, AFFINE_16_WRAP, AFFINE_16, !s->texturing.wraps)
+        LOWER(UNIT_STEP, AFFINE_16_ROW, AFFINE_16_COPY,
+              is_still(span->dudx - 65536) && width >= COPY_16_LEAST)
+    } else if (kind == SPAN_AFFINE_32_WRAP) {
+        LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
+              is_still(span->dvdx) && is_slow(span->dudx))
+        LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
+    } else if (kind >= SPAN_DITHERED) {
+        dithered_span(s);
+        LOWER(NO_WRAP_DITHERED, DITHERED_WRAP, DITHERED, !s->texturing.wraps)
+        LOWER(NO_WRAP_DITHERED, DITHERED_16_WRAP, DITHERED_16, !s->texturing.wraps)
+        LOWER(NO_WRAP_DITHERED, DITHERED_32_WRAP, DITHERED_32, !s->texturing.wraps)
+    }
+    s->kind = kind;
+}
+
+int32 lower_to_no_scissor(struct setup *s)
+{
+    return APPLIES(INSIDE_FRAME, s->outline_sides->x_low >= 0
+                   && s->outline_sides->x_high + EDGE_ERROR <= s->frame->width << 16);
+}
+
+int32 lower_to_no_hold(struct setup *s, int32 leaves_range)
+{
+    return APPLIES(INSIDE_RANGE, !leaves_range);
+}

@@ -1,0 +1,115 @@
+#include "drawing/material.h"
+
+#include "math/math.h"
+
+/* What u and v of a triangle may be off from the vertices' range at a pixel's centre:
+   edges are within EDGE_ERROR pixels, in a frame's 1,024 lines half as much, times STEEP
+   texels a pixel: 1/32; 512 steps round by 1/2^17 each in both directions, and starts
+   are raised by as much: 1/64; the plane itself by less than 1/2^10. Where the range is that
+   of the plane as it is stepped, edges alone count: ON_PLANE. */
+#define INSET (65536 / 16)
+#define ON_PLANE (3 * INSET / 4)
+#define STEEP (4 * 65536)
+
+/* The shades between which every pixel has one of the vertices' range. */
+static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
+{
+    *high = vertex_range(&vertices->shade, count, low);
+    *high += *low;
+    *low = (*low & ~0xffff) + INSET;
+    *high = (*high | 0xffff) - INSET;
+}
+
+const struct vertex *material_vertices(const struct vertex *from, int32 count,
+                                       const struct material *material)
+{
+    static struct vertex to[POLYGON_VERTICES_MAX];
+    fix16 scale = material->map ? material->map->scale : 65536;
+    fix16 low = 0, high = 0;
+
+    if (material->mapper == MAPPER_GOURAUD)
+        shade_range(from, count, &low, &high);
+    else if (material->edges != EDGES_INTEGER && scale == 65536)
+        return from;
+    for (int32 i = 0; i < count; i++) {
+        to[i] = from[i];
+        if (material->edges == EDGES_INTEGER) {
+            to[i].x &= ~0xffff;
+            to[i].y &= ~0xffff;
+        }
+        if (material->mapper == MAPPER_GOURAUD) {
+            to[i].s = from[i].shade < low ? low : from[i].shade > high ? high : from[i].shade;
+            to[i].t = 0;
+        } else if (scale != 65536) {
+            to[i].s = mul_round(from[i].s, scale);
+            to[i].t = mul_round(from[i].t, scale);
+        }
+    }
+    return to;
+}
+
+/* Whether an edge's error may lead further out than INSET. */
+static int32 is_steep(const struct material *material, const struct span_plan *span)
+{
+    return material->gradients != GRADIENTS_PLANE || span->dudx >= STEEP
+        || span->dudx <= -STEEP || span->dvdx >= STEEP || span->dvdx <= -STEEP;
+}
+
+/* The least and the greatest value that a coordinate's plane, as it is stepped, has at the
+   vertices. It is that of three of them times -1 to 2 each: no overflow. */
+static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing *t,
+                        const struct vertex *v, int32 count, fix16 *low, fix16 *high)
+{
+    *low = 0x7fffffff;
+    *high = -0x7fffffff;
+    for (; count > 0; count--, v++) {
+        fix16 value = (fix16)(at + (uint32)mul_fix(ddx, v->x - (t->i << 16))
+                              + (uint32)mul_fix(ddy, v->y - (t->j << 16)));
+
+        if (value < *low)
+            *low = value;
+        if (value > *high)
+            *high = value;
+    }
+}
+
+void material_range(struct hold_plan *hold, const struct setup *s)
+{
+    hold->u_low = hold->v_low = hold->v_high = 0;
+    if (s->material->mapper == MAPPER_GOURAUD) {
+        hold->u_high = vertex_range(&s->vertices->s, s->count, &hold->u_low);
+        hold->u_high += hold->u_low;
+        hold->u_low &= ~0xffff;
+        hold->u_high |= 0xffff;
+    } else {
+        hold->u_high = (s->material->map->width << 16) - 1;
+        hold->v_high = (s->material->map->height << 16) - 1;
+    }
+}
+
+int32 material_leaves_range(const struct setup *s)
+{
+    const struct texturing *t = &s->texturing;
+    int32 gouraud = s->material->mapper == MAPPER_GOURAUD;
+    fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
+    struct hold_plan hold;
+
+    if (is_steep(s->material, &s->span))
+        return 1;
+    if (gouraud && s->count == 3)
+        return 0;               /* material_vertices saw to it */
+    if (s->count == 3) {
+        s_high = vertex_range(&s->vertices->s, 3, &s_low);
+        s_high += s_low;
+        t_high = vertex_range(&s->vertices->t, 3, &t_low);
+        t_high += t_low;
+    } else {                    /* the plane need not run through all of them */
+        inset = ON_PLANE;
+        plane_range(t->u, t->dudx, t->dudy, t, s->vertices, s->count, &s_low, &s_high);
+        if (!gouraud)
+            plane_range(t->v, t->dvdx, t->dvdy, t, s->vertices, s->count, &t_low, &t_high);
+    }
+    material_range(&hold, s);
+    return s_low < hold.u_low + inset || s_high > hold.u_high - inset
+        || (!gouraud && (t_low < inset || t_high > hold.v_high - inset));
+}

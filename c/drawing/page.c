@@ -1,0 +1,158 @@
+#include "drawing/page.h"
+
+#include "system/system.h"
+
+enum { SIDE = MAP_PAGE_SIDE, HALF_LEAST = 16 };
+
+void page_init(struct page *page)
+{
+    page->texels = 0;
+    page->bytes = page->half = 0;
+    page_forget(page);
+}
+
+void page_forget(struct page *page)
+{
+    page->from = page->end = 0;
+}
+
+int32 page_has(const struct page *page, const struct page_rows *rows)
+{
+    return page->from < page->end && rows->first >= page->from && rows->last < page->end;
+}
+
+/* Of the memory. Rows 128 on lie before row 0, as in MAP_PAGE, where there are that many. */
+static int32 first_row(const struct page *page)
+{
+    return page->half < SIDE / 2 ? PAGE_MIDDLE - page->half : -SIDE / 2;
+}
+
+int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory,
+                 const struct page_rows *rows)
+{
+    const int32 pitch = SIDE * pixel_bytes;
+    int32 half = page->half > HALF_LEAST ? page->half : HALF_LEAST;
+
+    while (half < SIDE / 2 && (rows->first < PAGE_MIDDLE - half
+                               || rows->last >= PAGE_MIDDLE + half))
+        half *= 2;
+    if (half != page->half || page->bytes < 2 * half * pitch) {
+        page_forget(page);
+        page->half = half;
+        page->bytes = mem_take(&page->texels, 2 * half * pitch, memory) ? 2 * half * pitch : 0;
+    }
+    page->map.texels = page->texels - first_row(page) * pitch;
+    page->map.width = page->map.height = SIDE;
+    page->map.scale = 65536;
+    page->map.layout = MAP_PAGE;
+    page->map.texel_bytes = (uint8)pixel_bytes;
+    page->map.full = page->map.dark = 0;
+    return page->bytes > 0;
+}
+
+void page_grow(struct page *page, const struct page_rows *rows, page_row_maker *make,
+               void *context)
+{
+    if (page->from == page->end)
+        page->from = page->end = rows->first;
+    for (; page->from > rows->first; page->from--)
+        make(context, page->from - 1, page->from, page->end);
+    for (; page->end <= rows->last; page->end++)
+        make(context, page->end, page->from, page->end);
+}
+
+uint8 *page_row(const struct page *page, int32 v)
+{
+    return (uint8 *)page->map.texels + (int8)v * SIDE * page->map.texel_bytes;
+}
+
+int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
+{
+    fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
+    fix16 high = low + (SIDE - 2 * PAGE_MARGIN) * 65536;
+
+    if (window->period)
+        return 1;
+    for (int32 i = 0; i < s->count; i++, value += VERTEX_FIELDS)
+        if (*value < low || *value >= high)
+            return 0;
+    return 1;
+}
+
+static int32 is_parallelogram(const struct vertex *v)
+{
+    return v[0].x + v[2].x == v[1].x + v[3].x && v[0].y + v[2].y == v[1].y + v[3].y
+        && v[0].t + v[2].t == v[1].t + v[3].t;
+}
+
+/* Whether t of each pixel is less than a texel beyond the vertices': it is one plane over all of
+   them, and changes by 32 texels a pixel at most where edges are off by 1/64 of one. The area is
+   in 1/256 pixel, from corners in 1/16. */
+static int32 keeps_range(const struct setup *s, fix16 range)
+{
+    const struct vertex *v = s->given;
+    fix16 least, width, height;
+    int32 side, area;
+
+    if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
+        return 0;
+    width = vertex_range(&v->x, s->count, &least);
+    height = vertex_range(&v->y, s->count, &least);
+    side = ((width > height ? width : height) >> 16) + 1;
+    if (width < 0 || height < 0 || side > 1024)
+        return 0;
+    area = ((v[1].x - v[0].x) >> 12) * ((v[2].y - v[0].y) >> 12)
+        - ((v[2].x - v[0].x) >> 12) * ((v[1].y - v[0].y) >> 12);
+    return (area < 0 ? -area : area) >= 16 * side * ((range >> 16) + 5);
+}
+
+/* All of them where they are not known. */
+static void find_rows(const struct setup *s, fix16 origin, int32 least_row,
+                      struct page_rows *shown)
+{
+    fix16 least, range = vertex_range(&s->given->t, s->count, &least);
+
+    shown->first = ((least - origin) >> 16) - PAGE_MARGIN;
+    shown->last = ((least + range - origin) >> 16) + PAGE_MARGIN;
+    if (shown->first < least_row || shown->last >= least_row + SIDE || !keeps_range(s, range)) {
+        shown->first = least_row;
+        shown->last = least_row + SIDE - 1;
+    }
+}
+
+static fix16 origin_of(const struct setup *s, const fix16 *value, const struct page_window *window)
+{
+    fix16 least, range, middle;
+
+    if (!window->period)
+        return window->origin;
+    range = vertex_range(value, s->count, &least);
+    middle = least + (range >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
+    return window->origin + ((middle + (window->period >> 1)) & -window->period);
+}
+
+const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
+                                   const struct page_window *rows, struct page_rows *shown)
+{
+    static struct vertex vertices[POLYGON_VERTICES_MAX];
+    const fix16 u = origin_of(s, &s->given->s, columns), v = origin_of(s, &s->given->t, rows);
+
+    find_rows(s, v, rows->least, shown);
+    for (int32 i = 0; i < s->count; i++) {
+        vertices[i] = s->given[i];
+        vertices[i].s -= u;
+        vertices[i].t -= v;
+    }
+    return vertices;
+}
+
+void page_material(struct material *plain, const struct material *from, const struct page *page)
+{
+    *plain = *from;
+    plain->mapper = MAPPER_AFFINE;
+    plain->gradients = GRADIENTS_PLANE;
+    plain->start = START_SUBTEXEL;
+    plain->whole = 1;
+    plain->perspective = PERSPECTIVE_NONE;
+    plain->map = &page->map;
+}

@@ -1,0 +1,129 @@
+#include "glide/polygons/bands.h"
+#include "polygon/key.h"
+
+#define LOD_ONE 256             /* 1.0 */
+
+/* What others leave and ask for. */
+struct glide_wanted {
+    int32 has_other, has_alpha;
+};
+
+/* Whether a half of the combine unit multiplies anything. */
+static int32 multiplies(const struct glide_combination *by)
+{
+    return !by->zero_other || by->sub_local;
+}
+
+static int32 asks_for(const struct glide_modes *modes, uint32 factor)
+{
+    return (multiplies(&modes->rgb) && modes->rgb.mselect == factor)
+        || (multiplies(&modes->alpha) && modes->alpha.mselect == factor);
+}
+
+static uint32 bits_of(const struct glide_combining *combining)
+{
+    uint32 bits = 0;
+
+    if (combining->reads & GLIDE_READS_LOCAL)
+        bits |= GLIDE_NEEDS_OWN;
+    if (combining->reads & GLIDE_READS_OTHER)
+        bits |= GLIDE_NEEDS_OTHER;
+    if (combining->reads & GLIDE_READS_OTHER_ALPHA)
+        bits |= GLIDE_NEEDS_OTHER_ALPHA;
+    if (glide_shows(combining, GLIDE_TERM_LOCAL))
+        bits |= GLIDE_IS_OWN;
+    if (glide_shows(combining, GLIDE_TERM_OTHER))
+        bits |= GLIDE_IS_OTHER;
+    return bits;
+}
+
+/* A band from one LOD to another. */
+static void set_band(struct glide_band *band, const struct glide_modes *modes, int32 from, int32 to,
+                     const struct glide_wanted *wanted)
+{
+    struct glide_known known;
+
+    glide_lod_at(modes, from, &band->lod);
+    known.detail = known.fraction = known.flip = 0;
+    if (modes->trilinear && band->lod.odd && (multiplies(&modes->rgb) || multiplies(&modes->alpha)))
+        known.flip = 255;
+    if (asks_for(modes, GLIDE_FACTOR_DETAIL)) {
+        known.detail = glide_detail_factor(modes, from);
+        if (known.detail != glide_detail_factor(modes, to))
+            known.detail = GLIDE_UNKNOWN;
+    }
+    if (asks_for(modes, GLIDE_FACTOR_LOD_FRACTION))
+        known.fraction = from == to ? from & 255 : GLIDE_UNKNOWN;
+    glide_combining_find(&band->combining, modes, &known, wanted->has_other, wanted->has_alpha);
+    band->bits = (uint8)bits_of(&band->combining);
+    if (known.detail == GLIDE_UNKNOWN)
+        band->bits |= GLIDE_DETAILS_DIFFER;
+    if (known.fraction == GLIDE_UNKNOWN)
+        band->bits |= GLIDE_FRACTIONS_DIFFER;
+    band->detail = (uint8)(known.detail == GLIDE_UNKNOWN ? 0 : known.detail);
+    band->fraction = (uint8)(known.fraction == GLIDE_UNKNOWN ? 0 : known.fraction);
+    band->flip = (uint8)known.flip;
+}
+
+/* The nearest of two that lies beyond a LOD. */
+static int32 nearer(int32 found, int32 other, int32 lod)
+{
+    return other > lod && other < found ? other : found;
+}
+
+/* Where the next band begins, the most at the latest. */
+static int32 next_break(const struct glide_modes *modes, int32 lod)
+{
+    const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;
+    const int32 slope = modes->detail_max * LOD_ONE + (1 << scale) - 1;
+    int32 found = (lod | (LOD_ONE - 1)) + 1;
+
+    found = nearer(found, glide_lod_least(modes) + 1, lod);
+    found = nearer(found, glide_lod_most(modes), lod);
+    if (asks_for(modes, GLIDE_FACTOR_DETAIL)) {
+        found = nearer(found, end - (LOD_ONE >> scale), lod);
+        found = nearer(found, end - (slope >> scale), lod);
+    }
+    return found;
+}
+
+static int32 is_same(const struct glide_band *a, const struct glide_band *b)
+{
+    return a->lod.level == b->lod.level && a->lod.filter == b->lod.filter && a->flip == b->flip
+        && a->detail == b->detail && a->fraction == b->fraction && a->bits == b->bits
+        && a->combining.rgb == b->combining.rgb && a->combining.alpha == b->combining.alpha
+        && a->combining.alpha_way == b->combining.alpha_way;
+}
+
+static void make_bands(struct glide_bands *bands, const struct glide_modes *modes,
+                       const struct glide_wanted *wanted)
+{
+    const int32 least = glide_lod_least(modes), most = glide_lod_most(modes);
+    int32 from = least < most ? least : most, next;
+
+    bands->count = 0;
+    for (; from <= most; from = next) {
+        struct glide_band *band = &bands->of[bands->count];
+
+        next = from < most ? next_break(modes, from) : most + 1;
+        set_band(band, modes, from, next - 1, wanted);
+        if (bands->count && is_same(band, band - 1))
+            continue;
+        bands->count++;
+    }
+}
+
+void glide_bands_find(struct glide_bands *bands, const struct glide *glide, int32 has_other,
+                      int32 has_alpha)
+{
+    uint32 key[GLIDE_BANDS_KEY];
+    struct glide_wanted wanted;
+
+    wanted.has_other = has_other;
+    wanted.has_alpha = has_alpha;
+    key[0] = (uint32)glide;
+    key[1] = glide->mode_generation;
+    key[2] = (uint32)(has_other << 1 | has_alpha);
+    if (key_differs(bands->key, key, GLIDE_BANDS_KEY) || !bands->count)
+        make_bands(bands, &glide->modes, &wanted);
+}

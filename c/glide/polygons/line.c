@@ -1,0 +1,295 @@
+/* A line of a polygon: run by run of each unit, pass by pass. */
+#include "glide/polygons/plan.h"
+#include "system/system.h"
+
+/* What stands between the passes of a line. */
+struct work {
+    uint32 coordinates[FRAME_SIDE_MAX];
+    uint32 texels[FRAME_SIDE_MAX], other[FRAME_SIDE_MAX], colours[FRAME_SIDE_MAX];
+};
+
+/* The same where pixels' LODs are asked for. */
+struct lod_work {
+    uint16 lods[FRAME_SIDE_MAX];
+    uint8 details[FRAME_SIDE_MAX];
+    uint32 quarters[4][FRAME_SIDE_MAX / 4];     /* of a line: each fourth pixel */
+    struct glide_logarithm logarithms[GLIDE_LOGARITHMS];
+};
+
+static struct work *work;
+static struct lod_work *lod_work;
+
+int32 glide_line_ready(int32 lods)
+{
+    if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
+        work = 0;
+    if (!lods || lod_work)
+        return work != 0;
+    if (mem_take(&lod_work, sizeof *lod_work, MEMORY_ANY))
+        glide_logarithms_make(lod_work->logarithms, glide_logarithms);
+    else
+        lod_work = 0;
+    return work && lod_work;
+}
+
+/* LODs of a run's pixels; x: the first one's. */
+static void find_lods(const struct glide_runs *runs, const struct glide_row *row, int32 x, int32 count)
+{
+    const struct glide_modes *modes = &runs->part->glide->modes;
+    struct glide_iterators at;
+    struct glide_lods lods;
+
+    at.w = runs->part->by_w ? runs->at.w : 1 << 30;
+    lods.w = runs->part->by_w ? runs->by.w : 0;
+    lods.least = (int16)glide_lod_least(modes);
+    lods.most = (int16)glide_lod_most(modes);
+    lods.logarithms = lod_work->logarithms;
+    for (int32 i = 0; i < 4; i++) {
+        int32 lod = runs->part->lod - 256;
+
+        if (modes->dither)
+            lod += glide_dither(x + (i << row->step_bits), row->y);
+        lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
+    }
+    glide_lod(&at, lod_work->lods, &lods, count);
+}
+
+/* What of a run's factors comes from LODs. */
+static void find_factors(struct glide_factors *factors, const struct glide_runs *runs,
+                         const struct glide_row *row, int32 x)
+{
+    const struct glide_part *part = runs->part;
+    const struct glide_modes *modes = &part->glide->modes;
+    const struct glide_band *band = &part->bands->of[runs->band];
+    const int32 alike = (!part->by_w || !runs->by.w) && (!modes->dither || row->step_bits);
+    const int32 count = alike ? 1 : runs->count;
+    struct glide_nearness nearness;
+
+    factors->details = &band->detail;
+    factors->fractions = &band->fraction;
+    factors->detail_step = factors->fraction_step = 0;
+    factors->flip = band->flip;
+    if (!(band->bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
+        return;
+    find_lods(runs, row, x, count);
+    if (band->bits & GLIDE_FRACTIONS_DIFFER) {
+        factors->fractions = (const uint8 *)lod_work->lods + 1;
+        factors->fraction_step = alike ? 0 : sizeof *lod_work->lods;
+    }
+    if (band->bits & GLIDE_DETAILS_DIFFER) {
+        nearness.end = (int16)(modes->detail_bias * 256);
+        nearness.shift = (uint16)(8 - modes->detail_scale);
+        glide_details(lod_work->lods, lod_work->details, &nearness, count);
+        factors->details = lod_work->details;
+        factors->detail_step = !alike;
+    }
+}
+
+/* Coordinates of a run whose s and t are divided at the ends of pieces. */
+static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps)
+{
+    const uint32 place = (uint32)(runs->end - runs->left);
+    const uint32 skip = place & ((1u << runs->part->piece_bits) - 1);
+    struct glide_iterators at;
+
+    at.s = (int32)((uint32)runs->at.s - skip * (uint32)runs->by.s);
+    at.t = (int32)((uint32)runs->at.t - skip * (uint32)runs->by.t);
+    at.w = (int32)((uint32)runs->at.w - skip * (uint32)runs->by.w);
+    steps->s = runs->by.s;
+    steps->t = runs->by.t;
+    steps->w = runs->by.w;
+    steps->skip = (uint16)skip;
+    steps->left = runs->line - (int32)(place - skip);
+    glide_pieces(&at, work->coordinates, steps, runs->count);
+}
+
+/* Coordinates of any run. */
+static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
+{
+    static const struct glide_iterators none = {0, 0, 0};
+    const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
+
+    if (runs->part->piece_bits) {
+        find_pieces(runs, steps);
+        return;
+    }
+    steps->s = is_none ? 0 : runs->by.s;
+    steps->t = is_none ? 0 : runs->by.t;
+    steps->w = runs->by.w;
+    runs->part->coordinates(is_none ? &none : &runs->at, work->coordinates, steps, runs->count);
+}
+
+/* How a run's texels are found, with its coordinates; 0: they are not. */
+static const struct glide_sampling *find_sampling(struct glide_runs *runs)
+{
+    struct glide_sampling *from = &runs->part->samplings[runs->band];
+
+    if (!from->level && !glide_sampling_find(runs->part, runs->band))
+        return 0;
+    find_coordinates(runs, &from->steps);
+    return from;
+}
+
+/* A run by its own unit; x: its first pixel. other: what comes from upstream; 0: nothing, or nobody
+   asks. */
+static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int32 x,
+                      const uint32 *other, uint32 *to)
+{
+    const struct glide_part *part = runs->part;
+    const struct glide_band *band = &part->bands->of[runs->band];
+    const struct glide_sampling *from;
+    struct glide_factors factors;
+
+    if (band->bits & GLIDE_NEEDS_OWN) {
+        from = find_sampling(runs);
+        if (!from)
+            return 0;
+        from->sample(work->coordinates, band->bits & GLIDE_IS_OWN ? to : work->texels, from->level,
+                     runs->count);
+    }
+    if (!(band->bits & GLIDE_IS_OWN)) {
+        find_factors(&factors, runs, row, x);
+        glide_combine_line(&band->combining, &part->glide->modes, &factors, work->texels, other, to,
+                           runs->count);
+    }
+    return 1;
+}
+
+/* A row's pixels `first` to `first` + count - 1 by a unit and those upstream. What comes from there
+   is drawn before, if all runs need it, or run by run. */
+static int32 draw_part(struct glide_part *part, const struct glide_row *row, int32 first, int32 count,
+                       uint32 *to)
+{
+    const struct glide_bands *bands = part->bands;
+    const int32 before = part->upstream && part->every & GLIDE_NEEDS_OTHER
+        && !(part->bits & GLIDE_IS_OTHER);
+    struct glide_runs runs;
+
+    if (before && !draw_part(part->upstream, row, first, count, work->other))
+        return 0;
+    glide_runs_open(&runs, part, row, first, count);
+    for (int32 done = 0; glide_runs_next(&runs); done += runs.count) {
+        const uint32 bits = part->upstream ? bands->of[runs.band].bits : 0;
+        const uint32 *other = before ? work->other + done : 0;
+
+        if (bits & GLIDE_IS_OTHER) {
+            if (!draw_part(part->upstream, row, first + done, runs.count, to + done))
+                return 0;
+            continue;
+        }
+        if (bits & GLIDE_NEEDS_OTHER && !before) {
+            if (!draw_part(part->upstream, row, first + done, runs.count, work->other))
+                return 0;
+            other = work->other;
+        }
+        if (!draw_run(&runs, row, row->x + ((first + done) << row->step_bits), other, to + done))
+            return 0;
+    }
+    return 1;
+}
+
+/* As four lines of each fourth pixel: dithering is the same all along them. */
+static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32 count, uint32 *to)
+{
+    const int32 x = row->x;
+    struct glide_quarters quarters;
+
+    row->step_bits = 2;
+    for (int32 i = 0; i < 4 && i < count; i++) {
+        row->x = x + i;
+        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, lod_work->quarters[i]))
+            return 0;
+    }
+    quarters.bytes = sizeof lod_work->quarters[0];
+    glide_interleave(lod_work->quarters, to, &quarters, count);
+    return 1;
+}
+
+/* Texels as pixels, the filter's of 16 bits without a store of their own. */
+static int32 draw_direct(struct glide_part *part, const struct glide_row *row, uint8 *pixels,
+                         int32 pixel_bytes, int32 count)
+{
+    const struct glide_sampling *from;
+    struct glide_runs runs;
+
+    glide_runs_open(&runs, part, row, 0, count);
+    for (; glide_runs_next(&runs); pixels += runs.count * pixel_bytes) {
+        from = find_sampling(&runs);
+        if (!from)
+            return 0;
+        if (pixel_bytes == 4) {
+            from->sample(work->coordinates, pixels, from->level, runs.count);
+        } else if (from->sample == glide_bilinear) {
+            glide_bilinear_565(work->coordinates, pixels, from->level, runs.count);
+        } else {
+            from->sample(work->coordinates, work->texels, from->level, runs.count);
+            glide_store_565(work->texels, pixels, 0, runs.count);
+        }
+    }
+    return 1;
+}
+
+static int32 draw_row(struct glide_plan *plan, struct glide_row *row, uint8 *pixels,
+                      int32 pixel_bytes, int32 count, int32 mixed)
+{
+    uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
+
+    if (plan->is_direct && !mixed)
+        return draw_direct(plan->parts, row, pixels, pixel_bytes, count);
+    if (!(mixed ? draw_quarters(plan, row, count, to)
+          : draw_part(plan->parts, row, 0, count, to)))
+        return 0;
+    if (pixel_bytes == 2)
+        glide_store_565(to, pixels, 0, count);
+    return 1;
+}
+
+int32 glide_plan_draw(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
+                      int32 count)
+{
+    const int32 bytes = frame->pixel_bytes;
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * bytes;
+    struct glide_row row;
+
+    row.x = x;
+    row.y = y;
+    row.count = count;
+    for (int32 left = count; ; left -= count, row.x = x += count, pixels += count * bytes) {
+        int32 mixed = 0;
+
+        row.step_bits = 0;
+        if (plan->is_dithered)
+            count = glide_runs_alike(plan, x, y, left, &mixed);
+        if (!draw_row(plan, &row, pixels, bytes, count, mixed))
+            return 0;
+        if (count == left)
+            return 1;
+    }
+}
+
+/* All colours of the line are found first: what has no passes is added once, by others. */
+int32 glide_plan_add(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
+                     int32 count)
+{
+    uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
+    struct frame colours;
+    struct glide_mix mix;
+
+    colours.pixels = (uint8 *)work->colours;
+    colours.width = frame->width;
+    colours.height = frame->height;
+    colours.pitch = 0;                  /* every line is the same memory */
+    colours.pixel_bytes = 4;
+    if (!glide_plan_draw(plan, &colours, x, y, count))
+        return 0;
+    mix.other = work->colours + x;
+    mix.other_step = 4;
+    if (frame->pixel_bytes == 4) {
+        glide_add(pixels, pixels, &mix, count);
+        return 1;
+    }
+    glide_widen_565(pixels, work->texels, 0, count);
+    glide_add(work->texels, work->texels, &mix, count);
+    glide_store_565(work->texels, pixels, 0, count);
+    return 1;
+}

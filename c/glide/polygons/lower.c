@@ -1,0 +1,233 @@
+/* The least that gives a polygon the same picture. */
+#include "drawing/lower.h"
+#include "glide/polygons/plan.h"
+#include "polygon/counts.h"
+
+enum { SIDE = MAP_PAGE_SIDE };
+
+/* bits: a texel is 2^bits of the page's wide. */
+static void find_window(uint32 texels, uint32 bits, struct page_window *window)
+{
+    window->origin = 0;
+    window->least = PAGE_LEAST_ROW;     /* of columns too: they repeat */
+    window->period = (fix16)(texels << bits << 16);
+}
+
+/* Whether no texel is clamped. */
+static int32 is_inside(const struct setup *s, const fix16 *value, const struct page_window *window,
+                       int32 margin)
+{
+    const fix16 low = margin * 65536, high = window->period - low;
+
+    for (int32 i = 0; i < s->count; i++) {
+        if (*value < low || *value >= high)
+            return 0;
+        value += VERTEX_FIELDS;
+    }
+    return 1;
+}
+
+/* What a page's rows are made with. */
+struct making {
+    const struct page *page;
+    const struct glide *glide;
+    const struct glide_lod *lod;
+    const struct glide_level *level;
+    uint32 bits;                /* a texel is 2^bits pixels wide */
+};
+
+static uint32 pixel_of(const struct making *m, uint32 i, uint32 j, int32 pixel_bytes)
+{
+    return glide_frame_pixel(glide_combine_pixel(m->glide, m->lod, glide_texel(m->glide, m->level, i, j), 0),
+                             pixel_bytes);
+}
+
+/* Both axes repeat within the page. */
+static void make_row_16(uint16 *row, const struct making *m, uint32 v)
+{
+    const uint32 wide = 1u << m->bits;
+
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint32 i = u >> m->bits;
+        uint16 pixel = i < m->level->columns ? (uint16)pixel_of(m, i, v, 2)
+            : row[u - (m->level->columns << m->bits)];
+
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
+    }
+}
+
+static void make_row_32(uint32 *row, const struct making *m, uint32 v)
+{
+    const uint32 wide = 1u << m->bits;
+
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint32 i = u >> m->bits;
+        uint32 pixel = i < m->level->columns ? pixel_of(m, i, v, 4)
+            : row[u - (m->level->columns << m->bits)];
+
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
+    }
+}
+
+/* Which row shows the same and is made, or end. */
+static int32 find_same(const struct making *m, int32 v, int32 from, int32 end)
+{
+    const int32 period = (int32)m->level->rows << m->bits;
+    const int32 beside = v < from ? v + 1 : v - 1, far = v < from ? v + period : v - period;
+
+    if (from == end)
+        return end;
+    return beside >> m->bits == v >> m->bits ? beside
+        : far >= from && far < end ? far : end;
+}
+
+static void make_row(void *context, int32 v, int32 from, int32 end)
+{
+    const struct making *m = context;
+    const int32 bytes = m->page->map.texel_bytes, same = find_same(m, v, from, end);
+    const uint32 j = (uint32)v >> m->bits & (m->level->rows - 1);
+    uint32 *row = (uint32 *)page_row(m->page, v);
+
+    if (same != end) {
+        const uint32 *other = (const uint32 *)page_row(m->page, same);
+
+        for (int32 k = 0; k < SIDE * bytes / 4; k++)
+            row[k] = other[k];
+    } else if (bytes == 2) {
+        make_row_16((uint16 *)row, m, j);
+    } else {
+        make_row_32(row, m, j);
+    }
+}
+
+/* What of a unit's level a page shows, and how. */
+struct showing {
+    struct glide_lod lod;
+    struct glide_level level;
+    struct page_window columns, rows;
+    uint32 bits;                /* as struct making has it */
+};
+
+static int32 find_page(struct glide_pipe *pipe, const struct showing *shown, int32 pixel_bytes,
+                       const struct page_rows *rows)
+{
+    const struct glide *glide = pipe->chain.units[0];
+    struct glide_page *page = &pipe->page;
+    uint32 key[GLIDE_PAGE_KEY];
+    struct making making;
+
+    key[0] = (uint32)pixel_bytes;
+    key[1] = glide->mode_generation;
+    key[2] = glide->memory_generation;
+    key[3] = glide->table_generation;
+    if (key_differs(page->key, key, GLIDE_PAGE_KEY))
+        page_forget(&page->page);
+    if (page_has(&page->page, rows))
+        return 1;
+    if (!page_ready(&page->page, pixel_bytes, pipe->memory, rows))
+        return 0;
+    making.page = &page->page;
+    making.glide = glide;
+    making.lod = &shown->lod;
+    making.level = &shown->level;
+    making.bits = shown->bits;
+    page_grow(&page->page, rows, make_row, &making);
+    return 1;
+}
+
+/* Whether a page shows what the unit does, by a filter. */
+static int32 find_showing(const struct setup *s, const struct glide_modes *modes, uint32 bits,
+                          int32 margin, struct showing *to)
+{
+    to->bits = bits;
+    glide_find_level(modes, to->lod.level, &to->level);
+    find_window(to->level.columns, bits, &to->columns);
+    find_window(to->level.rows, bits, &to->rows);
+    return (!modes->clamp_s || is_inside(s, &s->given->s, &to->columns, margin))
+        && (!modes->clamp_t || is_inside(s, &s->given->t, &to->rows, margin));
+}
+
+/* One unit's points of one level, not divided. */
+static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, struct showing *to)
+{
+    const struct glide *glide = pipe->chain.units[0];
+
+    return pipe->chain.count == 1 && glide_only_lod(glide, &to->lod) && to->lod.filter == GLIDE_POINT
+        && find_showing(s, &glide->modes, to->lod.level, PAGE_MARGIN, to);
+}
+
+/* s and t in texels of a level. */
+static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
+{
+    static struct vertex scaled[POLYGON_VERTICES_MAX];
+
+    for (int32 i = 0; i < s->count; i++) {
+        scaled[i] = s->given[i];
+        scaled[i].s >>= level;
+        scaled[i].t >>= level;
+    }
+    return scaled;
+}
+
+static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, const struct showing *shown,
+                        const struct page_rows *rows, struct material *plain)
+{
+    if (!find_page(pipe, shown, s->frame->pixel_bytes, rows))
+        return 0;
+    page_material(plain, s->material, &pipe->page.page);
+    return 1;
+}
+
+/* Points are moved by less than a row beyond those that page_vertices finds. */
+static void add_rows(struct page_rows *rows)
+{
+    if (--rows->first < PAGE_LEAST_ROW || ++rows->last >= PAGE_LEAST_ROW + SIDE) {
+        rows->first = PAGE_LEAST_ROW;
+        rows->last = PAGE_LEAST_ROW + SIDE - 1;
+    }
+}
+
+static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, struct material *plain,
+                               const struct vertex **vertices)
+{
+    const struct glide *glide = pipe->chain.units[0];
+    const struct vertex *given = s->given;
+    struct showing shown;
+    struct page_rows rows;
+    int32 draws;
+
+    if (pipe->chain.count > 1 || !glide_only_lod(glide, &shown.lod)
+        || shown.lod.filter != GLIDE_BILINEAR
+        || (glide->modes.perspective && !(given->w > 0 && lower_w_is_constant(s))))
+        return 0;
+    s->given = scale_vertices(s, shown.lod.level);
+    draws = find_showing(s, &glide->modes, 0, GLIDE_DITHERED_MARGIN, &shown);
+    if (draws) {
+        *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
+        add_rows(&rows);
+        draws = draws_page(s, pipe, &shown, &rows, plain);
+        plain->mapper = MAPPER_DITHERED;
+    }
+    s->given = given;
+    return draws;
+}
+
+int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct material *plain,
+                           const struct vertex **vertices)
+{
+    const struct glide_modes *modes = &pipe->chain.units[0]->modes;
+    struct page_rows rows;
+    struct showing shown;
+
+    if (pipe->adds)
+        return 0;
+    if (modes->dithered && lower_to_dithered(s, pipe, plain, vertices))
+        return 1;
+    if ((modes->perspective && !(s->given->w > 0 && APPLIES(CONSTANT_W, lower_w_is_constant(s))))
+        || !APPLIES(GLIDE_PLAIN, is_plain(s, pipe, &shown)))
+        return 0;
+    *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
+    return draws_page(s, pipe, &shown, &rows, plain);
+}

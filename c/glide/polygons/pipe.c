@@ -1,0 +1,37 @@
+/* A pipe of units, and what is said about all its polygons. */
+#include "glide/polygons/unit.h"
+
+enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *units, uint32 count,
+                                  int32 memory)
+{
+    static const struct glide_kept none;
+
+    pipe->own = 0;
+    pipe->result = GLIDE_DONE;
+    pipe->memory = memory;
+    pipe->prefilter = GLIDE_TILES_BYTES;
+    pipe->adds = 0;
+    pipe->settled = 0;
+    for (int32 unit = 0; unit < GLIDE_UNITS; unit++) {
+        pipe->bands[unit].count = 0;
+        for (int32 level = 0; level <= GLIDE_LEVEL_LAST; level++)
+            pipe->levels[unit][level] = none;
+    }
+    page_init(&pipe->page.page);
+    for (int32 i = 0; i < GLIDE_PAGE_KEY; i++)
+        pipe->page.key[i] = 0;
+    return glide_chain_init(&pipe->chain, units, count);
+}
+
+void glide_pipe_prefilter(struct glide_pipe *pipe, uint32 bytes)
+{
+    pipe->prefilter = bytes;
+}
+
+enum glide_result glide_pipe_adds(struct glide_pipe *pipe, uint32 adds)
+{
+    if (adds > 1)
+        return GLIDE_BAD_FLAG;
+    pipe->adds = (int32)adds;
+    return GLIDE_DONE;
+}

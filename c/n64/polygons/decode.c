@@ -1,0 +1,245 @@
+#include "n64/polygons/decode.h"
+#include "polygon/line_room.h"
+
+#include "n64/polygons/rows.h"
+#include "system/system.h"
+
+/* One column of a decoded tile: its texel and the one's beside it in quads, and which decoded
+   column that is, or -1. */
+struct column {
+    int16 index, next, next_at;
+};
+
+/* What stands between the steps of decoding a tile. */
+struct work {
+    struct column columns[2048];        /* as many as a mirrored mask of 10 bits has */
+    uint32 line[N64_COLUMNS_MAX + 1];   /* both at a time: some formats decode one more */
+    uint32 below[2048];
+};
+
+static struct work *const work = (struct work *)line_room;
+static struct column *const columns = ((struct work *)line_room)->columns;
+extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
+
+/* The tile that is decoded. */
+struct making {
+    struct n64_rows rows;
+    const struct n64_axis *t;
+    int32 width, height;
+    int32 reach;                /* columns to the texel beside */
+    int32 texels;               /* of a row, that columns show */
+    int32 in_order;             /* column k shows texel k */
+    uint32 *to;
+};
+
+/* log2 of how many columns or rows the relative coordinates can tell apart. */
+static uint32 bits_of(const struct n64_axis *axis)
+{
+    const uint32 mask = axis->mask < 10 ? axis->mask : 10;
+    const uint32 period = mask + (axis->mirror ? 1 : 0);
+    const uint32 last = (uint32)((axis->high >> 2) - (axis->low >> 2)) & 0x3ff;
+    uint32 bits = 0;
+
+    if (axis->mask && !axis->clamp)
+        return period;
+    while (last >> bits)
+        bits++;
+    return axis->mask && period < bits ? period : bits;
+}
+
+static void list_columns(struct making *m, const struct n64_axis *axis)
+{
+    struct n64_place place;
+
+    m->texels = 1;
+    m->in_order = 1;
+    for (int32 k = 0; k < m->width; k++) {
+        n64_place_column(axis, (uint32)k, &place);
+        columns[k].index = (int16)place.index;
+        columns[k].next = (int16)(place.index + m->reach * place.step);
+        m->in_order &= place.index == k;
+        if (place.index >= m->texels)
+            m->texels = place.index + 1;
+    }
+    for (int32 k = 0; k < m->width; k++) {
+        const int32 beside = (k + m->reach) & (m->width - 1);
+
+        columns[k].next_at = (int16)(columns[beside].index == columns[k].next ? beside : -1);
+    }
+}
+
+/* A row's texels and the next one's. */
+static void place_row(const struct making *m, int32 j, int32 *index, int32 *next)
+{
+    struct n64_place row;
+
+    n64_place_row(m->t, (uint32)j, &row);
+    *index = row.index & 255;
+    *next = *index + row.step;
+}
+
+/* The columns of a row of TMEM. */
+static void decode_row(const struct making *m, int32 row, uint32 *to)
+{
+    if (m->in_order && !(m->width & 1)) {
+        n64_rows_decode(&m->rows, row, to, m->width);
+        return;
+    }
+    n64_rows_decode(&m->rows, row, work->line, m->texels);
+    for (const struct column *column = columns; column < columns + m->width; column++)
+        *to++ = work->line[column->index];
+}
+
+/* Each row of TMEM once: another that shows it is copied. */
+static void decode_texels(const struct making *m)
+{
+    static const uint32 *shown[N64_ROWS_MAX];
+    uint32 *to = m->to;
+    int32 row, next;
+
+    for (int32 j = 0; j < N64_ROWS_MAX; j++)
+        shown[j] = 0;
+    for (int32 j = 0; j < m->height; j++, to += m->width) {
+        place_row(m, j, &row, &next);
+        if (shown[row])
+            for (int32 k = 0; k < m->width; k++)
+                to[k] = shown[row][k];
+        else
+            decode_row(m, row, to);
+        shown[row] = to;
+    }
+}
+
+/* The texels of the row below: a decoded row's where that shows it. */
+static const uint32 *row_below(const struct making *m, int32 j, int32 next)
+{
+    const int32 below = j + 1 < m->height ? j + 1 : 0;
+    int32 row, beyond;
+
+    place_row(m, below, &row, &beyond);
+    if (row == next)
+        return m->to + below * m->width;
+    decode_row(m, next, work->below);
+    return work->below;
+}
+
+/* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */
+static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads)
+{
+    const uint32 *here = m->to + j * m->width, *below;
+    struct n64_quad_row by;
+    int32 row, next;
+
+    place_row(m, j, &row, &next);
+    by.below = below = row_below(m, j, next);
+    by.step = m->reach;
+    for (int32 k = 0; k < m->reach; k++, by.below++)
+        if (m->width > m->reach + k)
+            n64_quads(here + k, quads + k, &by, (m->width - 1 - k) / m->reach);
+    by.step = 1;
+    for (int32 k = 0; k < m->width; k++) {
+        const int32 at = columns[k].next_at, beside = columns[k].next;
+        uint32 above[2], under[2];
+
+        if (at == k + m->reach)
+            continue;
+        above[0] = here[k];
+        under[0] = below[k];
+        above[1] = at < 0 ? n64_rows_texel(&m->rows, beside, row) : here[at];
+        under[1] = at < 0 ? n64_rows_texel(&m->rows, beside, next) : below[at];
+        by.below = under;
+        n64_quads(above, quads + k, &by, 1);
+    }
+}
+
+static uint32 axis_key(const struct n64_axis *axis)
+{
+    const uint32 clamps = axis->clamp || !axis->mask;
+
+    return clamps << 31 | (uint32)axis->mirror << 30 | (uint32)axis->mask << 26
+        | (clamps ? (uint32)axis->low << 12 | axis->high : 0);
+}
+
+void n64_tile_key_find(struct n64_tile_key *key, const struct n64_tile *tile)
+{
+    key->tile = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
+        | (uint32)tile->line << 9 | tile->tmem;
+    key->s = axis_key(&tile->s);
+    key->t = axis_key(&tile->t);
+}
+
+static int32 holds(const struct n64 *n64, const struct n64_tile_key *key, enum n64_quads quads,
+                   const struct n64_kept *kept)
+{
+    return kept->n64 == n64 && kept->key.tile == key->tile && kept->key.s == key->s
+        && kept->key.t == key->t && kept->tmem_generation == n64->tmem_generation
+        && kept->tlut == n64->modes.tlut && kept->tlut_type == n64->modes.tlut_type
+        && (quads == N64_QUADS_NONE || kept->kind == quads);
+}
+
+/* Memory for so many texels and quads: *kept holds nothing until they are made. */
+static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
+{
+    kept->n64 = 0;
+    kept->decoded.texels = 0;
+    kept->decoded.quads = 0;
+    if (kept->texels_room < texels) {
+        kept->texels_room = 0;
+        if (!mem_take(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
+            return 0;
+        kept->texels_room = texels;
+    }
+    if (quads && kept->quads_room < texels) {
+        kept->quads_room = 0;
+        if (!mem_take(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
+            return 0;
+        kept->quads_room = texels;
+    }
+    return 1;
+}
+
+enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
+                           struct n64_kept *kept, int32 *made)
+{
+    const struct n64_tile *tile = &n64->tiles[n & 7];
+    const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
+    struct n64_decoded *decoded = &kept->decoded;
+    struct n64_tile_key key;
+    struct making making;
+
+    n64_tile_key_find(&key, tile);
+    if (made)
+        *made = 0;
+    if (holds(n64, &key, quads, kept))
+        return N64_DONE;
+    if (columns_bits + rows_bits > N64_DECODE_BITS)
+        return N64_DECODE_TOO_LARGE;
+    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != N64_QUADS_NONE))
+        return N64_NO_MEMORY;
+    n64_rows_find(&making.rows, n64, tile);
+    making.t = &tile->t;
+    making.width = 1 << columns_bits;
+    making.height = 1 << rows_bits;
+    making.reach = quads == N64_QUADS_CHROMA ? 2 : 1;
+    making.to = kept->texels;
+    list_columns(&making, &tile->s);
+    decode_texels(&making);
+    if (quads != N64_QUADS_NONE)
+        for (int32 j = 0; j < making.height; j++)
+            decode_quads(&making, j, kept->quads + j * making.width);
+    decoded->texels = kept->texels;
+    decoded->quads = quads != N64_QUADS_NONE ? kept->quads : 0;
+    decoded->columns_bits = (uint16)columns_bits;
+    decoded->rows_bits = (uint16)rows_bits;
+    decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
+    decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
+    kept->n64 = n64;
+    kept->key = key;
+    kept->kind = (uint8)quads;
+    kept->tmem_generation = n64->tmem_generation;
+    kept->tlut = n64->modes.tlut;
+    kept->tlut_type = n64->modes.tlut_type;
+    if (made)
+        *made = 1;
+    return N64_DONE;
+}

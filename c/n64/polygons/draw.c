@@ -1,0 +1,231 @@
+/* From a polygon to its lines, and line by line to pixels.
+
+   All that decides a pixel is its iterators, planes over the polygon (planes.h), and the
+   engine's state. What draws it, the plain mappers, passes over a line's pixels or pixel.h
+   itself, is chosen by lower.h and makes no difference to the picture. */
+#include "drawing/fan.h"
+#include "drawing/lower.h"
+#include "drawing/outline.h"
+#include "n64/polygons/lower.h"
+#include "n64/polygons/pixels.h"
+#include "n64/polygons/plan.h"
+#include "n64/polygons/planes.h"
+#include "n64/polygons/unit.h"
+#include "polygon/counts.h"
+
+static int16 channel(uint32 plane)
+{
+    int32 value = (int32)plane >> 16;
+
+    return (int16)(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+static void shade_at(const struct n64_planes *planes, int32 x, int32 y, struct n64_colour *shade)
+{
+    shade->r = channel(n64_plane_at(planes, N64_RED, x, y));
+    shade->g = channel(n64_plane_at(planes, N64_GREEN, x, y));
+    shade->b = channel(n64_plane_at(planes, N64_BLUE, x, y));
+    shade->a = channel(n64_plane_at(planes, N64_ALPHA, x, y));
+}
+
+void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,
+                   const struct n64_colour *constant, const struct frame *frame, int32 x,
+                   int32 end, int32 y)
+{
+    uint8 *row = frame->pixels + y * frame->pitch;
+    struct n64_colour shade = *constant;
+
+    for (; x < end; x++) {
+        struct n64_point point;
+
+        n64_planes_point(planes, x, y, &point);
+        if (planes->shaded)
+            shade_at(planes, x, y, &shade);
+        n64_pixel_write(row, x, frame->pixel_bytes,
+                        n64_pixel_of(n64_draw_pixel(n64, &point, &shade), frame->pixel_bytes));
+    }
+}
+
+/* plan: 0 where there is none. */
+static void draw_lines(const struct setup *s, const struct n64 *n64,
+                       const struct n64_planes *planes, const struct n64_colour *shade,
+                       const struct n64_plan *plan)
+{
+    const struct scanline *line = s->edges.lines;
+
+    for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
+        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+
+        if (count > 0 && plan)
+            n64_plan_draw(plan, s->frame, x, y, count);
+        else
+            n64_draw_line(n64, planes, shade, s->frame, x, x + count, y);
+    }
+}
+
+static enum polygon_result draw_flat(const struct setup *s, uint32 colour,
+                                     const struct drawing *drawing)
+{
+    struct material flat = *s->material;
+
+    flat.mapper = MAPPER_FLAT;
+    flat.perspective = PERSPECTIVE_NONE;
+    flat.colour = n64_pixel_of(colour, s->frame->pixel_bytes);
+    return polygon_draw(s->frame, s->given, s->count, &flat, drawing);
+}
+
+static uint32 constant_colour(const struct n64 *n64, const struct n64_colour *shade)
+{
+    static const struct n64_colour none;
+    struct n64_sources sources;
+
+    sources.texel0 = sources.texel1 = none;
+    sources.shade = *shade;
+    sources.fraction = 0;
+    return n64_combine_pixel(n64, &sources);
+}
+
+enum polygon_result n64_refused(struct n64_unit *unit, enum n64_result result)
+{
+    unit->result = result;
+    return POLYGON_REFUSED;
+}
+
+static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
+                                       const struct n64_needs *needs, const uint32 *colours)
+{
+    enum polygon_result result;
+    struct n64_planes planes;
+    struct n64_plan plan;
+    int32 passes;
+
+    if (unit->n64.modes.cycle == N64_COPY)      /* not by a page */
+        return n64_refused(unit, N64_CYCLE_TYPE);
+    result = outline_flat(s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    if (!n64_planes_find(&planes, s, needs->divided,
+                         (needs->inputs & N64_INPUT_SHADE) != 0, colours))
+        return n64_refused(unit, N64_COORDINATE_RANGE);
+    passes = APPLIES(N64_PASSES, n64_plan_find(&plan, needs, unit, &planes));
+    draw_lines(s, &unit->n64, &planes, &needs->shade, passes ? &plan : 0);
+    if (s->counts) {
+        s->counts->polygons++;
+        s->counts->pixels[passes ? SPAN_N64_PASSES : SPAN_N64_PIXELS] += lines_pixels(s->edges.lines,
+                                                          s->box.bottom - s->box.top);
+    }
+    return POLYGON_DRAWN;
+}
+
+/* Whether state and vertices can be drawn; the state is looked at when it has changed. */
+static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int32 count)
+{
+    enum n64_result result = N64_DONE;
+    uint32 state = unit->n64.mode_generation + unit->n64.tmem_generation;
+
+    for (int32 i = 0; i < N64_TILES; i++)
+        state += unit->n64.tile_generation[i];
+    if (state != unit->judged)
+        result = n64_check_drawing(&unit->n64);
+    if (result == N64_DONE)
+        unit->judged = state;
+    for (; count > 0 && result == N64_DONE; count--, v++)
+        result = n64_check_coordinates(&unit->n64, v->s, v->t);
+    return result;
+}
+
+/* What is drawn as planes through three corners. */
+static uint32 planes_asked(const struct n64 *n64, const uint32 *colours)
+{
+    const uint32 shades = colours ? PLANAR_COLOURS : PLANAR_SHADES;
+
+    return (n64->modes.perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (n64->inputs & N64_INPUT_SHADE ? shades : 0);
+}
+
+/* colours: of the vertices, or 0: shades; routine: what draws the same of other vertices. */
+static enum polygon_result draw(const struct frame *frame, const struct vertex *vertices,
+                                const uint32 *colours, int32 count,
+                                const struct material *material, const struct drawing *drawing,
+                                polygon_routine *routine)
+{
+    struct n64_unit *unit = material->unit;
+    enum n64_result check;
+    enum polygon_result result;
+    struct n64_needs needs;
+    struct setup s;
+    struct material plain;
+    struct drawing whole;
+
+    if (count < 3 || count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    if (frame->pixel_bytes == 1)
+        return POLYGON_WRONG_MAP;
+    check = judge(unit, vertices, count);
+    if (check != N64_DONE)
+        return n64_refused(unit, check);
+    setup_begin(&s, frame, vertices, count, material, drawing);
+    if (count > 3 && drawing->planar != PLANAR_ALL
+        && !planar_is(drawing, vertices, vertices, count, planes_asked(&unit->n64, colours)))
+        return polygon_fan(routine, frame, vertices, count, material, drawing);
+    n64_lower_inputs(&needs, &s, &unit->n64, colours);
+    if (n64_lower_to_flat(&needs, &s))
+        result = draw_flat(&s, constant_colour(&unit->n64, &needs.shade), drawing);
+    else if (n64_lower_to_plain(&needs, &s, unit, &plain, &vertices))
+        result = polygon_draw(frame, vertices, count, &plain,
+                              planar_vouched(&whole, drawing, PLANAR_ALL));
+    else
+        result = draw_planes(&s, unit, &needs, colours);
+    if (result == POLYGON_DRAWN)
+        n64_drawn(&unit->n64);
+    return result;
+}
+
+enum polygon_result n64_polygon_copy(const struct frame *frame, const struct vertex *vertices,
+                                     int32 count, const struct material *material,
+                                     const struct drawing *drawing)
+{
+    return draw(frame, vertices, 0, count, material, drawing, n64_polygon_copy);
+}
+
+enum polygon_result n64_polygon_draw(const struct frame *frame, const struct vertex *vertices,
+                                     int32 count, const struct material *material,
+                                     const struct drawing *drawing)
+{
+    if (material->unit->n64.modes.cycle == N64_COPY)
+        return n64_refused(material->unit, N64_CYCLE_TYPE);
+    return draw(frame, vertices, 0, count, material, drawing, n64_polygon_draw);
+}
+
+enum polygon_result n64_polygon_draw_coloured(const struct frame *frame,
+                                              const struct vertex *vertices, int32 count,
+                                              const struct material *material,
+                                              const struct drawing *drawing)
+{
+    static uint32 colours[POLYGON_VERTICES_MAX];
+
+    if (material->unit->n64.modes.cycle == N64_COPY)
+        return n64_refused(material->unit, N64_CYCLE_TYPE);
+    for (int32 i = 0; i < count && i < POLYGON_VERTICES_MAX; i++)
+        colours[i] = (uint32)vertices[i].shade;
+    return draw(frame, vertices, colours, count, material, drawing, n64_polygon_draw_coloured);
+}
+
+void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)
+{
+    static const struct n64_kept none;
+
+    n64_init(&unit->n64, dram, dram_bytes);
+    unit->result = N64_DONE;
+    unit->memory = memory;
+    unit->judged = 0;
+    unit->levels = 0;
+    unit->tables = 0;
+    unit->yuv = 0;
+    unit->levels_made = unit->tables_made = unit->yuv_made = 0;
+    page_init(&unit->page.page);
+    for (int32 i = 0; i < N64_PAGE_KEY; i++)
+        unit->page.key[i] = 0;
+    for (int32 i = 0; i < N64_TILES; i++)
+        unit->tiles[i] = unit->chroma[i] = none;
+}

@@ -1,0 +1,277 @@
+#include "n64/polygons/forms.h"
+
+#include "limits.h"
+#include "n64/codes.h"
+
+#define ZERO_C 16               /* from this code on C of R G B is 0 */
+
+/* Whether a cycle's result is one of its inputs, as it is. */
+static int32 is_input(const struct n64_combine *combine, int32 cycle, uint32 code)
+{
+    const struct n64_input *rgb = &combine->rgb[cycle], *alpha = &combine->alpha[cycle];
+
+    return (rgb->a == rgb->b || rgb->c >= ZERO_C) && rgb->d == code
+        && (alpha->a == alpha->b || alpha->c == N64_CODE_ZERO) && alpha->d == code;
+}
+
+/* Of A and B of R G B; COMBINED is 0 in the first cycle. */
+static int32 is_zero(const struct n64 *n64, uint32 code)
+{
+    return code > N64_CODE_ZERO
+        || (code == N64_CODE_COMBINED && n64->modes.cycle == N64_ONE_CYCLE);
+}
+
+static int32 is_product(const struct n64 *n64, int32 cycle, uint32 code)
+{
+    const struct n64_input *rgb = &n64->combine.rgb[cycle], *alpha = &n64->combine.alpha[cycle];
+
+    return rgb->a == code && is_zero(n64, rgb->b) && rgb->c == N64_CODE_SHADE
+        && rgb->d == N64_CODE_ZERO && alpha->a == code && alpha->b == N64_CODE_ZERO
+        && alpha->c == N64_CODE_SHADE && alpha->d == N64_CODE_ZERO;
+}
+
+/* A constant, or the one input that is known. */
+static int32 allowed(uint32 code, uint32 known)
+{
+    return code == known || (code != N64_CODE_COMBINED && code != N64_CODE_TEXEL0
+                             && code != N64_CODE_TEXEL1 && code != N64_CODE_SHADE);
+}
+
+/* Whether each channel depends on its own of one input alone. */
+static int32 has_tables(const struct n64 *n64, int32 cycle, uint32 code)
+{
+    const struct n64_input *rgb = &n64->combine.rgb[cycle], *alpha = &n64->combine.alpha[cycle];
+    const uint32 c = rgb->c;
+
+    if (c >= N64_CODE_COMBINED_ALPHA && c <= N64_CODE_FRACTION && c != N64_CODE_PRIMITIVE_ALPHA
+        && c != N64_CODE_ENVIRONMENT_ALPHA)
+        return 0;
+    return allowed(rgb->a, code) && allowed(rgb->b, code) && allowed(rgb->d, code)
+        && (c > N64_CODE_ENVIRONMENT || allowed(c, code)) && allowed(alpha->a, code)
+        && allowed(alpha->b, code) && allowed(alpha->d, code)
+        && alpha->c != N64_CODE_ALPHA_FRACTION && allowed(alpha->c, code);
+}
+
+/* What a cycle makes of one input. */
+static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycle, uint32 code)
+{
+    form->cycle = (uint8)cycle;
+    if (is_input(&n64->combine, cycle, code))
+        form->second = N64_SECOND_NOTHING;
+    else if (is_product(n64, cycle, code))
+        form->second = N64_SECOND_MODULATE;
+    else if (has_tables(n64, cycle, code))
+        form->second = N64_SECOND_TABLES;
+    else
+        form->any = 1;
+}
+
+/* The constant a blend goes by; -1: the level's fraction, -2: neither. */
+static int32 blend_fraction(const struct n64 *n64, const struct n64_input *rgb,
+                            const struct n64_input *alpha)
+{
+    if (rgb->c == N64_CODE_FRACTION && alpha->c == N64_CODE_ALPHA_FRACTION)
+        return -1;
+    if (rgb->c == N64_CODE_PRIMITIVE_FRACTION && alpha->c == N64_CODE_ALPHA_PRIMITIVE_FRACTION)
+        return n64->primitive_fraction;
+    if (rgb->c == N64_CODE_PRIMITIVE_ALPHA && alpha->c == N64_CODE_PRIMITIVE)
+        return n64->primitive[3];
+    if (rgb->c == N64_CODE_ENVIRONMENT_ALPHA && alpha->c == N64_CODE_ENVIRONMENT)
+        return n64->environment[3];
+    return -2;
+}
+
+/* The first cycle as a blend of both texels; 0: it is none. */
+static int32 find_blend(struct n64_form *form, const struct n64 *n64)
+{
+    const struct n64_input *rgb = n64->combine.rgb, *alpha = n64->combine.alpha;
+    const int32 fraction = blend_fraction(n64, rgb, alpha);
+    const int32 swapped = rgb->a == N64_CODE_TEXEL0;
+
+    if (rgb->a != (swapped ? N64_CODE_TEXEL0 : N64_CODE_TEXEL1)
+        || rgb->b != (swapped ? N64_CODE_TEXEL1 : N64_CODE_TEXEL0) || rgb->d != rgb->b
+        || alpha->a != rgb->a || alpha->b != rgb->b || alpha->d != rgb->b || fraction < -1)
+        return 0;
+    form->swapped = (uint8)swapped;
+    form->fraction = (int16)fraction;
+    form->first = N64_FIRST_BLEND;
+    return 1;
+}
+
+void n64_form_find(struct n64_form *form, const struct n64 *n64)
+{
+    form->any = form->swapped = 0;
+    form->first = N64_FIRST_TEXEL;
+    form->second = N64_SECOND_NOTHING;
+    form->fraction = 0;
+    form->cycle = 1;
+    if (n64->modes.cycle == N64_ONE_CYCLE) {
+        find_second(form, n64, 1, N64_CODE_TEXEL0);
+    } else if (is_input(&n64->combine, 1, N64_CODE_COMBINED)) {
+        if (!find_blend(form, n64))
+            find_second(form, n64, 0, N64_CODE_TEXEL0);
+    } else if (is_input(&n64->combine, 0, N64_CODE_TEXEL0)
+               || (find_blend(form, n64) && !n64->modes.sharpen)) {
+        /* A sharpened blend may leave 0 to 255 between the cycles. */
+        find_second(form, n64, 1, N64_CODE_COMBINED);
+    } else {
+        form->first = N64_FIRST_TEXEL;
+        find_second(form, n64, 1, N64_CODE_TEXEL0);
+        form->swapped = !form->any;
+    }
+}
+
+/* The constants that codes may stand for. */
+static struct n64_wide primitive, environment, one, zero;
+static int16 primitive_fraction, k4, k5;
+
+/* As A, B and D take 9 bits. */
+static int16 extended(int32 value)
+{
+    value &= 0x1ff;
+    return (int16)((value & 0x180) == 0x180 ? value - 512 : value);
+}
+
+static void set_constants(const struct n64 *n64)
+{
+    for (int32 i = 0; i < 4; i++) {
+        primitive.channels[i] = n64->primitive[i];
+        environment.channels[i] = n64->environment[i];
+        one.channels[i] = 0x100;
+        zero.channels[i] = 0;
+    }
+    primitive_fraction = n64->primitive_fraction;
+    k4 = extended(n64->k[4]);
+    k5 = n64->k[5];
+}
+
+/* Where a cycle's input lies, and bytes from pixel to pixel. */
+struct place {
+    const int16 *at;
+    int32 step;
+};
+
+static struct place constant(const int16 *at)
+{
+    struct place place;
+
+    place.at = at;
+    place.step = 0;
+    return place;
+}
+
+/* A code up to ONE; texel 0 and 1 change places in the second of two cycles. */
+static struct place colour(const struct n64 *n64, const struct n64_places *from, int32 cycle,
+                           uint32 code, int32 channel)
+{
+    const int32 second = cycle && n64->modes.cycle == N64_TWO_CYCLES;
+    struct place place;
+
+    place.step = sizeof(struct n64_wide);
+    switch (code) {
+    case N64_CODE_COMBINED:
+        if (!second)
+            return constant(zero.channels);
+        place.at = &from->combined->channels[channel];
+        return place;
+    case N64_CODE_TEXEL0:
+    case N64_CODE_TEXEL1:
+        place.at = (code == N64_CODE_TEXEL0) != second ? &from->texel0->channels[channel]
+                                                      : &from->texel1->channels[channel];
+        return place;
+    case N64_CODE_SHADE:
+        place.at = &from->shade->channels[channel];
+        place.step = from->shade_step;
+        return place;
+    case N64_CODE_PRIMITIVE:
+        return constant(&primitive.channels[channel]);
+    case N64_CODE_ENVIRONMENT:
+        return constant(&environment.channels[channel]);
+    case N64_CODE_ONE:
+        return constant(one.channels);
+    default:
+        return constant(zero.channels);
+    }
+}
+
+static struct place level(const struct n64_places *from)
+{
+    struct place place;
+
+    place.at = from->fraction;
+    place.step = from->fraction_step;
+    return place;
+}
+
+static struct place rgb_b(const struct n64 *n64, const struct n64_places *from, int32 cycle,
+                          uint32 code, int32 channel)
+{
+    return code == N64_CODE_K4 ? constant(&k4)
+         : colour(n64, from, cycle, code < N64_CODE_ONE ? code : N64_CODE_ZERO, channel);
+}
+
+static struct place rgb_c(const struct n64 *n64, const struct n64_places *from, int32 cycle,
+                          uint32 code, int32 channel)
+{
+    if (code <= N64_CODE_ENVIRONMENT)
+        return colour(n64, from, cycle, code, channel);
+    if (code >= N64_CODE_COMBINED_ALPHA && code <= N64_CODE_ENVIRONMENT_ALPHA)
+        return colour(n64, from, cycle, code - N64_CODE_COMBINED_ALPHA, 3);
+    return code == N64_CODE_FRACTION ? level(from)
+         : code == N64_CODE_PRIMITIVE_FRACTION ? constant(&primitive_fraction)
+         : code == N64_CODE_K5 ? constant(&k5) : constant(zero.channels);
+}
+
+static struct place alpha_c(const struct n64 *n64, const struct n64_places *from, int32 cycle,
+                            uint32 code)
+{
+    return code == N64_CODE_ALPHA_FRACTION ? level(from)
+         : code == N64_CODE_ALPHA_PRIMITIVE_FRACTION ? constant(&primitive_fraction)
+         : colour(n64, from, cycle, code, 3);
+}
+
+static void find_inputs(struct n64_combination *to, const struct n64 *n64,
+                        const struct n64_places *at, int32 cycle, int32 channel)
+{
+    const struct n64_input *codes = channel < 3 ? &n64->combine.rgb[cycle]
+                                               : &n64->combine.alpha[cycle];
+    struct place a = colour(n64, at, cycle, codes->a, channel), b, c;
+    struct place d = colour(n64, at, cycle, codes->d, channel);
+
+    b = channel < 3 ? rgb_b(n64, at, cycle, codes->b, channel)
+                    : colour(n64, at, cycle, codes->b, 3);
+    c = channel < 3 ? rgb_c(n64, at, cycle, codes->c, channel) : alpha_c(n64, at, cycle, codes->c);
+    to->a = a.at;
+    to->a_step = a.step;
+    to->b = b.at;
+    to->b_step = b.step;
+    to->c = c.at;
+    to->c_step = c.step;
+    to->d = d.at;
+    to->d_step = d.step;
+}
+
+void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
+                       struct n64_wide *results, int32 count)
+{
+    struct n64_combination inputs;
+
+    set_constants(n64);
+    for (int32 channel = 0; channel < 4; channel++) {
+        find_inputs(&inputs, n64, at, cycle, channel);
+        n64_combiner(0, &results->channels[channel], &inputs, count);
+    }
+}
+
+void n64_combine_line(const struct n64 *n64, const struct n64_places *at,
+                      struct n64_wide (*results)[N64_LINE_PIXELS], uint32 *colours, int32 count)
+{
+    struct n64_places places = *at;
+
+    if (n64->modes.cycle == N64_TWO_CYCLES) {
+        n64_combine_cycle(n64, &places, 0, results[0], count);
+        places.combined = results[0];
+    }
+    n64_combine_cycle(n64, &places, 1, results[1], count);
+    n64_narrow(results[1], colours, 0, count);
+}

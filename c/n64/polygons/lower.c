@@ -1,0 +1,93 @@
+#include "n64/polygons/lower.h"
+
+#include "drawing/lower.h"
+#include "n64/polygons/page.h"
+#include "polygon/counts.h"
+
+static int32 shades_are_equal(const struct setup *s, const uint32 *colours)
+{
+    for (int32 i = 1; i < s->count; i++)
+        if (colours ? colours[i] != colours[0] : s->given[i].shade != s->given->shade)
+            return 0;
+    return 1;
+}
+
+static void first_shade(struct n64_colour *shade, const struct setup *s, const uint32 *colours)
+{
+    uint32 grey = (uint32)s->given->shade >> 16;
+    uint32 colour = colours ? *colours : grey << 24 | grey << 16 | grey << 8 | 255;
+
+    shade->r = (int16)(colour >> 24);
+    shade->g = (int16)(colour >> 16 & 255);
+    shade->b = (int16)(colour >> 8 & 255);
+    shade->a = (int16)(colour & 255);
+}
+
+void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64 *n64,
+                      const uint32 *colours)
+{
+    needs->inputs = n64->inputs;
+    needs->divided = n64->modes.perspective;
+    first_shade(&needs->shade, s, colours);
+    if (needs->inputs & N64_INPUT_SHADE
+        && APPLIES(EQUAL_SHADES, shades_are_equal(s, colours)))
+        needs->inputs &= ~(uint32)N64_INPUT_SHADE;
+    if (needs->divided && needs->inputs & ~(uint32)N64_INPUT_SHADE
+        && APPLIES(CONSTANT_W, lower_w_is_constant(s)))
+        needs->divided = 0;
+}
+
+int32 n64_lower_to_flat(const struct n64_needs *needs, struct setup *s)
+{
+    return APPLIES(N64_FLAT, !needs->inputs);
+}
+
+static void set_window(const struct n64_axis *axis, const struct n64_window *from,
+                       struct page_window *to)
+{
+    to->origin = (axis->low << 14) + from->first * 65536;
+    to->least = from->least;
+    to->period = from->period * 65536;
+}
+
+/* Whether a page can stand for the tile. */
+static int32 find_windows(const struct n64_tile *tile, int32 copy, struct page_window *columns,
+                          struct page_window *rows)
+{
+    struct n64_window s, t;
+
+    if (!n64_page_windows(tile, copy, &s, &t))
+        return 0;
+    set_window(&tile->s, &s, columns);
+    set_window(&tile->t, &t, rows);
+    return 1;
+}
+
+/* Point sampling of one tile without levels, the rest constants. */
+static int32 is_plain(const struct n64_needs *needs, const struct setup *s, const struct n64 *n64,
+                      struct page_window *columns, struct page_window *rows)
+{
+    const struct n64_tile *tile = &n64->tiles[n64->primitive_tile];
+    int32 copy = n64->modes.cycle == N64_COPY;
+
+    return (copy ? s->frame->pixel_bytes == 2
+                 : needs->inputs == N64_INPUT_TEXEL0 && !n64->modes.lod && !n64->modes.quad)
+        && !needs->divided
+        && find_windows(tile, copy, columns, rows)
+        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows);
+}
+
+int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,
+                         struct material *plain, const struct vertex **vertices)
+{
+    struct page_window columns, rows;
+    struct page_rows shown;
+
+    if (!APPLIES(N64_PLAIN, is_plain(needs, s, &unit->n64, &columns, &rows)))
+        return 0;
+    *vertices = page_vertices(s, &columns, &rows, &shown);
+    if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown))
+        return 0;
+    page_material(plain, s->material, &unit->page.page);
+    return 1;
+}

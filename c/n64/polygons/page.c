@@ -1,0 +1,253 @@
+#include "n64/polygons/page.h"
+
+#include "n64/polygons/pixels.h"
+#include "n64/polygons/plan.h"
+
+enum { SIDE = MAP_PAGE_SIDE };
+
+static int32 period(const struct n64_axis *axis)
+{
+    int32 bits = axis->mask > 10 ? 10 : axis->mask;
+
+    return 1 << (bits + (axis->mirror ? 1 : 0));
+}
+
+/* Copy mode does not clamp; an axis without a mask goes on beyond the tile's edges then. */
+static int32 repeats(const struct n64_axis *axis, int32 copy)
+{
+    return axis->mask && (copy || !axis->clamp);
+}
+
+static int32 last_index(const struct n64_axis *axis)
+{
+    return (axis->high >> 2) - (axis->low >> 2);
+}
+
+/* An axis that does not repeat has its texels in the middle of the page. If its first edge lies
+   further within its texel than its last one, it clamps in the middle of one. */
+static int32 find_window(const struct n64_axis *axis, int32 copy, struct n64_window *window)
+{
+    if (axis->shift)
+        return 0;
+    window->first = window->period = 0;
+    if (repeats(axis, copy)) {
+        window->period = period(axis);
+        return window->period <= SIDE;
+    }
+    window->first = ((last_index(axis) + 1 - SIDE) >> 1) - window->least;
+    return axis->high >= axis->low && last_index(axis) < SIDE
+        && (copy || (axis->low & 3) <= (axis->high & 3));
+}
+
+int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct n64_window *columns,
+                       struct n64_window *rows)
+{
+    columns->least = 0;
+    rows->least = PAGE_LEAST_ROW;
+    return find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows);
+}
+
+/* What a page's rows are made with. */
+struct making {
+    struct n64_unit *unit;
+    const struct n64_needs *needs;
+    const struct n64_axis *s, *t;
+    struct n64_window columns, rows;
+    int32 from, count;          /* columns that are drawn; the others repeat them or the edges */
+    struct frame frame;         /* the page, row 0; rows 128 on lie before it, as in MAP_PAGE */
+    struct n64_planes planes;
+    struct n64_plan plan;
+    int32 has_plan;
+};
+
+/* s10.5, of column or row k. */
+static int32 coordinate(const struct n64_axis *axis, const struct n64_window *window, int32 k)
+{
+    return (int16)((window->first + k) * 32 + axis->low * 8);
+}
+
+/* Whether what lies beyond the edges of an axis shows its first and its last texel. */
+static int32 clamps(const struct making *m, const struct n64_axis *axis,
+                    const struct n64_window *window)
+{
+    return !window->period && m->unit->n64.modes.cycle != N64_COPY
+        && coordinate(axis, window, window->least + SIDE - 1) >= 0;
+}
+
+static void find_columns(struct making *m)
+{
+    int32 least = 128 / m->frame.pixel_bytes;   /* what n64_copy_row takes */
+
+    m->from = 0;
+    m->count = SIDE;
+    if (m->columns.period) {
+        m->count = m->columns.period > least ? m->columns.period : least;
+    } else if (clamps(m, m->s, &m->columns)) {
+        m->from = -m->columns.first;
+        m->count = last_index(m->s) + 1;
+    }
+}
+
+/* A texel a pixel; each row has its own t. */
+static void find_planes(struct making *m)
+{
+    struct plane *of = m->planes.all.of;
+
+    m->planes.all.i = m->planes.divided = m->planes.shaded = 0;
+    of[N64_S].at = (uint32)coordinate(m->s, &m->columns, 0) << 16;
+    of[N64_S].dx = 32u << 16;
+    of[N64_W].at = N64_W_ONE;
+    of[N64_S].dy = of[N64_T].dx = of[N64_T].dy = of[N64_W].dx = of[N64_W].dy = 0;
+}
+
+static void copy_texels(const struct making *m, uint16 *row, int32 t)
+{
+    const struct n64 *n64 = &m->unit->n64;
+    uint32 texels[2];
+
+    for (int32 u = m->from; u < m->from + m->count; u++) {
+        n64_copy_texels(n64, n64->primitive_tile, coordinate(m->s, &m->columns, u), t, texels);
+        row[u] = (uint16)(texels[0] >> 16);
+    }
+}
+
+/* Whether the four copies of all TLUT entries are: of four pixels each reads its own. */
+static int32 copies_are_equal(const struct n64 *n64)
+{
+    const uint8 *entry = &n64->tmem[N64_TMEM_BYTES / 2];
+
+    for (int32 i = 0; i < 256; i++, entry += 8)
+        for (int32 k = 0; k < 6; k++)
+            if (entry[k] != entry[k + 2])
+                return 0;
+    return 1;
+}
+
+/* Whether copy mode's four pixels are four of a page's. */
+static int32 are_alike(const struct n64 *n64)
+{
+    return n64->modes.tlut ? copies_are_equal(n64)
+                          : n64->tiles[n64->primitive_tile].size == N64_16;
+}
+
+static void draw_texels(struct making *m, int32 v, int32 t)
+{
+    m->planes.all.j = v;
+    m->planes.all.of[N64_T].at = (uint32)t << 16;
+    if (m->has_plan)
+        n64_plan_draw(&m->plan, &m->frame, m->from, v, m->count);
+    else
+        n64_draw_line(&m->unit->n64, &m->planes, &m->needs->shade, &m->frame, m->from,
+                      m->from + m->count, v);
+}
+
+/* Pixels from first to end - 1 as another one. */
+static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 from)
+{
+    if (pixel_bytes == 4)
+        for (uint32 *at = (uint32 *)row; first < end; first++)
+            at[first] = at[from];
+    else
+        for (uint16 *at = (uint16 *)row; first < end; first++)
+            at[first] = at[from];
+}
+
+static void make_row(struct making *m, int32 v)
+{
+    int32 t = coordinate(m->t, &m->rows, v), bytes = m->frame.pixel_bytes;
+    int32 used = m->count * bytes;
+    uint8 *row = page_row(&m->unit->page.page, v);
+
+    if (m->unit->n64.modes.cycle == N64_COPY)
+        copy_texels(m, (uint16 *)row, t);
+    else
+        draw_texels(m, (int8)v, t);
+    if (m->columns.period && m->count < SIDE)
+        n64_copy_row((const uint32 *)row, (uint32 *)(row + used), (m->frame.pitch - used) / 4);
+    fill(row, bytes, 0, m->from, m->from);
+    if (!m->columns.period)
+        fill(row, bytes, m->from + m->count, SIDE, m->from + m->count - 1);
+}
+
+/* One of those that are made may be the same. */
+static void find_row(void *context, int32 v, int32 from, int32 end)
+{
+    struct making *m = context;
+    const struct page *page = &m->unit->page.page;
+    int32 same = end;           /* none */
+
+    if (m->rows.period)
+        same = v < from ? v + m->rows.period : v - m->rows.period;
+    else if (clamps(m, m->t, &m->rows))
+        same = v < -m->rows.first ? v + 1
+            : v > last_index(m->t) - m->rows.first ? v - 1 : end;
+    if (same >= from && same < end)
+        n64_copy_row((const uint32 *)page_row(page, same), (uint32 *)page_row(page, v),
+                     m->frame.pitch / 4);
+    else
+        make_row(m, v);
+}
+
+static void make_rows(struct making *m, const struct page_rows *rows)
+{
+    struct page *page = &m->unit->page.page;
+    const struct n64 *n64 = &m->unit->n64;
+    int32 copy = n64->modes.cycle == N64_COPY;
+
+    m->s = &n64->tiles[n64->primitive_tile].s;
+    m->t = &n64->tiles[n64->primitive_tile].t;
+    n64_page_windows(&n64->tiles[n64->primitive_tile], copy, &m->columns, &m->rows);
+    m->frame.pixel_bytes = page->map.texel_bytes;
+    m->frame.pitch = SIDE * m->frame.pixel_bytes;
+    m->frame.pixels = (uint8 *)page->map.texels;
+    find_columns(m);
+    find_planes(m);
+    m->has_plan = !copy && n64_plan_find(&m->plan, m->needs, m->unit, &m->planes);
+    page_grow(page, rows, find_row, m);
+}
+
+/* Everything that the page depends on. */
+static uint32 packed(const uint8 *colour)
+{
+    return (uint32)colour[0] << 24 | (uint32)colour[1] << 16 | (uint32)colour[2] << 8 | colour[3];
+}
+
+static void find_key(uint32 *key, const struct n64 *n64, int32 n, int32 pixel_bytes,
+                     const struct n64_colour *shade)
+{
+    struct n64_tile_key tile;
+
+    n64_tile_key_find(&tile, &n64->tiles[n]);
+    key[0] = n64->tmem_generation;
+    key[1] = n64->mode_generation;
+    key[2] = tile.tile;
+    key[3] = tile.s;
+    key[4] = tile.t;
+    key[5] = packed(n64->primitive);
+    key[6] = packed(n64->environment);
+    key[7] = (uint32)n64->primitive_fraction << 8 | (uint32)pixel_bytes;
+    key[8] = (uint32)shade->r << 16 | (uint32)shade->g;
+    key[9] = (uint32)shade->b << 16 | (uint32)shade->a;
+}
+
+int32 n64_page_make(struct n64_unit *unit, const struct n64_needs *needs, int32 pixel_bytes,
+                    const struct page_rows *rows)
+{
+    struct n64_page *page = &unit->page;
+    static struct making making;
+    uint32 key[N64_PAGE_KEY];
+
+    find_key(key, &unit->n64, unit->n64.primitive_tile, pixel_bytes, &needs->shade);
+    if (key_differs(page->key, key, N64_PAGE_KEY))
+        page_forget(&page->page);
+    if (page_has(&page->page, rows))
+        return 1;
+    if (unit->n64.modes.cycle == N64_COPY && !are_alike(&unit->n64))
+        return 0;
+    if (!page_ready(&page->page, pixel_bytes, unit->memory, rows))
+        return 0;
+    making.unit = unit;
+    making.needs = needs;
+    make_rows(&making, rows);
+    return 1;
+}

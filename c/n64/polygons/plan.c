@@ -1,0 +1,193 @@
+#include "n64/polygons/plan.h"
+
+#include "system/system.h"
+
+static int32 needs_tile_pass(const struct n64_axis *axis)
+{
+    return axis->shift || axis->low || axis->clamp || !axis->mask;
+}
+
+static void find_axis(struct n64_axis_range *to, const struct n64_axis *axis)
+{
+    to->shift = (int16)(axis->shift <= 10 ? axis->shift : axis->shift - 16);
+    to->clamp = axis->clamp || !axis->mask;
+    to->low = (int16)(axis->low * 8);
+    to->high = (int16)(axis->high * 8);
+    to->last = (int16)((((axis->high >> 2) - (axis->low >> 2)) & 0x3ff) << 5);
+}
+
+/* Texels of a tile; 0: they cannot be decoded ahead. */
+static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit, int32 n)
+{
+    const struct n64 *n64 = &unit->n64;
+    const struct n64_tile *tile = &n64->tiles[n];
+    const int32 is_apart = tile->format == N64_YUV && n64->modes.quad;
+    int32 made;
+
+    if (n64_decode(n64, n, n64->modes.quad ? N64_QUADS_NEXT : N64_QUADS_NONE, &unit->tiles[n], &made)
+        != N64_DONE
+        || (is_apart && n64_decode(n64, n, N64_QUADS_CHROMA, &unit->chroma[n], &made) != N64_DONE))
+        return 0;
+    sampling->tile = &unit->tiles[n].decoded;
+    sampling->chroma = is_apart ? &unit->chroma[n].decoded : 0;
+    sampling->sample = !n64->modes.quad ? n64_point : n64->modes.mid ? n64_average : n64_threepoint;
+    sampling->relative = needs_tile_pass(&tile->s) || needs_tile_pass(&tile->t) ? n64_tile : 0;
+    find_axis(&sampling->axes.s, &tile->s);
+    find_axis(&sampling->axes.t, &tile->t);
+    return 1;
+}
+
+/* Which of both texels are needed; 0: their modes, or YUV among others, have no passes. */
+static int32 find_rgb(struct n64_plan *plan, uint32 used, uint32 inputs)
+{
+    const struct n64 *n64 = &plan->unit->n64;
+    const struct n64_form *form = &plan->form;
+    const int32 is_one = !form->any && form->first == N64_FIRST_TEXEL;
+
+    plan->second_texel = !is_one && inputs & N64_INPUT_TEXEL1;
+    for (int32 n = 0; n < N64_TILES; n++)
+        if (used >> n & 1 && n64->tiles[n].format == N64_YUV)
+            return 0;
+    if ((plan->second_texel || (is_one && form->swapped))
+        && (!n64->modes.filter1 || n64->modes.convert_one))
+        return 0;
+    return n64->modes.filter0;
+}
+
+static int32 find_samplings(struct n64_plan *plan, uint32 inputs)
+{
+    const struct n64 *n64 = &plan->unit->n64;
+    uint32 used = n64_tiles_used(n64);
+
+    plan->yuv.on = n64->tiles[n64->primitive_tile & 7].format == N64_YUV;
+    if (!(plan->yuv.on ? n64_yuv_find(plan, inputs) : find_rgb(plan, used, inputs)))
+        return 0;
+    if (plan->yuv.on && !plan->levels)
+        used = (uint32)plan->yuv.sampled[0] << plan->tile0
+            | (uint32)plan->yuv.sampled[1] << plan->tile1;
+    for (int32 n = 0; n < N64_TILES; n++)
+        if (used >> n & 1 && !find_sampling(&plan->tiles[n], plan->unit, n))
+            return 0;
+    return 1;
+}
+
+/* Made once for all units, when they are first needed; 0: no memory. */
+static const uint32 *find_reciprocals(void)
+{
+    static uint32 *reciprocals;
+
+    if (!reciprocals && mem_take(&reciprocals, N64_RECIPROCALS * sizeof *reciprocals, MEMORY_ANY))
+        n64_divide_table_make(reciprocals);
+    return reciprocals;
+}
+
+/* Blendings of levels, made again when the modes change; 0: no memory. */
+static const struct n64_levels *find_levels(struct n64_unit *unit)
+{
+    const struct n64 *n64 = &unit->n64;
+    struct n64_level_modes modes;
+
+    if (unit->levels && unit->levels_made == n64->mode_generation)
+        return unit->levels;
+    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
+        return 0;
+    modes.lod = n64->modes.lod;
+    modes.sharpen = n64->modes.sharpen;
+    modes.detail = n64->modes.detail;
+    modes.max_level = n64->max_level;
+    modes.min_level = n64->min_level;
+    modes.tile = n64->primitive_tile;
+    n64_levels_make(unit->levels, &modes);
+    unit->levels_made = n64->mode_generation;
+    return unit->levels;
+}
+
+/* Without perspective w stays 0x7fff, by which a divide changes nothing. In one-cycle mode the
+   pixel below does not count. */
+static int32 find_lod(struct n64_plan *plan)
+{
+    const struct plane *of = plan->planes->all.of;
+    struct n64_lod_steps *lod = &plan->steps.lod;
+    const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
+
+    plan->coordinates = n64_lod;
+    lod->s = lod->x_s = (int32)of[N64_S].dx;
+    lod->t = lod->x_t = (int32)of[N64_T].dx;
+    lod->w = lod->x_w = (int32)of[N64_W].dx;
+    lod->y_s = down ? (int32)of[N64_S].dy : 0;
+    lod->y_t = down ? (int32)of[N64_T].dy : 0;
+    lod->y_w = down ? (int32)of[N64_W].dy : 0;
+    lod->reciprocals = find_reciprocals();
+    lod->levels = find_levels(plan->unit);
+    lod->blendings = n64_line_blendings();
+    return lod->reciprocals && lod->levels;
+}
+
+static int32 find_coordinates(struct n64_plan *plan)
+{
+    const struct plane *of = plan->planes->all.of;
+    struct n64_division *division = &plan->steps.division;
+
+    if (plan->levels)
+        return find_lod(plan);
+    plan->coordinates = plan->planes->divided ? n64_divide : n64_walk;
+    plan->steps.walk.s = (int32)of[N64_S].dx;
+    plan->steps.walk.t = (int32)of[N64_T].dx;
+    plan->steps.walk.w = (int32)of[N64_W].dx;
+    if (plan->planes->divided)
+        division->reciprocals = find_reciprocals();
+    return !plan->planes->divided || division->reciprocals;
+}
+
+/* Tables of what the form's second part makes of each value: a line that has them all. */
+static int32 find_tables(struct n64_plan *plan)
+{
+    static struct n64_wide values[256], results[256];
+    struct n64_unit *unit = plan->unit;
+    struct n64_places places;
+    uint32 colours[256];
+
+    plan->tables = unit->tables;
+    if (unit->tables && unit->tables_made == unit->n64.mode_generation)
+        return 1;
+    if (!unit->tables && !mem_take(&unit->tables, 4 * 256, MEMORY_ANY))
+        return 0;
+    for (int32 v = 0; v < 256; v++)
+        for (int32 i = 0; i < 4; i++)
+            values[v].channels[i] = (int16)v;
+    places.combined = places.texel0 = places.texel1 = values;
+    n64_combine_cycle(&unit->n64, &places, plan->form.cycle, results, 256);
+    n64_narrow(results, colours, 0, 256);
+    for (int32 v = 0; v < 256; v++)
+        for (int32 i = 0; i < 4; i++)
+            unit->tables[256 * i + v] = (uint8)(colours[v] >> (24 - 8 * i));
+    unit->tables_made = unit->n64.mode_generation;
+    plan->tables = unit->tables;
+    return 1;
+}
+
+static uint32 packed(const struct n64_colour *colour)
+{
+    return (uint32)colour->r << 24 | (uint32)colour->g << 16 | (uint32)colour->b << 8
+        | (uint32)colour->a;
+}
+
+int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct n64_unit *unit,
+                    const struct n64_planes *planes)
+{
+    const struct n64 *n64 = &unit->n64;
+
+    plan->unit = unit;
+    plan->planes = planes;
+    plan->levels = n64->modes.lod || needs->inputs & N64_INPUT_LOD_FRACTION;
+    plan->tile0 = n64->primitive_tile;
+    plan->tile1 = (n64->primitive_tile + 1) & 7;
+    plan->shade = packed(&needs->shade);
+    n64_form_find(&plan->form, n64);
+    if (!find_samplings(plan, needs->inputs) || !find_coordinates(plan))
+        return 0;
+    plan->is_direct = !plan->yuv.on && !plan->form.any && plan->form.first == N64_FIRST_TEXEL
+        && plan->form.second == N64_SECOND_NOTHING && n64->modes.quad && !n64->modes.mid;
+    return plan->yuv.on || plan->form.any || plan->form.second != N64_SECOND_TABLES
+        || find_tables(plan);
+}

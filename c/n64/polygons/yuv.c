@@ -1,0 +1,129 @@
+/* YUV tiles by passes. Luma and chroma are sampled apart where a filter weighs them apart, and
+   converted after that.
+
+   Chroma under a filter: a pair of texels shares it, so that its fraction is half of luma's, and
+   another half in odd columns; the texels beside it are those of the next pair. Both hold for
+   every column that is shown, wrapped ones too; of mirrored ones odd and even change places,
+   which the pass over coordinates does not know. */
+#include "n64/polygons/plan.h"
+#include "polygon/line_room.h"
+#include "system/system.h"
+
+static int32 tile_allows(const struct n64 *n64, const struct n64_tile *tile)
+{
+    return tile->format == N64_YUV && !(n64->modes.quad && tile->s.mirror && tile->s.mask);
+}
+
+/* Cycle 1 may convert cycle 0's texel. Left to others: converting what is converted already,
+   both filtering and converting that texel, and the corner of a quad that is left where a filter
+   is off. */
+static int32 find_texels(struct n64_yuv *yuv, const struct n64_modes *modes, uint32 inputs)
+{
+    const int32 again = modes->convert_one && !modes->filter1;
+
+    yuv->needed[0] = (inputs & N64_INPUT_TEXEL0) != 0;
+    yuv->needed[1] = (inputs & N64_INPUT_TEXEL1) != 0;
+    yuv->converted[0] = !modes->filter0;
+    yuv->converted[1] = !modes->filter1;
+    yuv->tile[0] = 0;
+    yuv->tile[1] = !again;
+    yuv->sampled[0] = yuv->needed[0] || (yuv->needed[1] && again);
+    yuv->sampled[1] = yuv->needed[1] && !again;
+    if (yuv->needed[1] && (again ? !modes->filter0 : modes->convert_one))
+        return 0;
+    return !modes->quad || ((!yuv->sampled[0] || modes->filter0)
+                            && (!yuv->sampled[1] || modes->filter1));
+}
+
+/* Colours of a converted channel's 9 bits, what the form's second part makes of it. */
+static void make_colours(const struct n64_plan *plan, uint32 *colours)
+{
+    struct n64_wide *const values = (struct n64_wide *)line_room, *const results = values + 512;
+    struct n64_places places;
+
+    for (int32 v = 0; v < 512; v++)
+        for (int32 i = 0; i < 4; i++)
+            values[v].channels[i] = (int16)(v < 384 ? v : v - 512);
+    places.combined = places.texel0 = places.texel1 = values;
+    if (plan->form.second == N64_SECOND_TABLES)
+        n64_combine_cycle(&plan->unit->n64, &places, plan->form.cycle, results, 512);
+    n64_narrow(plan->form.second == N64_SECOND_TABLES ? results : values, colours, 0, 512);
+}
+
+static int32 find_tables(struct n64_plan *plan)
+{
+    struct n64_unit *unit = plan->unit;
+
+    if (!unit->yuv || unit->yuv_made != unit->n64.mode_generation) {
+        if (!unit->yuv && !mem_take(&unit->yuv, sizeof *unit->yuv, MEMORY_ANY))
+            return 0;
+        n64_matrix_make(&unit->yuv->matrix, unit->n64.k);
+        if (!plan->form.any)
+            make_colours(plan, unit->yuv->colours);
+        unit->yuv_made = unit->n64.mode_generation;
+    }
+    plan->yuv.conversion.matrix = &unit->yuv->matrix;
+    plan->yuv.conversion.colours = unit->yuv->colours;
+    return 1;
+}
+
+int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs)
+{
+    const struct n64 *n64 = &plan->unit->n64;
+    const uint32 used = n64_tiles_used(n64);
+    struct n64_yuv *yuv = &plan->yuv;
+    struct n64_form *form = &plan->form;
+
+    for (int32 n = 0; n < N64_TILES; n++)
+        if (used >> n & 1 && !tile_allows(n64, &n64->tiles[n]))
+            return 0;
+    if (!find_texels(yuv, &n64->modes, inputs))
+        return 0;
+    /* Texels may leave 0 to 255: what multiplies or blends them has to have their 9 bits. */
+    if (form->first != N64_FIRST_TEXEL || form->second == N64_SECOND_MODULATE
+        || !yuv->converted[form->swapped])
+        form->any = 1;
+    if (!form->any) {
+        yuv->needed[!form->swapped] = 0;
+        yuv->sampled[!yuv->tile[form->swapped]] = 0;
+    }
+    return find_tables(plan);
+}
+
+/* Of one texel. */
+static struct n64_yuv_conversion conversion_of(const struct n64_plan *plan,
+                                               const struct n64_yuv_line *from)
+{
+    struct n64_yuv_conversion conversion = plan->yuv.conversion;
+
+    conversion.chroma = plan->unit->n64.modes.quad ? from->chroma : from->luma;
+    return conversion;
+}
+
+void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *from, uint32 *colours,
+                     int32 count)
+{
+    struct n64_yuv_conversion conversion;
+
+    from += plan->yuv.tile[plan->form.swapped];
+    conversion = conversion_of(plan, from);
+    n64_convert(from->luma, colours, &conversion, count);
+}
+
+void n64_yuv_widen(const struct n64_plan *plan, const struct n64_yuv_line *from, int32 texel,
+                   struct n64_wide *wide, int32 count)
+{
+    struct n64_yuv_conversion conversion;
+
+    from += plan->yuv.tile[texel];
+    conversion = conversion_of(plan, from);
+    if (plan->yuv.converted[texel]) {
+        n64_convert_wide(from->luma, wide, &conversion, count);
+        return;
+    }
+    n64_widen(from->luma, wide, 0, count);
+    for (int32 i = 0; i < count; i++, wide++) {
+        wide->channels[0] = (int16)((conversion.chroma[i] >> 24) - 128);
+        wide->channels[1] = (int16)((conversion.chroma[i] >> 16 & 255) - 128);
+    }
+}

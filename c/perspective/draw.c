@@ -1,0 +1,195 @@
+/* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
+#include "perspective/perspective.h"
+#include "polygon/line_room.h"
+
+/* What each setting's lines are drawn by. */
+static const struct {
+    int32 piece, bend;
+    int32 raise;                /* units, of u and v */
+    int32 off, width;           /* as level lines: by so much at most, up to so wide */
+} ways[PERSPECTIVE_KINDS] = {
+    [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
+                             FRAME_SIDE_MAX},
+    [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
+                            FRAME_SIDE_MAX},
+    [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
+                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX},
+    [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
+                          PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
+                          PERSPECTIVE_LEVEL_WIDTH}
+};
+
+/* What is made of all lines before they are drawn: one kind at a time. */
+union made {
+    struct reciprocal_line reciprocals[FRAME_SIDE_MAX];
+    struct logarithm_line logarithms[FRAME_SIDE_MAX];
+    struct perspective_line exact[FRAME_SIDE_MAX];
+    struct scanline_step steps[FRAME_SIDE_MAX];
+};
+
+static union made *const made = (union made *)line_room;
+extern char made_fits[sizeof(union made) <= LINE_ROOM ? 1 : -1];
+
+/* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
+#define FAR (512 << 16)
+
+/* And K is so near to the range that some line may be within reach of it. */
+static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
+{
+    return value > -FAR && value < FAR && low > -FAR && high < FAR
+        && low - value <= reach && value - high <= reach;
+}
+
+/* Whole texels from K to the farther end of a range, rounded up. */
+static int32 farthest(fix16 k, fix16 low, fix16 high)
+{
+    const fix16 above = high - k, below = k - low;
+
+    return ((above > below ? above : below) >> 16) + 1;
+}
+
+/* 0: no line is to be tried. reach: texels from K, 16.16, beyond which lines are not drawn.
+   Lines may be off by less than `off` units and `part` quarters of one for each texel from K:
+   they are raised by that. */
+static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 off, int32 part)
+{
+    const struct perspective_plan *planes = plan->planes;
+    int32 y = 0;
+
+    while (planes->lines[y].last < planes->lines[y].left)
+        if (++y == planes->count)
+            return 0;
+    if (!planes->gentle
+        || !reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
+        || !is_near(plan->ku, planes->u_low, planes->u_high, reach)
+        || !is_near(plan->kv, planes->v_low, planes->v_high, reach))
+        return 0;
+    plan->ku += planes->u + off
+              + (farthest(plan->ku, planes->u_low, planes->u_high) * part >> 2);
+    plan->kv += planes->v + off
+              + (farthest(plan->kv, planes->v_low, planes->v_high) * part >> 2);
+    return 1;
+}
+
+/* Draws the lines it can and empties them; returns how many are left. So below. */
+static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective setting,
+                              const uint16 *table, const struct span_plan *span, int32 width)
+{
+    struct reciprocal_plan plan;
+    struct reciprocal_span lines;
+    int32 reach, left;
+
+    plan.planes = planes;
+    plan.piece = ways[setting].piece;
+    plan.table = table;
+    plan.to = made->reciprocals;
+    reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
+          - width / RECIPROCAL_REACH_WIDTH;
+    if (!find_constants(&plan, reach << 16, width / 2 + (plan.piece == PERSPECTIVE_PIECE_EVERY16
+                                                         ? RECIPROCAL_OFF_16 : RECIPROCAL_OFF_8),
+                        RECIPROCAL_OFF_PART))
+        return planes->count;
+    plan.limit = (uint32)reach << (24 - plan.piece);
+    left = reciprocal_lines(&plan);
+    lines.lines = made->reciprocals;
+    lines.count = planes->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.table = plan.table;
+    if (plan.piece == PERSPECTIVE_PIECE_EVERY16)
+        span_reciprocal_16(&lines);
+    else
+        span_reciprocal_8(&lines);
+    return left;
+}
+
+static int32 draw_logarithms(struct perspective_plan *planes,
+                             const struct logarithm_tables *tables,
+                             const struct span_plan *span)
+{
+    struct reciprocal_plan plan;
+    struct logarithm_span lines;
+    int32 left;
+
+    plan.planes = planes;
+    if (!find_constants(&plan, FAR, LOGARITHM_OFF, 0))
+        return planes->count;
+    left = logarithm_lines(&plan, tables, made->logarithms);
+    lines.lines = made->logarithms;
+    lines.count = planes->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.logs = tables->logs;
+    lines.powers = tables->powers;
+    span_logarithm(&lines);
+    return left;
+}
+
+/* Raises the plan's u and v. */
+static void draw_exactly(struct perspective_plan *plan, enum perspective setting,
+                         const struct span_plan *span)
+{
+    struct perspective_span lines;
+
+    plan->u += ways[setting].raise;
+    plan->v += ways[setting].raise;
+    plan->bend = ways[setting].bend;
+    plan->to = made->exact;
+    perspective_lines(plan);
+    lines.lines = made->exact;
+    lines.count = plan->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.longest = ways[setting].piece;
+    if (plan->bend)
+        span_perspective_curves(&lines);
+    else
+        span_perspective_pieces(&lines);
+}
+
+static void draw_level(const struct perspective_plan *plan, const struct span_plan *span)
+{
+    struct span_plan lines;
+
+    level_lines(plan, made->steps);
+    lines.lines = plan->lines;
+    lines.count = plan->count;
+    lines.row = span->row;
+    lines.pitch = span->pitch;
+    lines.map = span->map;
+    lines.steps = made->steps;
+    span_affine_scanline(&lines);
+}
+
+void perspective_draw(struct setup *s)
+{
+    struct perspective_plan *plan = s->perspective;
+    enum perspective setting = s->setting;
+    int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
+    uint32 pixels = s->counts ? lines_pixels(plan->lines, plan->count) : 0, others;
+    int32 left = plan->count;
+
+    if (s->counts)
+        s->counts->polygons++;
+    if (s->straight || (width <= ways[setting].width
+                        && perspective_is_level(plan, width, ways[setting].off))) {
+        draw_level(plan, &s->span);
+        if (s->counts)
+            s->counts->pixels[SPAN_AFFINE_SCANLINE] += pixels;
+        return;
+    }
+    if (pieces && s->material->reciprocals)
+        left = draw_reciprocals(plan, setting, s->material->reciprocals, &s->span, width);
+    else if (setting == PERSPECTIVE_PIXEL && s->material->logarithms)
+        left = draw_logarithms(plan, s->material->logarithms, &s->span);
+    if (s->counts) {
+        others = left ? lines_pixels(plan->lines, plan->count) : 0;
+        s->counts->pixels[pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM] += pixels - others;
+        s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
+    }
+    if (left)
+        draw_exactly(plan, setting, &s->span);
+}

@@ -1,0 +1,239 @@
+#include "perspective/perspective.h"
+
+#include "math/math.h"
+
+/* q is at least so many times its error: it cannot become 0, nor a quotient too large. */
+#define SURE 4
+#define Q_ONE (1 << 30)
+#define STEEP (1 << 14)                /* of 2^16 units a pixel */
+#define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
+                                          moves less than 8,192, and stays inside 16.16 */
+#define TOO_STEEP (1 << 28)            /* SURE times this is above all q but the nearest's */
+
+int32 perspective_steepness(const struct number64 *gradient)
+{
+    int32 steep = (int32)gradient->hi;
+
+    if (steep < 0)
+        steep = gradient->lo ? ~steep : -steep;
+    return steep;
+}
+
+static int32 is_gentle(const struct number64 *gradient)
+{
+    return perspective_steepness(gradient) < STEEP;
+}
+
+/* Units that a plane may be off after so many pixels: its gradient, in 48.16, is off by
+   2^-31 of itself and 3 / 2^16. */
+static int32 error_part(const struct number64 *gradient, int32 pixels)
+{
+    int32 steep = perspective_steepness(gradient);
+
+    if (steep < 1 << 16)
+        return (steep * pixels >> 15) + (pixels >> 14) + 2;
+    steep = (steep >> 15) + 1;
+    return steep > TOO_STEEP / pixels ? TOO_STEEP : steep * pixels + (pixels >> 14) + 2;
+}
+
+static void shift_left(struct number64 *to, const struct number64 *from, int32 bits)
+{
+    to->hi = bits ? from->hi << bits | from->lo >> (32 - bits) : from->hi;
+    to->lo = from->lo << bits;
+}
+
+/* The plane of value * 2^scale, scale from 16 to 32. */
+static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
+{
+    shift_left(&to->at, &from->at, scale - 16);
+    shift_left(&to->dx, &from->dx, scale - 16);
+    shift_left(&to->dy, &from->dy, scale - 16);
+}
+
+/* The range of s or t from its middle, a whole texel, which it returns; makes *farthest
+   the distance of the range's ends from it, if that is more. */
+static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int32 *farthest)
+{
+    fix16 low, base, high = vertex_range(value, count, &low);
+
+    high += low;
+    base = ((low + high) >> 1) & ~0xffff;
+    *from = low - base;
+    *to = high - base;
+    if (*to > *farthest)
+        *farthest = *to;
+    if (-*from > *farthest)
+        *farthest = -*from;
+    return base;
+}
+
+static void set_corner(struct plane_corner *to, const struct vertex *v, fix16 nearest,
+                       const struct perspective_plan *plan, int32 scale)
+{
+    to->x = v->x;
+    to->y = v->y;
+    to->q = mul_div(nearest, Q_ONE, v->w);
+    to->s = mul_shift(v->s - plan->u, to->q, scale);
+    to->t = mul_shift(v->t - plan->v, to->q, scale);
+}
+
+static void to_vector(struct plane_corner *to, const struct plane_corner *first)
+{
+    to->x -= first->x;
+    to->y -= first->y;
+    to->q -= first->q;
+    to->s -= first->s;
+    to->t -= first->t;
+}
+
+/* The least q that the plane has at a vertex. */
+static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32 count,
+                     const struct rectangle *box)
+{
+    int32 at = (int32)(q->at.hi << 16 | q->at.lo >> 16), least = 0x7fffffff;
+
+    for (; count > 0; count--, v++) {
+        int32 here = at + mul_wide(&q->dx, v->x - (box->left << 16))
+                   + mul_wide(&q->dy, v->y - (box->top << 16));
+
+        if (here < least)
+            least = here;
+    }
+    return least;
+}
+
+/* What a plane may be off after so many pixels and lines, two units more. */
+static int32 plane_error(const struct screen_plane *plane, int32 right, int32 down)
+{
+    return 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
+}
+
+/* Whether the least q is large beside a plane's error. */
+static int32 is_sure(int32 error, int32 least)
+{
+    return error < TOO_STEEP && least >= SURE * error;
+}
+
+/* Raises a plane by so many units, below 2^30. */
+static void raise(struct screen_plane *plane, int32 units)
+{
+    const uint32 low = (uint32)units << 16;
+
+    plane->at.lo += low;
+    plane->at.hi += ((uint32)units >> 16) + (plane->at.lo < low);
+}
+
+int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
+                         int32 count, const struct sides *sides, const struct rectangle *box)
+{
+    struct plane_corners corners;
+    struct found_planes planes;
+    int32 right, down, least, off_q, off_s, off_t, shares;
+    fix16 nearest = vertices->w;
+    int32 farthest = 0, scale = 16;
+
+    for (int32 i = 1; i < count; i++)
+        if (vertices[i].w < nearest)
+            nearest = vertices[i].w;
+    plan->u = middle(&vertices->s, count, &plan->u_low, &plan->u_high, &farthest);
+    plan->v = middle(&vertices->t, count, &plan->v_low, &plan->v_high, &farthest);
+    while (farthest >> scale)
+        scale++;
+    set_corner(&corners.first, sides->top, nearest, plan, scale);
+    set_corner(sides->apex_right ? &corners.b : &corners.a, sides->bottom, nearest, plan, scale);
+    set_corner(sides->apex_right ? &corners.a : &corners.b, sides->apex, nearest, plan, scale);
+    corners.x = (box->left << 16) - corners.first.x;
+    corners.y = (box->top << 16) - corners.first.y;
+    to_vector(&corners.a, &corners.first);
+    to_vector(&corners.b, &corners.first);
+    corners.area = sides->area;
+    planes_find(&planes, &corners);
+    least = least_q(&planes.q, vertices, count, box);
+    right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
+    down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
+    off_q = plane_error(&planes.q, right, down);
+    off_s = plane_error(&planes.s, right, down);
+    off_t = plane_error(&planes.t, right, down);
+    if (!is_sure(off_q, least) || !is_sure(off_s, least) || !is_sure(off_t, least))
+        return 0;
+    /* So that s / q is never below u: q's error makes less than itself of s, as u less its base
+       is below 2^scale; each corner's rounding less than half and one, by the shares that a
+       pixel has of the corners. */
+    shares = count == 3 ? 1 : 3;
+    raise(&planes.s, off_s + off_q + 2 * shares + 2);
+    raise(&planes.t, off_t + off_q + 2 * shares + 2);
+    plan->u += 1;               /* quotients are cut */
+    plan->v += 1;
+    scale_plane(&plan->q, &planes.q, 32);
+    scale_plane(&plan->s, &planes.s, scale);
+    scale_plane(&plan->t, &planes.t, scale);
+    plan->gentle = is_gentle(&planes.q.dx) && is_gentle(&planes.q.dy) && is_gentle(&planes.s.dx)
+                && is_gentle(&planes.t.dx);
+    plan->left = box->left;
+    plan->q_low = least;
+    return 1;
+}
+
+/* u * q of a plane of u, q being 1. */
+static void with_q_one(struct number64 *to, fix16 u)
+{
+    to->hi = (uint32)(u >> 2);
+    to->lo = (uint32)u << 30;
+}
+
+/* The plane of u or v at the box's corner. */
+static void plane_of(struct screen_plane *to, uint32 at, fix16 ddx, fix16 ddy,
+                     const struct texturing *t, const struct rectangle *box)
+{
+    with_q_one(&to->at, (fix16)at + ddx * (box->left - t->i) + ddy * (box->top - t->j));
+    with_q_one(&to->dx, ddx);
+    with_q_one(&to->dy, ddy);
+}
+
+static int32 is_flat(fix16 step)
+{
+    return fix_magnitude(step) < FLAT;
+}
+
+int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,
+                               const struct rectangle *box)
+{
+    if (!is_flat(t->dudx) || !is_flat(t->dudy) || !is_flat(t->dvdx) || !is_flat(t->dvdy)
+        || box->right - box->left > PERSPECTIVE_LEVEL_WIDTH)
+        return 0;
+    plan->q.at.hi = plan->q_low = Q_ONE;
+    plan->q.at.lo = plan->q.dx.hi = plan->q.dx.lo = plan->q.dy.hi = plan->q.dy.lo = 0;
+    plane_of(&plan->s, t->u, t->dudx, t->dudy, t, box);
+    plane_of(&plan->t, t->v, t->dvdx, t->dvdy, t, box);
+    plan->u = plan->v = 0;
+    plan->u_low = plan->v_low = -0x7fffffff;
+    plan->u_high = plan->v_high = 0x7fffffff;
+    plan->left = box->left;
+    plan->gentle = 0;
+    return 1;
+}
+
+fix16 perspective_reach(const struct perspective_plan *plan)
+{
+    fix16 farthest = plan->u_high > plan->v_high ? plan->u_high : plan->v_high;
+
+    if (-plan->u_low > farthest)
+        farthest = -plan->u_low;
+    return -plan->v_low > farthest ? -plan->v_low : farthest;
+}
+
+int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance)
+{
+    const struct number64 *grows = &plan->q.dx;
+    uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
+    int32 off;
+
+    if ((grows->hi && grows->hi != 0xffffffff) || part >> 16 == 0xffff)
+        return 0;
+    if (!part)
+        return !grows->hi;
+    /* in units of q: what it grows by along the width, times texels */
+    off = mul_shift(((perspective_reach(plan) >> 16) + 1) * width, (int32)(part >> 16) + 1, 16)
+        + 1;
+    return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
+}

@@ -1,0 +1,71 @@
+#include "perspective/tolerance.h"
+
+#include "math/math.h"
+#include "perspective/perspective.h"
+
+/* Half the range of a triangle's u or v, rounded up. */
+static fix16 half_range(const fix16 *value)
+{
+    fix16 low, high = vertex_range(value, 3, &low);
+
+    high += low;
+    return (high >> 1) - (low >> 1) + 1;
+}
+
+/* Inside a triangle a point has shares a_i of its vertices, Q = sum a_i q_i, and u, affine, is
+   off by sum a_i (q_i / Q - 1) (u_i - c). The shares' sum being 1, so many times |q_i / Q - 1|
+   is at most (greatest q - least q) / 2 least q = (greatest w - least w) / 2 least w; with c
+   in the middle |u_i - c| is half u's range. */
+int32 tolerance_is_flat(const struct setup *s)
+{
+    fix16 least, range, u, v;
+
+    if (s->count != 3)          /* of more, the plane is that of three: outside them shares
+                                   have no bound */
+        return 0;
+    range = vertex_range(&s->vertices->w, 3, &least);
+    if (range > least)
+        return 0;
+    u = half_range(&s->vertices->s);
+    v = half_range(&s->vertices->t);
+    return mul_div(u > v ? u : v, range, least) < 2 * s->material->tolerance;
+}
+
+/* A piece of n pixels, right at both ends, is off by n^2 |u''| / 8 at most, u'' = -2 q' u' / q
+   and |u'| <= (|S'| + |u - base| |q'|) / q. With a = |q'| / least q this is n^2 / 4 times a
+   times the greatest |u'|: here a for one pixel in 8.24, everything rounded up. */
+static fix16 bend(const struct perspective_plan *plan)
+{
+    int32 steep = perspective_steepness(&plan->q.dx) + 1;
+    int32 s = perspective_steepness(&plan->s.dx), t = perspective_steepness(&plan->t.dx);
+    int32 grows = (s > t ? s : t) + 1, a;
+    fix16 slope;
+
+    if (steep > plan->q_low >> 8 || grows > plan->q_low >> 2)
+        return TOLERANCE_MAX;
+    a = mul_div(steep, 1 << 24, plan->q_low) + 1;
+    slope = mul_div(grows, 1 << 30, plan->q_low >> 2) + 1
+          + mul_shift(perspective_reach(plan), a, 24) + 1;
+    return mul_shift(slope, a, 24) + 1;
+}
+
+int32 tolerance_is_coarser(struct setup *s)
+{
+    const struct perspective_plan *plan = s->perspective;
+    fix16 tolerance = s->material->tolerance, pixel;
+
+    if (perspective_is_level(plan, s->box.right - s->box.left, tolerance)) {
+        s->straight = 1;
+        return 1;
+    }
+    if (s->setting == PERSPECTIVE_EVERY16)
+        return 0;
+    pixel = bend(plan);         /* at most 2^23 or TOLERANCE_MAX: the products fit */
+    if (pixel * (16 * 16 / 4) <= tolerance)
+        s->setting = PERSPECTIVE_EVERY16;
+    else if (s->setting != PERSPECTIVE_EVERY8 && pixel * (8 * 8 / 4) <= tolerance)
+        s->setting = PERSPECTIVE_EVERY8;
+    else
+        return 0;
+    return 1;
+}
