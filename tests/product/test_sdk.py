@@ -253,7 +253,7 @@ def test_lists_of_sources(kit):
     listed = {file for files in lists.values() for file in files}
     assert listed == {str(path) for path in sdk.offered(".c")}
     assert all((kit / "c" / file).is_file() for file in listed)
-    assert "polygon/page.c" not in lists["polygon_draw"]
+    assert "drawing/page.c" not in lists["polygon_draw"]
 
 
 @pytest.mark.parametrize("compiler", [name for name in COMPILERS if shutil.which(name)])

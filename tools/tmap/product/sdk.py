@@ -26,13 +26,14 @@ from tmap.product import sdk_include
 #: the programs' own.
 C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "glide", "glide/polygons",
            "n64", "n64/polygons")
-C_FILES = (Path("screen/ham8.c"), Path("screen/planar.h"))
+C_FILES = (Path("scene/draw_meshes.c"), Path("scene/draw_meshes.h"), Path("screen/ham8.c"),
+           Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources: what each offers, routines or a whole room.
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": "mesh", "n64": "n64", "glide": "glide"}
+         "mesh": ("mesh_draw",), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
@@ -83,12 +84,10 @@ def included(path: Path) -> list[Path]:
 
 
 def offered(suffix: str) -> list[Path]:
-    """The public C sources or headers, relative to c/: not plain C that is for comparisons
-    alone."""
+    """The public C sources or headers, relative to c/."""
     paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
              for path in sorted((ROOT / "c" / room).glob(f"*{suffix}"))]
-    return [path for path in (*paths, *C_FILES) if path.suffix == suffix
-            and not any(each.stem.startswith("plain") for each in (path, *included(path)))]
+    return [path for path in (*paths, *C_FILES) if path.suffix == suffix]
 
 
 def headers() -> list[Path]:
@@ -125,6 +124,12 @@ def built() -> Tree:
     for path, sections in tree.sections.items():
         tree.home |= {name: path for section in sections for name in section.symbols}
     return tree
+
+
+def source(path: Path) -> Path:
+    """The C source of an object, relative to c/."""
+    compiler = (BUILD / "obj" / "objects").read_text().split()[0]
+    return path.relative_to(BUILD / "obj" / compiler).with_suffix(".c")
 
 
 def is_assembly(path: Path) -> bool:
@@ -177,9 +182,9 @@ def source_lists(tree: Tree) -> str:
     for name, offer in LISTS.items():
         symbols = [f"_{routine}" for routine in offer] if isinstance(offer, tuple) else \
             [symbol for symbol, path in tree.home.items()
-             if path.parent.name == offer and not is_assembly(path)]
+             if not is_assembly(path) and source(path).parts[0] == offer]
         paths = [path for path in tree.needed(symbols) if not is_assembly(path)]
-        files = [f"{path.parent.name}/{path.stem}.c" for path in paths]
+        files = [str(source(path)) for path in paths]
         lines += [f"{name} := \\", *(f"  {file} \\" for file in files[:-1]), f"  {files[-1]}"]
     return "\n".join(lines) + "\n"
 
