@@ -152,8 +152,7 @@ struct glide {
     uint32 memory_bytes;        /* a power of two; addresses count modulo it */
     uint32 palette[GLIDE_ENTRIES];      /* 00RRGGBB */
     struct glide_ncc ncc[GLIDE_NCC_TABLES];
-    /* Each grows with every change of what it stands for: who keeps something that was made
-       from it compares. */
+    /* Generation counters: a cache that was made from a part is stale when its counter differs. */
     uint32 memory_generation, table_generation, mode_generation;
     uint8 largest, smallest;    /* levels of the map that is drawn from */
     uint8 mipmap;               /* enum glide_mipmapping */

@@ -4,7 +4,7 @@
 
 #include "compiler.h"
 
-/* Whether the longs are others than those kept, which they become. */
+/* Copies the longs to those kept; returns non-zero if they differed. */
 static inline uint32 key_differs(uint32 *kept, const uint32 *key, int32 count)
 {
     uint32 differs = 0;

@@ -1,4 +1,4 @@
-/* Memory that ways of drawing share: of what one leaves there nothing is read when another begins. */
+/* Scratch memory that all drawing paths share; undefined between polygons. */
 #ifndef LINE_ROOM_H
 #define LINE_ROOM_H
 

@@ -13,8 +13,7 @@
    - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
      pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
      more than `render` says. Pixels are counted by drawing again, for the frames that are measured;
-   - how many of the picture's pixels are others than under the most exact steps of both axes: by
-     drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
+   - how many pixels differ from the most accurate steps of both axes: by drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
      one now and then while it runs, so that no more than a fifth of the time goes there; the figures
      of all that were since the last change of a step are added up. */
 #include "scene/settings.h"

@@ -194,8 +194,8 @@ def add_scenes(commands: Commands) -> None:
     command = commands.add("run", run, "Render a scene: dumps, pictures and run.json.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     add_out(command, "where to (build/run/SCENE); results of an earlier run are replaced")
-    add_machine(command, "a1200-fast", "chip RAM only; 8 MB of fast RAM besides (a1200-fast); that and "
-                "a 68EC030 at the same clock", MACHINES)
+    add_machine(command, "a1200-fast", "a1200: 2 MB chip RAM; a1200-fast: + 8 MB fast RAM; a1200-030: the same "
+                "with a 68EC030", MACHINES)
     command.add_argument("--frames", type=int, metavar="N",
                          help="how many, from the first (as the scene says)")
     command.add_argument("--form", choices=FORMS, default=FORMS[0],

@@ -29,8 +29,8 @@ struct glide_pipe {
     int32 memory;               /* enum memory_kind, of what is made ready */
     uint32 prefilter;           /* see glide_pipe_prefilter */
     int32 adds;                 /* see glide_pipe_adds */
-    int32 settled;              /* 1: what was drawn is drawn again, to be counted: that makes no
-                                   tiles worth while */
+    int32 settled;              /* 1 while a frame is replayed for statistics: do not build
+                                   tiles */
     struct glide_page page;
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];

@@ -157,7 +157,7 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
 
 
 def write_other(folder: Path, name: str, machine: str, progress) -> str:
-    """What a set that is no set of polygons comes to: methods, scenes, texture engines' modes."""
+    """Runs a set that is not made of polygons (methods, scenes, texture engines' modes); returns its table."""
     folder.mkdir(parents=True, exist_ok=True)
     if name in ENGINES:
         from tmap.accuracy import engines

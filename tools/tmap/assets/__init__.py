@@ -1,5 +1,8 @@
-"""``python -m tmap.assets``: the meshes and pictures of tests/scenes that were computed, byte for
-byte; FILES has them all. Pictures of what was drawn are not among them: ``scripts/tmap readme``."""
+"""The makers of the meshes and pictures of tests/scenes that were computed, byte for byte.
+
+``python -m tmap.assets`` writes them; FILES has them all. Pictures of what was drawn are made by
+``scripts/tmap readme``.
+"""
 
 import io
 from collections.abc import Callable
