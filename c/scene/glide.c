@@ -32,24 +32,24 @@ static const char *wrong_glide_unit(const struct scene *scene, const struct scen
     static struct glide glide;
 
     if (from->memory & 3 || !table_inside(from->memory, from->bytes, 1, h->glide_memory))
-        return "glide.memory";
+        return "glide_unit.memory";
     if (!table_fits(h, from->palette, GLIDE_ENTRIES * 4))
-        return "glide.palette";
+        return "glide_unit.palette";
     if (!table_fits(h, from->ncc, GLIDE_NCC_TABLES * GLIDE_NCC_REGISTERS * 4))
-        return "glide.ncc";
+        return "glide_unit.ncc";
     switch (set_up(&glide, from, 0)) {
     case GLIDE_DONE:
         return 0;
     case GLIDE_BAD_MEMORY:
-        return "glide.bytes";
+        return "glide_unit.bytes";
     case GLIDE_BAD_FRACTION_BITS:
-        return "glide.fraction_bits";
+        return "glide_unit.fraction_bits";
     case GLIDE_BAD_SUBDIVISION:
-        return "glide.subdivision";
+        return "glide_unit.subdivision";
     case GLIDE_BAD_FLAG:
-        return "glide.dithered";
+        return "glide_unit.dithered";
     default:
-        return "glide.mode, lod, detail or base";
+        return "glide_unit.mode, lod, detail or base";
     }
 }
 

@@ -25,7 +25,7 @@ def wrong_pipes() -> list[Row]:
     rows: list[Row] = []
     wrong = WrongFields(scene(), rows)
     entry, memory = wrong.entry, "glide_memory or glide_memory_at"
-    registers = "glide.mode, lod, detail or base"
+    registers = "glide_unit.mode, lod, detail or base"
     wrong.header("glide_memory", 257, 1 << 20, M32, said=memory)
     wrong.header("glide_memory_at", 0, 2, len(wrong.data), M32 - 7, said=memory)
     entry("glide_units", 1, "mode", LOCAL | 6 << 8, LOCAL | 15 << 8, LOCAL | 6 << 14, LOCAL | 7 << 23,
@@ -35,7 +35,7 @@ def wrong_pipes() -> list[Row]:
     entry("glide_units", 0, "base", 1 << 29, M32, said=registers)
     entry("glide_units", 0, "memory", 2, 196, 256, M32 - 3)
     entry("glide_units", 0, "bytes", 0, 4, 65)
-    entry("glide_units", 0, "bytes", 512, 1 << 31, said="glide.memory")
+    entry("glide_units", 0, "bytes", 512, 1 << 31, said="glide_unit.memory")
     entry("glide_units", 0, "palette", 0, 2, M32 - 1, 1 << 31)
     entry("glide_units", 0, "ncc", 164, 2, M32 - 1)
     entry("glide_units", 1, "fraction_bits", 0, 5, M32)
