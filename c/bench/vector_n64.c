@@ -219,6 +219,28 @@ static void decode(const int32 *values)
     vector_answer((int32)tile->decoded.texels);
 }
 
+/* A quad between its texels, in C: the passes' tables would not fit beside the questions. */
+static uint32 filtered(const struct n64_quad *quad, uint32 st)
+{
+    const struct n64_triangle *triangle = &quad->lower;
+    uint32 fs = st >> 16 & 31, ft = st & 31;
+
+    if (fs + ft >= 32) {
+        triangle = &quad->upper;
+        fs = 32 - fs;
+        ft = 32 - ft;
+    }
+    return ((triangle->rb + fs * triangle->rb_s + ft * triangle->rb_t) & 0xff00ff00u)
+        | ((triangle->ga + fs * triangle->ga_s + ft * triangle->ga_t) >> 8 & 0x00ff00ffu);
+}
+
+/* The same, but the mean of all four in the middle. */
+static uint32 averaged(const struct n64_quad *quad, uint32 st)
+{
+    return (st & 0x001f001f) != 0x00100010 ? filtered(quad, st)
+        : (quad->mean_rb & 0xff00ff00u) | (quad->mean_ga >> 8 & 0x00ff00ffu);
+}
+
 static void decoded(const int32 *at)
 {
     const struct n64_tile *tile = &n64.tiles[at[0] & 7];
@@ -229,9 +251,9 @@ static void decoded(const int32 *at)
     uint32 colour = 0;
 
     if (from->quads && n64.modes.mid)
-        n64_average(&coordinates, &colour, from, 1);
+        colour = averaged(&from->quads[place], coordinates);
     else if (from->quads)
-        n64_threepoint(&coordinates, &colour, from, 1);
+        colour = filtered(&from->quads[place], coordinates);
     vector_answer(from->texels ? (int32)from->texels[place] : 0);
     vector_answer((int32)colour);
 }

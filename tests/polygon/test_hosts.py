@@ -33,7 +33,7 @@ def digests(parts: list[str], settings: dict[str, str]) -> dict[str, str]:
     """Those of a process of its own."""
     clean = {name: value for name, value in os.environ.items() if name not in NAMES}
     done = subprocess.run([sys.executable, host_digests.__file__, *parts], cwd=ROOT, text=True,
-                          env=clean | {"PYTHONPATH": str(ROOT)} | settings, capture_output=True)
+                          env=clean | {"PYTHONPATH": str(ROOT / "tools")} | settings, capture_output=True)
     assert not done.returncode, f"{settings}: {done.stderr[-2000:]}"
     return json.loads(done.stdout)
 

@@ -52,8 +52,8 @@ ENTRIES = (
     Entry("c2p_8", 320, "c2p, 8 planes", chip=True),
     Entry("c2p_ham8_16", 160, "c2p, HAM8 565", chip=True),
     Entry("n64_threepoint", 256, "N64 3 points"), Entry("glide_point", 256, "Glide point"),
-    Entry("glide_bilinear", 256, "Glide bilinear"), Entry("glide_bilinear_565", 256, "Glide bil. RGB565"),
-    Entry("glide_tile_16", 256, "Glide tile, 16 bit"), Entry("glide_tile_32", 256, "Glide tile, 32 bit"),
+    Entry("glide_bilinear", 256, "Glide bilinear"), Entry("glide_bilinear_565", 256, "Glide bil. 565"),
+    Entry("glide_tile_16", 256, "Glide tile, 16"), Entry("glide_tile_32", 256, "Glide tile, 32"),
     Entry("affine_swap", 256, "swap, data chip", chip=True, apart=True),
     Entry("affine_addx", 256, "addx, data chip", chip=True, apart=True),
 )

@@ -22,7 +22,7 @@ SHAPES = {
     "pix": Shape((DECIMAL,) * 3 + (HEX, DECIMAL, DECIMAL), (HEX,), (M32,)),  # s t w other x y
 }
 
-#: Command to the operation's name behind VECTOR_TMU_.
+#: Command to the operation's name behind VECTOR_GLIDE_.
 OPERATIONS = {"texrand": "RANDOM", "palrand": "PALETTE_RANDOM", "nccrand": "NCC_RANDOM",
               "regs": "REGISTERS", "grad": "GRADIENTS", "pix": "PIXEL"}
 
@@ -75,7 +75,7 @@ def random_ncc(seed: int) -> list[Ncc]:
     return [ncc_of(table) for table in words]
 
 
-class TmuLines:
+class GlideLines:
     """The lines of a file. A logarithm may be rounded otherwise than the reference rounds it, and
     a quotient under perspective."""
 
@@ -85,7 +85,7 @@ class TmuLines:
     def __init__(self, operations: Operations, path: Path) -> None:
         self.operations = operations
         self.mode = 0
-        operations.add("TMU_RESET", 8 if path.name.startswith(WIDE_PREFIX) else 4)
+        operations.add("GLIDE_RESET", 8 if path.name.startswith(WIDE_PREFIX) else 4)
 
     def kind(self) -> str:
         """By textureMode."""
@@ -97,4 +97,4 @@ class TmuLines:
             check_registers(line.arguments, place)
             self.mode = line.arguments[0]
         check_longs(line.arguments, place)
-        self.operations.add(f"TMU_{OPERATIONS[line.command]}", *line.arguments)
+        self.operations.add(f"GLIDE_{OPERATIONS[line.command]}", *line.arguments)

@@ -13,7 +13,7 @@ from tmap.vectors.vector_text import DECIMAL, HEX, Line, Shape, check_longs, che
 NINE_BITS = 0x1FF
 FOUR, FOUR_MASKS = (HEX,) * 4, (NINE_BITS,) * 4
 
-#: Name in a ``mode`` line to (field of struct tx_modes, bits).
+#: Name in a ``mode`` line to (field of struct n64_modes, bits).
 MODE_FIELDS = {
     "persp_tex_en": ("perspective", 1), "detail_tex_en": ("detail", 1),
     "sharpen_tex_en": ("sharpen", 1), "tex_lod_en": ("lod", 1), "en_tlut": ("tlut", 1),
@@ -62,7 +62,7 @@ def read(path: str | Path) -> Iterator[Line]:
     return vector_text.read(path, SHAPES)
 
 
-class TxLines:
+class N64Lines:
     """The lines of a file, every one of whose answers must be exact."""
 
     SHAPES = SHAPES
@@ -78,7 +78,7 @@ class TxLines:
 
     def modes(self, pairs: tuple[tuple[str, int], ...], place: str) -> None:
         """A line ``mode``."""
-        fields = layout.load().struct("tx_modes").fields
+        fields = layout.load().struct("n64_modes").fields
         for name, value in pairs:
             field_name, bits = MODE_FIELDS[name]
             check_range([value], [(name, bits)], place)
@@ -87,7 +87,7 @@ class TxLines:
     def check_poke(self, line: Line, place: str) -> None:
         """A line ``tmem`` or ``rdram``: bytes, within the memory."""
         size = self.operations.codes[
-            "TX_TMEM_BYTES" if line.command == "tmem" else "VECTOR_DRAM_BYTES"]
+            "N64_TMEM_BYTES" if line.command == "tmem" else "VECTOR_DRAM_BYTES"]
         address, *values = line.arguments
         check_range(values, [("a byte", 8)] * len(values), place)
         if not 0 <= address <= address + len(values) <= size:

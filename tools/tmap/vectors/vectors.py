@@ -15,8 +15,8 @@ import numpy as np
 from tmap.base.errors import UserError
 from tmap.base.fixed import M32
 from tmap.vectors import vector_text
-from tmap.vectors.glide_text import TmuLines
-from tmap.vectors.n64_text import TxLines
+from tmap.vectors.glide_text import GlideLines
+from tmap.vectors.n64_text import N64Lines
 from tmap.vectors.vector_file import Operations, ask
 from tmap.vectors.vector_text import Line, Shape
 
@@ -41,7 +41,7 @@ class Lines(Protocol):
         """Of the question that was added last."""
 
 
-ENGINES: tuple[type[Lines], ...] = (TxLines, TmuLines)
+ENGINES: tuple[type[Lines], ...] = (N64Lines, GlideLines)
 SHAPES = {name: shape for engine in ENGINES for name, shape in engine.SHAPES.items()}
 
 
