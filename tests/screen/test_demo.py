@@ -16,7 +16,7 @@ from tmap.guest.emulator import CYCLES_PER_TICK
 from tmap.run import demo
 from tmap.run.governor import Governor
 
-FRAMES = 40
+FRAMES = 48
 MOST = 50  # pictures of a form in the race's frames
 WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
 FIELDS = 2  # of a frame, for 25 a second
