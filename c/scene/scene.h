@@ -83,7 +83,7 @@ const char *scene_why(const struct scene *scene, uint32 result);
 /* Why the last polygon that a texture engine refused was. */
 const char *scene_why_refused(const struct scene *scene);
 
-/* scene_glide.c. The first field of glide_units or pipes that is wrong, or 0; tables lie in the file. */
+/* glide.c. The first field of glide_units or pipes that is wrong, or 0; tables lie in the file. */
 const char *scene_wrong_pipe(const struct scene *scene);
 
 /* Makes Glide's texture units and their pipes; 0 where memory is short. */

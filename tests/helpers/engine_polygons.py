@@ -63,7 +63,7 @@ class Polygons:
             f"seed {self.seed}, polygon {number}, {pixels}: {count} pixels of {width}x{height}; "
             f"{first}", *self.lines(each),
             f"  again: {self.engine}_SEED={self.seed} {self.engine}_CASE={number} "
-            f".deps/venv/bin/python -m pytest tests/test_{self.engine.lower()}_polygons.py -k {pixels}"])
+            f".deps/venv/bin/python -m pytest tests/{self.engine.lower()}/test_polygons.py -k {pixels}"])
 
     def check(self, pixels: str, off: str | None = None) -> tuple[set[str], set[str]]:
         """Compares all frames, many in a boot; the rules and the spans that drew them."""

@@ -293,7 +293,7 @@ def report(contract: Contract, trials: list[Trial],
                                      *(f"  {line}" for line in lines)]))
     if not trials:
         failed.append(f"{contract.name} ({contract.file}:{contract.line}) has no trial: "
-                      "add some to tests/kernel_trials_*.py")
+                      "add some to tests/kernels/trials/")
     if not failed:
         return None
     return "\n".join([*failed[:REPORTED], f"{len(failed)} of {len(trials)} calls failed; again:",

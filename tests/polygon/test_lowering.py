@@ -26,7 +26,7 @@ BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
 def test_every_exact_rule_has_its_case():
     """Those of tolerances change the picture: they are below."""
     rules = set(layout.load().names("RULE_")) - set(bench_rules.INEXACT)
-    units = {rule for rule in rules if rule.startswith(("n64_", "glide_"))}  # tests/test_t*_polygons.py
+    units = {rule for rule in rules if rule.startswith(("n64_", "glide_"))}  # tests/{n64,glide}/test_polygons.py
     assert rules - units == {case.rule for case in CASES}
 
 

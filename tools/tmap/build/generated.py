@@ -7,5 +7,5 @@ from pathlib import Path
 def write(text: str) -> None:
     """Writes assembly to the file that the command line names; ends the program without one."""
     if len(sys.argv) != 2:
-        sys.exit(f"usage: python -m tools.{Path(sys.argv[0]).stem} OUT.s")
+        sys.exit(f"usage: python -m tmap.build.{Path(sys.argv[0]).stem} OUT.s")
     Path(sys.argv[1]).write_text(text)
