@@ -65,9 +65,12 @@ static void draw(struct player *player, int32 number, int32 frame)
     set_settings(player, number);
     if (counted)
         clear_counts(player->counts, materials);
+    /* The system's tasks have work ten times a second: it is none of the picture's. */
+    tasks_forbid();
     player_lap(player);
     scene_draw(player->scene, &lane->frame, frame, &drawing);
     lane->last = player_lap(player);
+    tasks_permit();
     if (counted) {
         lane->pixels += sum_pixels(player->counts, materials);
         lane->counted += lane->last;

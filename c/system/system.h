@@ -45,6 +45,8 @@ void mem_release(uint32 mark);
 int32 mem_need(void *address, int32 bytes, int32 kind);
 int32 mem_need_take(void *address, int32 bytes, int32 kind);
 
+void tasks_forbid(void);
+void tasks_permit(void);
 int32 clock_open(void);
 void clock_close(void);
 void clock_wait(void);
