@@ -10,6 +10,8 @@
 
 static struct n64 n64;
 static struct n64_kept kept[N64_TILES];
+static struct n64_colours colours;
+static struct n64_decode_scratch scratch;
 static uint8 *dram;
 
 static void answer_colour(const struct n64_colour *colour)
@@ -210,12 +212,14 @@ static void generations(int32 n)
 static void decode(const int32 *values)
 {
     struct n64_kept *tile = &kept[values[0] & 7];
-    int32 made;
+    struct n64_decoding decoding;
 
-    vector_answer(n64_decode(&n64, values[0], (enum n64_quads)values[1], tile, &made));
+    decoding.scratch = &scratch;
+    decoding.colours = &colours;
+    vector_answer(n64_decode(&decoding, &n64, values[0], (enum n64_quads)values[1], tile));
     vector_answer(tile->decoded.columns_bits);
     vector_answer(tile->decoded.rows_bits);
-    vector_answer(made);
+    vector_answer(decoding.made);
     vector_answer((int32)tile->decoded.texels);
 }
 

@@ -4,8 +4,10 @@
 
 #include "compiler.h"
 
-/* Does one operation (enum vector_code); its longs must be as many as it wants. Where there is
-   too little memory for the first one, prints a line and returns 0. */
-int32 vectors_run(uint32 code, const int32 *values, uint32 count);
+/* Takes memory for the engines; prints a line and returns 0 where it is short. */
+int32 vectors_open(void);
+
+/* Does one operation (enum vector_code); its longs must be as many as it wants. */
+void vectors_run(uint32 code, const int32 *values, uint32 count);
 
 #endif

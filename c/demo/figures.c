@@ -51,7 +51,7 @@ static void put(const struct player *player, int32 number, int32 line, const cha
 
 static void put_cost(struct player *player, int32 number)
 {
-    static char text[TEXT];
+    char text[TEXT];
     struct lane *lane = &player->lane[number];
 
     find_cost(lane);
@@ -63,7 +63,7 @@ static void put_cost(struct player *player, int32 number)
 
 static void put_rate(struct player *player, int32 number)
 {
-    static char text[TEXT];
+    char text[TEXT];
     struct lane *lane = &player->lane[number];
 
     text_tenths(rate(lane->pictures - lane->seen, player->due - lane->figured));
@@ -87,7 +87,7 @@ static void make_below(struct player *player, int32 number, int32 line)
 
 static void make_status(const struct player *player, uint32 frames, uint32 fields)
 {
-    static char text[TEXT];
+    char text[TEXT];
     const struct part *part = player->part;
 
     text_add(part->says);

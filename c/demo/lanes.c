@@ -56,26 +56,25 @@ static void draw(struct player *player, int32 number, int32 frame)
     struct lane *lane = &player->lane[number];
     const uint32 materials = player->scene->header->materials;
     const int32 counted = lane->pictures % COUNT_EVERY == 0;
-    struct drawing drawing;
+    struct renderer *renderer = &player->renderer;
 
-    drawing.form = (enum form)player->part->pane[number].form;
-    drawing.off = 0;
-    drawing.counts = counted ? player->counts : 0;
-    drawing.planar = 0;
+    renderer->frame = &lane->frame;
+    renderer->form = (enum form)player->part->pane[number].form;
     set_settings(player, number);
-    if (counted)
-        clear_counts(player->counts, materials);
     /* The system's tasks have work ten times a second: it is none of the picture's. */
     tasks_forbid();
     player_lap(player);
-    scene_draw(player->scene, &lane->frame, frame, &drawing);
+    scene_draw(renderer, player->scene, frame);
     lane->last = player_lap(player);
     tasks_permit();
+    lane->sum += lane->last;
     if (counted) {
+        clear_counts(player->counts, materials);
+        scene_count(renderer, player->scene, frame, player->counts);
         lane->pixels += sum_pixels(player->counts, materials);
         lane->counted += lane->last;
-    } else
-        lane->sum += lane->last;
+        lane->last += player_lap(player);
+    }
     lane->used += lane->last;
     lane->pictures++;
     lane->stale = BOTH;

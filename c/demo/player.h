@@ -7,6 +7,7 @@
 #define PLAYER_H
 
 #include "demo/script.h"
+#include "polygon/scratch.h"
 #include "scene/scene.h"
 #include "screen/screen.h"
 
@@ -40,7 +41,8 @@ enum player_end {
 struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
-    uint32 last, converting;    /* of the last picture, and of turning it into planes */
+    uint32 last, converting;    /* of the last picture, its counting included, and of turning it into
+                                   planes */
     uint32 pictures;            /* drawn; */
     uint32 seen, figured;       /* pictures and field of the last figures */
     uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
@@ -49,7 +51,7 @@ struct lane {
     int32 line;                 /* that was written last */
     uint32 dearest;             /* colour clocks: no picture takes longer */
     uint32 cost;                /* cycles a pixel, lately */
-    uint32 sum;                 /* colour clocks of all that were not, modulo 2^32 */
+    uint32 sum;                 /* colour clocks of drawing all pictures, modulo 2^32 */
 };
 
 /* A frame, as LOG tells it. */
@@ -64,6 +66,8 @@ struct player {
     struct scene *scene;
     const struct part *part;
     struct frame frame;         /* the screen's; of 16- and 32-bit scenes the scene's */
+    struct renderer renderer;
+    struct scratch scratch;
     struct draw_counts *counts; /* one a material */
     struct governor governor;
     struct lane lane[PANES_MAX];

@@ -14,6 +14,7 @@
 #include "drawing/outline.h"
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
+#include "polygon/counts.h"
 #include "polygon/kind.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
@@ -38,11 +39,28 @@ static int32 draws_wide(const struct material *m, int32 bytes)
          : m->mapper == MAPPER_DITHERED || (m->mapper == MAPPER_COLUMNS && bytes == 2);
 }
 
+/* The scratch room of polygons without perspective: one of these at a time. */
+union made {
+    struct {
+        struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
+        struct scanline_step steps[FRAME_SIDE_MAX];
+    } ramps;
+    uint32 shades[FRAME_SIDE_MAX];
+    uint8 code[CODE_BYTES + CACHE_BYTES];
+};
+
+SCRATCH_FITS(union made);
+
+static union made *made_of(const struct setup *s)
+{
+    return (union made *)s->scratch->room;
+}
+
 /* What the mapper needs of map and frame. */
 static enum polygon_result set_map(struct setup *s)
 {
-    static struct column_layout columns;
-    static uint8 code[CODE_BYTES + CACHE_BYTES];
+    struct column_layout *columns = &s->scratch->columns;
+    uint8 *code = made_of(s)->code;
     const struct map *map = s->material->map;
     enum mapper mapper = s->material->mapper;
 
@@ -56,13 +74,13 @@ static enum polygon_result set_map(struct setup *s)
     s->span.map = map->texels;
     s->span.map_width = map->width;
     s->span.map_height = map->height;
-    s->span.columns = &columns;
+    s->span.columns = columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
     if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
         && !shading_light(&s->span, s->material,
                           s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
-    if (mapper == MAPPER_COLUMNS && !column_layout_make(&columns, map->width, map->height))
+    if (mapper == MAPPER_COLUMNS && !column_layout_make(columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
     return POLYGON_DRAWN;
 }
@@ -153,22 +171,21 @@ static void make_lines(struct setup *s, enum span_kind kind)
 /* Two divides a scanline: the sides' u and v after their x. */
 static void set_ramps(struct setup *s)
 {
-    static struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-    static struct scanline_step steps[FRAME_SIDE_MAX];
+    union made *made = made_of(s);
     struct ramp_plan plan;
 
     make_lines(s, SPAN_FILL);
-    ramps_make(left, s->edges.left, s->edges.lefts);
-    ramps_make(right, s->edges.right, s->edges.rights);
+    ramps_make(made->ramps.left, s->edges.left, s->edges.lefts);
+    ramps_make(made->ramps.right, s->edges.right, s->edges.rights);
     plan.lines = s->edges.lines;
     plan.count = s->span.count;
-    plan.left = left;
-    plan.right = right;
-    plan.steps = steps;
+    plan.left = made->ramps.left;
+    plan.right = made->ramps.right;
+    plan.steps = made->ramps.steps;
     plan.truncated = s->material->start == START_TRUNCATED;
     plan.packed = kind_lines[s->kind] == LINES_ADDX || s->kind == SPAN_AFFINE_SCANLINE;
     edge_ramp(&plan);
-    s->span.steps = steps;
+    s->span.steps = made->ramps.steps;
 }
 
 /* A step that falls, slower by two units: the start of a line may be moved below the far
@@ -212,6 +229,13 @@ static void raise_line(struct scanline *line, struct span_plan *span, const stru
     span->dvdx = (fix16)texturing_raised((uint32)span->dvdx, t->v_cut);
 }
 
+/* Draws the lines of the plan, unless they are only counted. */
+static void draw_span(const struct setup *s)
+{
+    if (!s->counts)
+        kind_spans[s->kind](&s->span);
+}
+
 /* Line by line, for mappers whose spans have one pair of steps only. */
 static void draw_each_line(struct setup *s)
 {
@@ -227,7 +251,7 @@ static void draw_each_line(struct setup *s)
         if (line->lines->last >= line->lines->left) {
             raise_line(&s->edges.lines[i], line, &s->texturing);
             hold_lines(s);
-            kind_spans[s->kind](line);
+            draw_span(s);
         }
         line->row += line->pitch;
     }
@@ -268,15 +292,13 @@ static void draw_affine(struct setup *s)
             generated_span(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
-        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box);
-    if (s->counts) {
-        s->counts->polygons++;
-        s->counts->pixels[s->kind] += lines_pixels(s->edges.lines, s->span.count);
-    }
+        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box, made_of(s)->shades);
+    if (s->counts)
+        count_lines(s, s->kind);
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
         draw_each_line(s);
     else
-        kind_spans[s->kind](&s->span);
+        draw_span(s);
 }
 
 /* A quick question: where it does, the polygon may lie outside the frame as a whole. */
@@ -297,41 +319,47 @@ static uint32 planes_asked(const struct material *m)
          | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
 }
 
-enum polygon_result polygon_draw(const struct frame *frame, const struct vertex *vertices,
-                                 int32 count, const struct material *material,
-                                 const struct drawing *drawing)
+static enum polygon_result draw(struct setup *s)
 {
-    struct setup s;
+    const struct material *material = s->material;
     enum polygon_result result;
 
-    if (count < 3 || count > POLYGON_VERTICES_MAX)
-        return POLYGON_FEW;
-    s.form = drawing->form;
-    setup_begin(&s, frame, vertices, count, material, drawing);
-    if (begins_outside(&s) && lower_to_nothing(&s))
-        return POLYGON_EMPTY;
-    if (count > 3 && drawing->planar != PLANAR_ALL
-        && !planar_is(drawing, vertices, vertices, count, planes_asked(material)))
-        return polygon_fan(polygon_draw, frame, vertices, count, material, drawing);
-    s.vertices = material_vertices(vertices, count, material);
-    if (lower_asked(&s))
-        lower_by_vertices(&s);
-    result = outline_find(&s);
+    s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, material);
+    if (lower_asked(s))
+        lower_by_vertices(s);
+    result = outline_find(s);
     if (result != POLYGON_DRAWN)
         return result;
-    result = set_span(&s);
+    result = set_span(s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (s.kind == SPAN_PERSPECTIVE) {
-        if (draw_perspective(&s))
+    if (s->kind == SPAN_PERSPECTIVE) {
+        if (draw_perspective(s))
             return POLYGON_DRAWN;
-        s.kind = lower_affine(material, s.form);
+        s->kind = lower_affine(material, s->form);
     }
-    if (!is_flat(&s) && material->gradients != GRADIENTS_SCANLINE) {
-        result = set_texturing(&s);
+    if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {
+        result = set_texturing(s);
         if (result != POLYGON_DRAWN)
             return result;
     }
-    draw_affine(&s);
+    draw_affine(s);
     return POLYGON_DRAWN;
+}
+
+enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
+                                 const struct material *material)
+{
+    struct setup s;
+
+    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    s.form = renderer->form;
+    setup_begin(&s, renderer, polygon, material);
+    if (begins_outside(&s) && lower_to_nothing(&s))
+        return count_rules(&s, POLYGON_EMPTY);
+    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
+        return polygon_fan(polygon_draw, renderer, polygon, material);
+    return count_rules(&s, draw(&s));
 }

@@ -202,8 +202,8 @@ static int32 begin(struct look *look, const struct vertex *corners, int32 count)
     return 1;
 }
 
-uint32 polygon_planar(const struct vertex *places, const struct vertex *values, int32 count,
-                      uint32 asked)
+uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
+                      const struct vertex *values, int32 count, uint32 asked)
 {
     struct look look;
     struct vertex *corners;
@@ -213,7 +213,7 @@ uint32 polygon_planar(const struct vertex *places, const struct vertex *values, 
         return asked;
     if (asked == PLANAR_TEXELS && places == values)
         return !begin(&look, places, count) || lie_on_planes(&look, 0, 0) ? asked : 0;
-    corners = planes_vertices(places, count);
+    corners = planes_vertices(scratch, places, count);
     for (int32 i = 0; i < count; i++) {
         corners[i].s = values[i].s;
         corners[i].t = values[i].t;
@@ -231,16 +231,21 @@ uint32 polygon_planar(const struct vertex *places, const struct vertex *values, 
     return found;
 }
 
-enum polygon_result polygon_fan(polygon_routine *draw, const struct frame *frame,
-                                const struct vertex *vertices, int32 count,
-                                const struct material *material, const struct drawing *drawing)
+enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer,
+                                const struct polygon *polygon, const struct material *material)
 {
+    const struct vertex *second = polygon->second;
     enum polygon_result all = POLYGON_EMPTY;
-    struct vertex triangle[3];
+    struct vertex corners[3], coordinates[3];
+    struct polygon triangle;
 
-    for (int32 i = 2; i < count; i++) {
-        planar_triangle(triangle, vertices, i);
-        all = planar_both(all, draw(frame, triangle, 3, material, drawing));
+    polygon_set(&triangle, corners, 3, 0);
+    triangle.second = second ? coordinates : 0;
+    for (int32 i = 2; i < polygon->count; i++) {
+        planar_triangle(corners, polygon->vertices, i);
+        if (second)
+            planar_triangle(coordinates, second, i);
+        all = planar_both(all, draw(renderer, &triangle, material));
     }
     return all;
 }

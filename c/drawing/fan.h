@@ -2,38 +2,28 @@
 #ifndef FAN_H
 #define FAN_H
 
-#include "polygon/polygon.h"
+#include "polygon/scratch.h"
 
 /* Those kinds of values, of those asked for, that lie on planes. Of `places` x and y count, of
    `values` the rest. All that are asked for where nothing can be said: the polygon has no area, or
    a coordinate is not in -POLYGON_FAR to POLYGON_FAR. */
-uint32 polygon_planar(const struct vertex *places, const struct vertex *values, int32 count,
-                      uint32 asked);
+uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
+                      const struct vertex *values, int32 count, uint32 asked);
 
-/* Whether all that are asked for do, or the caller vouches for them. */
-static inline int32 planar_is(const struct drawing *drawing, const struct vertex *places,
-                              const struct vertex *values, int32 count, uint32 asked)
+/* Returns non-zero if all needed values lie on planes, by the caller's word or as found. values:
+   vertices whose s, t, w and shade count. */
+static inline int32 polygon_is_planar(const struct renderer *renderer,
+                                      const struct polygon *polygon,
+                                      const struct vertex *values, uint32 needed)
 {
-    asked &= ~drawing->planar;
-    return !asked || polygon_planar(places, values, count, asked) == asked;
+    needed &= ~polygon->planar;
+    return !needed
+        || polygon_planar(renderer->scratch, polygon->vertices, values, polygon->count, needed)
+           == needed;
 }
 
-/* The same drawing where the caller vouches for these values and no others: made in *room if it has
-   to be. */
-static inline const struct drawing *planar_vouched(struct drawing *room,
-                                                   const struct drawing *drawing, uint32 values)
-{
-    if (drawing->planar == values)
-        return drawing;
-    room->form = drawing->form;
-    room->off = drawing->off;
-    room->counts = drawing->counts;
-    room->planar = values;
-    return room;
-}
-
-/* What is drawn of a fan of triangles: the first result that refuses one; else POLYGON_DRAWN if
-   any is drawn. */
+/* The result of a fan of triangles: the first that refuses one; else POLYGON_DRAWN if any is
+   drawn. */
 static inline enum polygon_result planar_both(enum polygon_result all, enum polygon_result more)
 {
     return all > POLYGON_EMPTY || more == POLYGON_EMPTY ? all : more;
@@ -47,9 +37,8 @@ static inline void planar_triangle(struct vertex *to, const struct vertex *verti
     to[2] = vertices[i];
 }
 
-/* Draws the polygon as that fan. */
-enum polygon_result polygon_fan(polygon_routine *draw, const struct frame *frame,
-                                const struct vertex *vertices, int32 count,
-                                const struct material *material, const struct drawing *drawing);
+/* Draws the polygon as that fan, by a routine for each triangle. */
+enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer,
+                                const struct polygon *polygon, const struct material *material);
 
 #endif

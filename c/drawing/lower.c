@@ -9,11 +9,13 @@
 
 #define ONE_PIXEL 65536
 
-/* A rule is a line: its name, where it applies (counts.h), and below also from which kind of
-   span to which. What one leads to, the lines after it may lead on. */
+/* A rule is a line: its name, from which kind of span to which, and its condition. The lines after
+   it may lower the result further. */
 #define LOWER(rule, from, to, condition) \
-    if (kind == SPAN_##from && APPLIES(rule, condition)) \
-        kind = SPAN_##to;
+    if (kind == SPAN_##from && RULE_IS_ON(s, rule) && (condition)) { \
+        RULE_APPLIES(s, rule); \
+        kind = SPAN_##to; \
+    }
 
 static int32 is_beyond(fix16 value, uint32 far)
 {
@@ -123,7 +125,10 @@ enum span_kind lower_affine(const struct material *material, enum form form)
 
 int32 lower_to_nothing(struct setup *s)
 {
-    return APPLIES(OUTSIDE, is_outside(s));
+    if (!RULE_IS_ON(s, OUTSIDE) || !is_outside(s))
+        return 0;
+    RULE_APPLIES(s, OUTSIDE);
+    return 1;
 }
 
 int32 lower_asked(struct setup *s)
@@ -161,7 +166,8 @@ void lower_by_planes(struct setup *s)
 {
     s->setting = (enum perspective)s->material->perspective;
     s->straight = 0;
-    (void)APPLIES(COARSER, s->material->tolerance && tolerance_is_coarser(s));
+    if (RULE_IS_ON(s, COARSER) && s->material->tolerance && tolerance_is_coarser(s))
+        RULE_APPLIES(s, COARSER);
 }
 
 void lower_by_steps(struct setup *s)
@@ -206,11 +212,17 @@ void lower_by_steps(struct setup *s)
 
 int32 lower_to_no_scissor(struct setup *s)
 {
-    return APPLIES(INSIDE_FRAME, s->outline_sides->x_low >= 0
-                   && s->outline_sides->x_high + EDGE_ERROR <= s->frame->width << 16);
+    if (!RULE_IS_ON(s, INSIDE_FRAME) || s->outline_sides->x_low < 0
+        || s->outline_sides->x_high + EDGE_ERROR > s->frame->width << 16)
+        return 0;
+    RULE_APPLIES(s, INSIDE_FRAME);
+    return 1;
 }
 
 int32 lower_to_no_hold(struct setup *s, int32 leaves_range)
 {
-    return APPLIES(INSIDE_RANGE, !leaves_range);
+    if (!RULE_IS_ON(s, INSIDE_RANGE) || leaves_range)
+        return 0;
+    RULE_APPLIES(s, INSIDE_RANGE);
+    return 1;
 }

@@ -20,10 +20,9 @@ static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, 
     *high = (*high | 0xffff) - INSET;
 }
 
-const struct vertex *material_vertices(const struct vertex *from, int32 count,
+const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
                                        const struct material *material)
 {
-    static struct vertex to[POLYGON_VERTICES_MAX];
     fix16 scale = material->map ? material->map->scale : 65536;
     fix16 low = 0, high = 0;
 

@@ -7,7 +7,7 @@
 /* The vertices as the set-up takes them: x and y in whole pixels where edges are, s and
    t in texels (rounded down to 1/65536), or the shade instead: limited so that rounding
    leads to no shade outside the vertices' range. */
-const struct vertex *material_vertices(const struct vertex *from, int32 count,
+const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
                                        const struct material *material);
 
 /* The ranges in which u and v of every pixel must lie: MAPPER_GOURAUD, MAPPER_ARBITRARY. */

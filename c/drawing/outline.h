@@ -9,12 +9,6 @@
 #include "polygon/clip.h"
 #include "polygon/planes.h"
 
-/* What outlines are made in: of one polygon at a time. */
-extern struct outline_room {
-    struct scanline lines[FRAME_SIDE_MAX];
-    struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-} outline_room;
-
 /* Cuts the outline a pixel outside the frame: no pixel centre is lost by rounding. */
 enum polygon_result outline_clip(struct setup *s);
 
@@ -55,9 +49,9 @@ static inline enum polygon_result outline_find(struct setup *s)
     s->outline_sides = &s->sides;
     if (s->material->clip == CLIP_VERTICES && !exact && outline_clip(s) != POLYGON_DRAWN)
         return POLYGON_EMPTY;
-    s->edges.lines = outline_room.lines;
-    s->edges.left = outline_room.left;
-    s->edges.right = outline_room.right;
+    s->edges.lines = s->scratch->lines;
+    s->edges.left = s->scratch->left;
+    s->edges.right = s->scratch->right;
     edges_make(&s->edges, s->outline_sides, &s->box, exact);
     return POLYGON_DRAWN;
 }
@@ -84,7 +78,7 @@ static inline enum polygon_result outline_flat(struct setup *s)
 {
     enum polygon_result result;
 
-    s->vertices = planes_vertices(s->given, s->count);
+    s->vertices = planes_vertices(s->scratch, s->given, s->count);
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
         return result;

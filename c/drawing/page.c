@@ -134,7 +134,7 @@ static fix16 origin_of(const struct setup *s, const fix16 *value, const struct p
 const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
                                    const struct page_window *rows, struct page_rows *shown)
 {
-    static struct vertex vertices[POLYGON_VERTICES_MAX];
+    struct vertex *vertices = s->scratch->paged;
     const fix16 u = origin_of(s, &s->given->s, columns), v = origin_of(s, &s->given->t, rows);
 
     find_rows(s, v, rows->least, shown);

@@ -93,9 +93,12 @@ void mesh_looks(const struct look_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
 
+enum { MESH_SORT_DIGITS = 256 };
+
 /* Sorts by order, those of the same order as they came; the result is in one of the two
-   arrays, which is returned. */
-struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count);
+   arrays, which is returned. digits: scratch memory, MESH_SORT_DIGITS. */
+struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
+                            int32 *digits);
 
 /* Cuts a convex polygon before the camera (x, y, w as in mesh_point) to all borders; *count
    is what is left of it. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices

@@ -1,11 +1,11 @@
 #include "mesh/mesh.h"
 
-enum { DIGIT_BITS = 8, DIGITS = 1 << DIGIT_BITS };
+enum { DIGIT_BITS = 8, DIGITS = MESH_SORT_DIGITS };
 
 /* One pass by one byte; 0 where it is the same in all, and nothing moved. */
-static int32 pass(struct mesh_face *to, const struct mesh_face *from, int32 count, uint32 shift)
+static int32 pass(struct mesh_face *to, const struct mesh_face *from, int32 count, uint32 shift,
+                  int32 *at)
 {
-    static int32 at[DIGITS];
     int32 sum = 0;
 
     for (int32 i = 0; i < DIGITS; i++)
@@ -38,14 +38,15 @@ static void insert(struct mesh_face *faces, int32 count)
     }
 }
 
-struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count)
+struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
+                            int32 *digits)
 {
     if (count <= 16) {
         insert(faces, count);
         return faces;
     }
     for (uint32 shift = 0; shift < 32; shift += DIGIT_BITS)
-        if (pass(room, faces, count, shift)) {
+        if (pass(room, faces, count, shift, digits)) {
             struct mesh_face *sorted = room;
 
             room = faces;

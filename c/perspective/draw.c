@@ -1,6 +1,6 @@
 /* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
 #include "perspective/perspective.h"
-#include "polygon/line_room.h"
+#include "polygon/counts.h"
 
 /* What each setting's lines are drawn by. */
 static const struct {
@@ -27,8 +27,7 @@ union made {
     struct scanline_step steps[FRAME_SIDE_MAX];
 };
 
-static union made *const made = (union made *)line_room;
-extern char made_fits[sizeof(union made) <= LINE_ROOM ? 1 : -1];
+SCRATCH_FITS(union made);
 
 /* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
 #define FAR (512 << 16)
@@ -72,16 +71,17 @@ static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 off
 }
 
 /* Draws the lines it can and empties them; returns how many are left. So below. */
-static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective setting,
-                              const uint16 *table, const struct span_plan *span, int32 width)
+static int32 draw_reciprocals(const struct setup *s, union made *made, int32 width)
 {
+    struct perspective_plan *planes = s->perspective;
+    const struct span_plan *span = &s->span;
     struct reciprocal_plan plan;
     struct reciprocal_span lines;
     int32 reach, left;
 
     plan.planes = planes;
-    plan.piece = ways[setting].piece;
-    plan.table = table;
+    plan.piece = ways[s->setting].piece;
+    plan.table = s->renderer->reciprocals;
     plan.to = made->reciprocals;
     reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
           - width / RECIPROCAL_REACH_WIDTH;
@@ -91,6 +91,8 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
         return planes->count;
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
+    if (s->counts)
+        return left;
     lines.lines = made->reciprocals;
     lines.count = planes->count;
     lines.row = span->row;
@@ -104,10 +106,11 @@ static int32 draw_reciprocals(struct perspective_plan *planes, enum perspective 
     return left;
 }
 
-static int32 draw_logarithms(struct perspective_plan *planes,
-                             const struct logarithm_tables *tables,
-                             const struct span_plan *span)
+static int32 draw_logarithms(const struct setup *s, union made *made)
 {
+    const struct logarithm_tables *tables = s->renderer->logarithms;
+    struct perspective_plan *planes = s->perspective;
+    const struct span_plan *span = &s->span;
     struct reciprocal_plan plan;
     struct logarithm_span lines;
     int32 left;
@@ -116,6 +119,8 @@ static int32 draw_logarithms(struct perspective_plan *planes,
     if (!find_constants(&plan, FAR, LOGARITHM_OFF, 0))
         return planes->count;
     left = logarithm_lines(&plan, tables, made->logarithms);
+    if (s->counts)
+        return left;
     lines.lines = made->logarithms;
     lines.count = planes->count;
     lines.row = span->row;
@@ -128,14 +133,15 @@ static int32 draw_logarithms(struct perspective_plan *planes,
 }
 
 /* Raises the plan's u and v. */
-static void draw_exactly(struct perspective_plan *plan, enum perspective setting,
-                         const struct span_plan *span)
+static void draw_exactly(const struct setup *s, union made *made)
 {
+    struct perspective_plan *plan = s->perspective;
+    const struct span_plan *span = &s->span;
     struct perspective_span lines;
 
-    plan->u += ways[setting].raise;
-    plan->v += ways[setting].raise;
-    plan->bend = ways[setting].bend;
+    plan->u += ways[s->setting].raise;
+    plan->v += ways[s->setting].raise;
+    plan->bend = ways[s->setting].bend;
     plan->to = made->exact;
     perspective_lines(plan);
     lines.lines = made->exact;
@@ -143,15 +149,17 @@ static void draw_exactly(struct perspective_plan *plan, enum perspective setting
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = ways[setting].piece;
+    lines.longest = ways[s->setting].piece;
     if (plan->bend)
         span_perspective_curves(&lines);
     else
         span_perspective_pieces(&lines);
 }
 
-static void draw_level(const struct perspective_plan *plan, const struct span_plan *span)
+static void draw_level(const struct setup *s, union made *made)
 {
+    const struct perspective_plan *plan = s->perspective;
+    const struct span_plan *span = &s->span;
     struct span_plan lines;
 
     level_lines(plan, made->steps);
@@ -164,32 +172,41 @@ static void draw_level(const struct perspective_plan *plan, const struct span_pl
     span_affine_scanline(&lines);
 }
 
+/* Counts the lines that tables drew, and those `left`. */
+static void count(const struct setup *s, int32 left)
+{
+    const int32 pieces = ways[s->setting].bend == 0;
+    const struct perspective_plan *plan = s->perspective;
+    const uint32 others = left ? lines_pixels(plan->lines, plan->count) : 0;
+
+    s->counts->pixels[pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM] -= others;
+    s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
+}
+
 void perspective_draw(struct setup *s)
 {
+    union made *made = (union made *)s->scratch->room;
     struct perspective_plan *plan = s->perspective;
     enum perspective setting = s->setting;
     int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
-    uint32 pixels = s->counts ? lines_pixels(plan->lines, plan->count) : 0, others;
     int32 left = plan->count;
 
-    if (s->counts)
-        s->counts->polygons++;
     if (s->straight || (width <= ways[setting].width
                         && perspective_is_level(plan, width, ways[setting].off))) {
-        draw_level(plan, &s->span);
         if (s->counts)
-            s->counts->pixels[SPAN_AFFINE_SCANLINE] += pixels;
+            count_lines(s, SPAN_AFFINE_SCANLINE);
+        else
+            draw_level(s, made);
         return;
     }
-    if (pieces && s->material->reciprocals)
-        left = draw_reciprocals(plan, setting, s->material->reciprocals, &s->span, width);
-    else if (setting == PERSPECTIVE_PIXEL && s->material->logarithms)
-        left = draw_logarithms(plan, s->material->logarithms, &s->span);
-    if (s->counts) {
-        others = left ? lines_pixels(plan->lines, plan->count) : 0;
-        s->counts->pixels[pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM] += pixels - others;
-        s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
-    }
-    if (left)
-        draw_exactly(plan, setting, &s->span);
+    if (s->counts)              /* before lines that are drawn become empty */
+        count_lines(s, pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
+    if (pieces && s->renderer->reciprocals)
+        left = draw_reciprocals(s, made, width);
+    else if (setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
+        left = draw_logarithms(s, made);
+    if (s->counts)
+        count(s, left);
+    else if (left)
+        draw_exactly(s, made);
 }

@@ -1,7 +1,7 @@
 #include "polygon/counts.h"
 
-int32 count_rule(struct draw_counts *counts, enum rule rule)
+void count_lines(const struct setup *s, enum span_kind kind)
 {
-    counts->rules[rule]++;
-    return 1;
+    s->counts->polygons++;
+    s->counts->pixels[kind] += lines_pixels(s->edges.lines, s->box.bottom - s->box.top);
 }

@@ -2,16 +2,17 @@
 
 #include "math/math.h"
 
-static struct vertex places[POLYGON_VERTICES_MAX];
-
-struct vertex *planes_vertices(const struct vertex *vertices, int32 count)
+struct vertex *planes_vertices(struct scratch *scratch, const struct vertex *vertices,
+                               int32 count)
 {
+    struct vertex *corners = scratch->corners;
+
     for (int32 i = 0; i < count; i++) {
-        places[i].x = vertices[i].x;
-        places[i].y = vertices[i].y;
-        places[i].s = places[i].t = 0;
+        corners[i].x = vertices[i].x;
+        corners[i].y = vertices[i].y;
+        corners[i].s = corners[i].t = 0;
     }
-    return places;
+    return corners;
 }
 
 static void find_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits,
@@ -99,6 +100,7 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
                          const struct depths *depths)
 {
     const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
+    struct vertex *places = s->scratch->corners;
     const struct vertex *v = corners;
     fix16 w[POLYGON_VERTICES_MAX];
     struct texturing t;
@@ -125,6 +127,7 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
 static void find_plain(struct planes *planes, const struct setup *s, int32 first,
                        const struct vertex *corners, const struct planes_scale *scale)
 {
+    struct vertex *places = s->scratch->corners;
     struct plane *w = &planes->of[first + 2];
 
     for (int32 i = 0; i < s->count; i++, corners++) {

@@ -24,9 +24,10 @@ struct planes_scale {
     fix16 reach;                /* s and t of two corners are less than this apart */
 };
 
-/* Copies x and y of a polygon's vertices to where planes_pair looks for corners: up to
-   POLYGON_VERTICES_MAX. Whoever has the planes of a pair found sets the corners' s and t. */
-struct vertex *planes_vertices(const struct vertex *vertices, int32 count);
+/* Copies x and y of a polygon's vertices to the scratch memory's corners, up to
+   POLYGON_VERTICES_MAX, and returns those. planes_pair reads s and t that the caller sets there. */
+struct vertex *planes_vertices(struct scratch *scratch, const struct vertex *vertices,
+                               int32 count);
 
 /* Planes `first` and `first` + 1 of what the corners' s and t are, times 2^bits; the corners' sides
    and box are found. Two corners are less than 2^31 apart. */

@@ -144,36 +144,6 @@ struct draw_counts {
     uint32 rules[RULES];        /* polygons to which each applied */
 };
 
-struct material;
-struct drawing;
-
-/* Draws a convex polygon, either winding. */
-typedef enum polygon_result polygon_routine(const struct frame *frame,
-                                            const struct vertex *vertices, int32 count,
-                                            const struct material *material,
-                                            const struct drawing *drawing);
-
-/* What a polygon is drawn with. */
-struct material {
-    uint8 mapper, edges, gradients, start, clip;
-    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
-    uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: u's lowest bit counts even
-                                   where v wraps in a line, for 2 cycles a pixel there */
-    uint8 spare[3];
-    uint16 number;              /* which of the drawing's counts are its */
-    fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
-                                   the setting's own bound: 0 to TOLERANCE_MAX */
-    uint32 colour;              /* of a flat one: the pixel */
-    const struct map *map;      /* in the layout of the mapper */
-    const struct map *light;    /* of lit ones: MAP_LIGHT */
-    const uint16 *reciprocals;  /* every16, every8: the table's index 0; 0: do without */
-    const struct logarithm_tables *logarithms;  /* pixel; 0: do without */
-    polygon_routine *draw;      /* what meshes and scenes call for it */
-    struct n64_unit *unit;      /* MAPPER_N64 */
-    struct glide_pipe *pipe;    /* MAPPER_GLIDE. 48 bytes: an index is multiplied by two additions
-                                   and a shift */
-};
-
 /* Values of a polygon's vertices that are drawn as planes over the screen. */
 enum planar_values {
     PLANAR_TEXELS = 1,          /* s and t */
@@ -183,14 +153,63 @@ enum planar_values {
     PLANAR_ALL = 15
 };
 
-/* How polygons are drawn, whatever they are. */
-struct drawing {
+/* A convex polygon, either winding. */
+struct polygon {
+    const struct vertex *vertices;
+    const struct vertex *second;        /* s, t and w of the same corners for Glide's second unit,
+                                           if that has coordinates of its own */
+    int32 count;
+    uint32 planar;              /* enum planar_values that the caller knows to lie on planes: a
+                                   polygon of more than three vertices is not checked for them */
+};
+
+/* A polygon without second coordinates. */
+static inline void polygon_set(struct polygon *polygon, const struct vertex *vertices, int32 count,
+                               uint32 planar)
+{
+    polygon->vertices = vertices;
+    polygon->second = 0;
+    polygon->count = count;
+    polygon->planar = planar;
+}
+
+struct material;
+struct scratch;
+
+/* How polygons are drawn, and the memory that takes. The caller owns it: renderers in one program
+   do not affect each other. */
+struct renderer {
+    const struct frame *frame;
     enum form form;
-    uint32 off;                 /* bit n: rule n is not followed; exact ones leave the picture
-                                   as it is */
-    struct draw_counts *counts; /* one a material, or 0; counting takes time */
-    uint32 planar;              /* enum planar_values that the caller vouches for: polygons of more
-                                   than three vertices are not looked at for them */
+    uint32 off;                 /* bit n: rule n is off; exact rules leave the picture as it is */
+    struct draw_counts *counts; /* one a material: polygons are counted, not drawn; 0: drawn */
+    struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
+    const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
+    const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */
+};
+
+/* Draws a polygon, or counts it. */
+typedef enum polygon_result polygon_routine(struct renderer *renderer,
+                                            const struct polygon *polygon,
+                                            const struct material *material);
+
+/* What a polygon is drawn with. */
+struct material {
+    uint8 mapper, edges, gradients, start, clip;
+    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
+    uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: u's lowest bit counts even
+                                   where v wraps in a line, for 2 cycles a pixel there */
+    uint8 spare[3];
+    uint16 number;              /* its index in the renderer's counts */
+    fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
+                                   the setting's own bound: 0 to TOLERANCE_MAX */
+    uint32 colour;              /* of a flat one: the pixel */
+    const struct map *map;      /* in the layout of the mapper */
+    const struct map *light;    /* of lit ones: MAP_LIGHT */
+    polygon_routine *draw;      /* what meshes and scenes call for it */
+    struct n64_unit *unit;      /* MAPPER_N64 */
+    struct glide_pipe *pipe;    /* MAPPER_GLIDE. 40 bytes: an index is multiplied by an addition
+                                   and two shifts */
 };
 
 /* By every mapper but MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than

@@ -4,6 +4,7 @@
 
 #include "polygon/edges.h"
 #include "polygon/polygon.h"
+#include "polygon/scratch.h"
 #include "polygon/sides.h"
 #include "polygon/texturing.h"
 #include "span/perspective.h"
@@ -14,10 +15,13 @@
 #define EDGE_ERROR 1024
 
 struct setup {
+    struct renderer *renderer;
+    struct scratch *scratch;            /* the renderer's, as frame and off */
     const struct frame *frame;
     const struct material *material;
     enum form form;
-    uint32 off;                         /* see struct drawing */
+    uint32 off;
+    uint32 applied;                     /* bit n: rule n applied */
     struct draw_counts *counts;         /* of the material, or 0 */
 
     const struct vertex *given;         /* as the caller gave them */
@@ -40,16 +44,18 @@ struct setup {
 };
 
 /* As the caller gives it; not `form`, which texture units do not ask for. */
-static inline void setup_begin(struct setup *s, const struct frame *frame,
-                               const struct vertex *vertices, int32 count,
-                               const struct material *material, const struct drawing *drawing)
+static inline void setup_begin(struct setup *s, struct renderer *renderer,
+                               const struct polygon *polygon, const struct material *material)
 {
-    s->frame = frame;
+    s->renderer = renderer;
+    s->scratch = renderer->scratch;
+    s->frame = renderer->frame;
     s->material = material;
-    s->off = drawing->off;
-    s->counts = drawing->counts ? &drawing->counts[material->number] : 0;
-    s->given = vertices;
-    s->count = count;
+    s->off = renderer->off;
+    s->applied = 0;
+    s->counts = renderer->counts ? &renderer->counts[material->number] : 0;
+    s->given = polygon->vertices;
+    s->count = polygon->count;
 }
 
 #endif

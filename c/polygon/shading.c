@@ -52,9 +52,9 @@ static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
 }
 
 void shading_lines(struct span_plan *span, const struct sides *sides,
-                   const struct vertex *vertices, int32 count, const struct rectangle *box)
+                   const struct vertex *vertices, int32 count, const struct rectangle *box,
+                   uint32 *shades)
 {
-    static uint32 shades[FRAME_SIDE_MAX];
     struct vertex corners[3];
     struct sides shaded;        /* as far as texturing_plane reads it */
     struct texturing t;

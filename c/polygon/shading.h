@@ -12,8 +12,9 @@ enum { LEVEL_BITS = 18 };       /* of a shade, below the number of its level */
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade);
 
 /* MAPPER_LIT_GOURAUD: the levels of a table's lines, on the plane of the polygon, cut to
-   the frame already. No pixel has one beyond those of the vertices. */
+   the frame already. No pixel has one beyond those of the vertices. shades: one a line. */
 void shading_lines(struct span_plan *span, const struct sides *sides,
-                   const struct vertex *vertices, int32 count, const struct rectangle *box);
+                   const struct vertex *vertices, int32 count, const struct rectangle *box,
+                   uint32 *shades);
 
 #endif

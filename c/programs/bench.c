@@ -90,7 +90,7 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
 int main(void)
 {
     enum { PLAN, RESULTS, ITEMS };
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     const uint8 *plan;
     const char *name;
     int32 results, done;

@@ -29,10 +29,9 @@ static int32 refuse(const char *why)
     return RETURN_ERROR;
 }
 
-/* DIR and a name beside it; 0: longer than PATH. */
-static const char *path(const char *directory, const char *name)
+/* Writes DIR and a name beside it to whole[PATH]; returns that, or 0 where it is too short. */
+static const char *path(char *whole, const char *directory, const char *name)
 {
-    static char whole[PATH];
     int32 length = 0;
 
     for (; *directory && length < PATH - 2; directory++)
@@ -112,7 +111,8 @@ static void announce(const struct part *part)
 /* Loads what a part needs; 0: a line was printed. */
 static int32 load(const struct part *part, int32 number, const char *directory, uint32 frames)
 {
-    const char *name = path(directory, part->scene);
+    char whole[PATH];
+    const char *name = path(whole, directory, part->scene);
 
     if (!name)
         return text_refuse("DIR", "too long");
@@ -127,7 +127,6 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
     scene_reserve(&scene);
-    settings_forget();
     return 1;
 }
 
@@ -181,15 +180,16 @@ static int32 play_all(const char *directory, uint32 frames, int32 only, int32 lo
 
 int main(void)
 {
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     const char *directory = "PROGDIR:data", *name;
+    char whole[PATH];
     int32 frames = 0, only = 0, result;
 
     if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
         return refuse("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
     if (args[DIR])
         directory = (const char *)args[DIR];
-    name = path(directory, "parts");
+    name = path(whole, directory, "parts");
     if (!name)
         return refuse("DIR: too long");
     if (!script_load(&script, name))
@@ -201,6 +201,7 @@ int main(void)
         return RETURN_ERROR;
     if (!clock_open())
         return outcome_code(outcome_lack("demo", "another program uses CIA-B's timers"));
+    player.renderer.scratch = &player.scratch;
     if (!open_screen(script.width, script.height, PIXEL_CHUNKY))
         return RETURN_FAIL;
     result = play_all(directory, (uint32)frames, only, args[LOG]);

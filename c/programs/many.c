@@ -126,7 +126,7 @@ static int32 run_all(uint32 program, const struct data *data, const char *lines,
 int main(void)
 {
     enum { PROGRAM, FIRST, ITEMS };
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     struct data data;
     uint32 program, bytes;
     int32 number, done;

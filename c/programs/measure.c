@@ -168,7 +168,7 @@ static void show_end(const struct measured *measured)
 int main(void)
 {
     enum { TO, PLAN, ITEMS };
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     const char *to = "tmap020.txt", *plan_name = "PROGDIR:measure.plan";
     struct plan_arenas arenas;
     struct measured measured;

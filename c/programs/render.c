@@ -8,6 +8,7 @@
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
    rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
+#include "polygon/scratch.h"
 #include "scene/counts.h"
 #include "scene/settings.h"
 #include "system/arguments.h"
@@ -61,17 +62,18 @@ static uint32 guards_broken(const struct frame *frame)
 /* How a run goes. */
 struct run {
     int32 frames;
-    struct drawing drawing;
+    struct renderer renderer;
     struct scene_counts counts;
     const char *digest;         /* name of the file, or 0: dumps */
 };
 
+static struct scratch scratch;
+
 /* Draws a frame and looks at the guard bands. */
-static int32 draw(const struct scene *scene, const struct frame *frame, int32 number,
-                  const struct run *run, struct frame_digest *drawn)
+static int32 draw(struct scene *scene, int32 number, struct run *run, struct frame_digest *drawn)
 {
-    drawn->result = scene_time(scene, frame, number, &run->drawing, &drawn->ticks);
-    if (guards_broken(frame)) {
+    drawn->result = scene_time(&run->renderer, scene, number, &drawn->ticks);
+    if (guards_broken(run->renderer.frame)) {
         text_add("frame ");
         text_number(number);
         text_add(": bytes outside the frame were written");
@@ -82,19 +84,18 @@ static int32 draw(const struct scene *scene, const struct frame *frame, int32 nu
 }
 
 /* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
-static int32 dump_frames(const struct scene *scene, const struct frame *frame,
-                         struct run *run, uint32 *refused)
+static int32 dump_frames(struct scene *scene, struct run *run, uint32 *refused)
 {
     for (int32 number = 0; number < run->frames; number++) {
         struct frame_digest drawn;
 
-        if (!draw(scene, frame, number, run, &drawn))
+        if (!draw(scene, number, run, &drawn))
             return 0;
         if (drawn.result != POLYGON_DRAWN)
             *refused = drawn.result;
         if (run->counts.materials)
-            counts_frame(&run->counts, scene, frame, number, &run->drawing);
-        if (!scene_save(frame, number))
+            counts_frame(&run->counts, &run->renderer, scene, number);
+        if (!scene_save(run->renderer.frame, number))
             return 0;
         text_add("frame ");
         text_number(number);
@@ -128,8 +129,7 @@ static void add_up(const struct frame *frame, struct frame_digest *digest)
 }
 
 /* The same, but for the frames' digests in one file, and a line now and then. */
-static int32 digest_frames(const struct scene *scene, const struct frame *frame,
-                           const struct run *run)
+static int32 digest_frames(struct scene *scene, struct run *run)
 {
     struct frame_digest *digests;
 
@@ -141,22 +141,22 @@ static int32 digest_frames(const struct scene *scene, const struct frame *frame,
             text_number(number);
             text_print();
         }
-        if (!draw(scene, frame, number, run, &digests[number]))
+        if (!draw(scene, number, run, &digests[number]))
             return 0;
-        add_up(frame, &digests[number]);
+        add_up(run->renderer.frame, &digests[number]);
         if (number + 1 < run->frames && outcome_break())
             return 0;
     }
     return file_save(run->digest, digests, (uint32)run->frames * sizeof *digests);
 }
 
-static int32 render(const struct scene *scene, const struct frame *frame, struct run *run)
+static int32 render(struct scene *scene, struct run *run)
 {
     uint32 refused = POLYGON_DRAWN;
 
     if (run->digest)
-        return outcome_code(digest_frames(scene, frame, run));
-    if (!dump_frames(scene, frame, run, &refused))
+        return outcome_code(digest_frames(scene, run));
+    if (!dump_frames(scene, run, &refused))
         return outcome_code(0);
     if (refused != POLYGON_DRAWN) {
         text_refuse("render: not all could be drawn", scene_why(scene, refused));
@@ -176,10 +176,10 @@ static int32 form_named(const char *name)
 int main(void)
 {
     enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ACCURACY, PERSPECTIVE, ITEMS };
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     struct scene scene;
     struct frame frame;
-    struct run run = {0, {FORM_ADDX, 0, 0, 0}, {0, 0, 0}, 0};
+    struct run run = {0, {&frame, FORM_ADDX, 0, 0, &scratch, 0, 0}, {0, 0, 0}, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
     int32 kind, form;
 
@@ -191,11 +191,11 @@ int main(void)
         form = form_named((const char *)args[FORM]);
         if (form < 0)
             return refuse("FORM: not one of addx, swap, c");
-        run.drawing.form = (enum form)form;
+        run.renderer.form = (enum form)form;
     }
     if (args[OFF]) {
-        run.drawing.off = rules_named((const char *)args[OFF]);
-        if (!run.drawing.off)
+        run.renderer.off = rules_named((const char *)args[OFF]);
+        if (!run.renderer.off)
             return refuse("OFF: not a rule of lowering, or all");
     }
     kind = args[CHIP] ? MEMORY_CHIP : MEMORY_ANY;
@@ -221,5 +221,5 @@ int main(void)
         return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));
     if (args[DCACHE] && !cache_data())
         return outcome_code(outcome_lack("render", "DCACHE: this processor has no data cache"));
-    return render(&scene, &frame, &run);
+    return render(&scene, &run);
 }

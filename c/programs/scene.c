@@ -2,12 +2,15 @@
 
    No arguments. It writes frame_000.chunky and so on into the current directory, as render
    does, and prints a line a frame: colour clocks. tools/tmap/product/scene_program.py links it. */
+#include "polygon/scratch.h"
 #include "scene/scene.h"
 #include "system/system.h"
 #include "system/text.h"
 
 /* A scene file without a palette, which the tools have checked. */
 extern const uint8 scene_data[];
+
+static struct scratch scratch;
 
 static int32 fail(const char *why)
 {
@@ -19,7 +22,7 @@ int main(void)
 {
     struct scene scene;
     struct frame frame;
-    static const struct drawing drawing = {FORM_ADDX, 0, 0, PLANAR_ALL};
+    struct renderer renderer = {&frame, FORM_ADDX, 0, 0, &scratch, 0, 0};
 
     scene_place(&scene, scene_data);
     scene_make(&scene, MEMORY_ANY);     /* returns with all it wants: mem_need */
@@ -36,7 +39,7 @@ int main(void)
 
         if (number && break_asked())
             return RETURN_WARN;
-        scene_time(&scene, &frame, number, &drawing, &ticks);
+        scene_time(&renderer, &scene, number, &ticks);
         if (!scene_save(&frame, number))
             return RETURN_ERROR;
         text_number((int32)ticks);

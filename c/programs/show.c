@@ -12,10 +12,11 @@
      line, but no measuring;
    - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
      pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
-     more than `render` says. Pixels are counted by drawing again, for the frames that are measured;
+     more than `render` says. Pixels are counted after that, for the frames that are measured;
    - how many pixels differ from the most accurate steps of both axes: by drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
      one now and then while it runs, so that no more than a fifth of the time goes there; the figures
      of all that were since the last change of a step are added up. */
+#include "polygon/scratch.h"
 #include "scene/settings.h"
 #include "screen/screen.h"
 #include "show/figures.h"
@@ -33,7 +34,8 @@ struct show {
     struct frame frame, exact;  /* exact.pixels 0: no memory */
     struct screen screen;
     struct settings settings;
-    struct drawing drawing;
+    struct renderer renderer;
+    struct scratch scratch;
     struct scene_counts counts;
     struct measured measured;
     struct rate rate;
@@ -72,7 +74,7 @@ static void draw(struct show *s)
     enum polygon_result result;
 
     clock_start(NO_LIMIT);
-    result = scene_draw(&s->scene, &s->frame, s->number, &s->drawing);
+    result = scene_draw(&s->renderer, &s->scene, s->number);
     s->ticks = clock_stop();
     if (result != POLYGON_DRAWN)
         s->refused = result;
@@ -83,7 +85,9 @@ static void compare(struct show *s)
     static const struct settings best = {ACCURACY_STEPS - 1, PERSPECTIVE_KINDS - 1};
 
     settings_set(&s->scene, &best);
-    scene_draw(&s->scene, &s->exact, s->number, &s->drawing);
+    s->renderer.frame = &s->exact;
+    scene_draw(&s->renderer, &s->scene, s->number);
+    s->renderer.frame = &s->frame;
     settings_set(&s->scene, &s->settings);
     measured_compare(&s->measured, &s->frame, &s->exact);
 }
@@ -95,7 +99,7 @@ static void measure(struct show *s)
     uint32 took;
 
     if (measured_has_room(&s->measured)) {
-        counts_frame(&s->counts, &s->scene, &s->frame, s->number, &s->drawing);
+        counts_frame(&s->counts, &s->renderer, &s->scene, s->number);
         measured_add(&s->measured, &s->counts, s->ticks);
         if (s->exact.pixels)
             compare(s);
@@ -249,13 +253,15 @@ static int32 make(struct show *s)
 int main(void)
 {
     enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, ITEMS };
-    static int32 args[ITEMS];
+    int32 args[ITEMS] = {0};
     static struct show show;
 
     if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args)) {
         text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
         return RETURN_ERROR;
     }
+    show.renderer.frame = &show.frame;
+    show.renderer.scratch = &show.scratch;
     show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
     show.paused = args[PAUSE] != 0;
     if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,

@@ -55,19 +55,11 @@ int32 counts_make(struct scene_counts *counts, uint32 materials)
     return 1;
 }
 
-void counts_frame(struct scene_counts *counts, const struct scene *scene,
-                  const struct frame *frame, int32 number, const struct drawing *drawing)
+void counts_frame(struct scene_counts *counts, struct renderer *renderer, struct scene *scene,
+                  int32 number)
 {
-    struct drawing counting;
-
-    counting.form = drawing->form;
-    counting.off = drawing->off;
-    counting.counts = counts->frame;
-    counting.planar = 0;
     clear(counts->frame, counts->materials);
-    scene_settle_pipes(scene, 1);
-    scene_draw(scene, frame, number, &counting);
-    scene_settle_pipes(scene, 0);
+    scene_count(renderer, scene, number, counts->frame);
     sum_up(counts->totals, counts->frame, counts->materials);
 }
 

@@ -12,9 +12,9 @@ struct scene_counts {
 /* Memory for a scene's counts, none of them above 0; 0 where it is short. */
 int32 counts_make(struct scene_counts *counts, uint32 materials);
 
-/* Counts a frame, drawing it again: counting takes time. */
-void counts_frame(struct scene_counts *counts, const struct scene *scene,
-                  const struct frame *frame, int32 number, const struct drawing *drawing);
+/* Counts the frame that was drawn last. */
+void counts_frame(struct scene_counts *counts, struct renderer *renderer, struct scene *scene,
+                  int32 number);
 
 /* Adds the last frame to a line: " polygons n", pixels of each kind of span. */
 void counts_add(const struct scene_counts *counts);

@@ -1,14 +1,14 @@
 #include "scene/scene.h"
 
-#include "drawing/fan.h"
 #include "math/math.h"
 #include "scene/draw_meshes.h"
-#include "span/scanline.h"
+#include "polygon/scratch.h"
 
 /* The background is a span of the whole width on every line. */
-static void clear(const struct frame *frame, uint32 colour)
+static void clear(const struct renderer *renderer, uint32 colour)
 {
-    static struct scanline lines[FRAME_SIDE_MAX];
+    const struct frame *frame = renderer->frame;
+    struct scanline *lines = renderer->scratch->lines;
     struct span_plan plan;
 
     for (int32 i = 0; i < frame->height; i++) {
@@ -52,62 +52,69 @@ static const struct vertex *place(struct vertex *room, const struct vertex *from
     return room;
 }
 
-/* Objects first to end (excluded). drawing: of those that are planar; most are. */
-static enum polygon_result draw_objects(const struct scene *scene, const struct frame *frame,
-                                        int32 number, const struct drawing *drawing,
-                                        uint32 first, uint32 end)
+/* Draws objects first to end (excluded). */
+static enum polygon_result draw_objects(struct renderer *renderer, const struct scene *scene,
+                                        int32 number, uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN;
     const struct scene_object *object = &scene->objects[first];
-    static struct vertex room[POLYGON_VERTICES_MAX];
 
     for (; first < end; first++, object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
         const struct material *material;
-        const struct vertex *vertices;
         enum polygon_result result;
-        struct drawing other;
+        struct polygon polygon;
 
         if (age >= object->poses)
             continue;
-        vertices = place(room, &scene->vertices[object->vertex], object->vertices,
-                         &scene->poses[object->pose + age]);
+        polygon_set(&polygon, place(scene->scratch->placed, &scene->vertices[object->vertex],
+                                    object->vertices, &scene->poses[object->pose + age]),
+                    (int32)object->vertices, object->planar);
         material = &scene->drawn[object->material];
-        result = material->draw(frame, vertices, (int32)object->vertices, material,
-                                planar_vouched(&other, drawing, object->planar));
+        result = material->draw(renderer, &polygon, material);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
     return refused;
 }
 
-enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
-                               int32 number, const struct drawing *drawing)
+/* Everything in front of the background. */
+static enum polygon_result draw_all(struct renderer *renderer, const struct scene *scene,
+                                    int32 number)
 {
     const struct scene_header *header = scene->header;
     enum polygon_result refused = POLYGON_DRAWN, result;
     uint32 object = 0, instance = 0;
-    struct drawing planar, in_space;
-    struct mesh_target target;
 
-    drawing = planar_vouched(&planar, drawing, PLANAR_ALL);
-    target.frame = frame;
-    target.number = number;
-    if (header->units)
-        scene_start_units(scene, number);
-    clear(frame, header->background);
+    renderer->reciprocals = scene->reciprocals;
+    renderer->logarithms = scene->logarithms;
     while (instance < header->instances) {      /* those before one object are together */
         uint32 before = scene->instances[instance].before, first = instance;
 
-        target.drawing = planar_vouched(&in_space, drawing, PLANAR_ALL - PLANAR_TEXELS);
-        result = draw_objects(scene, frame, number, drawing, object, before);
+        result = draw_objects(renderer, scene, number, object, before);
         refused = result == POLYGON_DRAWN ? refused : result;
         while (instance < header->instances && scene->instances[instance].before == before)
             instance++;
-        result = mesh_draw(scene, first, instance, &target);
+        result = mesh_draw(renderer, scene, number, first, instance);
         refused = result == POLYGON_DRAWN ? refused : result;
         object = before;
     }
-    result = draw_objects(scene, frame, number, drawing, object, header->objects);
+    result = draw_objects(renderer, scene, number, object, header->objects);
     return result == POLYGON_DRAWN ? refused : result;
+}
+
+enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, int32 number)
+{
+    if (scene->header->units)
+        scene_start_units(scene, number);
+    clear(renderer, scene->header->background);
+    return draw_all(renderer, scene, number);
+}
+
+void scene_count(struct renderer *renderer, struct scene *scene, int32 number,
+                 struct draw_counts *counts)
+{
+    renderer->counts = counts;
+    draw_all(renderer, scene, number);
+    renderer->counts = 0;
 }

@@ -7,14 +7,17 @@
 #include "math/math.h"
 
 /* A fan of triangles where gradients are for those: cutting makes more corners. */
-static enum polygon_result draw_polygon(const struct vertex *vertices, int32 count,
-                                        const struct material *material,
-                                        const struct mesh_target *target)
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
+                                        int32 count, const struct material *material)
 {
+    struct polygon polygon;
+
+    /* A face is a plane in space: on the screen texels without perspective need not lie on one. */
+    polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
-        return material->draw(target->frame, vertices, count, material, target->drawing);
-    return polygon_fan(material->draw, target->frame, vertices, count, material, target->drawing);
+        return material->draw(renderer, &polygon, material);
+    return polygon_fan(material->draw, renderer, &polygon, material);
 }
 
 /* Vertices before the camera to the screen, as mesh_transform does it. */
@@ -28,11 +31,10 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
     }
 }
 
-static enum polygon_result draw_cut(struct vertex *vertices, int32 count,
-                                    const struct mesh_face *face, const struct scene *scene,
-                                    const struct mesh_target *target)
+static enum polygon_result draw_cut(struct renderer *renderer, const struct scene *scene,
+                                    const struct mesh_face *face, struct vertex *vertices,
+                                    int32 count)
 {
-    static struct vertex room[2 * POLYGON_VERTICES_MAX];
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
 
@@ -42,17 +44,17 @@ static enum polygon_result draw_cut(struct vertex *vertices, int32 count,
         vertices[i].x = p->x;
         vertices[i].y = p->y;
     }
-    vertices = mesh_clip(room, vertices, &count, scene->header->near_plane);
+    vertices = mesh_clip(scene->scratch->cut, vertices, &count, scene->header->near_plane);
     if (count < 3)
         return POLYGON_EMPTY;
     project(vertices, count, scene->header);
-    return draw_polygon(vertices, count, placed->material, target);
+    return draw_polygon(renderer, vertices, count, placed->material);
 }
 
-static enum polygon_result draw_face(const struct mesh_face *face, const struct scene *scene,
-                                     const struct mesh_target *target)
+static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
+                                     const struct mesh_face *face)
 {
-    static struct vertex vertices[MESH_CORNERS_MAX];
+    struct vertex *vertices = scene->scratch->face;
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
     int32 count = (int32)face->face->corners;
@@ -78,8 +80,8 @@ static enum polygon_result draw_face(const struct mesh_face *face, const struct 
             v->shade = look->shade;
     }
     if (outside)
-        return draw_cut(vertices, count, face, scene, target);
-    return draw_polygon(vertices, count, placed->material, target);
+        return draw_cut(renderer, scene, face, vertices, count);
+    return draw_polygon(renderer, vertices, count, placed->material);
 }
 
 /* s, t and shade of an instance's normals, of which there is one at least. */
@@ -149,8 +151,8 @@ static int32 place(const struct scene *scene, const struct scene_instance *insta
     return mesh_faces(&faces);
 }
 
-enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 end,
-                              const struct mesh_target *target)
+enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
+                              uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN;
     struct mesh_work at = scene->work;
@@ -159,7 +161,7 @@ enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 en
 
     for (; first < end; first++) {
         const struct scene_instance *instance = &scene->instances[first];
-        uint32 age = (uint32)target->number - instance->first_frame;
+        uint32 age = (uint32)number - instance->first_frame;
 
         if (age < instance->views) {
             int32 more = place(scene, instance, &scene->views[instance->view + age], &at);
@@ -168,9 +170,9 @@ enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 en
             at.faces += more;
         }
     }
-    face = mesh_sort(scene->work.faces, scene->work.sorted, count);
+    face = mesh_sort(scene->work.faces, scene->work.sorted, count, scene->scratch->digits);
     for (; count > 0; count--, face++) {
-        enum polygon_result result = draw_face(face, scene, target);
+        enum polygon_result result = draw_face(renderer, scene, face);
 
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;

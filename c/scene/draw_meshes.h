@@ -4,17 +4,9 @@
 
 #include "scene/scene.h"
 
-/* What a frame is drawn with. */
-struct mesh_target {
-    const struct frame *frame;
-    int32 number;               /* of the frame in the scene */
-    const struct drawing *drawing;      /* faces are planes in space: on the screen texels without
-                                           perspective need not lie on any */
-};
-
-/* Draws instances first to end (excluded) together, faces far away first; returns why a
+/* Draws instances first to end (excluded) of frame `number` together, faces far away first; returns why a
    polygon was refused, or POLYGON_DRAWN. */
-enum polygon_result mesh_draw(const struct scene *scene, uint32 first, uint32 end,
-                              const struct mesh_target *target);
+enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
+                              uint32 first, uint32 end);
 
 #endif

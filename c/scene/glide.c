@@ -1,6 +1,7 @@
 /* Glide's texture units of a scene. */
 #include "scene/scene.h"
 
+#include "glide/polygons/tiles.h"
 #include "system/file.h"
 #include "system/system.h"
 
@@ -102,8 +103,10 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
     if (!h->pipes)
         return 1;
     if (!mem_alloc(&scene->glide, (int32)(h->glide_units * sizeof *scene->glide), MEMORY_ANY)
-        || !mem_alloc(&scene->pipe, (int32)(h->pipes * sizeof *scene->pipe), MEMORY_ANY))
+        || !mem_alloc(&scene->pipe, (int32)(h->pipes * sizeof *scene->pipe), MEMORY_ANY)
+        || !mem_alloc(&scene->tiles, sizeof *scene->tiles, MEMORY_ANY))
         return 0;
+    glide_tile_store_init(scene->tiles);
     for (uint32 i = 0; i < h->glide_units; i++) {
         const struct scene_glide_unit *from = &scene->glide_units[i];
 
@@ -116,7 +119,7 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
 
         for (uint32 n = 0; n < from->glide_units; n++)
             units[n] = &scene->glide[from->glide + n];
-        glide_pipe_init(&scene->pipe[i], units, from->glide_units, kind);
+        glide_pipe_init(&scene->pipe[i], units, from->glide_units, kind, scene->tiles);
         glide_chain_hints(&scene->pipe[i].chain, from->own);
         glide_pipe_prefilter(&scene->pipe[i], from->prefilter);
         glide_pipe_adds(&scene->pipe[i], from->adds);
@@ -124,25 +127,22 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
     return 1;
 }
 
-/* The second half of the vertices is what the second unit goes by. */
-static enum polygon_result draw_own(const struct frame *frame, const struct vertex *vertices,
-                                    int32 count, const struct material *material,
-                                    const struct drawing *drawing)
+/* The second half of the vertices has the second unit's coordinates. */
+static enum polygon_result draw_own(struct renderer *renderer, const struct polygon *polygon,
+                                    const struct material *material)
 {
-    material->pipe->own = vertices + (count >> 1);
-    return glide_polygon_draw(frame, vertices, count >> 1, material, drawing);
+    const int32 count = polygon->count >> 1;
+    struct polygon half;
+
+    polygon_set(&half, polygon->vertices, count, polygon->planar);
+    half.second = polygon->vertices + count;
+    return glide_polygon_draw(renderer, &half, material);
 }
 
 polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material)
 {
     return scene_has_own(scene, material) ? draw_own : glide_polygon_draw;
-}
-
-void scene_settle_pipes(const struct scene *scene, int32 settled)
-{
-    for (uint32 i = 0; i < scene->header->pipes; i++)
-        scene->pipe[i].settled = settled;
 }
 
 const char *scene_why_pipe_refused(const struct scene *scene)

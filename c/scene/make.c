@@ -37,38 +37,6 @@ void scene_place(struct scene *scene, const uint8 *data)
     scene->pipes = (const struct scene_pipe *)(data + header->pipes_at);
 }
 
-static int32 needs_reciprocals(const struct scene_material *material)
-{
-    return material->perspective == PERSPECTIVE_EVERY16
-        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
-}
-
-static int32 needs_logarithms(const struct scene_material *material)
-{
-    return material->perspective == PERSPECTIVE_PIXEL;
-}
-
-static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct scene_material *))
-{
-    for (uint32 i = 0; i < scene->header->materials; i++)
-        if (needs(&scene->materials[i]))
-            return 1;
-    return 0;
-}
-
-/* The tables of perspective, where a material needs them. */
-static int32 make_reciprocals(struct scene *scene)
-{
-    scene->reciprocals = 0;
-    return !is_needed(scene, needs_reciprocals) || scene_make_reciprocals(scene);
-}
-
-static int32 make_logarithms(struct scene *scene)
-{
-    scene->logarithms = 0;
-    return !is_needed(scene, needs_logarithms) || scene_make_logarithms(scene);
-}
-
 static polygon_routine *routine_of(const struct scene *scene,
                                    const struct scene_material *material)
 {
@@ -99,8 +67,6 @@ static int32 make_materials(struct scene *scene)
         to->number = (uint16)i;
         to->tolerance = from->tolerance;
         to->colour = from->colour;
-        to->reciprocals = needs_reciprocals(from) ? scene->reciprocals : 0;
-        to->logarithms = needs_logarithms(from) ? scene->logarithms : 0;
         to->draw = routine_of(scene, from);
         to->unit = from->mapper == MAPPER_N64 ? &scene->engines[from->unit] : 0;
         to->pipe = from->mapper == MAPPER_GLIDE ? &scene->pipe[from->unit] : 0;
@@ -150,17 +116,20 @@ static enum scene_memory make_work(struct scene *scene)
 
 enum scene_memory scene_make(struct scene *scene, int32 kind)
 {
+    enum scene_memory made;
+
+    scene->reciprocals = 0;
+    scene->logarithms = 0;
+    scene->tried_reciprocals = scene->tried_logarithms = 0;
     if (!scene_make_maps(scene, kind))
         return SCENE_TEXTURES;
-    if (!make_reciprocals(scene))
-        return SCENE_RECIPROCALS;
-    if (!make_logarithms(scene))
-        return SCENE_LOGARITHMS;
     if (!scene_make_units(scene, kind) || !scene_make_pipes(scene, kind))
         return SCENE_UNITS;
-    if (!make_materials(scene))
+    if (!make_materials(scene)
+        || !mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))
         return SCENE_MATERIALS;
-    return make_work(scene);
+    made = scene_make_tables(scene);
+    return made == SCENE_MADE ? make_work(scene) : made;
 }
 
 void scene_reserve(const struct scene *scene)

@@ -8,6 +8,13 @@
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
 
+/* Memory for what is placed on the screen, of one polygon or face at a time. */
+struct scene_scratch {
+    struct vertex placed[POLYGON_VERTICES_MAX];
+    struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
+    int32 digits[MESH_SORT_DIGITS];
+};
+
 struct scene {
     const struct scene_header *header;
     const struct scene_texture *textures;
@@ -28,13 +35,16 @@ struct scene {
     const struct scene_glide_unit *glide_units;
     const struct scene_pipe *pipes;
     struct mesh_work work;
+    struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
+    uint8 tried_reciprocals, tried_logarithms;  /* 1: not made again where memory was short */
     struct n64_unit *engines;   /* one a unit */
     struct glide *glide;        /* one each of glide_units */
     struct glide_pipe *pipe;    /* one each of pipes */
+    struct glide_tile_store *tiles;     /* of all pipes */
 };
 
 /* Puts the textures of a checked scene into memory of the kind given, each as its
@@ -68,7 +78,7 @@ int32 scene_make_units(struct scene *scene, int32 kind);
 polygon_routine *scene_unit_routine(uint32 primitive);
 
 /* Runs the lists of a frame. */
-void scene_start_units(const struct scene *scene, int32 number);
+void scene_start_units(struct scene *scene, int32 number);
 
 /* The first field of units or lists that is wrong, or 0; tables lie in the file. */
 const char *scene_wrong_unit(const struct scene *scene);
@@ -89,15 +99,12 @@ const char *scene_wrong_pipe(const struct scene *scene);
 /* Makes Glide's texture units and their pipes; 0 where memory is short. */
 int32 scene_make_pipes(struct scene *scene, int32 kind);
 
-/* Whether the second unit of a material goes by the second half of an object's vertices; pipes are
-   checked. */
+/* Returns 1 if the second half of an object's vertices has the coordinates of the material's second
+   unit; pipes are checked. */
 int32 scene_has_own(const struct scene *scene, const struct scene_material *material);
 
 polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material);
-
-/* What was drawn is drawn again (1), or not (0): see struct glide_pipe. */
-void scene_settle_pipes(const struct scene *scene, int32 settled);
 
 /* Why a pipe refused a polygon; 0: none did. */
 const char *scene_why_pipe_refused(const struct scene *scene);
@@ -116,8 +123,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind);
 void scene_reserve(const struct scene *scene);
 
 /* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
-enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,
-                               int32 number, const struct drawing *drawing, uint32 *ticks);
+enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
+                               uint32 *ticks);
 
 /* Writes a frame as frame_000.chunky and so on; prints a line and returns 0 if it cannot. */
 int32 scene_save(const struct frame *frame, int32 number);
@@ -126,9 +133,12 @@ int32 scene_save(const struct frame *frame, int32 number);
    naming file and field and returns 0 where something is wrong. */
 int32 scene_load(struct scene *scene, const char *name, int32 kind);
 
-/* Draws one frame over the background; returns why a polygon was refused, or
+/* Draws one frame over the background, by the scene's tables; returns why a polygon was refused, or
    POLYGON_DRAWN. */
-enum polygon_result scene_draw(const struct scene *scene, const struct frame *frame,
-                               int32 number, const struct drawing *drawing);
+enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, int32 number);
+
+/* Adds what the frame that was drawn last consists of to counts, one a material. */
+void scene_count(struct renderer *renderer, struct scene *scene, int32 number,
+                 struct draw_counts *counts);
 
 #endif

@@ -95,53 +95,6 @@ static void set_units(struct scene *scene, int32 step)
                                                              : perspective[step].subdivision);
 }
 
-static int32 needs_reciprocals(const struct material *material)
-{
-    return material->perspective == PERSPECTIVE_EVERY16
-        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
-}
-
-static int32 needs_logarithms(const struct material *material)
-{
-    return material->perspective == PERSPECTIVE_PIXEL;
-}
-
-static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct material *))
-{
-    for (uint32 i = 0; i < scene->header->materials; i++)
-        if (needs(&scene->drawn[i]))
-            return 1;
-    return 0;
-}
-
-/* Once each: what memory was short for then it stays short for. */
-static int32 reciprocals_tried, logarithms_tried;
-
-void settings_forget(void)
-{
-    reciprocals_tried = logarithms_tried = 0;
-}
-
-static int32 set_tables(struct scene *scene)
-{
-    const int32 reciprocals = is_needed(scene, needs_reciprocals);
-    const int32 logarithms = is_needed(scene, needs_logarithms);
-
-    if (reciprocals && !scene->reciprocals && !reciprocals_tried) {
-        reciprocals_tried = 1;
-        scene_make_reciprocals(scene);
-    }
-    if (logarithms && !scene->logarithms && !logarithms_tried) {
-        logarithms_tried = 1;
-        scene_make_logarithms(scene);
-    }
-    for (uint32 i = 0; i < scene->header->materials; i++) {
-        scene->drawn[i].reciprocals = scene->reciprocals;
-        scene->drawn[i].logarithms = scene->logarithms;
-    }
-    return (!reciprocals || scene->reciprocals) && (!logarithms || scene->logarithms);
-}
-
 int32 settings_set(struct scene *scene, const struct settings *settings)
 {
     for (uint32 i = 0; i < scene->header->materials; i++) {
@@ -150,7 +103,7 @@ int32 settings_set(struct scene *scene, const struct settings *settings)
     }
     restore_gradients(scene);
     set_units(scene, settings->perspective);
-    return set_tables(scene);
+    return scene_make_tables(scene) == SCENE_MADE;
 }
 
 const char *settings_accuracy(int32 step)

@@ -25,14 +25,10 @@ struct settings {
     int32 perspective;          /* SETTINGS_OWN, or 0 to PERSPECTIVE_KINDS - 1 */
 };
 
-/* Sets all materials, and makes the tables they draw by: 109 KB of reciprocals, 673 KB of
-   logarithms, each when a step first needs it. 0: memory was short for one, and those lines are
-   divided exactly instead: within the same bounds, but slower and not the same pixels. */
+/* Sets all materials, and makes the tables they draw by (scene/tables.h) when a step first needs
+   them. 0: memory was short for one, and those lines are divided exactly instead: within the same
+   bounds, but slower and not the same pixels. */
 int32 settings_set(struct scene *scene, const struct settings *settings);
-
-/* Another scene was loaded. For one scene a table is tried once: where memory was short for it, it
-   stays so. */
-void settings_forget(void);
 
 /* A step's name, as "exact, plane, subtexel" or "every16"; "settings of the scene", "of the scene". */
 const char *settings_accuracy(int32 step);

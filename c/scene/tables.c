@@ -3,27 +3,58 @@
 #include "span/logarithm.h"
 #include "system/system.h"
 
-int32 scene_make_reciprocals(struct scene *scene)
+static int32 needs_reciprocals(const struct material *material)
+{
+    return material->perspective == PERSPECTIVE_EVERY16
+        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
+}
+
+static int32 needs_logarithms(const struct material *material)
+{
+    return material->perspective == PERSPECTIVE_PIXEL;
+}
+
+static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct material *))
+{
+    for (uint32 i = 0; i < scene->header->materials; i++)
+        if (needs(&scene->drawn[i]))
+            return 1;
+    return 0;
+}
+
+static void make_reciprocals(struct scene *scene)
 {
     uint16 *table;
 
-    if (!mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
-        return 0;
-    scene->reciprocals = reciprocals_make(table);
-    return 1;
+    scene->tried_reciprocals = 1;
+    if (mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
+        scene->reciprocals = reciprocals_make(table);
 }
 
-int32 scene_make_logarithms(struct scene *scene)
+static void make_logarithms(struct scene *scene)
 {
     struct logarithm_tables *tables;
     int16 *logs;
     uint16 *powers;
 
+    scene->tried_logarithms = 1;
     if (!mem_alloc(&powers, LOGARITHM_POWERS * sizeof *powers, MEMORY_ANY)
         || !mem_alloc(&logs, LOGARITHM_COUNT * sizeof *logs, MEMORY_ANY)
         || !mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
-        return 0;
+        return;
     logarithms_make(tables, logs, powers);
     scene->logarithms = tables;
-    return 1;
+}
+
+enum scene_memory scene_make_tables(struct scene *scene)
+{
+    const int32 reciprocals = is_needed(scene, needs_reciprocals);
+    const int32 logarithms = is_needed(scene, needs_logarithms);
+
+    if (reciprocals && !scene->tried_reciprocals)
+        make_reciprocals(scene);
+    if (logarithms && !scene->tried_logarithms)
+        make_logarithms(scene);
+    return reciprocals && !scene->reciprocals ? SCENE_RECIPROCALS
+         : logarithms && !scene->logarithms ? SCENE_LOGARITHMS : SCENE_MADE;
 }

@@ -4,9 +4,9 @@
 
 #include "scene/scene.h"
 
-/* Each makes its table, 109 KB of reciprocals and 673 KB of logarithms and powers, and scene's
-   pointer to it; 0 where memory is short: the pointer is left alone. */
-int32 scene_make_reciprocals(struct scene *scene);
-int32 scene_make_logarithms(struct scene *scene);
+/* Makes the tables that the scene's materials need as they are set now, each once: 109 KB of
+   reciprocals, 673 KB of logarithms and powers. SCENE_RECIPROCALS or SCENE_LOGARITHMS: memory is,
+   or was, short for one. */
+enum scene_memory scene_make_tables(struct scene *scene);
 
 #endif

@@ -5,15 +5,15 @@
 /* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
 #define FRAME_LIMIT 650
 
-enum polygon_result scene_time(const struct scene *scene, const struct frame *frame,
-                               int32 number, const struct drawing *drawing, uint32 *ticks)
+enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
+                               uint32 *ticks)
 {
     enum polygon_result result;
 
     quiet_enter();
     clock_wait();
     clock_start(FRAME_LIMIT);
-    result = scene_draw(scene, frame, number, drawing);
+    result = scene_draw(renderer, scene, number);
     *ticks = clock_stop();
     quiet_leave();
     return result;

@@ -44,11 +44,10 @@ int32 scene_make_units(struct scene *scene, int32 kind)
     return 1;
 }
 
-static enum polygon_result draw_rectangle(const struct frame *frame, const struct vertex *first,
-                                          const struct vertex *last, int32 flip,
-                                          const struct material *material,
-                                          const struct drawing *drawing)
+static enum polygon_result draw_rectangle(struct renderer *renderer, const struct polygon *polygon,
+                                          int32 flip, const struct material *material)
 {
+    const struct vertex *first = polygon->vertices, *last = &first[polygon->count - 1];
     struct n64_rectangle rectangle;
 
     rectangle.left = first->x >> 16;
@@ -60,21 +59,19 @@ static enum polygon_result draw_rectangle(const struct frame *frame, const struc
     rectangle.dsdx = last->s;
     rectangle.dtdy = last->t;
     rectangle.flip = flip;
-    return n64_rectangle_draw(frame, &rectangle, material, drawing);
+    return n64_rectangle_draw(renderer, &rectangle, material);
 }
 
-static enum polygon_result draw_upright(const struct frame *frame, const struct vertex *vertices,
-                                        int32 count, const struct material *material,
-                                        const struct drawing *drawing)
+static enum polygon_result draw_upright(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
 {
-    return draw_rectangle(frame, vertices, &vertices[count - 1], 0, material, drawing);
+    return draw_rectangle(renderer, polygon, 0, material);
 }
 
-static enum polygon_result draw_flipped(const struct frame *frame, const struct vertex *vertices,
-                                        int32 count, const struct material *material,
-                                        const struct drawing *drawing)
+static enum polygon_result draw_flipped(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
 {
-    return draw_rectangle(frame, vertices, &vertices[count - 1], 1, material, drawing);
+    return draw_rectangle(renderer, polygon, 1, material);
 }
 
 polygon_routine *scene_unit_routine(uint32 primitive)
@@ -86,7 +83,7 @@ polygon_routine *scene_unit_routine(uint32 primitive)
     return routines[primitive];
 }
 
-void scene_start_units(const struct scene *scene, int32 number)
+void scene_start_units(struct scene *scene, int32 number)
 {
     for (uint32 i = 0; i < scene->header->units; i++)
         if (scene->units[i].lists > 1)

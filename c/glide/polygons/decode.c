@@ -3,17 +3,12 @@
 #include "polygon/key.h"
 #include "system/system.h"
 
-/* A texel is its bytes' entries, exclusive-ored: no bit of its colour comes from both. */
-struct bytes {
-    uint32 low[256], high[256];
-};
-
 static uint32 rgba(uint32 argb)
 {
     return argb << 8 | argb >> 24;
 }
 
-static void find_bytes(struct bytes *bytes, const struct glide *glide)
+static void find_bytes(struct glide_bytes *bytes, const struct glide *glide)
 {
     const uint32 none = rgba(glide_colour(glide, 0));
 
@@ -24,20 +19,20 @@ static void find_bytes(struct bytes *bytes, const struct glide *glide)
     }
 }
 
-static void make_texels(uint32 *to, const struct glide *glide, const struct glide_level *level)
+static void make_texels(uint32 *to, const struct glide *glide, const struct glide_level *level,
+                        struct glide_bytes *bytes)
 {
-    static struct bytes bytes;
     const uint32 mask = glide->memory_bytes - 1;
     const uint8 *memory = glide->memory;
     uint32 address = level->address, left = level->columns * level->rows;
 
-    find_bytes(&bytes, glide);
+    find_bytes(bytes, glide);
     if (glide->modes.format < GLIDE_ARGB8332)
         for (; left; left--, address++)
-            *to++ = bytes.low[memory[address & mask]];
+            *to++ = bytes->low[memory[address & mask]];
     else
         for (; left; left--, address += 2)
-            *to++ = bytes.low[memory[address & mask]] ^ bytes.high[memory[(address + 1) & mask]];
+            *to++ = bytes->low[memory[address & mask]] ^ bytes->high[memory[(address + 1) & mask]];
 }
 
 static void make_quads(void *to, int32 bits, const uint32 *texels, const struct glide_level *level)
@@ -90,7 +85,8 @@ static int32 room(void *address, uint32 *has, uint32 count, uint32 size)
     return *has > 0;
 }
 
-int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept)
+int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept,
+                   struct glide_bytes *bytes)
 {
     const int32 fresh = is_fresh(kept, glide, level);
     struct glide_level at;
@@ -105,7 +101,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
         kept->decoded.quads = 0;
         if (!room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
             return 0;
-        make_texels(kept->texels, glide, &at);
+        make_texels(kept->texels, glide, &at, bytes);
         kept->decoded.texels = kept->texels;
         kept->decoded.mask_s = (uint16)((at.columns - 1) << 4);
         kept->decoded.mask_t = (uint16)((at.rows - 1) << 4);

@@ -4,6 +4,7 @@
 
 #include "glide/passes.h"
 #include "glide/pixel.h"
+#include "glide/polygons/scratch.h"
 
 enum { GLIDE_LEVEL_KEY = 5 };
 
@@ -18,6 +19,7 @@ struct glide_kept {
 
 /* Makes *kept fit a unit's level, with quads for its weights or at least its texels, unless it does
    already; 0: memory is short. Memory is the system's and kept for the next time. */
-int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept);
+int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept,
+                   struct glide_bytes *bytes);
 
 #endif

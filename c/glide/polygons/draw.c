@@ -106,8 +106,8 @@ static int32 find_planes(struct glide_iterations *at, const struct setup *s,
     return 1;
 }
 
-/* Draws lines by passes, or, where there are none (plan is 0, or memory is short), pixel by pixel;
-   returns how many of those. */
+/* Draws lines by passes, or, where there are none (plan is 0, or memory is short), pixel by pixel
+   unless they are only counted; returns how many of those. */
 static uint32 draw_lines(const struct glide_pipe *pipe, struct glide_plan *plan,
                          struct glide_iterations *at, const struct setup *s)
 {
@@ -120,18 +120,49 @@ static uint32 draw_lines(const struct glide_pipe *pipe, struct glide_plan *plan,
 
         if (count <= 0 || (plan && draw(plan, s->frame, x, y, count)))
             continue;
-        glide_pixels_draw(pipe, at, s->frame, x, x + count, y);
+        if (!s->counts)
+            glide_pixels_draw(pipe, at, s->frame, x, x + count, y);
         missed += (uint32)count;
     }
     return missed;
 }
 
+/* The scratch room of one polygon. */
+struct room {
+    struct glide_iterations at;
+    struct glide_tiling tiling;
+    struct glide_plan plan;
+    struct frame unseen;
+    struct glide_line_scratch line;
+};
+
+SCRATCH_FITS(struct room);
+
+/* Lines that are only counted are drawn where nobody looks: some have no passes, which only shows
+   when they are drawn. */
+static void hide_lines(struct setup *s, struct room *room)
+{
+    struct frame *unseen = &room->unseen;
+
+    unseen->pixels = (uint8 *)room->line.unseen;
+    unseen->width = s->frame->width;
+    unseen->height = s->frame->height;
+    unseen->pixel_bytes = s->frame->pixel_bytes;
+    unseen->pitch = 0;
+    s->frame = unseen;
+}
+
+static void count(const struct setup *s, enum span_kind kind, uint32 missed)
+{
+    count_lines(s, kind);
+    s->counts->pixels[kind] -= missed;
+    s->counts->pixels[SPAN_GLIDE_PIXELS] += missed;
+}
+
 static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
                                        const struct iteration *of)
 {
-    static struct glide_iterations at;
-    static struct glide_tiling tiling;
-    static struct glide_plan plan;
+    struct room *room = (struct room *)s->scratch->room;
     enum polygon_result result;
     int32 passes, tiles;
     uint32 missed;
@@ -139,84 +170,66 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (!find_planes(&at, s, &of[0], 0)
-        || (glide_has_own(&pipe->chain) && !find_planes(&at, s, &of[1], 1)))
+    if (!find_planes(&room->at, s, &of[0], 0)
+        || (glide_has_own(&pipe->chain) && !find_planes(&room->at, s, &of[1], 1)))
         return refuse(pipe, GLIDE_BAD_COORDINATE);
-    passes = APPLIES(GLIDE_PASSES, glide_plan_find(&plan, pipe, &at, s->frame->pixel_bytes));
-    tiles = passes && !pipe->adds
-        && APPLIES(GLIDE_TILES, glide_tiles_pay(&tiling, pipe, &plan, &at, s));
-    missed = tiles ? glide_tiles_draw(&tiling, s) : draw_lines(pipe, passes ? &plan : 0, &at, s);
-    if (s->counts) {
-        s->counts->polygons++;
-        s->counts->pixels[SPAN_GLIDE_PIXELS] += missed;
-        s->counts->pixels[tiles ? SPAN_GLIDE_TILES : SPAN_GLIDE_PASSES] += lines_pixels(
-            s->edges.lines, s->box.bottom - s->box.top) - missed;
-    }
+    room->plan.scratch = &room->line;
+    passes = RULE_IS_ON(s, GLIDE_PASSES)
+        && glide_plan_find(&room->plan, pipe, &room->at, s->frame->pixel_bytes);
+    if (passes)
+        RULE_APPLIES(s, GLIDE_PASSES);
+    tiles = passes && !pipe->adds && RULE_IS_ON(s, GLIDE_TILES)
+        && glide_tiles_pay(&room->tiling, pipe, &room->plan, &room->at, s);
+    if (tiles)
+        RULE_APPLIES(s, GLIDE_TILES);
+    if (s->counts)
+        hide_lines(s, room);
+    missed = tiles ? glide_tiles_draw(&room->tiling, s)
+                   : draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
+    if (s->counts)
+        count(s, tiles ? SPAN_GLIDE_TILES : SPAN_GLIDE_PASSES, missed);
     return POLYGON_DRAWN;
 }
 
-/* Whether what units iterate lies on planes. */
-static int32 is_planar(const struct iteration *of, const struct vertex *vertices, int32 count,
-                       const struct drawing *drawing)
+/* Returns non-zero if what units iterate lies on planes. */
+static int32 is_planar(const struct renderer *renderer, const struct polygon *polygon,
+                       const struct iteration *of)
 {
-    return planar_is(drawing, vertices, of->corners, count,
-                     of->divided ? PLANAR_DEPTHS : PLANAR_TEXELS);
+    return polygon_is_planar(renderer, polygon, of->corners,
+                             of->divided ? PLANAR_DEPTHS : PLANAR_TEXELS);
 }
 
-/* polygon_fan, and the triangles' own points with them. */
-static enum polygon_result draw_fan(const struct frame *frame, const struct vertex *vertices,
-                                    int32 count, const struct material *material,
-                                    const struct drawing *drawing)
-{
-    struct glide_pipe *pipe = material->pipe;
-    const struct vertex *const own = pipe->own;
-    enum polygon_result all = POLYGON_EMPTY;
-    struct vertex triangle[3], points[3];
-
-    for (int32 i = 2; i < count; i++) {
-        planar_triangle(triangle, vertices, i);
-        planar_triangle(points, own, i);
-        pipe->own = points;
-        all = planar_both(all, glide_polygon_draw(frame, triangle, 3, material, drawing));
-    }
-    pipe->own = own;
-    return all;
-}
-
-enum polygon_result glide_polygon_draw(const struct frame *frame, const struct vertex *vertices,
-                                       int32 count, const struct material *material,
-                                       const struct drawing *drawing)
+enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct polygon *polygon,
+                                       const struct material *material)
 {
     struct glide_pipe *pipe = material->pipe;
     const int32 has_own = glide_has_own(&pipe->chain);
+    const struct vertex *second = polygon->second;
+    struct polygon paged;
     struct iteration of[GLIDE_UNITS];
     enum glide_result check;
     struct material plain;
-    struct drawing whole;
     struct setup s;
 
-    if (count < 3 || count > POLYGON_VERTICES_MAX)
+    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (frame->pixel_bytes == 1)
+    if (renderer->frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
-    find_iteration(pipe, 0, vertices, &of[0]);
-    check = judge(&of[0], vertices, count);
+    find_iteration(pipe, 0, polygon->vertices, &of[0]);
+    check = judge(&of[0], polygon->vertices, polygon->count);
     if (check == GLIDE_DONE && has_own) {
-        find_iteration(pipe, 1, pipe->own, &of[1]);
-        check = pipe->own ? judge(&of[1], pipe->own, count) : GLIDE_NO_COORDINATES;
+        find_iteration(pipe, 1, second, &of[1]);
+        check = second ? judge(&of[1], second, polygon->count) : GLIDE_NO_COORDINATES;
     }
     if (check != GLIDE_DONE)
         return refuse(pipe, check);
-    if (count > 3 && drawing->planar != PLANAR_ALL) {
-        if (has_own && !(is_planar(&of[0], vertices, count, drawing)
-                         && is_planar(&of[1], vertices, count, drawing)))
-            return draw_fan(frame, vertices, count, material, drawing);
-        if (!has_own && !is_planar(&of[0], vertices, count, drawing))
-            return polygon_fan(glide_polygon_draw, frame, vertices, count, material, drawing);
-    }
-    setup_begin(&s, frame, vertices, count, material, drawing);
-    if (glide_lower_to_plain(&s, pipe, &plain, &vertices))
-        return polygon_draw(frame, vertices, count, &plain,
-                            planar_vouched(&whole, drawing, PLANAR_ALL));
-    return draw_planes(&s, pipe, of);
+    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !(is_planar(renderer, polygon, &of[0])
+             && (!has_own || is_planar(renderer, polygon, &of[1]))))
+        return polygon_fan(glide_polygon_draw, renderer, polygon, material);
+    setup_begin(&s, renderer, polygon, material);
+    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
+    if (glide_lower_to_plain(&s, pipe, &plain, &paged.vertices))
+        return count_rules(&s, polygon_draw(renderer, &paged, &plain));
+    return count_rules(&s, draw_planes(&s, pipe, of));
 }

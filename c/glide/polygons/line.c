@@ -1,36 +1,5 @@
 /* A line of a polygon: run by run of each unit, pass by pass. */
 #include "glide/polygons/plan.h"
-#include "system/system.h"
-
-/* What stands between the passes of a line. */
-struct work {
-    uint32 coordinates[FRAME_SIDE_MAX];
-    uint32 texels[FRAME_SIDE_MAX], other[FRAME_SIDE_MAX], colours[FRAME_SIDE_MAX];
-};
-
-/* The same where pixels' LODs are asked for. */
-struct lod_work {
-    uint16 lods[FRAME_SIDE_MAX];
-    uint8 details[FRAME_SIDE_MAX];
-    uint32 quarters[4][FRAME_SIDE_MAX / 4];     /* of a line: each fourth pixel */
-    struct glide_logarithm logarithms[GLIDE_LOGARITHMS];
-};
-
-static struct work *work;
-static struct lod_work *lod_work;
-
-int32 glide_line_ready(int32 lods)
-{
-    if (!work && !mem_take(&work, sizeof *work, MEMORY_ANY))
-        work = 0;
-    if (!lods || lod_work)
-        return work != 0;
-    if (mem_take(&lod_work, sizeof *lod_work, MEMORY_ANY))
-        glide_logarithms_make(lod_work->logarithms, glide_logarithms);
-    else
-        lod_work = 0;
-    return work && lod_work;
-}
 
 /* LODs of a run's pixels; x: the first one's. */
 static void find_lods(const struct glide_runs *runs, const struct glide_row *row, int32 x, int32 count)
@@ -43,7 +12,7 @@ static void find_lods(const struct glide_runs *runs, const struct glide_row *row
     lods.w = runs->part->by_w ? runs->by.w : 0;
     lods.least = (int16)glide_lod_least(modes);
     lods.most = (int16)glide_lod_most(modes);
-    lods.logarithms = lod_work->logarithms;
+    lods.logarithms = runs->part->logarithms;
     for (int32 i = 0; i < 4; i++) {
         int32 lod = runs->part->lod - 256;
 
@@ -51,7 +20,7 @@ static void find_lods(const struct glide_runs *runs, const struct glide_row *row
             lod += glide_dither(x + (i << row->step_bits), row->y);
         lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
     }
-    glide_lod(&at, lod_work->lods, &lods, count);
+    glide_lod(&at, runs->part->scratch->lods, &lods, count);
 }
 
 /* What of a run's factors comes from LODs. */
@@ -59,6 +28,7 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
                          const struct glide_row *row, int32 x)
 {
     const struct glide_part *part = runs->part;
+    struct glide_line_scratch *work = part->scratch;
     const struct glide_modes *modes = &part->glide->modes;
     const struct glide_band *band = &part->bands->of[runs->band];
     const int32 alike = (!part->by_w || !runs->by.w) && (!modes->dither || row->step_bits);
@@ -73,14 +43,14 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
         return;
     find_lods(runs, row, x, count);
     if (band->bits & GLIDE_FRACTIONS_DIFFER) {
-        factors->fractions = (const uint8 *)lod_work->lods + 1;
-        factors->fraction_step = alike ? 0 : sizeof *lod_work->lods;
+        factors->fractions = (const uint8 *)work->lods + 1;
+        factors->fraction_step = alike ? 0 : sizeof *work->lods;
     }
     if (band->bits & GLIDE_DETAILS_DIFFER) {
         nearness.end = (int16)(modes->detail_bias * 256);
         nearness.shift = (uint16)(8 - modes->detail_scale);
-        glide_details(lod_work->lods, lod_work->details, &nearness, count);
-        factors->details = lod_work->details;
+        glide_details(work->lods, work->details, &nearness, count);
+        factors->details = work->details;
         factors->detail_step = !alike;
     }
 }
@@ -100,7 +70,7 @@ static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps
     steps->w = runs->by.w;
     steps->skip = (uint16)skip;
     steps->left = runs->line - (int32)(place - skip);
-    glide_pieces(&at, work->coordinates, steps, runs->count);
+    glide_pieces(&at, runs->part->scratch->coordinates, steps, runs->count);
 }
 
 /* Coordinates of any run. */
@@ -116,7 +86,8 @@ static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
     steps->s = is_none ? 0 : runs->by.s;
     steps->t = is_none ? 0 : runs->by.t;
     steps->w = runs->by.w;
-    runs->part->coordinates(is_none ? &none : &runs->at, work->coordinates, steps, runs->count);
+    runs->part->coordinates(is_none ? &none : &runs->at, runs->part->scratch->coordinates, steps,
+                            runs->count);
 }
 
 /* How a run's texels are found, with its coordinates; 0: they are not. */
@@ -136,6 +107,7 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
                       const uint32 *other, uint32 *to)
 {
     const struct glide_part *part = runs->part;
+    struct glide_line_scratch *work = part->scratch;
     const struct glide_band *band = &part->bands->of[runs->band];
     const struct glide_sampling *from;
     struct glide_factors factors;
@@ -160,6 +132,7 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
 static int32 draw_part(struct glide_part *part, const struct glide_row *row, int32 first, int32 count,
                        uint32 *to)
 {
+    struct glide_line_scratch *work = part->scratch;
     const struct glide_bands *bands = part->bands;
     const int32 before = part->upstream && part->every & GLIDE_NEEDS_OTHER
         && !(part->bits & GLIDE_IS_OTHER);
@@ -191,17 +164,18 @@ static int32 draw_part(struct glide_part *part, const struct glide_row *row, int
 /* As four lines of each fourth pixel: dithering is the same all along them. */
 static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32 count, uint32 *to)
 {
+    struct glide_line_scratch *work = plan->scratch;
     const int32 x = row->x;
     struct glide_quarters quarters;
 
     row->step_bits = 2;
     for (int32 i = 0; i < 4 && i < count; i++) {
         row->x = x + i;
-        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, lod_work->quarters[i]))
+        if (!draw_part(plan->parts, row, 0, (count - i + 3) >> 2, work->quarters[i]))
             return 0;
     }
-    quarters.bytes = sizeof lod_work->quarters[0];
-    glide_interleave(lod_work->quarters, to, &quarters, count);
+    quarters.bytes = sizeof work->quarters[0];
+    glide_interleave(work->quarters, to, &quarters, count);
     return 1;
 }
 
@@ -209,6 +183,7 @@ static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32
 static int32 draw_direct(struct glide_part *part, const struct glide_row *row, uint8 *pixels,
                          int32 pixel_bytes, int32 count)
 {
+    struct glide_line_scratch *work = part->scratch;
     const struct glide_sampling *from;
     struct glide_runs runs;
 
@@ -232,7 +207,7 @@ static int32 draw_direct(struct glide_part *part, const struct glide_row *row, u
 static int32 draw_row(struct glide_plan *plan, struct glide_row *row, uint8 *pixels,
                       int32 pixel_bytes, int32 count, int32 mixed)
 {
-    uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
+    uint32 *to = pixel_bytes == 4 ? (uint32 *)pixels : plan->scratch->colours;
 
     if (plan->is_direct && !mixed)
         return draw_direct(plan->parts, row, pixels, pixel_bytes, count);
@@ -271,6 +246,7 @@ int32 glide_plan_draw(struct glide_plan *plan, const struct frame *frame, int32 
 int32 glide_plan_add(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                      int32 count)
 {
+    struct glide_line_scratch *work = plan->scratch;
     uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
     struct frame colours;
     struct glide_mix mix;

@@ -161,7 +161,7 @@ static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, stru
 /* s and t in texels of a level. */
 static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
 {
-    static struct vertex scaled[POLYGON_VERTICES_MAX];
+    struct vertex *scaled = (struct vertex *)s->scratch->room;
 
     for (int32 i = 0; i < s->count; i++) {
         scaled[i] = s->given[i];
@@ -225,9 +225,14 @@ int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct mate
         return 0;
     if (modes->dithered && lower_to_dithered(s, pipe, plain, vertices))
         return 1;
-    if ((modes->perspective && !(s->given->w > 0 && APPLIES(CONSTANT_W, lower_w_is_constant(s))))
-        || !APPLIES(GLIDE_PLAIN, is_plain(s, pipe, &shown)))
+    if (modes->perspective) {
+        if (s->given->w <= 0 || !RULE_IS_ON(s, CONSTANT_W) || !lower_w_is_constant(s))
+            return 0;
+        RULE_APPLIES(s, CONSTANT_W);
+    }
+    if (!RULE_IS_ON(s, GLIDE_PLAIN) || !is_plain(s, pipe, &shown))
         return 0;
+    RULE_APPLIES(s, GLIDE_PLAIN);
     *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
     return draws_page(s, pipe, &shown, &rows, plain);
 }

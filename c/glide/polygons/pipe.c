@@ -2,16 +2,15 @@
 #include "glide/polygons/unit.h"
 
 enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *units, uint32 count,
-                                  int32 memory)
+                                  int32 memory, struct glide_tile_store *tiles)
 {
     static const struct glide_kept none;
 
-    pipe->own = 0;
     pipe->result = GLIDE_DONE;
     pipe->memory = memory;
     pipe->prefilter = GLIDE_TILES_BYTES;
     pipe->adds = 0;
-    pipe->settled = 0;
+    pipe->tiles = tiles;
     for (int32 unit = 0; unit < GLIDE_UNITS; unit++) {
         pipe->bands[unit].count = 0;
         for (int32 level = 0; level <= GLIDE_LEVEL_LAST; level++)

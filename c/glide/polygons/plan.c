@@ -1,4 +1,5 @@
 #include "glide/polygons/plan.h"
+#include "system/system.h"
 
 int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod)
 {
@@ -14,10 +15,11 @@ static glide_pass *find_sample(struct glide_part *part, const struct glide_lod *
 {
     const int32 is_fine = part->glide->modes.fraction_bits == 8;
     struct glide_kept *kept = &part->levels[lod->level];
+    struct glide_bytes *bytes = &part->scratch->bytes;
 
-    if (lod->filter == GLIDE_BILINEAR && glide_decode(part->glide, lod->level, 1, kept))
+    if (lod->filter == GLIDE_BILINEAR && glide_decode(part->glide, lod->level, 1, kept, bytes))
         return is_fine ? glide_bilinear_8 : glide_bilinear;
-    if (!glide_decode(part->glide, lod->level, 0, kept))
+    if (!glide_decode(part->glide, lod->level, 0, kept, bytes))
         return 0;
     return lod->filter != GLIDE_BILINEAR ? glide_point : is_fine ? glide_filter_line_8 : glide_filter_line;
 }
@@ -67,6 +69,26 @@ static void find_bands(struct glide_part *part, const struct glide_range *range)
     }
 }
 
+/* Makes the table of logarithms when a unit first needs LODs; 0: no memory. */
+static const struct glide_logarithm *find_logarithms(void)
+{
+    static struct glide_logarithm *logarithms;
+
+    if (!logarithms && mem_take(&logarithms, GLIDE_LOGARITHMS * sizeof *logarithms, MEMORY_ANY))
+        glide_logarithms_make(logarithms, glide_logarithms);
+    return logarithms;
+}
+
+/* Gives it to all units. */
+static int32 set_logarithms(struct glide_plan *plan)
+{
+    const struct glide_logarithm *logarithms = find_logarithms();
+
+    for (struct glide_part *part = plan->parts; part; part = part->upstream)
+        part->logarithms = logarithms;
+    return logarithms != 0;
+}
+
 /* 0: the unit's pixels have no passes. */
 static int32 find_part(struct glide_part *part, struct glide_pipe *pipe, uint32 unit,
                        const struct glide_iterations *iterations, int32 has_alpha)
@@ -111,6 +133,7 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
     for (uint32 n = 0; n < pipe->chain.count && bits & GLIDE_NEEDS_OTHER; n++) {
         if (!find_part(part, pipe, n, iterations, has_alpha))
             return 0;
+        part->scratch = plan->scratch;
         bits = part->bits;
         has_alpha = (bits & GLIDE_NEEDS_OTHER_ALPHA) != 0;
         if (!place && part->every & GLIDE_IS_OTHER)
@@ -123,5 +146,5 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
         part++;
     }
     plan->is_direct = (plan->parts[0].every & GLIDE_IS_OWN) != 0;
-    return glide_line_ready(lods);
+    return !lods || set_logarithms(plan);
 }

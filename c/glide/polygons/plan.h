@@ -36,6 +36,8 @@ struct glide_sampling {
 /* One unit's part in a polygon. */
 struct glide_part {
     struct glide_part *upstream;  /* 0: nothing that counts */
+    struct glide_line_scratch *scratch;
+    const struct glide_logarithm *logarithms;   /* where LODs are needed */
     const struct glide *glide;
     struct glide_kept *levels;
     const struct glide_bands *bands;
@@ -57,6 +59,7 @@ struct glide_part {
 };
 
 struct glide_plan {
+    struct glide_line_scratch *scratch;
     struct glide_part parts[GLIDE_UNITS];  /* the first is nearest the pixel */
     int32 is_dithered;
     int32 is_direct;            /* texels are pixels */
@@ -82,7 +85,7 @@ struct glide_runs {
 int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod);
 
 /* Finds the passes for a polygon; 0: there are none for these modes, or memory is short.
-   pixel_bytes: of the frame. */
+   pixel_bytes: of the frame. Reads plan->scratch. */
 int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
                       const struct glide_iterations *iterations, int32 pixel_bytes);
 
@@ -137,10 +140,6 @@ int32 glide_piece_bits(const struct glide_chain *chain, uint32 unit);
 /* pixels.c. Draws pixels x to end - 1 of line y, one by one; at->points are theirs. */
 void glide_pixels_draw(const struct glide_pipe *pipe, struct glide_iterations *at,
                        const struct frame *frame, int32 x, int32 end, int32 y);
-
-/* line.c. The memory that lines are drawn in, made when it is first asked for, LODs' too where a
-   unit looks at them or is dithered; 0: there is none. */
-int32 glide_line_ready(int32 lods);
 
 typedef int32 glide_plan_routine(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                                  int32 count);

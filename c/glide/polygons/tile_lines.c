@@ -17,6 +17,7 @@ static int32 find_making(struct glide_tiling *tiling)
         of[n].dx = of[n].dy = 0;
     of[GLIDE_S].dx = of[GLIDE_T].dy = 1u << tiling->shift;
     of[GLIDE_W].at = 1u << 30;
+    tiling->making.scratch = tiling->plan->scratch;
     tiling->makes = glide_plan_find(&tiling->making, tiling->pipe, made, tiling->pixel_bytes);
     return tiling->makes;
 }
@@ -104,7 +105,7 @@ static int32 prepare(struct glide_tiling *tiling, const struct glide_iterators *
     const int32 s = glide_tile_number(tiling, &tiling->s, at->s >> bits);
     const int32 t = glide_tile_number(tiling, &tiling->t, at->t >> bits);
     int32 low = at->t >> tiling->shift & (SIDE - 1), high = end >> tiling->shift & (SIDE - 1);
-    struct glide_tile *tile = glide_tile_find(tiling->set, s, t);
+    struct glide_tile *tile = glide_tile_find(tiling, s, t);
 
     if (tiling->t.step < 0) {
         const int32 other = low;

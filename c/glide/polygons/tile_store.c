@@ -2,29 +2,32 @@
 #include "glide/polygons/tiles.h"
 #include "system/system.h"
 
-enum { SETS = 8, PIXELS = MAP_PAGE_SIDE * MAP_PAGE_SIDE };
+enum { PIXELS = MAP_PAGE_SIDE * MAP_PAGE_SIDE };
 
-static struct {
-    struct glide_tile tiles[GLIDE_TILES_MAX];
-    struct glide_tile_set sets[SETS], *last;    /* last: that was asked for */
-    int32 count;                /* tiles with memory */
-    uint32 bytes;               /* of all */
-    int32 is_full;              /* there was no memory for one more */
-    uint32 now;
-} store;
+void glide_tile_store_init(struct glide_tile_store *store)
+{
+    for (int32 i = 0; i < GLIDE_TILE_SETS; i++)
+        store->sets[i].words = 0;
+    store->last = 0;
+    store->count = 0;
+    store->bytes = 0;
+    store->is_full = 0;
+    store->now = 0;
+}
 
 int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes)
 {
+    const struct glide_tile_store *store = pipe->tiles;
     uint32 room = pipe->prefilter / (uint32)(PIXELS * pixel_bytes);
 
-    if (store.is_full && room > (uint32)store.count)
-        return store.count;
+    if (store->is_full && room > (uint32)store->count)
+        return store->count;
     return room < GLIDE_TILES_MAX ? (int32)room : GLIDE_TILES_MAX;
 }
 
-uint32 glide_tiles_now(void)
+uint32 glide_tiles_now(struct glide_tile_store *store)
 {
-    return ++store.now;
+    return ++store->now;
 }
 
 /* Whether the LOD itself, not its level alone, makes a difference. */
@@ -76,25 +79,25 @@ static int32 is_of(const struct glide_tile_set *set, const uint32 *key, int32 wo
 }
 
 /* Nothing is made from it any more. */
-static void clear(struct glide_tile_set *set)
+static void clear(struct glide_tile_store *store, struct glide_tile_set *set)
 {
-    for (int32 i = 0; i < store.count; i++)
-        if (store.tiles[i].set == set)
-            store.tiles[i].set = 0;
+    for (int32 i = 0; i < store->count; i++)
+        if (store->tiles[i].set == set)
+            store->tiles[i].set = 0;
     set->direct = 0;
 }
 
-static struct glide_tile_set *find(const uint32 *key, int32 words)
+static struct glide_tile_set *find(struct glide_tile_store *store, const uint32 *key, int32 words)
 {
-    struct glide_tile_set *oldest = store.sets;
+    struct glide_tile_set *oldest = store->sets;
 
-    for (struct glide_tile_set *set = store.sets; set < store.sets + SETS; set++) {
+    for (struct glide_tile_set *set = store->sets; set < store->sets + GLIDE_TILE_SETS; set++) {
         if (is_of(set, key, words))
             return set;
         if (set->used < oldest->used)
             oldest = set;
     }
-    clear(oldest);
+    clear(store, oldest);
     oldest->words = words;
     for (int32 i = 0; i < words; i++)
         oldest->key[i] = key[i];
@@ -103,48 +106,50 @@ static struct glide_tile_set *find(const uint32 *key, int32 words)
 
 struct glide_tile_set *glide_tile_set_find(const struct glide_tiling *tiling)
 {
+    struct glide_tile_store *store = tiling->pipe->tiles;
     uint32 key[GLIDE_TILE_SET_KEY];
     const int32 words = find_key(key, tiling);
 
-    if (!store.last || !is_of(store.last, key, words))
-        store.last = find(key, words);
-    store.last->used = store.now;
-    return store.last;
+    if (!store->last || !is_of(store->last, key, words))
+        store->last = find(store, key, words);
+    store->last->used = store->now;
+    return store->last;
 }
 
-struct glide_tile *glide_tile_find(const struct glide_tile_set *set, int32 s, int32 t)
+struct glide_tile *glide_tile_find(const struct glide_tiling *tiling, int32 s, int32 t)
 {
-    struct glide_tile *tile = store.tiles;
+    struct glide_tile *tile = tiling->pipe->tiles->tiles;
 
-    for (int32 left = store.count; left > 0; left--, tile++)
-        if (tile->s == s && tile->t == t && tile->set == set)
+    for (int32 left = tiling->pipe->tiles->count; left > 0; left--, tile++)
+        if (tile->s == s && tile->t == t && tile->set == tiling->set)
             return tile;
     return 0;
 }
 
 static struct glide_tile *make(const struct glide_pipe *pipe, int32 bytes)
 {
-    struct glide_tile *tile = &store.tiles[store.count];
+    struct glide_tile_store *store = pipe->tiles;
+    struct glide_tile *tile = &store->tiles[store->count];
 
-    if (store.is_full || store.count == GLIDE_TILES_MAX
-        || store.bytes + (uint32)bytes > pipe->prefilter)
+    if (store->is_full || store->count == GLIDE_TILES_MAX
+        || store->bytes + (uint32)bytes > pipe->prefilter)
         return 0;
     if (!mem_take(&tile->memory, bytes, pipe->memory)) {
-        store.is_full = 1;
+        store->is_full = 1;
         return 0;
     }
     tile->bytes = bytes;
-    store.bytes += (uint32)bytes;
-    store.count++;
+    store->bytes += (uint32)bytes;
+    store->count++;
     return tile;
 }
 
 /* One that shows nothing, or was not drawn from for longest. */
-static struct glide_tile *give_up(uint32 now, int32 bytes)
+static struct glide_tile *give_up(struct glide_tile_store *store, uint32 now, int32 bytes)
 {
-    struct glide_tile *found = 0, *tile = store.tiles;
+    struct glide_tile *found = 0, *tile = store->tiles;
 
-    for (int32 left = store.count; left > 0; left--, tile++) {
+    for (int32 left = store->count; left > 0; left--, tile++) {
         if (tile->bytes < bytes || tile->used == now)
             continue;
         if (!tile->set)
@@ -161,7 +166,7 @@ struct glide_tile *glide_tile_take(const struct glide_tiling *tiling, int32 s, i
     struct glide_tile *tile = make(tiling->pipe, bytes);
 
     if (!tile)
-        tile = give_up(tiling->now, bytes);
+        tile = give_up(tiling->pipe->tiles, tiling->now, bytes);
     if (!tile)
         return 0;
     tile->set = tiling->set;

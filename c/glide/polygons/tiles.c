@@ -178,7 +178,7 @@ static uint32 price(const struct glide_tiling *tiling)
 
         rows_of(t, j, &low, &high);
         for (int32 i = 0; i < s->tiles; i++) {
-            struct glide_tile *tile = glide_tile_find(tiling->set,
+            struct glide_tile *tile = glide_tile_find(tiling,
                                                       glide_tile_number(tiling, s, s->first + i), row);
 
             if (tile)
@@ -201,7 +201,7 @@ static int32 claim(const struct glide_tiling *tiling)
         rows_of(t, j, &low, &high);
         for (int32 i = 0; i < s->tiles; i++) {
             const int32 column = glide_tile_number(tiling, s, s->first + i);
-            struct glide_tile *tile = glide_tile_find(tiling->set, column, row);
+            struct glide_tile *tile = glide_tile_find(tiling, column, row);
 
             if (!tile)
                 tile = glide_tile_take(tiling, column, row);
@@ -250,10 +250,10 @@ int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, stru
     if (tiling->s.tiles > room || tiling->t.tiles > room
         || tiling->s.tiles * tiling->t.tiles > room)
         return 0;
-    tiling->now = glide_tiles_now();
+    tiling->now = glide_tiles_now(pipe->tiles);
     tiling->set = glide_tile_set_find(tiling);
     needed = price(tiling);
-    if (needed && (pipe->settled || !is_bought(tiling, needed, s)))
+    if (needed && (s->counts || !is_bought(tiling, needed, s)))
         return 0;
     tiling->draw = tiling->pixel_bytes == 2 ? glide_tile_16 : glide_tile_32;
     tiling->s.size = tiling->t.size = 0;

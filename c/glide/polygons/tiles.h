@@ -39,6 +39,18 @@ struct glide_tile_set {
     uint32 used;
 };
 
+enum { GLIDE_TILE_SETS = 8 };
+
+/* The tiles of all pipes that share them. */
+struct glide_tile_store {
+    struct glide_tile tiles[GLIDE_TILES_MAX];
+    struct glide_tile_set sets[GLIDE_TILE_SETS], *last;         /* last: of the polygon before */
+    int32 count;                /* tiles with memory */
+    uint32 bytes;               /* of all */
+    int32 is_full;              /* there was no memory for one more */
+    uint32 now;
+};
+
 /* How tiles follow each other along an axis. */
 enum glide_tiling_kind {
     GLIDE_TILING_ENDLESS,
@@ -73,7 +85,7 @@ struct glide_tiling {
 };
 
 /* Whether a polygon, its lines found, is drawn from tiles: pixels of the same chain that were drawn
-   without them, and its own, are as many as it needs made first. What is made then costs no more
+   without them, and its own, are as many as it needs made first, or no tile is missing. What is made then costs no more
    than what had been drawn, or would have been made at once: together at most twice the cheaper
    of both. */
 int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, struct glide_plan *plan,
@@ -89,10 +101,10 @@ int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes);
 struct glide_tile_set *glide_tile_set_find(const struct glide_tiling *tiling);
 
 /* tile_store.c. A number for the next polygon. */
-uint32 glide_tiles_now(void);
+uint32 glide_tiles_now(struct glide_tile_store *store);
 
-/* tile_store.c. 0: it is not there. */
-struct glide_tile *glide_tile_find(const struct glide_tile_set *set, int32 s, int32 t);
+/* tile_store.c. A tile of the polygon's set; 0: it is not there. */
+struct glide_tile *glide_tile_find(const struct glide_tiling *tiling, int32 s, int32 t);
 
 /* tile_store.c. A tile without rows, none paid for; 0: memory is short, and all others are the
    polygon's. */

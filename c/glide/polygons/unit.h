@@ -20,25 +20,27 @@ struct glide_page {
     uint32 key[GLIDE_PAGE_KEY];  /* what it was made from */
 };
 
+struct glide_tile_store;
+
 struct glide_pipe {
     struct glide_chain chain;
-    /* Of each vertex s, t and w (x, y and shade do not count) for the unit that has points of its
-       own: set before a polygon is drawn. Its w may be below 0. */
-    const struct vertex *own;
     enum glide_result result;   /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of what is made ready */
     uint32 prefilter;           /* see glide_pipe_prefilter */
     int32 adds;                 /* see glide_pipe_adds */
-    int32 settled;              /* 1 while a frame is replayed for statistics: do not build
-                                   tiles */
+    struct glide_tile_store *tiles;
     struct glide_page page;
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];
 };
 
-/* A pipe of units that are there already, none of them with points of its own. */
+/* No tile is made yet. */
+void glide_tile_store_init(struct glide_tile_store *store);
+
+/* A pipe of units that are there already, none of them with points of its own. tiles: those of all
+   pipes that are to share memory. */
 enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *units, uint32 count,
-                                  int32 memory);
+                                  int32 memory, struct glide_tile_store *tiles);
 
 /* How many bytes prefiltered tiles (tiles.h) may take, those of all pipes together; 0: the pipe
    does without. A tile of a 16-bit frame has 128 KB, of a 32-bit one 256. The picture is the

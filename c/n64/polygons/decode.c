@@ -1,28 +1,10 @@
 #include "n64/polygons/decode.h"
-#include "polygon/line_room.h"
 
-#include "n64/polygons/rows.h"
 #include "system/system.h"
-
-/* One column of a decoded tile: its texel and the one's beside it in quads, and which decoded
-   column that is, or -1. */
-struct column {
-    int16 index, next, next_at;
-};
-
-/* What stands between the steps of decoding a tile. */
-struct work {
-    struct column columns[2048];        /* as many as a mirrored mask of 10 bits has */
-    uint32 line[N64_COLUMNS_MAX + 1];   /* both at a time: some formats decode one more */
-    uint32 below[2048];
-};
-
-static struct work *const work = (struct work *)line_room;
-static struct column *const columns = ((struct work *)line_room)->columns;
-extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
 
 /* The tile that is decoded. */
 struct making {
+    struct n64_decode_scratch *scratch;
     struct n64_rows rows;
     const struct n64_axis *t;
     int32 width, height;
@@ -49,6 +31,7 @@ static uint32 bits_of(const struct n64_axis *axis)
 
 static void list_columns(struct making *m, const struct n64_axis *axis)
 {
+    struct n64_column *columns = m->scratch->columns;
     struct n64_place place;
 
     m->texels = 1;
@@ -81,19 +64,21 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
 /* The columns of a row of TMEM. */
 static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
+    const struct n64_column *column = m->scratch->columns;
+
     if (m->in_order && !(m->width & 1)) {
         n64_rows_decode(&m->rows, row, to, m->width);
         return;
     }
-    n64_rows_decode(&m->rows, row, work->line, m->texels);
-    for (const struct column *column = columns; column < columns + m->width; column++)
-        *to++ = work->line[column->index];
+    n64_rows_decode(&m->rows, row, m->scratch->line, m->texels);
+    for (int32 k = m->width; k > 0; k--, column++)
+        *to++ = m->scratch->line[column->index];
 }
 
 /* Each row of TMEM once: another that shows it is copied. */
 static void decode_texels(const struct making *m)
 {
-    static const uint32 *shown[N64_ROWS_MAX];
+    const uint32 **shown = m->scratch->shown;
     uint32 *to = m->to;
     int32 row, next;
 
@@ -119,13 +104,14 @@ static const uint32 *row_below(const struct making *m, int32 j, int32 next)
     place_row(m, below, &row, &beyond);
     if (row == next)
         return m->to + below * m->width;
-    decode_row(m, next, work->below);
-    return work->below;
+    decode_row(m, next, m->scratch->below);
+    return m->scratch->below;
 }
 
 /* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */
 static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads)
 {
+    const struct n64_column *columns = m->scratch->columns;
     const uint32 *here = m->to + j * m->width, *below;
     struct n64_quad_row by;
     int32 row, next;
@@ -198,8 +184,8 @@ static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
     return 1;
 }
 
-enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
-                           struct n64_kept *kept, int32 *made)
+enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64, int32 n,
+                           enum n64_quads quads, struct n64_kept *kept)
 {
     const struct n64_tile *tile = &n64->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
@@ -208,15 +194,15 @@ enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
     struct making making;
 
     n64_tile_key_find(&key, tile);
-    if (made)
-        *made = 0;
+    decoding->made = 0;
     if (holds(n64, &key, quads, kept))
         return N64_DONE;
     if (columns_bits + rows_bits > N64_DECODE_BITS)
         return N64_DECODE_TOO_LARGE;
     if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != N64_QUADS_NONE))
         return N64_NO_MEMORY;
-    n64_rows_find(&making.rows, n64, tile);
+    making.scratch = decoding->scratch;
+    n64_rows_find(&making.rows, n64, tile, decoding->scratch, decoding->colours);
     making.t = &tile->t;
     making.width = 1 << columns_bits;
     making.height = 1 << rows_bits;
@@ -239,7 +225,6 @@ enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
     kept->tmem_generation = n64->tmem_generation;
     kept->tlut = n64->modes.tlut;
     kept->tlut_type = n64->modes.tlut_type;
-    if (made)
-        *made = 1;
+    decoding->made = 1;
     return N64_DONE;
 }

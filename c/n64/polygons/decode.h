@@ -3,7 +3,7 @@
 #define N64_DECODE_H
 
 #include "n64/passes.h"
-#include "n64/texel.h"
+#include "n64/polygons/rows.h"
 
 enum n64_decode_constants {
     N64_DECODE_BITS = 15        /* columns_bits + rows_bits, at most: all that fits into TMEM,
@@ -36,12 +36,18 @@ struct n64_kept {
     uint32 texels_room, quads_room;     /* elements */
 };
 
-/* Makes *kept fit tile n, with quads or without, unless it does already; *made, if not 0, tells
-   whether anything was done. Memory is the system's and kept for the next time; a larger tile
+/* What tiles are decoded with. */
+struct n64_decoding {
+    struct n64_decode_scratch *scratch;
+    struct n64_colours *colours;
+    int32 made;                 /* by n64_decode: 1 the tile was decoded, 0 it was already */
+};
+
+/* Makes *kept fit tile n, with quads or without, unless it does already. Memory is the system's and kept for the next time; a larger tile
    takes new memory, and what it had stays taken until the program ends. Colours are n64_fetch's;
    of a TLUT entry's four copies only the first counts (loads make them equal). YUV texels have
    U + 128 and V + 128 for R and G, Y for B and A; filters leave that as it is. */
-enum n64_result n64_decode(const struct n64 *n64, int32 n, enum n64_quads quads,
-                           struct n64_kept *kept, int32 *made);
+enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64, int32 n,
+                           enum n64_quads quads, struct n64_kept *kept);
 
 #endif

@@ -63,15 +63,15 @@ static void draw_lines(const struct setup *s, const struct n64 *n64,
     }
 }
 
-static enum polygon_result draw_flat(const struct setup *s, uint32 colour,
-                                     const struct drawing *drawing)
+static enum polygon_result draw_flat(const struct setup *s, const struct polygon *polygon,
+                                     uint32 colour)
 {
     struct material flat = *s->material;
 
     flat.mapper = MAPPER_FLAT;
     flat.perspective = PERSPECTIVE_NONE;
     flat.colour = n64_pixel_of(colour, s->frame->pixel_bytes);
-    return polygon_draw(s->frame, s->given, s->count, &flat, drawing);
+    return polygon_draw(s->renderer, polygon, &flat);
 }
 
 static uint32 constant_colour(const struct n64 *n64, const struct n64_colour *shade)
@@ -107,13 +107,14 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     if (!n64_planes_find(&planes, s, needs->divided,
                          (needs->inputs & N64_INPUT_SHADE) != 0, colours))
         return n64_refused(unit, N64_COORDINATE_RANGE);
-    passes = APPLIES(N64_PASSES, n64_plan_find(&plan, needs, unit, &planes));
-    draw_lines(s, &unit->n64, &planes, &needs->shade, passes ? &plan : 0);
-    if (s->counts) {
-        s->counts->polygons++;
-        s->counts->pixels[passes ? SPAN_N64_PASSES : SPAN_N64_PIXELS] += lines_pixels(s->edges.lines,
-                                                          s->box.bottom - s->box.top);
-    }
+    passes = RULE_IS_ON(s, N64_PASSES)
+        && n64_plan_find(&plan, needs, unit, &planes, s->scratch->room);
+    if (passes)
+        RULE_APPLIES(s, N64_PASSES);
+    if (s->counts)
+        count_lines(s, passes ? SPAN_N64_PASSES : SPAN_N64_PIXELS);
+    else
+        draw_lines(s, &unit->n64, &planes, &needs->shade, passes ? &plan : 0);
     return POLYGON_DRAWN;
 }
 
@@ -143,72 +144,77 @@ static uint32 planes_asked(const struct n64 *n64, const uint32 *colours)
          | (n64->inputs & N64_INPUT_SHADE ? shades : 0);
 }
 
+/* Lowered as far as the unit's state and the vertices allow. */
+static enum polygon_result draw_lowered(struct setup *s, const struct polygon *polygon,
+                                        const uint32 *colours)
+{
+    struct n64_unit *unit = s->material->unit;
+    struct polygon paged;
+    struct n64_needs needs;
+    struct material plain;
+
+    n64_lower_inputs(&needs, s, &unit->n64, colours);
+    if (n64_lower_to_flat(&needs, s))
+        return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
+    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
+    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged.vertices))
+        return polygon_draw(s->renderer, &paged, &plain);
+    return draw_planes(s, unit, &needs, colours);
+}
+
 /* colours: of the vertices, or 0: shades; routine: what draws the same of other vertices. */
-static enum polygon_result draw(const struct frame *frame, const struct vertex *vertices,
-                                const uint32 *colours, int32 count,
-                                const struct material *material, const struct drawing *drawing,
+static enum polygon_result draw(struct renderer *renderer, const struct polygon *polygon,
+                                const struct material *material, const uint32 *colours,
                                 polygon_routine *routine)
 {
     struct n64_unit *unit = material->unit;
-    enum n64_result check;
     enum polygon_result result;
-    struct n64_needs needs;
+    enum n64_result check;
     struct setup s;
-    struct material plain;
-    struct drawing whole;
 
-    if (count < 3 || count > POLYGON_VERTICES_MAX)
+    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (frame->pixel_bytes == 1)
+    if (renderer->frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
-    check = judge(unit, vertices, count);
+    check = judge(unit, polygon->vertices, polygon->count);
     if (check != N64_DONE)
         return n64_refused(unit, check);
-    setup_begin(&s, frame, vertices, count, material, drawing);
-    if (count > 3 && drawing->planar != PLANAR_ALL
-        && !planar_is(drawing, vertices, vertices, count, planes_asked(&unit->n64, colours)))
-        return polygon_fan(routine, frame, vertices, count, material, drawing);
-    n64_lower_inputs(&needs, &s, &unit->n64, colours);
-    if (n64_lower_to_flat(&needs, &s))
-        result = draw_flat(&s, constant_colour(&unit->n64, &needs.shade), drawing);
-    else if (n64_lower_to_plain(&needs, &s, unit, &plain, &vertices))
-        result = polygon_draw(frame, vertices, count, &plain,
-                              planar_vouched(&whole, drawing, PLANAR_ALL));
-    else
-        result = draw_planes(&s, unit, &needs, colours);
+    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !polygon_is_planar(renderer, polygon, polygon->vertices,
+                              planes_asked(&unit->n64, colours)))
+        return polygon_fan(routine, renderer, polygon, material);
+    setup_begin(&s, renderer, polygon, material);
+    result = count_rules(&s, draw_lowered(&s, polygon, colours));
     if (result == POLYGON_DRAWN)
         n64_drawn(&unit->n64);
     return result;
 }
 
-enum polygon_result n64_polygon_copy(const struct frame *frame, const struct vertex *vertices,
-                                     int32 count, const struct material *material,
-                                     const struct drawing *drawing)
+enum polygon_result n64_polygon_copy(struct renderer *renderer, const struct polygon *polygon,
+                                     const struct material *material)
 {
-    return draw(frame, vertices, 0, count, material, drawing, n64_polygon_copy);
+    return draw(renderer, polygon, material, 0, n64_polygon_copy);
 }
 
-enum polygon_result n64_polygon_draw(const struct frame *frame, const struct vertex *vertices,
-                                     int32 count, const struct material *material,
-                                     const struct drawing *drawing)
+enum polygon_result n64_polygon_draw(struct renderer *renderer, const struct polygon *polygon,
+                                     const struct material *material)
 {
     if (material->unit->n64.modes.cycle == N64_COPY)
         return n64_refused(material->unit, N64_CYCLE_TYPE);
-    return draw(frame, vertices, 0, count, material, drawing, n64_polygon_draw);
+    return draw(renderer, polygon, material, 0, n64_polygon_draw);
 }
 
-enum polygon_result n64_polygon_draw_coloured(const struct frame *frame,
-                                              const struct vertex *vertices, int32 count,
-                                              const struct material *material,
-                                              const struct drawing *drawing)
+enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
+                                              const struct polygon *polygon,
+                                              const struct material *material)
 {
-    static uint32 colours[POLYGON_VERTICES_MAX];
+    uint32 colours[POLYGON_VERTICES_MAX];
 
     if (material->unit->n64.modes.cycle == N64_COPY)
         return n64_refused(material->unit, N64_CYCLE_TYPE);
-    for (int32 i = 0; i < count && i < POLYGON_VERTICES_MAX; i++)
-        colours[i] = (uint32)vertices[i].shade;
-    return draw(frame, vertices, colours, count, material, drawing, n64_polygon_draw_coloured);
+    for (int32 i = 0; i < polygon->count && i < POLYGON_VERTICES_MAX; i++)
+        colours[i] = (uint32)polygon->vertices[i].shade;
+    return draw(renderer, polygon, material, colours, n64_polygon_draw_coloured);
 }
 
 void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)
@@ -226,6 +232,8 @@ void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, 
     page_init(&unit->page.page);
     for (int32 i = 0; i < N64_PAGE_KEY; i++)
         unit->page.key[i] = 0;
+    for (int32 i = 0; i < 256; i++)
+        unit->colours.of[i] = unit->colours.from[i] = 0;
     for (int32 i = 0; i < N64_TILES; i++)
         unit->tiles[i] = unit->chroma[i] = none;
 }

@@ -121,9 +121,19 @@ void n64_form_find(struct n64_form *form, const struct n64 *n64)
     }
 }
 
-/* The constants that codes may stand for. */
-static struct n64_wide primitive, environment, one, zero;
-static int16 primitive_fraction, k4, k5;
+/* The constants of the combiner's codes. */
+struct constants {
+    struct n64_wide primitive, environment, one, zero;
+    int16 primitive_fraction, k4, k5;
+};
+
+/* A cycle's inputs. */
+struct inputs {
+    const struct n64 *n64;
+    const struct n64_places *from;
+    int32 cycle;
+    struct constants constants;
+};
 
 /* As A, B and D take 9 bits. */
 static int16 extended(int32 value)
@@ -132,17 +142,17 @@ static int16 extended(int32 value)
     return (int16)((value & 0x180) == 0x180 ? value - 512 : value);
 }
 
-static void set_constants(const struct n64 *n64)
+static void set_constants(struct constants *to, const struct n64 *n64)
 {
     for (int32 i = 0; i < 4; i++) {
-        primitive.channels[i] = n64->primitive[i];
-        environment.channels[i] = n64->environment[i];
-        one.channels[i] = 0x100;
-        zero.channels[i] = 0;
+        to->primitive.channels[i] = n64->primitive[i];
+        to->environment.channels[i] = n64->environment[i];
+        to->one.channels[i] = 0x100;
+        to->zero.channels[i] = 0;
     }
-    primitive_fraction = n64->primitive_fraction;
-    k4 = extended(n64->k[4]);
-    k5 = n64->k[5];
+    to->primitive_fraction = n64->primitive_fraction;
+    to->k4 = extended(n64->k[4]);
+    to->k5 = n64->k[5];
 }
 
 /* Where a cycle's input lies, and bytes from pixel to pixel. */
@@ -161,17 +171,17 @@ static struct place constant(const int16 *at)
 }
 
 /* A code up to ONE; texel 0 and 1 change places in the second of two cycles. */
-static struct place colour(const struct n64 *n64, const struct n64_places *from, int32 cycle,
-                           uint32 code, int32 channel)
+static struct place colour(const struct inputs *in, uint32 code, int32 channel)
 {
-    const int32 second = cycle && n64->modes.cycle == N64_TWO_CYCLES;
+    const int32 second = in->cycle && in->n64->modes.cycle == N64_TWO_CYCLES;
+    const struct n64_places *from = in->from;
     struct place place;
 
     place.step = sizeof(struct n64_wide);
     switch (code) {
     case N64_CODE_COMBINED:
         if (!second)
-            return constant(zero.channels);
+            return constant(in->constants.zero.channels);
         place.at = &from->combined->channels[channel];
         return place;
     case N64_CODE_TEXEL0:
@@ -184,63 +194,60 @@ static struct place colour(const struct n64 *n64, const struct n64_places *from,
         place.step = from->shade_step;
         return place;
     case N64_CODE_PRIMITIVE:
-        return constant(&primitive.channels[channel]);
+        return constant(&in->constants.primitive.channels[channel]);
     case N64_CODE_ENVIRONMENT:
-        return constant(&environment.channels[channel]);
+        return constant(&in->constants.environment.channels[channel]);
     case N64_CODE_ONE:
-        return constant(one.channels);
+        return constant(in->constants.one.channels);
     default:
-        return constant(zero.channels);
+        return constant(in->constants.zero.channels);
     }
 }
 
-static struct place level(const struct n64_places *from)
+static struct place level(const struct inputs *in)
 {
     struct place place;
 
-    place.at = from->fraction;
-    place.step = from->fraction_step;
+    place.at = in->from->fraction;
+    place.step = in->from->fraction_step;
     return place;
 }
 
-static struct place rgb_b(const struct n64 *n64, const struct n64_places *from, int32 cycle,
-                          uint32 code, int32 channel)
+static struct place rgb_b(const struct inputs *in, uint32 code, int32 channel)
 {
-    return code == N64_CODE_K4 ? constant(&k4)
-         : colour(n64, from, cycle, code < N64_CODE_ONE ? code : N64_CODE_ZERO, channel);
+    return code == N64_CODE_K4 ? constant(&in->constants.k4)
+         : colour(in, code < N64_CODE_ONE ? code : N64_CODE_ZERO, channel);
 }
 
-static struct place rgb_c(const struct n64 *n64, const struct n64_places *from, int32 cycle,
-                          uint32 code, int32 channel)
+static struct place rgb_c(const struct inputs *in, uint32 code, int32 channel)
 {
     if (code <= N64_CODE_ENVIRONMENT)
-        return colour(n64, from, cycle, code, channel);
+        return colour(in, code, channel);
     if (code >= N64_CODE_COMBINED_ALPHA && code <= N64_CODE_ENVIRONMENT_ALPHA)
-        return colour(n64, from, cycle, code - N64_CODE_COMBINED_ALPHA, 3);
-    return code == N64_CODE_FRACTION ? level(from)
-         : code == N64_CODE_PRIMITIVE_FRACTION ? constant(&primitive_fraction)
-         : code == N64_CODE_K5 ? constant(&k5) : constant(zero.channels);
+        return colour(in, code - N64_CODE_COMBINED_ALPHA, 3);
+    return code == N64_CODE_FRACTION ? level(in)
+         : code == N64_CODE_PRIMITIVE_FRACTION ? constant(&in->constants.primitive_fraction)
+         : code == N64_CODE_K5 ? constant(&in->constants.k5)
+         : constant(in->constants.zero.channels);
 }
 
-static struct place alpha_c(const struct n64 *n64, const struct n64_places *from, int32 cycle,
-                            uint32 code)
+static struct place alpha_c(const struct inputs *in, uint32 code)
 {
-    return code == N64_CODE_ALPHA_FRACTION ? level(from)
-         : code == N64_CODE_ALPHA_PRIMITIVE_FRACTION ? constant(&primitive_fraction)
-         : colour(n64, from, cycle, code, 3);
+    return code == N64_CODE_ALPHA_FRACTION ? level(in)
+         : code == N64_CODE_ALPHA_PRIMITIVE_FRACTION ? constant(&in->constants.primitive_fraction)
+         : colour(in, code, 3);
 }
 
-static void find_inputs(struct n64_combination *to, const struct n64 *n64,
-                        const struct n64_places *at, int32 cycle, int32 channel)
+static void find_inputs(struct n64_combination *to, const struct inputs *in, int32 channel)
 {
-    const struct n64_input *codes = channel < 3 ? &n64->combine.rgb[cycle]
-                                               : &n64->combine.alpha[cycle];
-    struct place a = colour(n64, at, cycle, codes->a, channel), b, c;
-    struct place d = colour(n64, at, cycle, codes->d, channel);
+    const struct n64_combine *combine = &in->n64->combine;
+    const struct n64_input *codes = channel < 3 ? &combine->rgb[in->cycle]
+                                               : &combine->alpha[in->cycle];
+    struct place a = colour(in, codes->a, channel), b, c;
+    struct place d = colour(in, codes->d, channel);
 
-    b = channel < 3 ? rgb_b(n64, at, cycle, codes->b, channel)
-                    : colour(n64, at, cycle, codes->b, 3);
-    c = channel < 3 ? rgb_c(n64, at, cycle, codes->c, channel) : alpha_c(n64, at, cycle, codes->c);
+    b = channel < 3 ? rgb_b(in, codes->b, channel) : colour(in, codes->b, 3);
+    c = channel < 3 ? rgb_c(in, codes->c, channel) : alpha_c(in, codes->c);
     to->a = a.at;
     to->a_step = a.step;
     to->b = b.at;
@@ -254,12 +261,16 @@ static void find_inputs(struct n64_combination *to, const struct n64 *n64,
 void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
                        struct n64_wide *results, int32 count)
 {
-    struct n64_combination inputs;
+    struct n64_combination combination;
+    struct inputs in;
 
-    set_constants(n64);
+    in.n64 = n64;
+    in.from = at;
+    in.cycle = cycle;
+    set_constants(&in.constants, n64);
     for (int32 channel = 0; channel < 4; channel++) {
-        find_inputs(&inputs, n64, at, cycle, channel);
-        n64_combiner(0, &results->channels[channel], &inputs, count);
+        find_inputs(&combination, &in, channel);
+        n64_combiner(0, &results->channels[channel], &combination, count);
     }
 }
 

@@ -3,8 +3,7 @@
 #define N64_FORMS_H
 
 #include "n64/pixel.h"
-
-enum { N64_LINE_PIXELS = 256 };  /* that the passes draw at a time */
+#include "n64/polygons/scratch.h"
 
 /* What is made of the texels, and then of that. */
 enum n64_first { N64_FIRST_TEXEL, N64_FIRST_BLEND };

@@ -1,26 +1,6 @@
 /* A line of a polygon, pass by pass. */
 #include "n64/polygons/pixels.h"
 #include "n64/polygons/plan.h"
-#include "polygon/line_room.h"
-
-/* What stands between the passes of a line, so many pixels at a time. */
-struct work {
-    uint32 coordinates[N64_LINE_PIXELS], relative[N64_LINE_PIXELS];
-    struct n64_blending blendings[N64_LINE_PIXELS];
-    uint32 texels0[N64_LINE_PIXELS], texels1[N64_LINE_PIXELS];
-    uint32 shades[N64_LINE_PIXELS], colours[N64_LINE_PIXELS];
-    struct n64_yuv_line yuv[2];
-    struct n64_wide wide[3][N64_LINE_PIXELS];   /* texel 0, texel 1, shade */
-    struct n64_wide results[2][N64_LINE_PIXELS];  /* of both cycles */
-};
-
-static struct work *const work = (struct work *)line_room;
-extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
-
-struct n64_blending *n64_line_blendings(void)
-{
-    return work->blendings;
-}
 
 /* A run of pixels of the same tiles. */
 struct run {
@@ -28,7 +8,8 @@ struct run {
 };
 
 /* Coordinates relative to a tile. */
-static const uint32 *relate(const struct n64_sampling *from, const uint32 *at, int32 count)
+static const uint32 *relate(struct n64_line_scratch *work, const struct n64_sampling *from,
+                            const uint32 *at, int32 count)
 {
     if (!from->relative)
         return at;
@@ -36,15 +17,16 @@ static const uint32 *relate(const struct n64_sampling *from, const uint32 *at, i
     return work->relative;
 }
 
-static void sample(const struct n64_sampling *from, const uint32 *at, uint32 *texels, int32 count)
+static void sample(struct n64_line_scratch *work, const struct n64_sampling *from,
+                   const uint32 *at, uint32 *texels, int32 count)
 {
-    from->sample(relate(from, at, count), texels, from->tile, count);
+    from->sample(relate(work, from, at, count), texels, from->tile, count);
 }
 
-static void sample_yuv(const struct n64_sampling *from, const uint32 *at, uint32 *luma,
-                       uint32 *chroma, int32 count)
+static void sample_yuv(struct n64_line_scratch *work, const struct n64_sampling *from,
+                       const uint32 *at, uint32 *luma, uint32 *chroma, int32 count)
 {
-    at = relate(from, at, count);
+    at = relate(work, from, at, count);
     from->sample(at, luma, from->tile, count);
     if (!from->chroma)
         return;
@@ -54,22 +36,24 @@ static void sample_yuv(const struct n64_sampling *from, const uint32 *at, uint32
 
 static const int16 *fractions_of(const struct n64_plan *plan, int32 first)
 {
-    return plan->form.fraction < 0 ? &work->blendings[first].fraction : &plan->form.fraction;
+    return plan->form.fraction < 0 ? &plan->scratch->line.blendings[first].fraction
+                                   : &plan->form.fraction;
 }
 
 /* Texels of one tile; where the blend is of that and itself it is left out. */
 static void sample_run(const struct n64_plan *plan, const struct run *run, uint32 *texels)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     const struct n64_form *form = &plan->form;
     const uint32 *at = work->coordinates + run->first;
     uint32 *other = work->texels1 + run->first;
     struct n64_blend blend;
 
     texels += run->first;
-    sample(&plan->tiles[form->swapped ? run->tile1 : run->tile0], at, texels, run->count);
+    sample(work, &plan->tiles[form->swapped ? run->tile1 : run->tile0], at, texels, run->count);
     if (!plan->second_texel || (form->first == N64_FIRST_BLEND && run->tile0 == run->tile1))
         return;
-    sample(&plan->tiles[form->swapped ? run->tile0 : run->tile1], at, other, run->count);
+    sample(work, &plan->tiles[form->swapped ? run->tile0 : run->tile1], at, other, run->count);
     if (form->first != N64_FIRST_BLEND)
         return;
     blend.other = other;
@@ -81,7 +65,7 @@ static void sample_run(const struct n64_plan *plan, const struct run *run, uint3
 /* The next pixels that have the same tiles. */
 static void find_run(const struct n64_plan *plan, struct run *run, int32 end)
 {
-    const struct n64_blending *from = &work->blendings[run->first];
+    const struct n64_blending *from = &plan->scratch->line.blendings[run->first];
 
     run->count = end - run->first;
     run->tile0 = plan->tile0;
@@ -108,20 +92,23 @@ static void find_texels(const struct n64_plan *plan, uint32 *texels, int32 count
 
 static void find_yuv(const struct n64_plan *plan, int32 count)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     struct run run;
 
     for (run.first = 0; run.first < count; run.first += run.count) {
         find_run(plan, &run, count);
         for (int32 i = 0; i < 2; i++)
             if (plan->yuv.sampled[i])
-                sample_yuv(&plan->tiles[i ? run.tile1 : run.tile0], work->coordinates + run.first,
-                           work->yuv[i].luma + run.first, work->yuv[i].chroma + run.first, run.count);
+                sample_yuv(work, &plan->tiles[i ? run.tile1 : run.tile0],
+                           work->coordinates + run.first, work->yuv[i].luma + run.first,
+                           work->yuv[i].chroma + run.first, run.count);
     }
 }
 
 /* Texels that are pixels. */
 static void draw_direct(const struct n64_plan *plan, uint16 *pixels, int32 count)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     struct run run;
 
     for (run.first = 0; run.first < count; run.first += run.count) {
@@ -129,13 +116,14 @@ static void draw_direct(const struct n64_plan *plan, uint16 *pixels, int32 count
 
         find_run(plan, &run, count);
         from = &plan->tiles[plan->form.swapped ? run.tile1 : run.tile0];
-        n64_threepoint_16(relate(from, work->coordinates + run.first, run.count), pixels + run.first,
-                          from->tile, run.count);
+        n64_threepoint_16(relate(work, from, work->coordinates + run.first, run.count),
+                          pixels + run.first, from->tile, run.count);
     }
 }
 
-static void find_shades(const struct n64_planes *planes, int32 x, int32 y, int32 count)
+static void find_shades(const struct n64_plan *plan, int32 x, int32 y, int32 count)
 {
+    const struct n64_planes *planes = plan->planes;
     const struct plane *of = planes->all.of;
     struct n64_shades start, steps;
 
@@ -147,12 +135,13 @@ static void find_shades(const struct n64_planes *planes, int32 x, int32 y, int32
     steps.g = (int32)of[N64_GREEN].dx;
     steps.b = (int32)of[N64_BLUE].dx;
     steps.a = (int32)of[N64_ALPHA].dx;
-    n64_shade(&start, work->shades, &steps, count);
+    n64_shade(&start, plan->scratch->line.shades, &steps, count);
 }
 
 static void modulate(const struct n64_plan *plan, const uint32 *texels, uint32 *colours,
                      int32 count)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     struct n64_modulation by;
 
     by.other = plan->planes->shaded ? work->shades : &plan->shade;
@@ -164,6 +153,7 @@ static void modulate(const struct n64_plan *plan, const uint32 *texels, uint32 *
 static void combine(const struct n64_plan *plan, const uint32 *texels, uint32 *colours,
                     int32 count)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     struct n64_wide (*wide)[N64_LINE_PIXELS] = work->wide;
     struct n64_places places;
     int32 has_second = plan->second_texel;
@@ -199,12 +189,13 @@ static void find_coordinates(const struct n64_plan *plan, int32 x, int32 y, int3
     at.s = (int32)n64_plane_at(planes, N64_S, x, y);
     at.t = (int32)n64_plane_at(planes, N64_T, x, y);
     at.w = (int32)n64_plane_at(planes, N64_W, x, y);
-    plan->coordinates(&at, work->coordinates, &plan->steps, count);
+    plan->coordinates(&at, plan->scratch->line.coordinates, &plan->steps, count);
 }
 
 static void draw_part(const struct n64_plan *plan, const struct frame *frame, int32 x, int32 y,
                       int32 count)
 {
+    struct n64_line_scratch *work = &plan->scratch->line;
     uint8 *pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
     uint32 *colours = frame->pixel_bytes == 4 ? (uint32 *)pixels : work->colours;
     int32 second = plan->form.any || plan->form.second != N64_SECOND_NOTHING;
@@ -220,7 +211,7 @@ static void draw_part(const struct n64_plan *plan, const struct frame *frame, in
     else
         find_texels(plan, texels, count);
     if (plan->planes->shaded)
-        find_shades(plan->planes, x, y, count);
+        find_shades(plan, x, y, count);
     if (plan->form.any)
         combine(plan, texels, colours, count);
     else if (plan->yuv.on)

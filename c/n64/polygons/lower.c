@@ -29,17 +29,24 @@ void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64
     needs->inputs = n64->inputs;
     needs->divided = n64->modes.perspective;
     first_shade(&needs->shade, s, colours);
-    if (needs->inputs & N64_INPUT_SHADE
-        && APPLIES(EQUAL_SHADES, shades_are_equal(s, colours)))
+    if (needs->inputs & N64_INPUT_SHADE && RULE_IS_ON(s, EQUAL_SHADES)
+        && shades_are_equal(s, colours)) {
+        RULE_APPLIES(s, EQUAL_SHADES);
         needs->inputs &= ~(uint32)N64_INPUT_SHADE;
-    if (needs->divided && needs->inputs & ~(uint32)N64_INPUT_SHADE
-        && APPLIES(CONSTANT_W, lower_w_is_constant(s)))
+    }
+    if (needs->divided && needs->inputs & ~(uint32)N64_INPUT_SHADE && RULE_IS_ON(s, CONSTANT_W)
+        && lower_w_is_constant(s)) {
+        RULE_APPLIES(s, CONSTANT_W);
         needs->divided = 0;
+    }
 }
 
 int32 n64_lower_to_flat(const struct n64_needs *needs, struct setup *s)
 {
-    return APPLIES(N64_FLAT, !needs->inputs);
+    if (!RULE_IS_ON(s, N64_FLAT) || needs->inputs)
+        return 0;
+    RULE_APPLIES(s, N64_FLAT);
+    return 1;
 }
 
 static void set_window(const struct n64_axis *axis, const struct n64_window *from,
@@ -83,10 +90,11 @@ int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct 
     struct page_window columns, rows;
     struct page_rows shown;
 
-    if (!APPLIES(N64_PLAIN, is_plain(needs, s, &unit->n64, &columns, &rows)))
+    if (!RULE_IS_ON(s, N64_PLAIN) || !is_plain(needs, s, &unit->n64, &columns, &rows))
         return 0;
+    RULE_APPLIES(s, N64_PLAIN);
     *vertices = page_vertices(s, &columns, &rows, &shown);
-    if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown))
+    if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown, s->scratch->room))
         return 0;
     page_material(plain, s->material, &unit->page.page);
     return 1;

@@ -49,6 +49,7 @@ int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct n64_windo
 
 /* What a page's rows are made with. */
 struct making {
+    uint32 *room;
     struct n64_unit *unit;
     const struct n64_needs *needs;
     const struct n64_axis *s, *t;
@@ -202,7 +203,7 @@ static void make_rows(struct making *m, const struct page_rows *rows)
     m->frame.pixels = (uint8 *)page->map.texels;
     find_columns(m);
     find_planes(m);
-    m->has_plan = !copy && n64_plan_find(&m->plan, m->needs, m->unit, &m->planes);
+    m->has_plan = !copy && n64_plan_find(&m->plan, m->needs, m->unit, &m->planes, m->room);
     page_grow(page, rows, find_row, m);
 }
 
@@ -231,10 +232,10 @@ static void find_key(uint32 *key, const struct n64 *n64, int32 n, int32 pixel_by
 }
 
 int32 n64_page_make(struct n64_unit *unit, const struct n64_needs *needs, int32 pixel_bytes,
-                    const struct page_rows *rows)
+                    const struct page_rows *rows, uint32 *room)
 {
     struct n64_page *page = &unit->page;
-    static struct making making;
+    struct making making;
     uint32 key[N64_PAGE_KEY];
 
     find_key(key, &unit->n64, unit->n64.primitive_tile, pixel_bytes, &needs->shade);
@@ -246,6 +247,7 @@ int32 n64_page_make(struct n64_unit *unit, const struct n64_needs *needs, int32 
         return 0;
     if (!page_ready(&page->page, pixel_bytes, unit->memory, rows))
         return 0;
+    making.room = room;
     making.unit = unit;
     making.needs = needs;
     make_rows(&making, rows);

@@ -22,6 +22,6 @@ int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct n64_windo
    what the combiner makes of texel 0 and constants, or in copy mode the texels; nothing is done
    where they still do. 0: there is no memory, or copy mode reads more than a page has. */
 int32 n64_page_make(struct n64_unit *unit, const struct n64_needs *needs, int32 pixel_bytes,
-                    const struct page_rows *rows);
+                    const struct page_rows *rows, uint32 *room);
 
 #endif

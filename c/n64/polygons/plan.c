@@ -1,6 +1,9 @@
 #include "n64/polygons/plan.h"
 
+#include "polygon/scratch.h"
 #include "system/system.h"
+
+SCRATCH_FITS(union n64_scratch);
 
 static int32 needs_tile_pass(const struct n64_axis *axis)
 {
@@ -17,16 +20,20 @@ static void find_axis(struct n64_axis_range *to, const struct n64_axis *axis)
 }
 
 /* Texels of a tile; 0: they cannot be decoded ahead. */
-static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit, int32 n)
+static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit, int32 n,
+                           union n64_scratch *scratch)
 {
     const struct n64 *n64 = &unit->n64;
     const struct n64_tile *tile = &n64->tiles[n];
     const int32 is_apart = tile->format == N64_YUV && n64->modes.quad;
-    int32 made;
+    const enum n64_quads quads = n64->modes.quad ? N64_QUADS_NEXT : N64_QUADS_NONE;
+    struct n64_decoding decoding;
 
-    if (n64_decode(n64, n, n64->modes.quad ? N64_QUADS_NEXT : N64_QUADS_NONE, &unit->tiles[n], &made)
-        != N64_DONE
-        || (is_apart && n64_decode(n64, n, N64_QUADS_CHROMA, &unit->chroma[n], &made) != N64_DONE))
+    decoding.scratch = &scratch->decode;
+    decoding.colours = &unit->colours;
+    if (n64_decode(&decoding, n64, n, quads, &unit->tiles[n]) != N64_DONE
+        || (is_apart && n64_decode(&decoding, n64, n, N64_QUADS_CHROMA, &unit->chroma[n])
+                        != N64_DONE))
         return 0;
     sampling->tile = &unit->tiles[n].decoded;
     sampling->chroma = is_apart ? &unit->chroma[n].decoded : 0;
@@ -66,7 +73,7 @@ static int32 find_samplings(struct n64_plan *plan, uint32 inputs)
         used = (uint32)plan->yuv.sampled[0] << plan->tile0
             | (uint32)plan->yuv.sampled[1] << plan->tile1;
     for (int32 n = 0; n < N64_TILES; n++)
-        if (used >> n & 1 && !find_sampling(&plan->tiles[n], plan->unit, n))
+        if (used >> n & 1 && !find_sampling(&plan->tiles[n], plan->unit, n, plan->scratch))
             return 0;
     return 1;
 }
@@ -119,7 +126,7 @@ static int32 find_lod(struct n64_plan *plan)
     lod->y_w = down ? (int32)of[N64_W].dy : 0;
     lod->reciprocals = find_reciprocals();
     lod->levels = find_levels(plan->unit);
-    lod->blendings = n64_line_blendings();
+    lod->blendings = plan->scratch->line.blendings;
     return lod->reciprocals && lod->levels;
 }
 
@@ -142,7 +149,8 @@ static int32 find_coordinates(struct n64_plan *plan)
 /* Tables of what the form's second part makes of each value: a line that has them all. */
 static int32 find_tables(struct n64_plan *plan)
 {
-    static struct n64_wide values[256], results[256];
+    struct n64_wide *values = plan->scratch->tables.values;
+    struct n64_wide *results = plan->scratch->tables.results;
     struct n64_unit *unit = plan->unit;
     struct n64_places places;
     uint32 colours[256];
@@ -173,10 +181,11 @@ static uint32 packed(const struct n64_colour *colour)
 }
 
 int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct n64_unit *unit,
-                    const struct n64_planes *planes)
+                    const struct n64_planes *planes, uint32 *room)
 {
     const struct n64 *n64 = &unit->n64;
 
+    plan->scratch = (union n64_scratch *)room;
     plan->unit = unit;
     plan->planes = planes;
     plan->levels = n64->modes.lod || needs->inputs & N64_INPUT_LOD_FRACTION;

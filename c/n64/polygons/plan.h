@@ -26,12 +26,8 @@ struct n64_yuv {
     struct n64_yuv_conversion conversion;   /* but for its chroma */
 };
 
-/* A line's samples of one tile: luma, the last byte of each, and chroma, the first two. */
-struct n64_yuv_line {
-    uint32 luma[N64_LINE_PIXELS], chroma[N64_LINE_PIXELS];
-};
-
 struct n64_plan {
+    union n64_scratch *scratch;
     struct n64_unit *unit;
     const struct n64_planes *planes;
     n64_pass *coordinates;
@@ -52,9 +48,9 @@ struct n64_plan {
 };
 
 /* Finds the passes for a polygon; 0: there are none for these modes or tiles, or memory is
-   short. */
+   short. room: the renderer's, for the plan too. */
 int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct n64_unit *unit,
-                    const struct n64_planes *planes);
+                    const struct n64_planes *planes, uint32 *room);
 
 /* yuv.c. What is special about YUV tiles; 0: there are no passes. plan->form may become less
    special. */
@@ -67,9 +63,6 @@ void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *fro
 /* yuv.c. Texel 0 or 1 as an input of the combiner. */
 void n64_yuv_widen(const struct n64_plan *plan, const struct n64_yuv_line *from, int32 texel,
                    struct n64_wide *wide, int32 count);
-
-/* line.c. Where blendings of levels go. */
-struct n64_blending *n64_line_blendings(void);
 
 /* line.c. Draws pixels x to x + count - 1 of line y. */
 void n64_plan_draw(const struct n64_plan *plan, const struct frame *frame, int32 x, int32 y,

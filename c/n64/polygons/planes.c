@@ -4,7 +4,7 @@ static const struct planes_scale scale = {5, N64_W_ONE, 1024 << 16};
 
 static void find_shades(struct n64_planes *planes, const struct setup *s, const uint32 *colours)
 {
-    struct vertex *corners = planes_vertices(s->given, s->count);
+    struct vertex *corners = planes_vertices(s->scratch, s->given, s->count);
 
     for (int32 pair = 0; pair < 2; pair++) {
         for (int32 i = 0; i < s->count; i++) {

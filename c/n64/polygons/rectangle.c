@@ -3,8 +3,6 @@
    four pixels are four texels. */
 #include "n64/polygons/rectangle.h"
 
-#include "drawing/fan.h"
-
 #define FOUR_TEXELS (4 * 1024)
 
 /* s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
@@ -64,47 +62,45 @@ static void copy_lines(const struct frame *frame, const struct n64_rectangle *r,
         copy_line(frame, r, y, n64);
 }
 
-static enum polygon_result draw_polygon(const struct frame *frame,
-                                        const struct n64_rectangle *r, int32 dsdx,
-                                        const struct material *material,
-                                        const struct drawing *drawing)
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct n64_rectangle *r,
+                                        int32 dsdx, const struct material *material)
 {
     int32 copy = material->unit->n64.modes.cycle == N64_COPY;
     polygon_routine *draw = copy ? n64_polygon_copy : n64_polygon_draw_coloured;
     struct vertex corners[4];
-    struct drawing whole;
+    struct polygon polygon;
 
     find_corners(corners, r, dsdx);
-    return draw(frame, corners, 4, material, planar_vouched(&whole, drawing, PLANAR_ALL));
+    polygon_set(&polygon, corners, 4, PLANAR_ALL);
+    return draw(renderer, &polygon, material);
 }
 
-static void count_copied(const struct frame *frame, const struct n64_rectangle *r,
-                         const struct material *material, const struct drawing *drawing)
+static void count_copied(const struct renderer *renderer, const struct n64_rectangle *r,
+                         const struct material *material)
 {
-    struct draw_counts *counts = drawing->counts;
+    struct draw_counts *counts = &renderer->counts[material->number];
+    const struct frame *frame = renderer->frame;
     int32 left = r->left < 0 ? 0 : r->left, top = r->top < 0 ? 0 : r->top;
     int32 right = r->right < frame->width ? r->right : frame->width;
     int32 bottom = r->bottom < frame->height ? r->bottom : frame->height;
 
-    if (!counts || left >= right || top >= bottom)
+    if (left >= right || top >= bottom)
         return;
-    counts += material->number;
     counts->polygons++;
     counts->pixels[SPAN_N64_PIXELS] += (uint32)((right - left) * (bottom - top));
 }
 
 /* By the plain mappers where they do. */
-static enum polygon_result draw_copy(const struct frame *frame, const struct n64_rectangle *r,
-                                     const struct material *material,
-                                     const struct drawing *drawing)
+static enum polygon_result draw_copy(struct renderer *renderer, const struct n64_rectangle *r,
+                                     const struct material *material)
 {
     struct n64_unit *unit = material->unit;
     enum n64_result before = unit->result, check;
 
-    if (frame->pixel_bytes != 2 || r->flip)
+    if (renderer->frame->pixel_bytes != 2 || r->flip)
         return n64_refused(unit, N64_CYCLE_TYPE);
     if (r->dsdx == FOUR_TEXELS) {
-        enum polygon_result result = draw_polygon(frame, r, r->dsdx / 4, material, drawing);
+        enum polygon_result result = draw_polygon(renderer, r, r->dsdx / 4, material);
 
         if (result != POLYGON_REFUSED || unit->result != N64_CYCLE_TYPE)
             return result;
@@ -113,27 +109,28 @@ static enum polygon_result draw_copy(const struct frame *frame, const struct n64
     check = n64_check_drawing(&unit->n64);
     if (check != N64_DONE)
         return n64_refused(unit, check);
-    copy_lines(frame, r, &unit->n64);
-    count_copied(frame, r, material, drawing);
+    if (renderer->counts)
+        count_copied(renderer, r, material);
+    else
+        copy_lines(renderer->frame, r, &unit->n64);
     n64_drawn(&unit->n64);
     return POLYGON_DRAWN;
 }
 
 /* Its command names no level: the greatest is 0. What was made of the modes is made again then. */
-static enum polygon_result draw_first_level(const struct frame *frame,
+static enum polygon_result draw_first_level(struct renderer *renderer,
                                             const struct n64_rectangle *r,
-                                            const struct material *material,
-                                            const struct drawing *drawing)
+                                            const struct material *material)
 {
     struct n64 *n64 = &material->unit->n64;
     enum polygon_result result;
     uint8 max_level = n64->max_level;
 
     if (!max_level || !(n64->modes.lod || n64->inputs & N64_INPUT_LOD_FRACTION))
-        return draw_polygon(frame, r, r->dsdx, material, drawing);
+        return draw_polygon(renderer, r, r->dsdx, material);
     n64->max_level = 0;
     n64->mode_generation++;
-    result = draw_polygon(frame, r, r->dsdx, material, drawing);
+    result = draw_polygon(renderer, r, r->dsdx, material);
     n64->max_level = max_level;
     n64->mode_generation++;
     return result;
@@ -165,9 +162,8 @@ static int32 coordinates_in_range(const struct n64_rectangle *r, int32 copy)
         && is_in_range(r->t, r->dtdy, r->flip ? width : height);
 }
 
-enum polygon_result n64_rectangle_draw(const struct frame *frame, const struct n64_rectangle *r,
-                                       const struct material *material,
-                                       const struct drawing *drawing)
+enum polygon_result n64_rectangle_draw(struct renderer *renderer, const struct n64_rectangle *r,
+                                       const struct material *material)
 {
     struct n64_unit *unit = material->unit;
     const struct n64_modes *modes = &unit->n64.modes;
@@ -181,6 +177,5 @@ enum polygon_result n64_rectangle_draw(const struct frame *frame, const struct n
         return n64_refused(unit, N64_RECTANGLE_MODES);
     if (!coordinates_in_range(r, copy))
         return n64_refused(unit, N64_COORDINATE_RANGE);
-    return copy ? draw_copy(frame, r, material, drawing)
-                : draw_first_level(frame, r, material, drawing);
+    return copy ? draw_copy(renderer, r, material) : draw_first_level(renderer, r, material);
 }

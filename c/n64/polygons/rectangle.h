@@ -15,9 +15,8 @@ struct n64_rectangle {
    In copy mode the frame has 2 bytes a pixel, which are the texels as they are. s and t, up to
    where right and bottom begin, are as those of a polygon. POLYGON_REFUSED: unit->result says
    why. */
-enum polygon_result n64_rectangle_draw(const struct frame *frame,
+enum polygon_result n64_rectangle_draw(struct renderer *renderer,
                                        const struct n64_rectangle *rectangle,
-                                       const struct material *material,
-                                       const struct drawing *drawing);
+                                       const struct material *material);
 
 #endif

@@ -2,10 +2,6 @@
 
 enum { LOW_HALF = N64_TMEM_BYTES / 2 - 1, ALL = N64_TMEM_BYTES - 1 };   /* masks of addresses */
 
-/* Of formats whose texels are numbers: the colour of each, and what it was made from. Nothing is
-   made twice: a TLUT that stays, or parts of it, are looked at alone. */
-static uint32 colours[256], colours_from[256];
-
 static inline uint32 rgba16_colour(uint32 bits)
 {
     const uint32 five = (bits & 0xf800) << 16 | (bits & 0x07c0) << 13 | (bits & 0x3e) << 10;
@@ -28,7 +24,8 @@ static uint32 ia16_of(const struct n64_tile *tile, uint32 bits)
     return tile->format == N64_CI ? (tile->palette * 16u + bits) * 0x101 : bits * 0x1111;
 }
 
-static void make_colours(const struct n64 *n64, const struct n64_tile *tile)
+static void make_colours(struct n64_colours *colours, const struct n64 *n64,
+                         const struct n64_tile *tile)
 {
     const uint32 is_rgba = n64->modes.tlut && !n64->modes.tlut_type;
     const uint32 count = tile->size == N64_4 ? 16 : 256;
@@ -38,9 +35,9 @@ static void make_colours(const struct n64 *n64, const struct n64_tile *tile)
         const uint32 bits = n64->modes.tlut ? n64_tlut_entry(n64, first + i, 0) : ia16_of(tile, i);
         const uint32 from = is_rgba << 16 | bits;
 
-        if (colours_from[i] != from) {
-            colours_from[i] = from;
-            colours[i] = is_rgba ? rgba16_colour(bits) : ia16_colour(bits);
+        if (colours->from[i] != from) {
+            colours->from[i] = from;
+            colours->of[i] = is_rgba ? rgba16_colour(bits) : ia16_colour(bits);
         }
     }
 }
@@ -64,8 +61,6 @@ static const void *in_order(const uint8 *part, uint32 at, uint32 mask, int32 odd
     return room;
 }
 
-static uint32 room[512], room_high[512];
-
 static uint32 mask_of(const struct n64_rows *rows)
 {
     return rows->n64->modes.tlut ? LOW_HALF : ALL;
@@ -74,7 +69,9 @@ static uint32 mask_of(const struct n64_rows *rows)
 static void decode_4(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
                      int32 count)
 {
-    const uint8 *from = in_order(rows->n64->tmem, at, mask_of(rows), odd, (count + 1) >> 1, room);
+    const uint32 *colours = rows->colours->of;
+    const uint8 *from = in_order(rows->n64->tmem, at, mask_of(rows), odd, (count + 1) >> 1,
+                                 rows->scratch->words);
 
     for (; count > 0; count -= 2) {
         const uint32 bits = *from++;
@@ -87,7 +84,9 @@ static void decode_4(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *
 static void decode_8(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
                      int32 count)
 {
-    const uint8 *from = in_order(rows->n64->tmem, at, mask_of(rows), odd, count, room);
+    const uint32 *colours = rows->colours->of;
+    const uint8 *from = in_order(rows->n64->tmem, at, mask_of(rows), odd, count,
+                                 rows->scratch->words);
 
     while (count-- > 0)
         *texels++ = colours[*from++];
@@ -96,7 +95,8 @@ static void decode_8(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *
 static void decode_rgba16(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
                           int32 count)
 {
-    const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count, room);
+    const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count,
+                                  rows->scratch->words);
 
     while (count-- > 0)
         *texels++ = rgba16_colour(*from++);
@@ -105,7 +105,8 @@ static void decode_rgba16(const struct n64_rows *rows, uint32 at, int32 odd, uin
 static void decode_ia16(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
                         int32 count)
 {
-    const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count, room);
+    const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count,
+                                  rows->scratch->words);
 
     while (count-- > 0)
         *texels++ = ia16_colour(*from++);
@@ -115,8 +116,9 @@ static void decode_rgba32(const struct n64_rows *rows, uint32 at, int32 odd, uin
                           int32 count)
 {
     const uint8 *tmem = rows->n64->tmem;
-    const uint16 *rg = in_order(tmem, at, LOW_HALF, odd, 2 * count, room);
-    const uint16 *ba = in_order(tmem + LOW_HALF + 1, at, LOW_HALF, odd, 2 * count, room_high);
+    const uint16 *rg = in_order(tmem, at, LOW_HALF, odd, 2 * count, rows->scratch->words);
+    const uint16 *ba = in_order(tmem + LOW_HALF + 1, at, LOW_HALF, odd, 2 * count,
+                                rows->scratch->words_high);
 
     while (count-- > 0)
         *texels++ = (uint32)*rg++ << 16 | *ba++;
@@ -127,8 +129,9 @@ static void decode_yuv(const struct n64_rows *rows, uint32 at, int32 odd, uint32
 {
     const uint8 *tmem = rows->n64->tmem;
     const int32 bytes = (count + 1) & ~1;
-    const uint16 *uv = in_order(tmem, at, LOW_HALF, odd, bytes, room);
-    const uint8 *y = in_order(tmem + LOW_HALF + 1, at, LOW_HALF, odd, bytes, room_high);
+    const uint16 *uv = in_order(tmem, at, LOW_HALF, odd, bytes, rows->scratch->words);
+    const uint8 *y = in_order(tmem + LOW_HALF + 1, at, LOW_HALF, odd, bytes,
+                              rows->scratch->words_high);
 
     for (; count > 0; count -= 2) {
         const uint32 chroma = (uint32)*uv++ << 16;
@@ -139,8 +142,11 @@ static void decode_yuv(const struct n64_rows *rows, uint32 at, int32 odd, uint32
     }
 }
 
-void n64_rows_find(struct n64_rows *rows, const struct n64 *n64, const struct n64_tile *tile)
+void n64_rows_find(struct n64_rows *rows, const struct n64 *n64, const struct n64_tile *tile,
+                   struct n64_decode_scratch *scratch, struct n64_colours *colours)
 {
+    rows->scratch = scratch;
+    rows->colours = colours;
     rows->n64 = n64;
     rows->tile = tile;
     rows->decode = 0;
@@ -148,7 +154,7 @@ void n64_rows_find(struct n64_rows *rows, const struct n64 *n64, const struct n6
         rows->decode = decode_yuv;
     } else if (tile->size <= N64_8) {
         rows->decode = tile->size == N64_4 ? decode_4 : decode_8;
-        make_colours(n64, tile);
+        make_colours(colours, n64, tile);
     } else if (!n64->modes.tlut) {
         if (tile->format == N64_RGBA)
             rows->decode = tile->size == N64_16 ? decode_rgba16 : decode_rgba32;

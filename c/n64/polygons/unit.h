@@ -32,6 +32,7 @@ struct n64_unit {
     struct n64_yuv_tables *yuv;  /* of yuv_made, another; or 0 */
     uint32 yuv_made;
     struct n64_page page;
+    struct n64_colours colours;
     struct n64_kept tiles[N64_TILES];   /* decoded for the passes */
     struct n64_kept chroma[N64_TILES];  /* the same with quads for YUV's chroma */
 };

@@ -6,7 +6,6 @@
    every column that is shown, wrapped ones too; of mirrored ones odd and even change places,
    which the pass over coordinates does not know. */
 #include "n64/polygons/plan.h"
-#include "polygon/line_room.h"
 #include "system/system.h"
 
 static int32 tile_allows(const struct n64 *n64, const struct n64_tile *tile)
@@ -38,7 +37,8 @@ static int32 find_texels(struct n64_yuv *yuv, const struct n64_modes *modes, uin
 /* Colours of a converted channel's 9 bits, what the form's second part makes of it. */
 static void make_colours(const struct n64_plan *plan, uint32 *colours)
 {
-    struct n64_wide *const values = (struct n64_wide *)line_room, *const results = values + 512;
+    struct n64_wide *const values = plan->scratch->tables.values;
+    struct n64_wide *const results = plan->scratch->tables.results;
     struct n64_places places;
 
     for (int32 v = 0; v < 512; v++)

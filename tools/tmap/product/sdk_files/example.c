@@ -27,7 +27,9 @@ int main(void)
     static struct map map;              /* what is not set is 0 */
     static struct material material;
     static struct frame frame;
-    static struct drawing drawing;      /* FORM_ADDX, all rules, no counts */
+    static struct scratch scratch;
+    static struct renderer renderer;    /* FORM_ADDX, all rules, no counts */
+    static struct polygon polygon;
     static struct vertex square[4];
     static char name[] = "frame_0.chunky";
     uint8 *texels = room + (PAGE - 1 - ((uint32)room - 1) % PAGE);
@@ -48,6 +50,10 @@ int main(void)
     frame.width = frame.pitch = WIDTH;
     frame.height = HEIGHT;
     frame.pixel_bytes = 1;
+    renderer.frame = &frame;
+    renderer.scratch = &scratch;
+    polygon.vertices = square;
+    polygon.count = 4;
     for (int32 number = 0; number < FRAMES; number++) {
         for (int32 i = 0; i < WIDTH * HEIGHT; i++)
             pixels[i] = 0;
@@ -55,7 +61,7 @@ int main(void)
             set_corner(&square[k], number, k == 1 || k == 2 ? REACH : -REACH,
                        k >= 2 ? REACH : -REACH);
         name[6] = (char)('0' + number);
-        if (polygon_draw(&frame, square, 4, &material, &drawing) != POLYGON_DRAWN
+        if (polygon_draw(&renderer, &polygon, &material) != POLYGON_DRAWN
             || !save(name, pixels, WIDTH * HEIGHT))
             return 10;
     }

@@ -1,0 +1,27 @@
+/* Memory for one polygon at a time; its content is undefined between polygons. */
+#ifndef SCRATCH_H
+#define SCRATCH_H
+
+#include "limits.h"
+#include "polygon/clip.h"
+#include "polygon/sides.h"
+#include "span/scanline.h"
+
+enum { SCRATCH_ROOM = 49152 };  /* bytes: perspective's lines of a frame of FRAME_SIDE_MAX lines */
+
+struct scratch {
+    struct scanline lines[FRAME_SIDE_MAX];
+    struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
+    struct vertex vertices[POLYGON_VERTICES_MAX];       /* as the mapper takes them */
+    struct vertex corners[POLYGON_VERTICES_MAX];        /* what planes are found from */
+    struct vertex paged[POLYGON_VERTICES_MAX];          /* relative to a texture unit's page */
+    struct vertex clipped[2 * CLIP_VERTICES_MAX];
+    struct sides clipped_sides;
+    struct column_layout columns;
+    uint32 room[SCRATCH_ROOM / 4];      /* each way of drawing has its own use of it */
+};
+
+/* Fails to compile where a use of the room does not fit. */
+#define SCRATCH_FITS(type) extern char scratch_fits[sizeof(type) <= SCRATCH_ROOM ? 1 : -1]
+
+#endif
