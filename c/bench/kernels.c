@@ -3,6 +3,7 @@
 #include "plain/glide.h"
 #include "plain/n64.h"
 #include "plain/screen.h"
+#include "polygon/kind.h"
 #include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/text.h"

@@ -1,6 +1,7 @@
 /* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
 #include "perspective/perspective.h"
 #include "polygon/counts.h"
+#include "polygon/kind.h"
 
 /* What each setting's lines are drawn by. */
 static const struct {

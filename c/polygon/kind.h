@@ -16,6 +16,13 @@ struct line_routines {
     void (*scissor)(const struct scissor_plan *plan);
 };
 
+/* span_<name> of each kind. src68k/span: contracts there; span_affine_c: c/span. */
+#define SPAN(kind, name, lines) void span_##name(const struct span_plan *plan);
+#define OTHER(kind, name)
+SPAN_LIST(SPAN, OTHER)
+#undef SPAN
+#undef OTHER
+
 extern const struct line_routines line_routines[LINE_FORMS];
 
 /* In the order of enum span_kind; none for those that polygon_draw does not know. Tables apart,

@@ -4,6 +4,7 @@
 
 #include "compiler.h"
 #include "limits.h"
+#include "polygon/span_list.h"
 #include "polygon/vertex.h"
 #include "span/logarithm.h"
 #include "texture/map.h"
@@ -87,54 +88,22 @@ enum mapper {
     MAPPER_KINDS
 };
 
-/* Which routines drew, counted where it is asked for. A polygon with a perspective is drawn by
-   one or two of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
+/* Which routines drew, where polygons are counted. A polygon with perspective is drawn by one or two
+   of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
 enum span_kind {
-    SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32,      /* the flat ones come first */
-    SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
-    SPAN_AFFINE_ROW, SPAN_AFFINE_COLUMN, SPAN_AFFINE_SCANLINE, SPAN_AFFINE_SWAP,
-    SPAN_AFFINE_C, SPAN_ARBITRARY, SPAN_TILED, SPAN_COLUMNS, SPAN_COLUMNS_16,
-    SPAN_GENERATED, SPAN_LIT, SPAN_LIT_WRAP, SPAN_LIT_GOURAUD, SPAN_PERSPECTIVE_PIECES,
-    SPAN_PERSPECTIVE_CURVES, SPAN_RECIPROCAL, SPAN_LOGARITHM,
-    SPAN_AFFINE_COPY, SPAN_AFFINE_SHORT, SPAN_AFFINE_SHORT_WRAP, SPAN_AFFINE_ROW_SHORT,
-    SPAN_GOURAUD_SHORT, SPAN_LIT_SHORT, SPAN_LIT_SHORT_WRAP,
-    SPAN_AFFINE_16, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_16_ROW, SPAN_AFFINE_16_COPY, SPAN_AFFINE_32,
-    SPAN_AFFINE_32_WRAP, SPAN_AFFINE_32_ROW,
-    SPAN_DITHERED, SPAN_DITHERED_WRAP, SPAN_DITHERED_16, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32,
-    SPAN_DITHERED_32_WRAP,
-    SPAN_N64_PASSES, SPAN_N64_PIXELS, SPAN_GLIDE_PASSES, SPAN_GLIDE_PIXELS,
-    SPAN_GLIDE_TILES,
+#define SPAN(kind, name, lines) SPAN_##kind,
+#define OTHER(kind, name) SPAN_##kind,
+    SPAN_LIST(SPAN, OTHER)
+#undef SPAN
+#undef OTHER
     SPAN_KINDS,
-    SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
+    SPAN_PERSPECTIVE = SPAN_KINDS       /* not known yet which */
 };
 
-/* Why less is done than a material asks for: c/drawing/lower.c has them line by line. */
 enum rule {
-    RULE_OUTSIDE,               /* the polygon lies beside the frame: nothing */
-    RULE_EQUAL_SHADES,          /* the same pixel at all vertices: flat */
-    RULE_EQUAL_LEVELS,          /* the same level of light at all vertices: no interpolation */
-    RULE_NO_LIGHT,              /* it makes all texels the same: flat */
-    RULE_FULL_LIGHT,            /* it shows the texels as they are: no light */
-    RULE_CONSTANT_W,            /* the same depth at all vertices: affine */
-    RULE_TOLERANCE,             /* affine is within the material's tolerance */
-    RULE_COARSER,               /* pieces, or straight lines, are */
-    RULE_INSIDE_FRAME,          /* no line is cut to the frame's columns */
-    RULE_INSIDE_RANGE,          /* u and v cannot leave the map, or shades the vertices' range:
-                                   no line is moved */
-    RULE_STILL_V,               /* v does not change along lines */
-    RULE_UNIT_STEP,             /* ... and u moves a texel a pixel: lines are copied */
-    RULE_STILL_U,               /* u does not change along lines */
-    RULE_NO_WRAP,               /* v wraps once in a line at most */
-    RULE_NO_WRAP_LIT,           /* the same in the light */
-    RULE_NO_WRAP_DITHERED,      /* v, moved, does not */
-    RULE_SHORT,                 /* no line is longer than the cache has room for: no loop; ... */
-    RULE_SHORT_WRAP, RULE_SHORT_ROW, RULE_SHORT_GOURAUD, RULE_SHORT_LIT, RULE_SHORT_LIT_WRAP,
-    RULE_N64_FLAT,              /* no texel reaches the combiner's result: flat */
-    RULE_N64_PLAIN,             /* one tile's points and constants: an affine span of its pixels */
-    RULE_N64_PASSES,            /* the modes have passes over lines: not pixel by pixel */
-    RULE_GLIDE_PLAIN,           /* one unit's points of one level: an affine span of its pixels */
-    RULE_GLIDE_PASSES,          /* as RULE_N64_PASSES */
-    RULE_GLIDE_TILES,           /* one LOD, not divided, drawn often enough: from prefiltered tiles */
+#define RULE(rule, name) RULE_##rule,
+    RULE_LIST(RULE)
+#undef RULE
     RULES
 };
 

@@ -4,24 +4,17 @@
 #include "system/text.h"
 
 static const char *const span_names[SPAN_KINDS] = {
-    "fill", "fill_16", "fill_32", "gouraud", "affine_addx", "affine_addx_wrap", "affine_row",
-    "affine_column", "affine_scanline", "affine_swap", "affine_c", "arbitrary", "tiled",
-    "columns", "columns_16", "generated", "lit", "lit_wrap", "lit_gouraud",
-    "perspective_pieces", "perspective_curves", "reciprocal", "logarithm",
-    "affine_copy", "affine_short", "affine_short_wrap", "affine_row_short", "gouraud_short",
-    "lit_short", "lit_short_wrap",
-    "affine_16", "affine_16_wrap", "affine_16_row", "affine_16_copy", "affine_32",
-    "affine_32_wrap", "affine_32_row", "dithered", "dithered_wrap", "dithered_16",
-    "dithered_16_wrap", "dithered_32", "dithered_32_wrap", "n64_passes", "n64_pixels", "glide_passes",
-    "glide_pixels", "glide_tiles"
+#define SPAN(kind, name, lines) #name,
+#define OTHER(kind, name) #name,
+    SPAN_LIST(SPAN, OTHER)
+#undef SPAN
+#undef OTHER
 };
 
 static const char *const rule_names[RULES] = {
-    "outside", "equal_shades", "equal_levels", "no_light", "full_light", "constant_w",
-    "tolerance", "coarser", "inside_frame", "inside_range", "still_v", "unit_step",
-    "still_u", "no_wrap", "no_wrap_lit", "no_wrap_dithered", "short", "short_wrap", "short_row",
-    "short_gouraud", "short_lit", "short_lit_wrap", "n64_flat", "n64_plain", "n64_passes",
-    "glide_plain", "glide_passes", "glide_tiles"
+#define RULE(rule, name) #name,
+    RULE_LIST(RULE)
+#undef RULE
 };
 
 /* Sets counts to 0, or adds others to them. */

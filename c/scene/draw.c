@@ -2,6 +2,7 @@
 
 #include "math/math.h"
 #include "scene/draw_meshes.h"
+#include "polygon/kind.h"
 #include "polygon/scratch.h"
 
 /* The background is a span of the whole width on every line. */

@@ -151,7 +151,7 @@ struct span_plan {
     int32 odd;                  /* dithered: the first line's y, modulo 2 */
 };
 
-/* src68k/edge and src68k/span: contracts there. */
+/* src68k/edge: contracts there. polygon/kind.h declares the spans. */
 void edge_flat(const struct edge_plan *plan);
 void edge_flat_exact(const struct edge_plan *plan);
 void edge_addx(const struct edge_plan *plan);
@@ -165,46 +165,5 @@ void edge_hold(struct hold_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);
-void span_fill(const struct span_plan *plan);
-void span_fill_16(const struct span_plan *plan);
-void span_fill_32(const struct span_plan *plan);
-void span_affine_addx(const struct span_plan *plan);
-void span_affine_addx_wrap(const struct span_plan *plan);
-void span_affine_row(const struct span_plan *plan);
-void span_affine_column(const struct span_plan *plan);
-void span_affine_copy(const struct span_plan *plan);
-void span_affine_short(const struct span_plan *plan);
-void span_affine_short_wrap(const struct span_plan *plan);
-void span_affine_row_short(const struct span_plan *plan);
-void span_affine_16(const struct span_plan *plan);
-void span_affine_16_wrap(const struct span_plan *plan);
-void span_affine_16_row(const struct span_plan *plan);
-void span_affine_16_copy(const struct span_plan *plan);
-void span_affine_32(const struct span_plan *plan);
-void span_affine_32_wrap(const struct span_plan *plan);
-void span_affine_32_row(const struct span_plan *plan);
-void span_dithered(const struct span_plan *plan);
-void span_dithered_wrap(const struct span_plan *plan);
-void span_dithered_16(const struct span_plan *plan);
-void span_dithered_16_wrap(const struct span_plan *plan);
-void span_dithered_32(const struct span_plan *plan);
-void span_dithered_32_wrap(const struct span_plan *plan);
-void span_gouraud_short(const struct span_plan *plan);
-void span_lit_short(const struct span_plan *plan);
-void span_lit_short_wrap(const struct span_plan *plan);
-void span_affine_scanline(const struct span_plan *plan);
-void span_affine_swap(const struct span_plan *plan);
-void span_gouraud(const struct span_plan *plan);
-void span_arbitrary(const struct span_plan *plan);
-void span_tiled(const struct span_plan *plan);
-void span_columns(const struct span_plan *plan);
-void span_columns_16(const struct span_plan *plan);
-void span_generated(const struct span_plan *plan);
-void span_lit(const struct span_plan *plan);
-void span_lit_wrap(const struct span_plan *plan);
-void span_lit_gouraud(const struct span_plan *plan);
-
-/* c/span: the same work as span_affine_swap in plain C. */
-void span_affine_c(const struct span_plan *plan);
 
 #endif
