@@ -20,25 +20,6 @@
 #include "polygon/setup.h"
 #include "polygon/shading.h"
 
-/* The layout that each mapper with a map reads. */
-static const uint8 layout_of[MAPPER_KINDS] = {
-    [MAPPER_AFFINE] = MAP_PAGE,
-    [MAPPER_ARBITRARY] = MAP_LINEAR,
-    [MAPPER_TILED] = MAP_TILED,
-    [MAPPER_COLUMNS] = MAP_COLUMNS,
-    [MAPPER_GENERATED] = MAP_MARGINS,
-    [MAPPER_LIT] = MAP_PAGE,
-    [MAPPER_LIT_GOURAUD] = MAP_PAGE,
-    [MAPPER_DITHERED] = MAP_PAGE
-};
-
-/* Whether a material draws texels of 2 or 4 bytes. */
-static int32 draws_wide(const struct material *m, int32 bytes)
-{
-    return m->mapper == MAPPER_AFFINE ? !m->perspective
-         : m->mapper == MAPPER_DITHERED || (m->mapper == MAPPER_COLUMNS && bytes == 2);
-}
-
 /* The scratch room of polygons without perspective: one of these at a time. */
 union made {
     struct {
@@ -68,15 +49,16 @@ static enum polygon_result set_map(struct setup *s)
         return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
-    if (!map || map->layout != layout_of[mapper] || map->texel_bytes != s->frame->pixel_bytes
-        || (map->texel_bytes > 1 && !draws_wide(s->material, map->texel_bytes)))
+    if (!map || map->layout != mappers[mapper].layout || map->texel_bytes != s->frame->pixel_bytes
+        || !(map->texel_bytes & mappers[mapper].bytes)
+        || (map->texel_bytes > 1 && s->material->perspective))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
     s->span.map_width = map->width;
     s->span.map_height = map->height;
     s->span.columns = columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
-    if ((mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD)
+    if (mappers[mapper].is & MAPPER_LIGHTS
         && !shading_light(&s->span, s->material,
                           s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;

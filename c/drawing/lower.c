@@ -5,6 +5,7 @@
 #include "drawing/material.h"
 #include "perspective/tolerance.h"
 #include "polygon/counts.h"
+#include "polygon/kind.h"
 #include "polygon/shading.h"
 
 #define ONE_PIXEL 65536
@@ -98,23 +99,6 @@ static int32 is_slow(fix16 step)
     return ((uint32)step << 8) + most <= 2 * most;
 }
 
-/* What draws anything that a mapper may be asked for, with 1, 2 and 4 bytes a pixel; and whether
-   vertices may show that something else will do. */
-static const struct {
-    uint8 kind[3], by_vertices;
-} asked[MAPPER_KINDS] = {
-    [MAPPER_FLAT] = {{SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32}, 0},
-    [MAPPER_GOURAUD] = {{SPAN_GOURAUD, 0, 0}, 1},
-    [MAPPER_AFFINE] = {{SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_32_WRAP}, 0},
-    [MAPPER_ARBITRARY] = {{SPAN_ARBITRARY, 0, 0}, 0},
-    [MAPPER_TILED] = {{SPAN_TILED, 0, 0}, 0},
-    [MAPPER_COLUMNS] = {{SPAN_COLUMNS, SPAN_COLUMNS_16, 0}, 0},
-    [MAPPER_GENERATED] = {{SPAN_GENERATED, 0, 0}, 1},
-    [MAPPER_LIT] = {{SPAN_LIT_WRAP, 0, 0}, 1},
-    [MAPPER_LIT_GOURAUD] = {{SPAN_LIT_GOURAUD, 0, 0}, 1},
-    [MAPPER_DITHERED] = {{SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP}, 0}
-};
-
 enum span_kind lower_affine(const struct material *material, enum form form)
 {
     return material->gradients == GRADIENTS_SCANLINE ? SPAN_AFFINE_SCANLINE
@@ -135,10 +119,10 @@ int32 lower_asked(struct setup *s)
 {
     const struct material *m = s->material;
 
-    s->kind = (enum span_kind)asked[m->mapper].kind[s->frame->pixel_bytes >> 1];
+    s->kind = (enum span_kind)mappers[m->mapper].kind[s->frame->pixel_bytes >> 1];
     if (s->kind == SPAN_AFFINE_ADDX_WRAP)
         s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
-    return m->perspective || asked[m->mapper].by_vertices;
+    return m->perspective || mappers[m->mapper].is & MAPPER_LOOKS;
 }
 
 void lower_by_vertices(struct setup *s)

@@ -16,6 +16,13 @@ const uint8 kind_lines[SPAN_KINDS] = {
 #undef OTHER
 };
 
+const struct mapper_traits mappers[MAPPER_KINDS] = {
+#define MAPPER(kind, name, layout, bytes, is, span, span_16, span_32) \
+    {layout, bytes, is, {span, span_16, span_32}, {0, 0}},
+    MAPPER_LIST(MAPPER)
+#undef MAPPER
+};
+
 const struct line_routines line_routines[LINE_FORMS] = {
     [LINES_FLAT] = {edge_flat, edge_flat_exact, scissor_flat},
     [LINES_ADDX] = {edge_addx, edge_addx_exact, scissor_addx},

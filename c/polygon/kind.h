@@ -25,6 +25,14 @@ SPAN_LIST(SPAN, OTHER)
 
 extern const struct line_routines line_routines[LINE_FORMS];
 
+struct mapper_traits {
+    uint8 layout, bytes, is;    /* as MAPPER_LIST has them */
+    uint8 kind[3];              /* enum span_kind, for 1, 2 and 4 bytes a pixel */
+    uint8 spare[2];
+};
+
+extern const struct mapper_traits mappers[MAPPER_KINDS];
+
 /* In the order of enum span_kind; none for those that polygon_draw does not know. Tables apart,
    so that a program of one scene holds a byte of a kind that it does not need. */
 extern span_routine *const kind_spans[SPAN_KINDS];

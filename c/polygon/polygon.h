@@ -4,6 +4,7 @@
 
 #include "compiler.h"
 #include "limits.h"
+#include "polygon/mapper_list.h"
 #include "polygon/span_list.h"
 #include "polygon/vertex.h"
 #include "span/logarithm.h"
@@ -69,27 +70,21 @@ struct frame {
 
 /* How a polygon's pixels are made. */
 enum mapper {
-    MAPPER_FLAT,
-    MAPPER_GOURAUD,             /* shade is the pixel */
-    MAPPER_AFFINE,              /* MAP_PAGE; 16- and 32-bit frames too */
-    MAPPER_ARBITRARY,           /* MAP_LINEAR; s, t inside the map */
-    MAPPER_TILED,               /* MAP_TILED */
-    MAPPER_COLUMNS,             /* MAP_COLUMNS; 16-bit frames too */
-    MAPPER_GENERATED,           /* MAP_MARGINS: code written for the polygon's steps; affine
-                                   spans where u of a line leaves its row of the map */
-    MAPPER_LIT,                 /* MAP_PAGE through a light table, the level is that of the
-                                   first vertex */
-    MAPPER_LIT_GOURAUD,         /* the same, each pixel at its level: GRADIENTS_PLANE,
-                                   START_SUBTEXEL */
-    MAPPER_DITHERED,            /* as MAPPER_AFFINE, points moved by up to 3/8 texel: see
-                                   span_dithered; GRADIENTS_PLANE, START_SUBTEXEL */
-    MAPPER_N64,                /* by the material's texture unit: not by polygon_draw */
-    MAPPER_GLIDE,               /* by its pipe of Glide's texture units: the same */
+#define MAPPER(kind, name, layout, bytes, is, span, span_16, span_32) MAPPER_##kind,
+    MAPPER_LIST(MAPPER)
+#undef MAPPER
     MAPPER_KINDS
 };
 
-/* Which routines drew, where polygons are counted. A polygon with perspective is drawn by one or two
-   of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
+enum mapper_trait {
+    MAPPER_LIGHTS = 1,          /* it has a light table */
+    MAPPER_PLANE = 2,           /* GRADIENTS_PLANE and START_SUBTEXEL only */
+    MAPPER_UNIT = 4,            /* a texture unit draws it */
+    MAPPER_LOOKS = 8            /* its vertices may show that a cheaper span will do */
+};
+
+/* Which routines drew, where polygons are counted. A polygon with perspective is drawn by one or
+   two of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
 enum span_kind {
 #define SPAN(kind, name, lines) SPAN_##kind,
 #define OTHER(kind, name) SPAN_##kind,

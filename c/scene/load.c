@@ -2,6 +2,7 @@
 
 #include "math/math.h"
 #include "perspective/tolerance.h"
+#include "polygon/kind.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
@@ -62,51 +63,32 @@ static const char *wrong_texture(const struct scene *scene)
     return 0;
 }
 
-static int32 is_lit(uint32 mapper)
+static int32 is(uint32 mapper, enum mapper_trait trait)
 {
-    return mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD;
+    return (mappers[mapper].is & trait) != 0;
 }
 
-/* u and v by one plane, to each first pixel. */
-static int32 needs_plane(uint32 mapper)
-{
-    return mapper == MAPPER_LIT_GOURAUD || mapper == MAPPER_DITHERED;
-}
-
-/* By texture units, of either kind. */
-static int32 is_unit(uint32 mapper)
-{
-    return mapper == MAPPER_N64 || mapper == MAPPER_GLIDE;
-}
-
-/* Whether a mapper draws pixels of a format. */
+/* Returns non-zero if a mapper draws pixels of a format. */
 static int32 draws(uint32 mapper, uint32 format)
 {
-    int32 bytes = scene_pixel_bytes(format);
+    const int32 bytes = scene_pixel_bytes(format);
 
-    if (is_unit(mapper))
-        return bytes == 4
-            || (bytes == 2 && format == (mapper == MAPPER_N64 ? PIXEL_RGBA5551 : PIXEL_RGB565));
-    return bytes == 1 || mapper == MAPPER_FLAT || mapper == MAPPER_AFFINE
-        || mapper == MAPPER_DITHERED
-        || (bytes == 2 && mapper == MAPPER_COLUMNS);
+    if (bytes == 2 && is(mapper, MAPPER_UNIT)
+        && format != (mapper == MAPPER_N64 ? PIXEL_RGBA5551 : PIXEL_RGB565))
+        return 0;
+    return mappers[mapper].bytes & bytes;
 }
 
 /* Whether the material's unit is there, or it needs none and has none. */
 static int32 unit_usable(const struct scene_header *h, const struct scene_material *m)
 {
-    if (!is_unit(m->mapper))
+    if (!is(m->mapper, MAPPER_UNIT))
         return m->unit == NO_UNIT;
     return (uint32)m->unit < (m->mapper == MAPPER_N64 ? h->units : h->pipes);
 }
 
 static const char *wrong_material(const struct scene *scene)
 {
-    /* What each mapper wants; MAP_LAYOUTS: none. */
-    static const uint8 layouts[MAPPER_KINDS] = {
-        MAP_LAYOUTS, MAP_LAYOUTS, MAP_PAGE, MAP_LINEAR, MAP_TILED, MAP_COLUMNS, MAP_MARGINS,
-        MAP_PAGE, MAP_PAGE, MAP_PAGE, MAP_LAYOUTS, MAP_LAYOUTS
-    };
     const struct scene_header *h = scene->header;
     int32 bytes = scene_pixel_bytes(h->format);
 
@@ -119,13 +101,13 @@ static const char *wrong_material(const struct scene *scene)
             return "material.unit";
         if (m->primitive >= (m->mapper == MAPPER_N64 ? UNIT_PRIMITIVES : 1))
             return "material.primitive";
-        if (m->edges >= EDGES_KINDS || (is_unit(m->mapper) && m->edges == EDGES_INTEGER))
+        if (m->edges >= EDGES_KINDS || (is(m->mapper, MAPPER_UNIT) && m->edges == EDGES_INTEGER))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
-            || (needs_plane(m->mapper) && m->gradients != GRADIENTS_PLANE))
+            || (is(m->mapper, MAPPER_PLANE) && m->gradients != GRADIENTS_PLANE))
             return "material.gradients";
         if (m->start >= START_KINDS
-            || (needs_plane(m->mapper) && m->start != START_SUBTEXEL))
+            || (is(m->mapper, MAPPER_PLANE) && m->start != START_SUBTEXEL))
             return "material.start";
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
@@ -136,11 +118,11 @@ static const char *wrong_material(const struct scene *scene)
             return "material.perspective";
         if (m->tolerance < 0 || m->tolerance > TOLERANCE_MAX || (m->tolerance && !m->perspective))
             return "material.tolerance";
-        if (layouts[m->mapper] == MAP_LAYOUTS ? m->texture != NO_TEXTURE
+        if (mappers[m->mapper].layout == MAP_LAYOUTS ? m->texture != NO_TEXTURE
             : (uint32)m->texture >= h->textures
-              || scene->textures[m->texture].layout != layouts[m->mapper])
+              || scene->textures[m->texture].layout != mappers[m->mapper].layout)
             return "material.texture";
-        if (is_lit(m->mapper) ? (uint32)m->light >= h->textures
+        if (is(m->mapper, MAPPER_LIGHTS) ? (uint32)m->light >= h->textures
                                 || scene->textures[m->light].layout != MAP_LIGHT
             : m->light != NO_TEXTURE)
             return "material.light";
@@ -216,10 +198,10 @@ static const char *wrong_vertex(const struct scene *scene, const struct scene_ob
     uint32 own = scene_has_own(scene, m) ? object->vertices >> 1 : 0;
 
     for (uint32 left = object->vertices; left; left--, v++) {
-        if ((m->mapper == MAPPER_GOURAUD || is_lit(m->mapper))
+        if ((m->mapper == MAPPER_GOURAUD || is(m->mapper, MAPPER_LIGHTS))
             && (v->shade < 0 || v->shade >= 256 << 16))
             return "vertex.shade";
-        if ((m->perspective || is_unit(m->mapper)) && !depth_usable(v->w, left <= own))
+        if ((m->perspective || is(m->mapper, MAPPER_UNIT)) && !depth_usable(v->w, left <= own))
             return "vertex.w";
         if (m->mapper == MAPPER_ARBITRARY) {
             const char *wrong = scene_wrong_texel(scene, m, v->s, v->t);

@@ -1,5 +1,6 @@
 #include "scene/settings.h"
 
+#include "polygon/kind.h"
 #include "scene/tables.h"
 
 static const struct {
@@ -20,15 +21,10 @@ static const struct {
     {16, "none"}, {16, "every16"}, {8, "every8"}, {0, "pixel"}, {0, "fine"}
 };
 
-static int32 is_unit(uint32 mapper)
-{
-    return mapper == MAPPER_N64 || mapper == MAPPER_GLIDE;
-}
-
-/* Gradients and start of these are what they are. */
+/* Returns non-zero if gradients and start are the mapper's own. */
 static int32 is_fixed(uint32 mapper)
 {
-    return is_unit(mapper) || mapper == MAPPER_LIT_GOURAUD || mapper == MAPPER_DITHERED;
+    return mappers[mapper].is & (MAPPER_UNIT + MAPPER_PLANE);
 }
 
 static void set_perspective(struct material *to, const struct scene_material *from, int32 step)
@@ -51,7 +47,7 @@ static void set_accuracy(struct material *to, const struct scene_material *from,
     if (step == SETTINGS_OWN)
         return;
     to->edges = accuracy[step].edges;
-    if (is_unit(from->mapper) && to->edges == EDGES_INTEGER)
+    if (mappers[from->mapper].is & MAPPER_UNIT && to->edges == EDGES_INTEGER)
         to->edges = EDGES_SUBPIXEL;
     if (is_fixed(from->mapper) || to->perspective)
         return;

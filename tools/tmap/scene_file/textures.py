@@ -7,23 +7,25 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tmap.base import maps
+from tmap.base import c_lists, maps
 from tmap.base.errors import UserError, require
 from tmap.base.pixel_formats import PixelFormat
 from tmap.build import layout
 
+#: What c/polygon/mapper_list.h says of each mapper: layout, bytes of its pixels, traits.
+LISTED = {name: (layout, bytes_, traits)
+          for _, name, layout, bytes_, traits, *_ in c_lists.rows("polygon/mapper_list.h", "MAPPER")}
 #: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
-MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
-                 "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
-                 "lit_gouraud": "page", "dithered": "page", "n64": None, "glide": None}
-UNITS = ("n64", "glide")  # mappers that are texture units
+MAPPER_LAYOUT = {name: None if map_ == "MAP_LAYOUTS" else map_.removeprefix("MAP_").lower()
+                 for name, (map_, _, _) in LISTED.items()}
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
+#: Mappers that are texture units.
+UNITS = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_UNIT" in traits)
 #: What draws pixels of so many bytes.
-MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
-           2: ("flat", "affine", "columns", "dithered", *UNITS),
-           4: ("flat", "affine", "dithered", *UNITS)}
+MAPPERS = {size: tuple(name for name, (_, sizes, _) in LISTED.items() if str(size) in sizes)
+           for size in (1, 2, 4)}
 #: Mappers whose u and v come from one plane, to each first pixel.
-ON_PLANE = ("lit_gouraud", "dithered")
+ON_PLANE = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PLANE" in traits)
 #: The format with 2 bytes a pixel that each kind of unit draws.
 UNIT_FORMATS = {"n64": "rgba5551", "glide": "rgb565"}
 
