@@ -14,19 +14,20 @@ from tmap.model.model import Settings
 from tmap.run.run import render
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
-LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
+LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
          "lit": "p", "lit_gouraud": "h", "dithered": "*", "every16": "<", "every8": ">", "pixel": "P",
          "fine": "X"}
 
 
 def drawn_by(row: dict) -> str:
-    """The perspective that a row has, or its mapper."""
+    """Returns a row's perspective, or its mapper if it has no perspective."""
     return row["mapper"] if row["perspective"] == "none" else row["perspective"]
 
 
 def plot(rows: list[dict], path: Path) -> None:
-    """Error against cycles of the texture mappers, a panel a set, the frontier drawn."""
+    """Plots error against cycles of the texture mappers: a panel for each set, with the
+    frontier."""
     machine = rows[-1]["machine"]
     names = list(dict.fromkeys(r["name"] for r in rows))
     columns = min(len(names), 4)

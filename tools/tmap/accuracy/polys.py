@@ -52,8 +52,8 @@ def frames(row: str, count: int) -> list[np.ndarray]:
 
 
 def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[dict]:
-    """The rows of a machine, in one boot, every frame held to the model's; ``cache``: with a data
-    cache."""
+    """Returns a machine's rows, measured in one boot. Every frame must be the model's. ``cache``:
+    with a data cache."""
     form = "addx DCACHE" if cache else "addx"
     drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []
