@@ -63,7 +63,7 @@ def plot(rows: list[dict], path: Path) -> None:
     plt.close(figure)
 
 
-#: What the swimming picture shows side by side.
+#: Settings of the swimming picture's panels.
 SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
             Settings("subpixel", "plane", "truncated", mapper="affine"),
             Settings("exact", "plane", "subtexel", mapper="affine"))
@@ -72,7 +72,7 @@ SWIM_SIDE = 64  # pixels of a panel
 
 
 def swimming_scene() -> Scene:
-    """A small triangle that moves an eighth of a pixel a frame, under three settings."""
+    """Returns a small triangle that moves an eighth of a pixel a frame, under three settings."""
     texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
     objects, materials, poses = [], [], []
     corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
@@ -89,7 +89,8 @@ def swimming_scene() -> Scene:
 
 
 def write_swimming(out: Path) -> None:
-    """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
+    """Writes swimming.gif and swimming.png: rendered on the emulated machine, enlarged five
+    times."""
     scene = swimming_scene()
     frames = render(scene, MEASURED[-1], "addx").frames
     pictures = []
@@ -103,7 +104,7 @@ def write_swimming(out: Path) -> None:
 
 
 def write_mappers(out: Path) -> None:
-    """mappers.png: a polygon of each mapper, rendered on the emulated machine."""
+    """Writes mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
     (frame,) = render(scene, MEASURED[-1], "addx").frames
     picture = Image.fromarray(frame, "P")
