@@ -15,8 +15,8 @@ from tmap.ideal.texels import Error
 @dataclass(frozen=True)
 class Engine:
     """``name``: its name in commands; ``modes``, ``formats``, ``every``: MODES, FORMATS and EVERY
-    of its module; ``filtered``: the filter of texel formats' second row; ``meant``: the reference
-    of the errors."""
+    of its module; ``filtered``: the filter that the table of texel formats shows after point
+    sampling; ``meant``: the reference of the errors."""
 
     name: str
     title: str

@@ -55,7 +55,7 @@ def medallion() -> np.ndarray:
     radius = np.hypot(x, y)
     xx, yy = x * x, y * y
     square = xx + yy
-    petals = (xx - yy) * (xx * xx - 14 * xx * yy + yy * yy) / (square * square * square)  # cos(6 angle)
+    petals = (xx - yy) * (xx * xx - 14 * xx * yy + yy * yy) / (square * square * square)  # cos(6 way)
     level = 7.5 + 4 * each(cos, 0.85 * radius) + 3.5 * radius / 15 * petals
     return np.repeat(np.where(radius < 15.6, 17 * np.rint(level), 0)[..., None], 3, 2)
 

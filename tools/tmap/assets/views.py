@@ -95,7 +95,7 @@ def window() -> np.ndarray:
         picture[light] = np.array(glass)[panes][light]
         picture[light & lead] = dim
     radius, (low, high) = np.hypot(x - 32, y - 13), np.sort(abs(np.stack([x - 32, y - 13])), 0)
-    petals = (low >= (math.sqrt(2) - 1) * high).astype(int)  # of eight petals: the four on the diagonals
+    petals = (low >= (math.sqrt(2) - 1) * high).astype(int)  # of eight: the four on the diagonals
     rose = radius < 9.2
     picture[rose] = np.array(((245, 110, 70), (255, 240, 180)))[petals][rose]
     picture[rose & (abs(radius - 3.6) < 0.8)] = dim

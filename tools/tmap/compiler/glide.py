@@ -1,6 +1,6 @@
 """Schema and checks of Glide's texture units in a scene's TOML: materials with a table ``glide``.
 
-Names and values are Glide's words where Glide has them; c/glide/glide.h explains them.
+Names and values follow Glide where possible; c/glide/glide.h explains them.
 """
 
 import numpy as np

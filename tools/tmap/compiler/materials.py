@@ -136,7 +136,7 @@ def check(spec: dict, where: str) -> None:
 
 @dataclass
 class Pixels:
-    """The exact colours of a scene: what pixel each is, and the palette's first entries."""
+    """The exact colours of a scene: their pixel values, and the palette's first entries."""
 
     of: dict[tuple, int]  # flat colour: pixel
     ramps: dict[str, tuple[int, int]]  # material with shades: first entry, steps

@@ -27,7 +27,7 @@ class Wishes:
     """How a mesh is drawn."""
 
     size: float = 1.0
-    normals: str | None = None  # "file", "smooth" or "faces"; None: "file" if it has normals, else "smooth"
+    normals: str | None = None  # "file", "smooth", "faces"; None: "file", else "smooth"
     mapping: str = "none"  # "uv", "environment", "shade"
     light: bool = False  # corners have shades
     triangles: bool = False  # cut all faces into triangles

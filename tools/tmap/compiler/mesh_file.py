@@ -20,7 +20,7 @@ BYTES_MAX = 16 << 20  # of an OBJ file; a larger one is a mistake or an attack
 
 @dataclass
 class Shape:
-    """A mesh before it has a size: faces run counterclockwise, seen from outside."""
+    """A mesh before scaling. Faces run counterclockwise, seen from outside."""
 
     points: np.ndarray  # (n, 3)
     faces: list[list[int]]  # a face's points

@@ -1,6 +1,6 @@
 """Schema and checks of texture engines in a scene's TOML: materials with a table ``n64``.
 
-Names and values are the N64 manual's words where it has them; c/n64/n64.h explains them.
+Names and values follow the N64 manual where possible; c/n64/n64.h explains them.
 """
 
 import re
@@ -191,8 +191,8 @@ def check_tile(engine: dict, number_: int, where: str) -> None:
 
 
 def check_tiles(engine: dict, where: str) -> None:
-    """Refuses tiles that are too many or do not go together, and a selection of tiles that do not
-    exist; fills in defaults."""
+    """Refuses more tiles than an engine has, tiles that do not exist, and tiles that do not go
+    together; fills in defaults."""
     firsts = numbers(engine)
     for i, (tile, end) in enumerate(zip(engine["tiles"], firsts[1:])):
         if end > TILES:
@@ -211,7 +211,7 @@ def check_tiles(engine: dict, where: str) -> None:
 
 def check_last(engine: dict, count: int, where: str) -> None:
     """Refuses an engine that would draw a tile after its last; fills in the highest level."""
-    first = engine["tile"] + (engine["detail"] == "detail" and engine["lod"])  # the tile after a detail tile
+    first = engine["tile"] + (engine["detail"] == "detail" and engine["lod"])  # after a detail tile
     if engine["max_level"] is None:
         engine["max_level"] = max(count - 1 - first, 0) if engine["lod"] else 0
     last = first + engine["max_level"] if engine["lod"] else engine["tile"] + ("texel1" in inputs_of(engine))

@@ -54,7 +54,7 @@ def edges(tile: Tile, frame: int) -> tuple[int, int, int, int]:
     found = []
     for axis, step in zip((tile.s, tile.t), tile.spec["slide"]):
         low, high = axis.low, axis.high
-        if step and not axis.clamps:  # a clamped axis is one texel at this level: it need not move
+        if step and not axis.clamps:  # an axis whose mask became 0 is one texel
             low = moved(axis, step * frame, tile.level)
             high = min(low + axis.high - axis.low, EDGE_MAX)
         found.append((low, high))

@@ -29,7 +29,7 @@ class Axis:
 
     @property
     def clamps(self) -> bool:
-        """Returns True if the edges clamp."""
+        """Returns True if coordinates are clamped at the edges."""
         return bool(self.wrap.clamp or not self.wrap.mask)
 
 
@@ -132,7 +132,7 @@ def nearest(picture: np.ndarray, entries: np.ndarray, is_ia: bool) -> np.ndarray
 
 @dataclass
 class Palettes:
-    """The palettes of an engine: number of the first entry (a multiple of 16), entries."""
+    """The palettes of an engine: entries by the number of the first one, a multiple of 16."""
 
     is_ia: bool
     entries: dict[int, np.ndarray] = field(default_factory=dict)
@@ -168,8 +168,8 @@ def indexed_level(indices: np.ndarray, size: int, shape: tuple[int, int]) -> tex
 
 def indexed(engine: dict, pictures: list[list[np.ndarray]], folder: Path,
             where: str) -> tuple[list[list[texels.Texture]], Palettes]:
-    """The levels of CI tiles, and their palettes: those of "ci4" tiles with the same colours share
-    one of 16 entries, all "ci8" tiles one of 256."""
+    """Returns the levels of CI tiles, and their palettes. "ci4" tiles with the same ``colours``
+    share a palette of 16 entries; all "ci8" tiles share one of 256."""
     palettes = Palettes(engine["tlut"] == "ia16")
     if engine["palettes"]:
         palettes.read(engine["palettes"], folder, f"{where}.palettes")

@@ -26,7 +26,7 @@ RADIUS = 127.0  # of an environment in its map, in s or t
 
 
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
-    """Returns the fields of objects in space, by the field that marks one."""
+    """Returns the fields of objects in space, by the field that identifies their kind."""
     most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
     reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
     place = rows(number(-space.AWAY, space.AWAY), 3, 3)
@@ -242,7 +242,8 @@ class Space:
         return [*matrix, *move, *seen_from, *rounded(looks, FACTOR_BITS), 0]
 
     def check_together(self, mesh: Mesh, before: int, where: str) -> None:
-        """Refuses a mesh if the meshes that are drawn together become too many or too large."""
+        """Refuses a mesh if the meshes drawn together would have too many points, normals or
+        faces."""
         for noun in ("points", "normals", "faces"):
             total = getattr(mesh, noun) + sum(getattr(self.meshes[i.mesh], noun)
                                               for i in self.instances if i.before == before)

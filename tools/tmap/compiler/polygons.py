@@ -55,7 +55,7 @@ def check_convex(corners: list[list[float]], where: str) -> None:
         if dent < -CONCAVE:
             fail(where, "the polygon is not convex")
         around += math.atan2(abs(turn.imag), turn.real)
-    if around > 1.5 * math.tau:  # the sum is tau, or twice that and more: the last bits do not matter
+    if around > 1.5 * math.tau:  # it is tau, or twice that and more: last bits do not matter
         fail(where, "the polygon crosses itself")
 
 

@@ -40,8 +40,8 @@ def schema(limits: dict[str, int]):
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
-    """Refuses an object with a mesh that lacks the coordinates of its material's second unit, or
-    has them twice or in vain. ``where``: the object, for messages."""
+    """Refuses an object with a mesh unless it has exactly the coordinates that its material's
+    second unit needs. ``where``: the object, for messages."""
     given = [name for name in ("uvs1", "projector") if obj.get(name) is not None]
     if not has_own(material):
         for field in given:

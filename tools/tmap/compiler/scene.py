@@ -105,7 +105,7 @@ def from_space(obj: dict, material: dict, space: scene_space.Space, lives: int, 
 
 
 def planar_of(obj: dict, material: dict, corners: np.ndarray) -> int:
-    """Returns which values of an object's polygon are known to be planar. Poses keep them
+    """Returns the values of an object's polygon that are planar or not drawn. Poses keep values
     planar."""
     if scene_space.is_mesh(obj):
         return planarity.IN_SPACE

@@ -1,6 +1,6 @@
 """Maps in scene files: their layouts, sizes and texels.
 
-Formats stand in c/scene/scene_file.h.
+Formats are defined in c/scene/scene_file.h.
 """
 
 from dataclasses import dataclass, field
@@ -12,17 +12,17 @@ from tmap.base.errors import UserError, require
 from tmap.base.pixel_formats import PixelFormat
 from tmap.build import layout
 
-#: A mapper and the layout of its maps, by their names without MAPPER_ and MAP_.
+#: Mappers and the layouts of their maps, by their names without MAPPER_ and MAP_.
 MAPPER_LAYOUT = {"flat": None, "gouraud": None, "affine": "page", "arbitrary": "linear",
                  "tiled": "tiled", "columns": "columns", "generated": "margins", "lit": "page",
                  "lit_gouraud": "page", "dithered": "page", "n64": None, "glide": None}
 UNITS = ("n64", "glide")  # mappers that are texture units
 LAYOUTS = ("page", "linear", "tiled", "columns", "margins", "light")
-#: What draws pixels of so many bytes.
+#: Mappers by the bytes of the pixels that they draw.
 MAPPERS = {1: tuple(m for m in MAPPER_LAYOUT if m not in UNITS),
            2: ("flat", "affine", "columns", "dithered", *UNITS),
            4: ("flat", "affine", "dithered", *UNITS)}
-#: Mappers whose u and v come from one plane, to each first pixel.
+#: Mappers that need u and v of each span's first pixel from one plane.
 ON_PLANE = ("lit_gouraud", "dithered")
 #: The format with 2 bytes a pixel that each kind of unit draws.
 UNIT_FORMATS = {"n64": "rgba5551", "glide": "rgb565"}
@@ -40,7 +40,7 @@ class Texture:
 
 
 def size_fault(kind: str, width: int, height: int) -> str | None:
-    """What a layout needs and this size is not; None: it fits."""
+    """Returns a text on the sizes that a layout allows, or None if this size is one of them."""
     limits = layout.load().constants
     least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
     low, high = sorted((width, height))
@@ -62,7 +62,7 @@ def size_fault(kind: str, width: int, height: int) -> str | None:
 
 
 def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
-    """Refuses a map no mapper could draw."""
+    """Refuses a map that no mapper can draw."""
     drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
     if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
         raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
@@ -76,7 +76,7 @@ def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -
 
 
 def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -> None:
-    """Refuses corners, rows of s and t in 16.16, outside a map that is not repeated."""
+    """Refuses corners, rows of s and t in 16.16, outside a map that does not repeat."""
     height, width = texture.texels.shape
     for s, t in corners.tolist():
         for noun, value, side in (("s", s, width), ("t", t, height)):
@@ -86,7 +86,7 @@ def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -
 
 
 def ordered(texture: Texture) -> bytes:
-    """The texels as the file has them: in the layout's order, big-endian."""
+    """Returns the texels as the file stores them: in the layout's order, big-endian."""
     texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
     if texture.layout == "tiled":
         texels = maps.to_tiled(texels)
