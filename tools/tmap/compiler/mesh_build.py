@@ -18,7 +18,7 @@ from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
 FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
-UNEVEN = 1 / 64  # tolerance for s and t off a plane
+UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units
 SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to judge
 
 

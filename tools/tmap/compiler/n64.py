@@ -21,7 +21,7 @@ WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": 
 COPY = "copy"  # cycle type of texture rectangles that copy texels unchanged
 COPIED = ("rgba16", "ia16", "ci4", "ci8")
 COPY_FRAMES = "rgba5551"
-#: Fields without effect in copy mode, with the only value that they may have.
+#: Fields that copy mode cannot follow, with the only value that they may have.
 NOT_COPIED = {"perspective": False, "filter": "point", "convert": "filter", "lod": False,
               "detail": "clamp"}
 

@@ -63,8 +63,8 @@ HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
                   "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
                   "assume_refresh_rate": "10"}, {"SDL_VIDEODRIVER": "offscreen"})
 #: Seconds of the host's processor time without a byte of output after which a run counts as hung
-#: (tmap.base.silence). A boot takes about 1 s, and the guest's own watchdog ends a program within 3
-#: s.
+#: (tmap.base.silence). A boot takes about 1 s; the guest's own watchdog ends a program after 3 s at
+#: most.
 STALL_SECONDS = 20.0
 #: The same for texture engines: a single frame may take that long.
 PATIENT_SECONDS = 10 * STALL_SECONDS
@@ -259,8 +259,8 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
     copied); a command's first word is one of ``programs``. ``on_output`` is called with the output
     so far when there is more of it; ``patience``: seconds of silence, in processor time, that count
     as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``drives``: options
-    for disks other than the boot volume. Raises UserError for a hang, Closed if a window was
-    closed. The caller judges return codes and crash reports.
+    for further disks. Raises UserError for a hang, Closed if a window was closed. The caller judges
+    return codes and crash reports.
     """
     prepare(directory, commands, files, programs, apart)
     patience = patience or STALL_SECONDS

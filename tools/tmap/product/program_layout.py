@@ -16,7 +16,7 @@ from tmap.build.elf_object import Section
 from tmap.build.hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
 from tmap.product.program_parts import Part, Program
 
-HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
+HUNK_RELOC32SHORT = 0x3FC  # dos 39, as on the A1200: offsets of 16 bits
 CACHE = 256  # bytes
 LAST = ".rodata.scene_data"  # with maps; addresses are only relocated before it
 #: jsr and jmp to an address become bsr and bra of the same length, which need no relocation.
@@ -54,7 +54,7 @@ def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
     """Returns the branch that replaces a jump to an address, or None if the jump stays. ``jump``:
     its first two bytes; ``distance``: from the end of these to the target. Code that is timed once
     gets a 68020's branch, without a nop. Untimed code gets a 68000's branch, because the check for
-    a 68020 runs on a 68000. Code that is timed more than once stays as it is, to keep its time.
+    a 68020 runs on a 68000. Code that is timed more than once keeps its jumps and its time.
     """
     if jump not in BRANCHES or timed > 1:
         return None

@@ -18,7 +18,7 @@ from tmap.build.elf_object import Relocation, Section
 ILLEGAL = bytes.fromhex("4afc")
 #: Rooms of build/obj whose sections are kept whole.
 SYSTEM = ("amiga", "system", "programs")
-VBCC_CODE = "CODE"  # the name of its sections, one a file
+VBCC_CODE = "CODE"  # the name of vbcc's sections, one a file
 STOP = "left_out"  # target of pointers to routines that are never called
 TABLE = "_table"  # ending of symbols in code that are not routines
 

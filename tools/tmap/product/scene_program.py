@@ -129,9 +129,9 @@ def is_as_fast(own: int, full: int) -> bool:
 
 
 def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
-    """Returns layouts of the program, the smallest first. Placed as in the full renderer are:
-    nothing, the code that is timed more than once, all timed code (Part.timed); the latter two in
-    several orders. Layouts that do not fit are left out, unless none fits."""
+    """Returns layouts of the program, the smallest first. These parts keep their places in the full
+    renderer: none, those timed more than once, all timed ones (Part.timed); the latter two in
+    ORDERS orders. Layouts that do not fit are left out, unless none fits."""
     made = []
     for least in (3, 2, 1):
         fixed = {p.section: places[p.section] for p in program.parts.values()

@@ -26,7 +26,7 @@ Tell = Callable[[int, int | None], None]
 
 @dataclass
 class Found:
-    """Everything; what was not measured is None."""
+    """All parts of the report; a part that was not measured is None."""
 
     bench: dict  # in the form of bench.json, accuracy.json and polys.json
     accuracy: dict

@@ -55,7 +55,7 @@ def tables(markdown: str, numbers: bool = False) -> Markup:
 
 @dataclass
 class Source:
-    """Where figures come from: it stands beside them."""
+    """The source of figures, to be shown beside them."""
 
     machine: str
     about: dict  # emulator, compiler, commit and, in most, conditions

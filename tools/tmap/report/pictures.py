@@ -75,7 +75,7 @@ def plot(rows: list[dict], machine: str, path: Path) -> None:
 
 
 def label(axes, row: dict, best: list[dict], colour: str) -> None:
-    """Labels a point of the frontier, on the side where there is room."""
+    """Labels a point of the frontier; PLACES has the free side."""
     offset, end = PLACES["first" if row is best[0] else "last" if row is best[-1] else row["name"]]
     axes.annotate(drawn_by(row), (row["cycles_per_pixel"], max(row["texel_error_rms"], LEAST)),
                   color=colour, xytext=offset, textcoords="offset points", ha=end,

@@ -116,7 +116,7 @@ def dithered_tables(baseline: dict) -> str:
     return f"{dither_errors.table()}\n\n{costs}"
 
 
-#: Meshes: title of a line, row.
+#: Meshes: title of a line, bench row.
 MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
               ("a point outside the borders", "mesh_transform_outside"),
               ("a normal: one of s, t and shade", "mesh_looks"),

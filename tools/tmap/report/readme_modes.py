@@ -66,8 +66,8 @@ def formats_table(baseline: dict, engine: Engine) -> str:
 
 @dataclass(frozen=True)
 class Step:
-    """A step that can be on. ``without``, ``on``: the modes without it and with it; ``small``: a
-    mode of SMALL without it, whose cycles are mostly those once a polygon."""
+    """A step that can be on. ``without``, ``on``: the modes without it and with it; ``small``: the
+    mode of SMALL, polygons of 8 pixels, without it."""
 
     title: str
     without: str

@@ -157,7 +157,7 @@ def seen(size: tuple[int, int]) -> model.Texturing:
 
 
 def bounds_table() -> str:
-    """Returns a Markdown table: the derived bounds by what they depend on, evaluated."""
+    """Returns a Markdown table of the derived bounds, evaluated for typical arguments."""
     # gradients halfway between two steps
     planes = [ideal.Plane([(0, 0), (1 << 24, 0), (0, 1 << 24)],
                           [0, (3 << 23) + (128 << cut), (5 << 22) + (128 << cut)]) for cut in (0, 1)]

@@ -15,7 +15,7 @@ TEMPLATE = re.compile(r'args_read\(((?:\s*"[^"]*")+)')
 
 
 def about(source: Path) -> tuple[str, str, str]:
-    """A program's name, its template of arguments and what it does."""
+    """Returns a program's name, its template of arguments and its summary."""
     text = source.read_text()
     summary, template = SUMMARY.match(text), TEMPLATE.search(text)
     if not summary or summary[1] != source.stem:

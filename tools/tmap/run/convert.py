@@ -2,8 +2,7 @@
 
 A map file holds the texels alone, in the order of c/texture/map.h. FILE.json beside it has width,
 height, layout, format and, for chunky maps, the palette. Both ways are exact: a PNG with a palette,
-or of at most 256 colours, returns unchanged; in other formats every colour that the format has
-does.
+or of at most 256 colours, returns unchanged; other formats keep every colour that they have.
 """
 
 import json
@@ -66,7 +65,7 @@ def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
             picture, palette = made.numbers(np.array(images.decode(source, made.channels))), None
     except FileNotFoundError:
         raise UserError(f"{source}: no such file") from None
-    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+    except Exception as error:  # a damaged file can raise any of the decoders' exceptions
         raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
     height, width = picture.shape
     needs = size_fault(layout, width, height)

@@ -116,7 +116,7 @@ def load_frame(path: Path) -> Frame:
     try:
         with Image.open(path, formats=("PNG",)) as image:
             return Frame(np.array(image.convert("RGB")))
-    except Exception as error:  # a damaged file fails in as many ways as there are chunks
+    except Exception as error:  # a damaged file raises exceptions of many kinds
         raise UserError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
 
 

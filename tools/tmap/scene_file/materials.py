@@ -21,7 +21,7 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
 
 @dataclass(frozen=True)
 class Material:
-    """What a polygon is drawn with: struct scene_material, enumerators by name."""
+    """A polygon's drawing settings: struct scene_material, enumerators by name."""
 
     mapper: str = "flat"
     edges: str = "subpixel"

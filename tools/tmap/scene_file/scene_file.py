@@ -86,7 +86,7 @@ class Scene:
 
     @property
     def pixel(self) -> PixelFormat:
-        """What a pixel is."""
+        """The format of a pixel."""
         return FORMATS[self.format]
 
 

@@ -58,7 +58,7 @@ def check_range(vertices: list[tuple], where: str) -> None:
 
 def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
                    steps: tuple[int, int], copies: bool, flip: bool) -> list[tuple]:
-    """The first corner of a rectangle (tmap.n64.polygon.rectangle) and the one behind its last
+    """Returns a rectangle's first corner (tmap.n64.polygon.rectangle) and the corner after its last
     pixel, as vertices with s and t in 16.16."""
     width, height = box[2] - box[0], box[3] - box[1]
     ways = (height, width) if flip else (width + 3 >> 2 if copies else width, height)
@@ -83,7 +83,7 @@ def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: s
 
 
 def check(scene, name: str) -> None:
-    """Refuses lists and words that do not exist, and a DRAM of an odd size."""
+    """Refuses lists and words that do not exist, and a DRAM that is no multiple of 8 bytes."""
     for i, (first, count) in enumerate(scene.lists.tolist()):
         if not 0 <= first <= first + count <= len(scene.words):
             raise UserError(f"{name}: lists[{i}].words: {first} and {count} of {len(scene.words)}")

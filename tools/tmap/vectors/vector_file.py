@@ -20,7 +20,7 @@ class Operations:
         self.codes = layout.load().constants
 
     def add(self, name: str, *values: int) -> None:
-        """Appends an operation; ``name`` without VECTOR_."""
+        """Appends an operation; ``name`` has no prefix VECTOR_."""
         if len(values) >= 1 << 16:
             raise UserError(f"an operation of {len(values)} numbers is too long")
         self.longs += [self.codes[f"VECTOR_{name}"] << 16 | len(values),
