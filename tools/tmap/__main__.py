@@ -1,7 +1,7 @@
 """The command line: ``scripts/tmap COMMAND ...``.
 
-Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed
-run, told in one line; 130 interrupted; 143 ended by SIGTERM.
+Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed run, with a message
+of one line; 130 interrupted; 143 ended by SIGTERM.
 """
 
 import argparse
@@ -23,7 +23,7 @@ FORMS = ("addx", "swap", "c")
 
 
 class Parser(argparse.ArgumentParser):
-    """Argument errors are told in one line, like all others."""
+    """Reports argument errors in one line, like all other errors."""
 
     def error(self, message: str):
         raise UserError(f"{self.prog.removeprefix('tmap').strip() or 'usage'}: {message}; "
@@ -31,7 +31,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def build_programs() -> None:
-    """Brings the Amiga programs up to date; silent unless that fails."""
+    """Brings the Amiga programs up to date; prints nothing unless that fails."""
     done = subprocess.run(["make", "-s", "-C", str(ROOT), "programs"], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace")
     if done.returncode:
@@ -92,14 +92,14 @@ def polys(args: argparse.Namespace) -> int:
 
 
 def fuzz(args: argparse.Namespace) -> int:
-    """Holds random polygons to the model and the bounds."""
+    """Checks random polygons against the model and the bounds."""
     build_programs()
     from tmap.fuzz import fuzz as tool
     return tool.command(args.seed, args.first, args.count, args.machine, args.keep)
 
 
 def choose(args: argparse.Namespace) -> int:
-    """Looks a setting up."""
+    """Looks up a setting."""
     from tmap.accuracy import choose as tool
     return tool.command(tool.Wish(args.error, args.machine, args.depth, args.wrong, args.mapper,
                                   tool.RMS if args.rms else tool.LARGEST), args.data)
@@ -113,7 +113,7 @@ def sdk(args: argparse.Namespace) -> int:
 
 
 def report(args: argparse.Namespace) -> int:
-    """Makes the page of everything."""
+    """Makes the report."""
     build_programs()
     from tmap.report import report as tool
     return tool.command(args.out or BUILD / "report", args.scene, args.machine, args.committed)
@@ -127,7 +127,7 @@ def adf(args: argparse.Namespace) -> int:
 
 
 def readme(_: argparse.Namespace) -> int:
-    """Types the tables of the pages."""
+    """Writes the tables of the pages."""
     from tmap.report import readme as tool
     return tool.command()
 
@@ -139,7 +139,7 @@ def diff(args: argparse.Namespace) -> int:
 
 
 def vectors(args: argparse.Namespace) -> int:
-    """Holds the texture engines to reference data."""
+    """Checks the texture engines against reference data."""
     build_programs()
     from tmap.vectors import vectors as tool
     return tool.command(args.files, args.machine)
@@ -158,7 +158,7 @@ def to_picture(args: argparse.Namespace) -> int:
 
 
 def number(text: str) -> float:
-    """A finite number from 0 on. Messages on wrong ones have this function's name."""
+    """Returns a finite number from 0 on. Messages on wrong numbers contain this function's name."""
     value = float(text)
     if not 0 <= value < float("inf"):
         raise ValueError
@@ -166,31 +166,31 @@ def number(text: str) -> float:
 
 
 class Commands:
-    """The commands of a parser, as they are added."""
+    """Adds commands to a parser."""
 
     def __init__(self, top: Parser) -> None:
         self.commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
 
     def add(self, name: str, function, text: str) -> argparse.ArgumentParser:
-        """A command that calls a function with its arguments."""
+        """Adds a command that calls a function with its arguments."""
         command = self.commands.add_parser(name, help=text, description=text)
         command.set_defaults(function=function)
         return command
 
 
 def add_out(command: argparse.ArgumentParser, text: str, metavar: str = "DIR", **more) -> None:
-    """Where a command writes to."""
+    """Adds a command's output option."""
     command.add_argument("-o", dest="out", type=Path, metavar=metavar, help=text, **more)
 
 
 def add_machine(command: argparse.ArgumentParser, default: str | None = None, text: str | None = None,
                 choices: Iterable[str] = MEASURED, **more) -> None:
-    """Which emulated machine a command is about."""
+    """Adds the option that chooses the emulated machine."""
     command.add_argument("--machine", choices=tuple(choices), default=default, help=text, **more)
 
 
 def add_scenes(commands: Commands) -> None:
-    """What draws scenes."""
+    """Adds the commands that draw scenes."""
     command = commands.add("run", run, "Render a scene: dumps, pictures and run.json.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     add_out(command, "where to (build/run/SCENE); results of an earlier run are replaced")
@@ -223,7 +223,7 @@ def add_scenes(commands: Commands) -> None:
 
 
 def add_measurements(commands: Commands) -> None:
-    """What measures and compares with the committed figures."""
+    """Adds the commands that measure and compare with the committed figures."""
     command = commands.add("bench", bench, "Measure every kernel: bench.json, a table and a plot.")
     add_out(command, "where to (build/bench)")
     add_machine(command, None, "one machine instead of all", CONDITIONS)
@@ -251,7 +251,7 @@ def add_measurements(commands: Commands) -> None:
 
 
 def add_checks(commands: Commands) -> None:
-    """What holds the renderer to the model, to bounds, and to reference data."""
+    """Adds the commands that check the renderer against the model, bounds and reference data."""
     command = commands.add("fuzz", fuzz,
                            "Draw random polygons and hold each to the model and to the derived bounds.")
     command.add_argument("--seed", type=int, default=1, metavar="N", help="which polygons (1)")
@@ -272,7 +272,7 @@ def add_checks(commands: Commands) -> None:
 
 
 def add_maps(commands: Commands) -> None:
-    """What converts textures."""
+    """Adds the commands that convert textures."""
     command = commands.add("map", to_map, "Write a PNG or JPEG as a texture map in memory layout.")
     command.add_argument("source", type=Path, metavar="PICTURE")
     add_out(command, "the texels; FILE.json beside it says what they are", "FILE", required=True)
@@ -286,7 +286,7 @@ def add_maps(commands: Commands) -> None:
 
 
 def add_choose(commands: Commands) -> None:
-    """What looks settings up."""
+    """Adds the command that looks up settings."""
     command = commands.add("choose", choose,
                            "Name the cheapest setting of a material that keeps an error.")
     command.add_argument("--error", type=number, required=True, metavar="TEXELS",
@@ -305,7 +305,7 @@ def add_choose(commands: Commands) -> None:
 
 
 def add_products(commands: Commands) -> None:
-    """What is made for others: library, report, disk, pages."""
+    """Adds the commands that make products: library, report, disk, pages."""
     command = commands.add("sdk", sdk,
                            "Make the SDK: include files, C sources, hunk and ELF objects, an example.")
     add_out(command, "where to (build/sdk); an archive of it goes beside it")
@@ -328,7 +328,7 @@ def add_products(commands: Commands) -> None:
 
 
 def add_diff(commands: Commands) -> None:
-    """What compares runs."""
+    """Adds the command that compares runs."""
     command = commands.add("diff", diff,
                            "Compare two dumps, pictures or run directories: 0 equal, 1 different.")
     command.add_argument("a", type=Path, metavar="A")
@@ -337,7 +337,7 @@ def add_diff(commands: Commands) -> None:
 
 
 def parser() -> Parser:
-    """All commands and their arguments."""
+    """Returns the parser of all commands."""
     top = Parser(prog="tmap", description="Texture mapping on an emulated Amiga 1200.")
     commands = Commands(top)
     for add in (add_scenes, add_measurements, add_checks, add_maps, add_choose, add_products, add_diff):
@@ -346,14 +346,14 @@ def parser() -> Parser:
 
 
 def stop(*_) -> None:
-    """Ends by a signal as by an exception, so that no emulator is left behind."""
+    """Ends by a signal in the same way as by an exception, so that no emulator is left behind."""
     sys.exit(128 + signal.SIGTERM)
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns the exit status."""
     signal.signal(signal.SIGTERM, stop)
-    for stream in (sys.stdout, sys.stderr):  # a name that is no text must not end in a traceback
+    for stream in (sys.stdout, sys.stderr):  # a name that is not text must not end in a traceback
         stream.reconfigure(errors="backslashreplace")
     try:
         args = parser().parse_args(arguments)

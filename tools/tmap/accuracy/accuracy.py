@@ -1,8 +1,8 @@
-"""``tmap accuracy``: what each accuracy setting and mapper is off, and what it costs.
+"""``tmap accuracy``: errors and cycles of each accuracy setting and mapper.
 
-Polygons of a named set are drawn under every combination on the emulated machine; each
-frame must be the model's, byte for byte, so the model's u and v are the renderer's. They
-are compared with the exact rational ideal (tools/tmap/ideal/ideal.py) pixel by pixel.
+The emulated machine draws the polygons of a named set under every combination. Each frame must be
+the model's, byte for byte, so the model's u and v are the renderer's. They are compared with the
+exact rational ideal (tools/tmap/ideal/ideal.py) pixel by pixel.
 """
 
 from pathlib import Path
@@ -25,21 +25,21 @@ from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, Material, Objec
                                         write)
 from tmap.setup.shading import LIT
 
-#: The sets whose rows are kept beside the bench's baseline, for README and tests.
+#: Sets whose rows are kept in the committed baseline, for README and tests.
 BASELINE_SETS = "medium", "depth"
-#: What --set takes besides the sets: the turning face, the scenes, texture engines' modes (those
-#: of tmap.accuracy.engines), the page of hard cases.
+#: Names that --set takes in addition to the sets: the turning face, the scenes, texture engines'
+#: modes (those of tmap.accuracy.engines), the page of hard cases.
 METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("n64", "glide")
 
 
 def set_polygons(name: str, mapper: str) -> list:
-    """A set's polygons; where the map does not repeat, their coordinates stay inside."""
+    """Returns a set's polygons. Where the map does not repeat, their coordinates stay inside it."""
     return polygon_sets.polygons(name, 256.0 if mapper == "arbitrary" else None)
 
 
 def scene_of(name: str, settings: list[Settings]) -> Scene:
-    """An empty frame, then one with the whole set for each combination."""
-    used = {MAPPER_LAYOUT[s.mapper] for s in settings}  # chip RAM alone has no room for all
+    """Returns a scene with an empty frame, then a frame with the whole set for each combination."""
+    used = {MAPPER_LAYOUT[s.mapper] for s in settings}  # chip RAM alone has no room for all layouts
     layouts = [layout for layout in dict.fromkeys(MAPPER_LAYOUT.values()) if layout in used and layout]
     textures = [Texture(random_maps.page(), layout) for layout in layouts]
     if any(s.mapper in LIT for s in settings):
@@ -58,7 +58,7 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
 
 
 def check_frame(scene: Scene, number: int, dump: Path, what: str) -> None:
-    """Refuses a dump of frame ``number`` that is not the model's."""
+    """Refuses a dump of frame ``number`` that differs from the model's."""
     expected = model.render(scene, number)
     found = np.fromfile(dump, np.uint8).reshape(expected.shape)
     wrong = np.argwhere(found != expected)
@@ -69,8 +69,8 @@ def check_frame(scene: Scene, number: int, dump: Path, what: str) -> None:
 
 
 def cycles(scene: Scene, machine: str, what: str) -> list[float]:
-    """Cycles a polygon of each frame but the first, checked against the model; ``what``: the scene, for
-    messages."""
+    """Returns the cycles a polygon of each frame after the first. Every frame is checked against
+    the model. ``what``: the scene, for messages."""
     with emulator.workspace() as directory:
         done = emulator.run("render", "input.scene", {"input.scene": write(scene)}, machine, directory)
         if done.code:
@@ -83,7 +83,7 @@ def cycles(scene: Scene, machine: str, what: str) -> list[float]:
 
 
 def errors(name: str, settings: Settings) -> Errors:
-    """What a combination is off on a set."""
+    """Returns the errors of a combination on a set."""
     total = Errors()
     size = polygon_sets.WIDTH, polygon_sets.HEIGHT
     for vertices in set_polygons(name, settings.mapper):
@@ -100,7 +100,7 @@ def errors(name: str, settings: Settings) -> Errors:
 
 def measure(names: list[str], machines: list[str], settings: list[Settings],
             on_step=None) -> list[dict]:
-    """The rows of accuracy.json."""
+    """Returns the rows of accuracy.json."""
     rows = []
     for name in names:
         scene, found = scene_of(name, settings), [errors(name, s) for s in settings]
@@ -120,7 +120,7 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
 
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
-    """Measures the sets, writes their report; returns the table to print."""
+    """Measures the sets and writes their report; returns the table to print."""
     from tmap.accuracy import pictures
     from tmap.accuracy import perspective_curves
 
@@ -145,7 +145,8 @@ def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool
 
 
 def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
-    """Measures and writes the page of hard cases; returns what exceeds a bound."""
+    """Measures the hard cases and writes their page; returns a line for each row that exceeds a
+    bound."""
     from tmap.accuracy import hard_report
 
     about = provenance.record()
@@ -157,7 +158,8 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
 
 
 def write_other(folder: Path, name: str, machine: str, progress) -> str:
-    """Runs a set that is not made of polygons (methods, scenes, texture engines' modes); returns its table."""
+    """Runs a set that is not made of polygons (methods, scenes, engines' modes); returns its
+    table."""
     folder.mkdir(parents=True, exist_ok=True)
     if name in ENGINES:
         from tmap.accuracy import engines
@@ -173,7 +175,7 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
 
 
 def measured_names(names: list[str] | None) -> list[str]:
-    """What is measured: what was asked for, or everything."""
+    """Returns the given names, or all if none are given. Refuses unknown names."""
     every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, METHODS, SCENES, *ENGINES, HARD]
     for name in names or ():
         if name not in every:
@@ -183,7 +185,7 @@ def measured_names(names: list[str] | None) -> list[str]:
 
 
 def written_files(names: list[str], sets: list[str]) -> list[str]:
-    """What lies in the folder then, for people."""
+    """Returns the names of the written files, for the last message."""
     files = {METHODS: ["methods.md", "methods.png", "methods.gif"],
              SCENES: ["scenes.md and an animation of each"],
              **{name: [f"{name}.md"] for name in ENGINES}, HARD: [f"{HARD}/index.html"]}
@@ -195,8 +197,8 @@ def written_files(names: list[str], sets: list[str]) -> list[str]:
 
 
 def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
-    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. 1: a hard
-    case exceeds its bound."""
+    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. Returns 1 if
+    a hard case exceeds its bound."""
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)

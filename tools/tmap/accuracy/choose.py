@@ -1,5 +1,5 @@
-"""``tmap choose``: the cheapest setting of a material that keeps an error, out of the rows of
-``tmap accuracy``, with what the next steps down and up would cost.
+"""``tmap choose``: finds the cheapest setting of a material within an error limit, in the rows of
+``tmap accuracy``, and the cost of the next steps down and up.
 """
 
 import json
@@ -12,25 +12,25 @@ from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE
 from tmap.scene_file.scene_file import MAPPER_LAYOUT
 
-#: What draws the same picture as affine. "arbitrary" has polygons of its own in the sets, whose
-#: coordinates stay inside the map: it is judged alone.
+#: Mappers that draw the same picture as affine. "arbitrary" is judged alone: its polygons in the
+#: sets are different ones, whose coordinates stay inside the map.
 FAMILY = ("affine", "generated", "tiled", "columns")
-#: What a row says of a material.
+#: Columns of a row that are settings of a material.
 COLUMNS = ("mapper", "edges", "gradients", "start", "perspective")
 #: The sets that are judged: without depth and with it.
 FLAT_SET, DEPTH_SET = "medium", "depth"
 COST, WRONG = "cycles_per_pixel", "coverage_errors_per_million"
 LARGEST, RMS = "texel_error_max", "texel_error_rms"
 NUMBERS = (COST, WRONG, LARGEST, RMS, "wrong_texels_percent")
-#: What a material of a mapper without texture has instead, as an example.
+#: Examples of the field that a material without texture has instead.
 COLOURS = {"flat": 'colour = "#ffffff"', "gouraud": 'shades = ["#000000", "#ffffff"]'}
 
 
 @dataclass
 class Wish:
-    """What was asked for."""
+    """The limits that a setting must keep."""
 
-    error: float  # texels (shades, of gouraud)
+    error: float  # texels; shades for gouraud
     machine: str
     depth: bool = False
     wrong: float | None = None  # pixels in a million
@@ -39,16 +39,16 @@ class Wish:
 
     @property
     def set_name(self) -> str:
-        """The set of polygons that stands for it."""
+        """The set of polygons whose rows are judged."""
         return DEPTH_SET if self.depth else FLAT_SET
 
     def is_met(self, row: dict) -> bool:
-        """Whether a row keeps both errors."""
+        """Returns True if a row keeps both error limits."""
         return row[self.measure] <= self.error and (self.wrong is None or row[WRONG] <= self.wrong)
 
 
 def load(path: Path) -> dict:
-    """What an accuracy.json says, its rows checked."""
+    """Returns the content of an accuracy.json with its rows checked."""
     try:
         found = json.loads(path.read_text())
     except OSError as error:
@@ -65,23 +65,24 @@ def load(path: Path) -> dict:
             for name in names:
                 if not isinstance(row.get(name), kind):
                     raise UserError(f"{path}: rows[{number}].{name}: is missing or of another kind")
-        if not row[COST] > 0:  # it is divided by
+        if not row[COST] > 0:  # it is a divisor
             raise UserError(f"{path}: rows[{number}].{COST}: must be above 0")
     return found
 
 
 def candidates(rows: list[dict], wish: Wish) -> list[dict]:
-    """The rows a wish is about, cheapest first."""
+    """Returns the rows that match a wish, cheapest first."""
     mappers = (wish.mapper,) if wish.mapper else FAMILY
     return sorted((r for r in rows if (r["name"], r["machine"]) == (wish.set_name, wish.machine)
                    and r["mapper"] in mappers), key=lambda r: (r[COST], r[wish.measure]))
 
 
 def choose(rows: list[dict], wish: Wish) -> tuple[dict | None, dict | None, dict | None]:
-    """(one step cheaper, the choice, one step more exact) of candidates; what is not there is None.
+    """Returns (one step cheaper, the choice, one step more exact) of the candidates, None for each
+    that does not exist.
 
-    The step down is the dearest one that no other cheaper one beats, the step up the cheapest
-    one that is more exact and nowhere worse.
+    The step down is the most expensive of the cheaper rows that no other cheaper row beats. The
+    step up is the cheapest row that is more exact and nowhere worse.
     """
     best = next((row for row in rows if wish.is_met(row)), None)
     if best is None:
@@ -95,7 +96,7 @@ def choose(rows: list[dict], wish: Wish) -> tuple[dict | None, dict | None, dict
 
 
 def pasted(row: dict) -> str:
-    """The lines of a scene file that ask for a row's settings."""
+    """Returns lines for a scene file that set a row's settings."""
     mapper = row["mapper"]
     words = [COLOURS.get(mapper, 'texture = "my_texture"')]
     if MAPPER_LAYOUT[mapper]:
@@ -106,7 +107,7 @@ def pasted(row: dict) -> str:
 
 
 def table(steps: tuple[dict | None, dict, dict | None]) -> str:
-    """The choice between its neighbours, in columns."""
+    """Returns a table of the choice and its neighbours."""
     titles = ("", *COLUMNS, "cycles/pixel", "largest error", "rms error",
               "wrong in 10^6", "wrong texels")
     lines = [titles]
@@ -123,7 +124,7 @@ def table(steps: tuple[dict | None, dict, dict | None]) -> str:
 
 
 def asked(wish: Wish) -> str:
-    """A wish in words."""
+    """Returns a wish in words."""
     unit = "shades" if wish.mapper == "gouraud" else "texels"
     kind = "an rms" if wish.measure == RMS else "a largest"
     words = f"{kind} error of at most {wish.error:g} {unit}"
@@ -133,7 +134,7 @@ def asked(wish: Wish) -> str:
 
 
 def change_in_words(best: dict, row: dict | None, change: str, saying: str, wish: Wish) -> str:
-    """What going from the choice to a neighbour means."""
+    """Returns a sentence about the step from the choice to a neighbour."""
     if not row:
         return f"No setting is {change}."
     cycles = abs(row[COST] - best[COST])
@@ -146,7 +147,7 @@ def change_in_words(best: dict, row: dict | None, change: str, saying: str, wish
 
 
 def command(wish: Wish, data: Path | None) -> int:
-    """``tmap choose``: prints the choice; 1: nothing is good enough."""
+    """``tmap choose``: prints the choice. Returns 1 if no setting keeps the limits."""
     source = data or ACCURACY_BASELINE
     found = load(source)
     rows = candidates(found["rows"], wish)

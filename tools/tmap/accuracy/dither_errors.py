@@ -1,8 +1,8 @@
-"""What moved points are off from the bilinear filter that they stand in for.
+"""Errors of dithered points against the bilinear filter that they replace.
 
-A turned, enlarged map is drawn by the model, point by point and dithered, and compared with the
+The model draws a turned, enlarged map, point by point and dithered. Both are compared with the
 exact bilinear filter of the same map at the same places: pixel by pixel, and as means over 2x2
-pixels, which the eye blends them to; of the filter's colours the same means are taken.
+pixels, because the eye blends them. The same means are taken of the filter's colours.
 """
 
 import math
@@ -23,7 +23,7 @@ MAPPERS = {"points": "affine", "dithered": "dithered"}
 
 
 def maps() -> dict[str, np.ndarray]:
-    """Greys from 0 to 255: waves of 32 texels and less, and noise."""
+    """Returns greys from 0 to 255: waves of 32 texels and less, and noise."""
     (y, x), turn = np.indices((MAP, MAP)), 2 * math.pi / MAP
     waves = each(cos, 2 * x * turn + 1) + each(cos, 3 * y * turn) + each(cos, (4 * x + 5 * y) * turn)
     return {"smooth": np.rint(127.5 + 42.5 * waves).astype(np.uint8),
@@ -31,7 +31,7 @@ def maps() -> dict[str, np.ndarray]:
 
 
 def square(scale: int) -> model.Polygon:
-    """The frame, filled with the map; a texel is ``scale`` pixels long."""
+    """Returns the frame as a polygon filled with the map; a texel is ``scale`` pixels long."""
     def texel(x: int, y: int) -> list[int]:
         c, s, x, y = cos(TURN), sin(TURN), x - 91, y - 77
         return [round((x * c - y * s) / scale * ONE), round((x * s + y * c) / scale * ONE)]
@@ -42,7 +42,8 @@ def square(scale: int) -> model.Polygon:
 
 
 def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """The exact filter of a repeated map at u, v in texels, whose texels have their middle at 0.5."""
+    """Returns the exact bilinear filter of a repeated map at u, v in texels. Texel centres are at
+    0.5."""
     i, j = (np.floor(c - 0.5).astype(int) for c in (u, v))
     fu, fv = u - 0.5 - i, v - 0.5 - j
     return sum(picture[(j + down) % MAP, (i + across) % MAP] * part * share
@@ -50,12 +51,12 @@ def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
 
 
 def blended(frame: np.ndarray) -> np.ndarray:
-    """Means over 2x2 pixels, wherever they begin."""
+    """Returns the means of all 2x2 pixels, including overlapping ones."""
     return (frame[1:, 1:] + frame[1:, :-1] + frame[:-1, 1:] + frame[:-1, :-1]) / 4
 
 
 def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
-    """Mean errors of points and of dithered ones: pixel by pixel, and blended."""
+    """Returns the mean errors of points and of dithered points: pixel by pixel, and blended."""
     polygon, found = square(scale), {}
     lines = list(enumerate(polygon.lines))
     exact = np.array([bilinear(picture, *(c / ONE for c in coordinates(line)))
@@ -67,7 +68,7 @@ def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
 
 
 def table() -> str:
-    """Markdown: all of them."""
+    """Returns all errors as a Markdown table."""
     names = list(MAPPERS)
     rows = []
     for kind, picture in maps().items():

@@ -1,6 +1,4 @@
-"""The texture engines whose modes are priced, and tables of what those cost and how far they are
-off what they are meant to draw.
-"""
+"""The texture engines whose modes are priced, and tables of the modes' cycles and errors."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,9 +14,9 @@ from tmap.ideal.texels import Error
 
 @dataclass(frozen=True)
 class Engine:
-    """``name``: what commands call it; ``modes``, ``formats``, ``every``: its module's MODES,
-    FORMATS and EVERY; ``filtered``: its filter of texel formats' second row; ``meant``: what
-    errors are against."""
+    """``name``: its name in commands; ``modes``, ``formats``, ``every``: MODES, FORMATS and EVERY
+    of its module; ``filtered``: the filter that the table of texel formats shows after point
+    sampling; ``meant``: the reference of the errors."""
 
     name: str
     title: str
@@ -30,7 +28,7 @@ class Engine:
     meant: str
 
     def errors(self, mode: Mode) -> list[str]:
-        """The largest error and the root of the mean square, on each kind of picture."""
+        """Returns the largest and the root mean square error on each kind of picture."""
         return [f"{number:.{digits}f}" for kind in KINDS
                 for number, digits in zip(self.error_of(mode, kind), (1, 2))]
 
@@ -46,8 +44,8 @@ ENGINES = {engine.name: engine for engine in (N64, GLIDE)}
 
 
 def table(engine: Engine, machine: str) -> str:
-    """Markdown: cycles and errors of all modes as a machine draws them, each frame being the
-    model's."""
+    """Returns a Markdown table of cycles and errors of all modes on a machine. Each frame must be
+    the model's."""
     rows = measure.measure(machine, list(engine.every), plain=False)["modes"]
     cycles = {row["name"]: row["cycles_per_pixel"] for row in rows}
     return markdown.table(
@@ -57,7 +55,7 @@ def table(engine: Engine, machine: str) -> str:
 
 
 def write(folder: Path, engine: Engine, machine: str) -> str:
-    """NAME.md; returns its table."""
+    """Writes NAME.md; returns its table."""
     about, made = provenance.record(), table(engine, machine)
     (folder / f"{engine.name}.md").write_text(
         f"# Modes: {engine.title}\n\nPolygons of some 2,000 pixels, set-up included, tables "

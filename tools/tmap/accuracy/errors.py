@@ -1,4 +1,4 @@
-"""What a renderer's pixels are off the exact ideal, summed up."""
+"""Sums of a renderer's errors against the exact ideal."""
 
 import math
 from dataclasses import dataclass
@@ -12,17 +12,17 @@ from tmap.model.model import Settings
 
 @dataclass
 class Errors:
-    """Sums over the pixels of a set. Where u and v are both off, the larger of the two counts."""
+    """Sums over the pixels of a set. A pixel's error is the larger of the errors of u and v."""
 
-    coverage: int = 0  # pixels lit or left out against the ideal
+    coverage: int = 0  # pixels drawn outside the ideal or missing inside it
     ideal_pixels: int = 0
     pixels: int = 0  # drawn
-    worst: float = 0.0  # texels, of any pixel
+    worst: float = 0.0  # texels, the largest of all pixels
     squares: float = 0.0  # of texels
     wrong: int = 0  # pixels that show another texel than the ideal
 
     def add(self, polygon: model.Polygon | None, exact: ideal.Picture, settings: Settings) -> None:
-        """Adds a polygon as it was set up, compared with the exact one."""
+        """Adds a polygon after set-up, compared with the exact one."""
         lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
         self.ideal_pixels += exact.pixels
         for y in lines.keys() | exact.extents.keys():
@@ -36,8 +36,8 @@ class Errors:
                 self.texels(polygon.coordinates(line, y), line.left, y, exact)
 
     def texels(self, found, left: int, y: int, exact: ideal.Picture) -> None:
-        """Adds u and v of a line's pixels from ``left`` on; where the ideal ends with the polygon,
-        of those in it."""
+        """Adds u and v of a line's pixels from ``left`` on. Only pixels inside the polygon count,
+        unless the ideal is endless."""
         columns = np.arange(left, left + len(found[0]))
         first, end = (left, columns[-1] + 1) if exact.endless else exact.extents.get(y, (0, 0))
         inside = (columns >= first) & (columns < end)
@@ -45,7 +45,7 @@ class Errors:
             self.compare([c[inside] for c in found], columns[inside], y, exact)
 
     def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
-        """Adds u and v that were found at pixels of a line, next to each other."""
+        """Adds u and v of consecutive pixels of a line."""
         worst, wrong = np.zeros(len(columns)), np.zeros(len(columns), bool)
         for values, plane in zip(found, exact.planes):
             error = plane.errors(values, columns, y)
@@ -58,11 +58,12 @@ class Errors:
 
     @property
     def rms(self) -> float:
-        """Root of the mean square over all pixels, of the larger of u's and v's errors, texels."""
+        """Root of the mean square over all pixels of the larger of u's and v's errors, in
+        texels."""
         return math.sqrt(self.squares / max(self.pixels, 1))
 
     def figures(self) -> dict:
-        """The error columns of a row."""
+        """Returns the error columns of a row."""
         pixels = max(self.pixels, 1)
         return {"coverage_errors_per_million": round(1e6 * self.coverage / self.ideal_pixels, 2),
                 "texel_error_max": round(self.worst, 6),

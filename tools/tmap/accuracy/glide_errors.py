@@ -1,7 +1,8 @@
-"""How far Glide's modes are off from what they are meant to draw (tmap.ideal.glide).
+"""Errors of Glide's modes against their ideal (tmap.ideal.glide).
 
-The texels are those in texture memory: what a format leaves of a picture is no error of a mode.
-Levels are the true ones, with the change of w within a pixel, which the unit leaves out.
+The texels are those in texture memory, so loss from a texel format is not an error of a mode.
+Levels of detail are the true ones: they include the change of w within a pixel, which the unit
+leaves out.
 """
 
 from functools import cache
@@ -20,11 +21,11 @@ from tmap.model import model
 from tmap.scene_file.pipes import units_of
 from tmap.setup.unit_planes import spans
 
-ONE = 1 << 16 + glide.TO_WHOLE  # of 1/w, where s/w is s in 16.16 over w
+ONE = 1 << 16 + glide.TO_WHOLE  # 1 as a 1/w, if s/w is s in 16.16 divided by w
 
 
 class Pixels(NamedTuple):
-    """A mode's polygon on a picture: its units, each with its surface, and its pixels."""
+    """A mode's polygon on a kind of picture: its units, a surface for each, and its pixels."""
 
     units: list[Unit]
     surfaces: list[Surface]
@@ -32,14 +33,15 @@ class Pixels(NamedTuple):
     y: np.ndarray
 
     def level(self, number: int) -> np.ndarray:
-        """The true level of a unit's pixels, within its limits."""
+        """Returns the true level of detail of a unit's pixels, with its bias and within its
+        limits."""
         true = self.surfaces[number].level(self.x, self.y)
         return glide.limited(self.units[number].modes, true)
 
 
 def surface(corners: list[tuple[int, ...]], perspective: bool) -> Surface:
-    """The exact one of corners (x, y, s, t, any, w): all are multiplied by the product of all w,
-    so that none is divided."""
+    """Returns the exact surface of corners (x, y, s, t, any, w). All are multiplied by the product
+    of all w, which avoids a division."""
     depths = [corner[5] if perspective else 1 for corner in corners]
     shares = [prod(depths) // depth for depth in depths]
     return Surface([Corner(x, y, s * share, t * share, ONE * share)
@@ -47,7 +49,7 @@ def surface(corners: list[tuple[int, ...]], perspective: bool) -> Surface:
 
 
 def pixels_of(mode: Mode, kind: str) -> Pixels:
-    """What is drawn of a mode; ``kind``: of modes.KINDS."""
+    """Returns the pixels of a mode's polygon; ``kind``: of modes.KINDS."""
     scene = scene_of(mode, kind)
     units, corners = units_of(scene, 0), mode.vertices
     screen = [corner[:4] for corner in corners[:mode.corners]]
@@ -60,8 +62,8 @@ def pixels_of(mode: Mode, kind: str) -> Pixels:
 
 
 def intended(on: Pixels, how: str) -> np.ndarray:
-    """Colours [n, 4], 0..255; ``how``: of ideal.FILTERS. Two units that filter trilinearly are
-    meant to show what one with all levels would."""
+    """Returns the ideal colours [n, 4], 0..255; ``how``: of ideal.FILTERS. The ideal of two units
+    that filter trilinearly is one unit with all levels."""
     if how == "trilinear" and len(on.units) > 1:
         return glide.sample(on.units[0], *on.surfaces[0].at(on.x, on.y), on.level(0), how,
                             on.units[1])
@@ -74,12 +76,12 @@ def intended(on: Pixels, how: str) -> np.ndarray:
 
 
 def colours_of(mode: Mode, kind: str) -> tuple[np.ndarray, np.ndarray]:
-    """The colours [n, 4] of a mode's pixels, as they are drawn and as they are meant."""
+    """Returns the colours [n, 4] of a mode's pixels: as drawn, and ideal."""
     on, scene = pixels_of(mode, kind), scene_of(mode, kind)
     return scene.pixel.picture(model.render(scene, FIRST))[on.y, on.x], intended(on, mode.filter)
 
 
 @cache
 def error_of(mode: Mode, kind: str) -> Error:
-    """What a mode is off on a picture, R, G and B as the frame has them."""
+    """Returns a mode's error on a kind of picture, over R, G and B as the frame stores them."""
     return error(*colours_of(mode, kind))

@@ -1,4 +1,5 @@
-"""How hard meshes are drawn, held to their exact faces, and shown on the page of hard cases."""
+"""Draws hard meshes, checks them against their exact faces, and makes their pictures for the page
+of hard cases."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -23,16 +24,16 @@ from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, 
                                         Texture)
 from tmap.setup.texturing import Settings
 
-DARK, BRIGHT = 20, 220  # shades that the light makes
-LIGHT = (Fraction(2, 3), -Fraction(1, 3), -Fraction(2, 3))  # towards it
+DARK, BRIGHT = 20, 220  # darkest and brightest shade of the light
+LIGHT = (Fraction(2, 3), -Fraction(1, 3), -Fraction(2, 3))  # direction towards the light
 BACKGROUND, COLOUR = 7, 200
 FLAGS = {"environment": ENVIRONMENT, "shade": LIT}
 Drawing = tuple[MeshCase, Settings]
 
 
 def combinations(case: MeshCase) -> list[Settings]:
-    """How a case is drawn: flat and by every perspective; where normals say how it looks, by what they
-    are for."""
+    """Returns a case's settings: flat and every perspective; if its look comes from normals, the
+    settings for environment mapping or shades alone."""
     if case.look == "environment":
         return [Settings("exact", perspective=p) for p in ("none", "every8", "pixel")]
     if case.look == "shade":
@@ -44,7 +45,7 @@ def combinations(case: MeshCase) -> list[Settings]:
 
 
 def camera(case: MeshCase) -> Camera:
-    """The exact camera."""
+    """Returns the exact camera."""
     guard = space.guard_bits(WIDTH, HEIGHT, case.focal)
     lens = Fraction(case.focal, 1 << guard)
     factors = [[c * part for c in row] for row, part in zip(case.turn, (lens, lens, 1))]
@@ -55,13 +56,13 @@ def camera(case: MeshCase) -> Camera:
 
 
 def view(exact: Camera) -> list[int]:
-    """The camera as the scene file has it."""
+    """Returns the camera's row as the scene file stores it."""
     parts = (exact.factors, 30), ([exact.move], 16), ([exact.eye], 16), (exact.looks, FACTOR_BITS)
     return [n for rows, bits in parts for n in rounded([list(map(float, row)) for row in rows], bits)] + [0]
 
 
 def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene:
-    """A scene that draws the case in each of the ways, one a frame; ``texels``: the map."""
+    """Returns a scene with one frame for each of a case's settings; ``texels``: the map."""
     shape = Shape(np.array([[float(c) for c in point] for point in case.points]),
                   [list(face) for face in case.faces],
                   [[(float(s), float(t)) for s, t in face] for face in case.texels])
@@ -85,7 +86,7 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
 
 
 def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
-    """The settings of each case."""
+    """Returns the settings of each case."""
     found: dict[MeshCase, list[Settings]] = {}
     for case, settings in drawings:
         found.setdefault(case, []).append(settings)
@@ -93,8 +94,8 @@ def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
 
 
 def joined(scenes: list[Scene]) -> Scene:
-    """The frames of scenes with the same lens, one after the other, then an empty one: a scene is
-    read and set up in the time of many frames."""
+    """Joins the frames of scenes with the same lens, and adds an empty one. Loading and setting up
+    a scene takes as long as many frames, so there should be few scenes."""
     tables = {name: [getattr(each, name) for each in scenes]
               for name in ("points", "normals", "corners", "faces")}
     made = replace(scenes[0], frames=1, materials=[], meshes=[], instances=[],
@@ -114,8 +115,8 @@ def joined(scenes: list[Scene]) -> Scene:
 
 
 def drawn(scenes: list[Scene], machine: str) -> list[tuple[np.ndarray, np.void]]:
-    """The digests of each scene's frames, and that of an empty frame; all in one boot, scenes with the
-    same lens in one file."""
+    """Returns the digests of each scene's frames and that of an empty frame. All run in one boot,
+    and scenes with the same lens share a file."""
     lenses: dict[tuple[int, int], list[int]] = {}
     for k, each in enumerate(scenes):
         lenses.setdefault((each.near_plane, each.guard), []).append(k)
@@ -130,7 +131,7 @@ def drawn(scenes: list[Scene], machine: str) -> list[tuple[np.ndarray, np.void]]
 
 
 def check(each: Scene, digests: np.ndarray, names: list[str], machine: str) -> None:
-    """Refuses frames that are not the model's. ``names``: of the scene's drawings."""
+    """Refuses frames that differ from the model's. ``names``: of the scene's drawings."""
     for number, (digest, name) in enumerate(zip(digests, names, strict=True)):
         right = model.render(each, number)
         if not guest_frames.is_models(right, digest):
@@ -140,8 +141,8 @@ def check(each: Scene, digests: np.ndarray, names: list[str], machine: str) -> N
 
 
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:
-    """What each drawing takes on the guest, drawings of a case together. A frame that is not the model's
-    ends it."""
+    """Returns the cycles of each drawing on the guest; a case's drawings come together. Refuses a
+    frame that differs from the model's."""
     groups = grouped(drawings)
     scenes = [scene(case, settings, random_maps.of_size(256, 256)) for case, settings in groups.items()]
     spent = []
@@ -155,7 +156,7 @@ def cycles(drawings: list[Drawing], machine: str) -> list[int]:
 
 
 def judge(case: MeshCase, settings: list[Settings]) -> list[Verdict]:
-    """Each way to draw a case held to its exact faces."""
+    """Returns the verdict on each setting of a case against its exact faces."""
     made = scene(case, settings, random_maps.of_size(256, 256))
     faces = ideal_faces.exact_faces(made, made.instances[0], camera(case))
     found = [ideal_faces.judge(made, k, instance, faces) for k, instance in enumerate(made.instances)]
@@ -166,7 +167,8 @@ def judge(case: MeshCase, settings: list[Settings]) -> list[Verdict]:
 
 
 def both(case: MeshCase, texels: np.ndarray) -> tuple[np.ndarray | None, np.ndarray]:
-    """The exact picture and ours, int16 (HEIGHT, WIDTH), -1 beside the mesh; no exact one of shades."""
+    """Returns the exact picture and ours, int16 (HEIGHT, WIDTH), -1 outside the mesh. Shades have
+    no exact picture (None)."""
     settings = combinations(case)
     best = next((s for s in settings if s.perspective == "fine"), settings[-1])
     if case.look == "shade":

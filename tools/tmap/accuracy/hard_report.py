@@ -1,8 +1,8 @@
-"""The hard-case page of ``tmap accuracy``: every named case under every setting it concerns, its
-worst error beside the derived bound, and its cycles; ideal, ours and their difference as pictures.
+"""The hard-case page of ``tmap accuracy``: every named case under each of its settings, with its
+worst error, the derived bound and its cycles; and pictures of the ideal, ours and the difference.
 
-The guest draws every case; its frames must be the model's. The pictures are the model's, on a map
-that eyes can read.
+The guest draws every case; its frames must be the model's. The model draws the pictures, with a map
+that is easy to read by eye.
 """
 
 import html
@@ -29,11 +29,11 @@ from tmap.run.polygon_report import explain
 from tmap.scene_file.scene_file import SETTINGS
 from tmap.setup.texturing import Settings
 
-#: Drawings of one scene; a frame more is empty.
+#: Drawings in one scene, which has one more frame, an empty one.
 PART = 999
-#: What a picture shows: the first of these that the case concerns.
+#: Mappers for the picture of a case: the first of these that the case lists.
 SHOWN = ("affine", "arbitrary", "columns", "gouraud", "flat")
-SCALE = 2  # screen pixels a pixel
+SCALE = 2  # picture pixels per frame pixel
 COLUMNS = ("mapper", "edges", "gradients", "start", "clip", "perspective", "cycles",
            "coverage_errors", "texel_error", "texel_bound", "worst_ratio")
 
@@ -60,7 +60,7 @@ class Row:
 
 
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
-    """A row, held to its bounds."""
+    """Returns a case's row, checked against its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
     parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
     made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size) for part in parts]
@@ -75,8 +75,8 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
-    """What each drawing takes on the guest. A frame that is not the model's ends it. ``on_part`` is
-    told how many of all are drawn."""
+    """Returns the cycles of each drawing on the guest. Refuses a frame that differs from the
+    model's. ``on_part`` is called with the number drawn and the number of all."""
     spent: list[int] = []
     for first in range(0, len(drawings), PART):
         part = drawings[first:first + PART]
@@ -98,13 +98,14 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
 
 
 def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
-    """A row for each drawing, held to its bounds."""
+    """Returns a row for each drawing, checked against its bounds."""
     return [judged(case, settings, each) for (case, settings), each
             in zip(drawings, cycles(drawings, machine, on_part=on_part))]
 
 
 def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:
-    """The same of meshes, drawings of a case together: rows of all faces of a mesh."""
+    """Returns a row for each drawing of a mesh, over all its faces. A case's drawings come
+    together."""
     rows, spent = [], iter(hard_mesh_report.cycles(drawings, machine))
     for case, ways in hard_mesh_report.grouped(drawings).items():
         for settings, found in zip(ways, hard_mesh_report.judge(case, ways)):
@@ -120,15 +121,15 @@ def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> li
 
 
 def readable_map(width: int, height: int) -> np.ndarray:
-    """Palette indices: squares of 8 texels in two colours by turns, brighter to the right and
-    down; 16 levels each."""
+    """Returns palette indices: squares of 8 texels in two alternating colours, 16 levels each,
+    brighter to the right and down."""
     v, u = np.mgrid[:height, :width]
     level = (u * 8 // width + v * 8 // height).clip(0, 15)
     return (16 + (u // 8 + v // 8) % 2 * 16 + level).astype(np.uint8)
 
 
 def palette() -> np.ndarray:
-    """uint8 (256, 3): shades as greys; 16 to 47 the readable map's colours."""
+    """Returns uint8 (256, 3): shades as greys; entries 16 to 47 are the readable map's colours."""
     colours = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
     level = np.arange(16)[:, None]
     colours[16:32] = 40 + level * np.array([12, 8, 4])
@@ -137,8 +138,8 @@ def palette() -> np.ndarray:
 
 
 def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np.ndarray | None:
-    """int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None without one.
-    ``vertices``: (x, y, u, v, w)."""
+    """Returns int16 (HEIGHT, WIDTH): the exact ideal's pixel values, -1 outside; None if there is
+    no ideal. ``vertices``: (x, y, u, v, w)."""
     if not bounds.has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
@@ -160,15 +161,15 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
 
 
 def shown(case: Case) -> Settings:
-    """How a case is drawn for its picture: with exact edges, on the plane, sub-texel starts; where it
-    has depth, with the finest perspective."""
+    """Returns the settings for a case's picture: exact edges, plane gradients, sub-texel starts
+    and, if it has depth, the finest perspective."""
     mapper = next((m for m in SHOWN if m in case.mappers), case.mappers[0])
     return Settings("exact", perspective=SETTINGS["perspective"][-1] if case.depth else "none",
                     mapper=mapper)
 
 
 def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
-    """The exact ideal and ours, int16 (HEIGHT, WIDTH), -1 outside the polygon."""
+    """Returns the exact ideal and ours, int16 (HEIGHT, WIDTH), -1 outside the polygon."""
     settings = shown(case)
     size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
@@ -185,7 +186,7 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
 
 
 def picture(case: Case | hard_meshes.MeshCase) -> np.ndarray:
-    """uint8 RGB: the exact ideal, ours and the difference."""
+    """Returns uint8 RGB: the exact ideal, ours and the difference, side by side."""
     if isinstance(case, Case):
         exact, ours = both(case)
     else:
@@ -202,13 +203,13 @@ def picture(case: Case | hard_meshes.MeshCase) -> np.ndarray:
 
 
 def cell(value) -> str:
-    """A value of a table as text."""
+    """Returns a table's value as text."""
     return "-" if value is None else f"{value:.6f}" if isinstance(value, float) else html.escape(
         f"{value:,}" if isinstance(value, int) else str(value))
 
 
 def section(case: Case | hard_meshes.MeshCase, rows: list[Row]) -> str:
-    """One case of the page."""
+    """Returns the page's section of one case."""
     name = html.escape(case.name)
     body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
         f"<td>{cell(getattr(row, column))}" for column in COLUMNS) + "\n" for row in rows)
@@ -229,7 +230,7 @@ h2{margin:2rem 0 0}"""
 
 
 def page(rows: list[Row], conditions: str) -> str:
-    """index.html."""
+    """Returns the text of index.html."""
     by_case: dict[str, list[Row]] = {}
     for row in rows:
         by_case.setdefault(row.case, []).append(row)
@@ -247,7 +248,7 @@ def page(rows: list[Row], conditions: str) -> str:
 
 
 def every_case() -> list[Case | hard_meshes.MeshCase]:
-    """Polygons, then meshes."""
+    """Returns all cases: polygons, then meshes."""
     return [*hard_cases.cases(), *hard_meshes.cases()]
 
 

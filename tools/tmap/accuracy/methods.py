@@ -1,10 +1,10 @@
 """A turning face by the methods of the Italian note, and by every perspective.
 
-Simone Aversa's note for the A1200 has three: gradients of the polygon with u = k + a / c,
-two divides a scanline, and two divides a polygon, by its longest scanline. The last two
-show the diagonal along which the face is cut into triangles. All draw the same triangles
-(tests/scenes/face.toml) on the emulated machine; errors are taken against the exact curve,
-over all frames.
+Simone Aversa's note for the A1200 has three methods: gradients of the polygon with u = k + a / c,
+two divides a scanline, and two divides a polygon, by its longest scanline. The last two show the
+diagonal along which the face is cut into triangles. All draw the same triangles
+(tests/scenes/face.toml) on the emulated machine. Errors are against the exact curve, over all
+frames.
 """
 
 import json
@@ -28,7 +28,8 @@ from tmap.model.model import Settings
 from tmap.run.run import render
 from tmap.scene_file.scene_file import Scene
 
-#: What is shown, in the note's words and ours.
+#: Captions, in the note's words and ours, and settings. Names of the note's methods begin with
+#: their number.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
            "2: two divides a scanline": Settings("exact", "scanline"),
            "affine, from the plane": Settings("exact"),
@@ -36,26 +37,26 @@ METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
            "every 8 pixels": Settings("exact", perspective="every8"),
            "1: each pixel": Settings("exact", perspective="pixel"),
            "each pixel, fine": Settings("exact", perspective="fine")}
-SHOWN = 4  # the frame of the picture
+SHOWN = 4  # number of the frame in the picture
 
 
 def is_of_the_note(name: str) -> bool:
-    """Whether a method is one of the note's, which have numbers."""
+    """Returns True if a method is one of the note's: only their names begin with a number."""
     return name[0].isdigit()
 
 
 @dataclass
 class Method:
-    """What one method draws, and what it costs."""
+    """One method's frames, cycles and errors."""
 
     name: str
     frames: np.ndarray  # uint8 (frames, height, width, 3)
-    cycles: float  # a frame
+    cycles: float  # of a frame
     errors: Errors
 
 
 def scene_of(settings: Settings) -> Scene:
-    """The face with another way to draw it."""
+    """Returns the scene of the face, drawn with other settings."""
     scene = compile_scene(SCENES / "face.toml")
     looks = dict(edges=settings.edges, gradients=settings.gradients, start=settings.start,
                  perspective=settings.perspective)
@@ -63,7 +64,7 @@ def scene_of(settings: Settings) -> Scene:
 
 
 def errors_of(scene: Scene, settings: Settings) -> Errors:
-    """What all frames are off."""
+    """Returns the errors of all frames."""
     total = Errors()
     size = scene.width, scene.height
     for number in range(scene.frames):
@@ -76,7 +77,7 @@ def errors_of(scene: Scene, settings: Settings) -> Errors:
 
 
 def measure(machine: str, on_step=None) -> list[Method]:
-    """All methods, drawn on a machine."""
+    """Draws all methods on a machine."""
     made = []
     for name, settings in METHODS.items():
         scene = scene_of(settings)
@@ -90,7 +91,7 @@ def measure(machine: str, on_step=None) -> list[Method]:
 
 
 def table(methods: list[Method], machine: str) -> str:
-    """The figures in Markdown."""
+    """Returns the figures in Markdown."""
     rows = []
     for m in methods:
         wrong = 100 * m.errors.wrong / max(m.errors.pixels, 1)
@@ -101,14 +102,14 @@ def table(methods: list[Method], machine: str) -> str:
 
 
 def described(methods: list[Method]) -> dict[str, dict]:
-    """What the picture says of each method, and the CRC of the frame that it shows."""
+    """Returns the figures in the picture's captions, and the CRC of the frame shown, by method."""
     return {m.name: {"cycles": m.cycles, "worst": round(m.errors.worst, 6),
                      "rms": round(m.errors.rms, 6),
                      "frame": zlib.crc32(m.frames[SHOWN].tobytes())} for m in methods}
 
 
 def write_picture(methods: list[Method], path: Path) -> None:
-    """One frame of each, its error and cycles under it."""
+    """Writes a frame of each method, captioned with its error and cycles."""
     columns = 4
     rows = -(-len(methods) // columns)
     figure, panels = plt.subplots(rows, columns, figsize=(12, 3.6 * rows), layout="constrained")
@@ -125,7 +126,7 @@ def write_picture(methods: list[Method], path: Path) -> None:
 
 
 def write_animation(methods: list[Method], path: Path) -> None:
-    """The note's three methods side by side, there and back."""
+    """Writes the note's three methods side by side, played forwards and backwards."""
     three = sorted((m for m in methods if is_of_the_note(m.name)), key=lambda m: m.name)
     strips = np.concatenate([m.frames for m in three], axis=2)
     pictures = [Image.fromarray(np.kron(strip, np.ones((2, 2, 1), np.uint8)))
@@ -134,7 +135,7 @@ def write_animation(methods: list[Method], path: Path) -> None:
 
 
 def write(folder: Path, machine: str, on_step=None) -> str:
-    """methods.png, methods.gif and methods.md; returns the table."""
+    """Writes methods.png, methods.gif and methods.md; returns the table."""
     methods = measure(machine, on_step)
     write_picture(methods, folder / "methods.png")
     write_animation(methods, folder / "methods.gif")

@@ -1,6 +1,6 @@
-"""How far the N64's modes are off from what they are meant to draw (tmap.ideal.n64).
+"""Errors of the N64's modes against their ideal (tmap.ideal.n64).
 
-The texels are those in TMEM: what a format leaves of a picture is no error of a mode.
+The texels are those in TMEM, so loss from a texel format is not an error of a mode.
 """
 
 from dataclasses import replace
@@ -21,7 +21,7 @@ from tmap.scene_file.units import state_at
 
 
 class Pixels(NamedTuple):
-    """A mode's polygon on a picture: its engine, vertices and pixels."""
+    """A mode's polygon on a kind of picture: its engine, vertices and pixels."""
 
     state: State
     vertices: list[Vertex]
@@ -31,7 +31,7 @@ class Pixels(NamedTuple):
 
 
 def pixels_of(mode: Mode, kind: str) -> Pixels:
-    """What is drawn of a mode; ``kind``: of modes.KINDS."""
+    """Returns the pixels of a mode's polygon; ``kind``: of modes.KINDS."""
     scene = scene_of(mode, kind)
     state = state_at(scene, 0, FIRST)
     vertices = [Vertex(x, y, s, t, w, shade=shade) for x, y, s, t, shade, w in mode.vertices]
@@ -42,14 +42,14 @@ def pixels_of(mode: Mode, kind: str) -> Pixels:
 
 
 def shades(on: Pixels) -> np.ndarray:
-    """The exact opaque greys at the pixels, float64 [n, 4]."""
+    """Returns the exact opaque greys at the pixels, float64 [n, 4]."""
     flat = [v._replace(s=v.shade, t=0) for v in on.vertices]
     grey = n64.Surface(flat, False).at(on.x, on.y)[0].value
     return np.stack([grey, grey, grey, np.full_like(grey, 255)], -1)
 
 
 def colours_of(mode: Mode, kind: str) -> tuple[np.ndarray, np.ndarray]:
-    """The colours [n, 4] of a mode's pixels, as they are drawn and as they are meant."""
+    """Returns the colours [n, 4] of a mode's pixels: as drawn, and ideal."""
     on = pixels_of(mode, kind)
     drawn = picture(model.render(scene_of(mode, kind), FIRST))[on.y, on.x]
     found = n64.texels(on.state, on.surface, on.x, on.y, mode.filter)
@@ -58,5 +58,5 @@ def colours_of(mode: Mode, kind: str) -> tuple[np.ndarray, np.ndarray]:
 
 @cache
 def error_of(mode: Mode, kind: str) -> Error:
-    """What a mode is off on a picture, R, G and B as the frame has them."""
+    """Returns a mode's error on a kind of picture, over R, G and B as the frame stores them."""
     return error(*colours_of(mode, kind))

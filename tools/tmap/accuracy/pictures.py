@@ -14,19 +14,20 @@ from tmap.model.model import Settings
 from tmap.run.run import render
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
-LEAST = 1e-6  # texels: what a logarithmic axis shows for 0
+LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
          "lit": "p", "lit_gouraud": "h", "dithered": "*", "every16": "<", "every8": ">", "pixel": "P",
          "fine": "X"}
 
 
 def drawn_by(row: dict) -> str:
-    """The perspective that a row has, or its mapper."""
+    """Returns a row's perspective, or its mapper if it has no perspective."""
     return row["mapper"] if row["perspective"] == "none" else row["perspective"]
 
 
 def plot(rows: list[dict], path: Path) -> None:
-    """Error against cycles of the texture mappers, a panel a set, the frontier drawn."""
+    """Plots error against cycles of the texture mappers: a panel for each set, with the
+    frontier."""
     machine = rows[-1]["machine"]
     names = list(dict.fromkeys(r["name"] for r in rows))
     columns = min(len(names), 4)
@@ -62,7 +63,7 @@ def plot(rows: list[dict], path: Path) -> None:
     plt.close(figure)
 
 
-#: What the swimming picture shows side by side.
+#: Settings of the swimming picture's panels.
 SWIMMERS = (Settings("integer", "polygon", "truncated", mapper="affine"),
             Settings("subpixel", "plane", "truncated", mapper="affine"),
             Settings("exact", "plane", "subtexel", mapper="affine"))
@@ -71,7 +72,7 @@ SWIM_SIDE = 64  # pixels of a panel
 
 
 def swimming_scene() -> Scene:
-    """A small triangle that moves an eighth of a pixel a frame, under three settings."""
+    """Returns a small triangle that moves an eighth of a pixel a frame, under three settings."""
     texture = np.indices((256, 256)).sum(0) // 8 % 2 * 255  # stripes of 8 texels
     objects, materials, poses = [], [], []
     corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
@@ -88,7 +89,8 @@ def swimming_scene() -> Scene:
 
 
 def write_swimming(out: Path) -> None:
-    """swimming.gif and swimming.png: rendered on the emulated machine, five times as large."""
+    """Writes swimming.gif and swimming.png: rendered on the emulated machine, enlarged five
+    times."""
     scene = swimming_scene()
     frames = render(scene, MEASURED[-1], "addx").frames
     pictures = []
@@ -102,7 +104,7 @@ def write_swimming(out: Path) -> None:
 
 
 def write_mappers(out: Path) -> None:
-    """mappers.png: a polygon of each mapper, rendered on the emulated machine."""
+    """Writes mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
     (frame,) = render(scene, MEASURED[-1], "addx").frames
     picture = Image.fromarray(frame, "P")

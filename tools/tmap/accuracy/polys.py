@@ -22,7 +22,7 @@ from tmap.scene_file.materials import Material
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
 from tmap.scene_file.textures import MAPPER_LAYOUT, Texture
 
-#: So many that their mean area, 4,889 pixels by expectation, has a deviation of 2 %.
+#: Enough that their mean area, 4,889 pixels by expectation, has a deviation of 2 %.
 TRIANGLES = 2000
 M68030 = "a1200-030"
 #: Row to (mapper, thousand cycles a polygon on the Pentium 120).
@@ -32,7 +32,7 @@ ROWS = {"flat": ("flat", 34.3), "gouraud": ("gouraud", 64.9), "texture": ("affin
 
 @functools.cache
 def scene(row: str, count: int) -> Scene:
-    """An empty frame, then one with ``count`` triangles of a row."""
+    """Returns a scene with an empty frame, then a frame with ``count`` triangles of a row."""
     mapper, _ = ROWS[row]
     layout = MAPPER_LAYOUT[mapper]
     material = Material(mapper, texture=0 if layout else -1, colour=200)
@@ -47,13 +47,13 @@ def scene(row: str, count: int) -> Scene:
 
 @functools.cache
 def frames(row: str, count: int) -> list[np.ndarray]:
-    """The model's frames of a row's scene."""
+    """Returns the model's frames of a row's scene."""
     return [model.render(scene(row, count), number) for number in (0, 1)]
 
 
 def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[dict]:
-    """The rows of a machine, in one boot, every frame held to the model's; ``cache``: with a data
-    cache."""
+    """Returns a machine's rows, measured in one boot. Every frame must be the model's. ``cache``:
+    with a data cache."""
     form = "addx DCACHE" if cache else "addx"
     drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []
@@ -69,7 +69,7 @@ def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[d
 
 
 def table(rows: list[dict]) -> str:
-    """Markdown: a line a row, two columns a machine."""
+    """Returns a Markdown table: a line a row, two columns a machine."""
     machines = list(dict.fromkeys(r["machine"] for r in rows))
     lines = []
     for name in dict.fromkeys(r["name"] for r in rows):
@@ -82,7 +82,7 @@ def table(rows: list[dict]) -> str:
 
 
 def measure_all(machine: str | None = None) -> dict:
-    """The content of polys.json; one machine alone has no rows of a 68030 beside it."""
+    """Returns the content of polys.json. Rows of a 68030 are only measured if all machines are."""
     rows = [row for m in ([machine] if machine else MEASURED) for row in measure(m)]
     cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
     return provenance.record() | {

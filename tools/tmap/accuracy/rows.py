@@ -1,11 +1,11 @@
-"""Rows of accuracy.json: which are on the frontier, their tables, and their text."""
+"""Rows of accuracy.json: the frontier, tables and JSON text."""
 
 import json
 
 from tmap.base import markdown
 
-#: Mappers without texture: all others draw the same picture, and a row is on the frontier among those
-#: that draw its own.
+#: Mappers without texture. All others draw the same picture, so they share a frontier; each of
+#: these is compared with its own rows only.
 UNTEXTURED = ("flat", "gouraud")
 COLUMNS = ("mapper", "edges", "gradients", "start", "perspective", "cycles_per_polygon",
            "cycles_per_pixel", "coverage_errors_per_million", "texel_error_max", "texel_error_rms",
@@ -13,13 +13,13 @@ COLUMNS = ("mapper", "edges", "gradients", "start", "perspective", "cycles_per_p
 
 
 def beats(a: dict, b: dict, measures: tuple[str, ...]) -> bool:
-    """Whether ``a`` is nowhere worse than ``b``, and better in one."""
+    """Returns True if ``a`` is nowhere worse than ``b`` and better in one measure."""
     pairs = [(a[m], b[m]) for m in measures]
     return all(x <= y for x, y in pairs) and any(x < y for x, y in pairs)
 
 
 def mark_frontier(rows: list[dict]) -> None:
-    """Sets ``frontier``: nothing of its kind is as cheap and as exact, and better in one."""
+    """Sets ``frontier``: True if no row of the same kind beats this one."""
     measures = ("cycles_per_polygon", "coverage_errors_per_million", "texel_error_rms")
 
     def kind(row: dict) -> tuple:
@@ -31,7 +31,7 @@ def mark_frontier(rows: list[dict]) -> None:
 
 
 def table(rows: list[dict], name: str, machine: str) -> str:
-    """Markdown: one set on one machine, cheapest first within a mapper."""
+    """Returns a Markdown table of one set on one machine, cheapest first within a mapper."""
     chosen = [r for r in rows if r["name"] == name and r["machine"] == machine]
     order = list(dict.fromkeys(r["mapper"] for r in chosen))
     chosen.sort(key=lambda r: (order.index(r["mapper"]), r["cycles_per_polygon"]))
@@ -41,7 +41,7 @@ def table(rows: list[dict], name: str, machine: str) -> str:
 
 
 def report(found: dict) -> str:
-    """accuracy.md."""
+    """Returns the text of accuracy.md."""
     text = ("# What accuracy costs\n\n" + found["conditions"] + f" {found['emulator']}, "
             f"{found['compiler']}.\n")
     rows = found["rows"]
@@ -52,7 +52,7 @@ def report(found: dict) -> str:
 
 
 def as_json(found: dict) -> str:
-    """JSON with a row a line."""
+    """Returns JSON with one row a line."""
     head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
     rows = ",\n  ".join(map(json.dumps, found["rows"]))
     return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'

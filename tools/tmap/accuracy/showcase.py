@@ -1,8 +1,8 @@
-"""The scenes of effects and depth, drawn on the emulated machine: animations, cycles, error.
+"""The scenes of effects and depth, drawn on the emulated machine: animations, cycles, errors.
 
-Errors are taken against the exact curve where a material has a perspective, and against the
-exact plane elsewhere, over every ERROR_STEP-th frame; those of texture engines are their modes'
-(tmap.accuracy.engines).
+Errors are against the exact curve if a material has a perspective, and else against the exact
+plane, over every ERROR_STEP-th frame. Texture engines are left out; the errors of their modes are
+in tmap.accuracy.engines.
 """
 
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ ERROR_STEP = 8
 
 @dataclass
 class Shown:
-    """One scene as it was drawn."""
+    """One scene's figures."""
 
     name: str
     totals: dict  # as tmap.run.run.total gives them
@@ -41,7 +41,8 @@ class Shown:
 
 
 def errors_of(scene: Scene) -> Errors:
-    """What the polygons' u and v are off; those without texture or an ideal are left out."""
+    """Returns the errors of the polygons' u and v. Polygons without texture or ideal are left
+    out."""
     total, size = Errors(), (scene.width, scene.height)
     for number in range(0, scene.frames, ERROR_STEP):
         for which, vertices in polygons_at(scene, number):
@@ -55,14 +56,14 @@ def errors_of(scene: Scene) -> Errors:
             exact = ideal.Picture([v[:4] for v in adapted], *size)
             if polygon and polygon.perspective:
                 exact = Picture(adapted, *size)
-            elif not exact.planes[0].d:  # without an area
+            elif not exact.planes[0].d:  # no area
                 continue
             total.add(polygon, exact, settings)
     return total
 
 
 def show(name: str, machine: str, folder: Path) -> Shown:
-    """Draws a scene: its animation goes to ``folder``/NAME.gif."""
+    """Draws a scene and writes its animation to ``folder``/NAME.gif."""
     scene = compile_scene(SCENES / f"{name}.toml")
     drawn = run.render(scene, machine, "addx")
     if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
@@ -73,7 +74,7 @@ def show(name: str, machine: str, folder: Path) -> Shown:
 
 
 def table(shown: list[Shown], machine: str) -> str:
-    """The figures in Markdown."""
+    """Returns the figures as a Markdown table."""
     rows = []
     for each in shown:
         t, e = each.totals, each.errors
@@ -87,7 +88,7 @@ def table(shown: list[Shown], machine: str) -> str:
 
 
 def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:
-    """scenes.md and an animation of each scene; returns the table."""
+    """Writes scenes.md and an animation of each scene; returns the table."""
     shown = []
     for name in names:
         shown.append(show(name, machine, folder))

@@ -1,7 +1,6 @@
 """The makers of the meshes and pictures of tests/scenes that were computed, byte for byte.
 
-``python -m tmap.assets`` writes them; FILES has them all. Pictures of what was drawn are made by
-``scripts/tmap readme``.
+``python -m tmap.assets`` writes all FILES. ``scripts/tmap readme`` makes the rendered pictures.
 """
 
 import io
@@ -15,50 +14,50 @@ from tmap.assets import light, meshes, signs, surfaces, views
 
 
 def rounded(picture: np.ndarray) -> Image.Image:
-    """Levels to bytes."""
+    """Rounds levels to bytes."""
     return Image.fromarray(np.clip(np.rint(picture), 0, 255).astype(np.uint8))
 
 
 def png(image: Image.Image) -> bytes:
-    """A picture as file."""
+    """Returns a picture as a PNG file."""
     file = io.BytesIO()
     image.save(file, "PNG", optimize=True)
     return file.getvalue()
 
 
 def plain(make: Callable[[], np.ndarray]) -> bytes:
-    """The file of a maker's picture."""
+    """Returns the PNG file of a maker's picture."""
     return png(rounded(make()))
 
 
 def checker() -> bytes:
-    """In a palette, in the order of its colours' making."""
+    """Returns the checker with a palette, in the order of signs.CHECKER."""
     picture = rounded(signs.checker())
     return png(picture.quantize(palette=palette_of(signs.CHECKER), dither=Image.Dither.NONE))
 
 
 def palette_of(colours: tuple[tuple[int, int, int], ...]) -> Image.Image:
-    """A picture with these colours, for quantize."""
+    """Returns an image with these colours as its palette, for quantize."""
     image = Image.new("P", (1, 1))
     image.putpalette(np.array(colours, np.uint8).tobytes())
     return image
 
 
 def sunset() -> bytes:
-    """Some 90 colours: the demo's palette has 256 for all."""
+    """Returns the sunset in some 90 colours: the demo's scenes share a palette of 256."""
     cut = Image.fromarray(np.clip(views.sunset(), 0, 255).astype(np.uint8))
     return png(cut.quantize(96).convert("RGB").quantize(96))
 
 
 def size(side: int) -> bytes:
-    """A square map of Glide's sizes."""
+    """Returns a square map for Glide's sizes."""
     if side < 8:
         return png(rounded(signs.smallest(side)))
     return png(rounded(signs.size(side, signs.SIZES[side])).quantize(64, dither=Image.Dither.NONE))
 
 
 def aspect_name(width: int, height: int) -> str:
-    """As in tests/scenes/glide_aspects.toml."""
+    """Returns the name in tests/scenes/glide_aspects.toml."""
     return f"glide/aspect_{max(width // height, 1)}_{max(height // width, 1)}.png"
 
 
@@ -74,7 +73,7 @@ PICTURES = {"n64/bricks.png": surfaces.bricks, "n64/planks.png": surfaces.planks
             "glide/pane.png": views.pane, "glide/light.png": light.hall,
             "glide/light_end.png": light.end}
 
-# How to make each file, by its path in tests/scenes.
+# The maker of each file, by its path in tests/scenes.
 FILES: dict[str, Callable[[], bytes]] = {
     "checker.png": checker, "demo/sunset.png": sunset, **meshes.FILES,
     **{name: partial(plain, make) for name, make in PICTURES.items()},

@@ -1,4 +1,4 @@
-"""Writes every file anew."""
+"""Writes all FILES again."""
 
 from tmap.assets import FILES
 from tmap.base.paths import SCENES

@@ -1,6 +1,5 @@
 """The light maps of tests/scenes/glide_lightmap.toml: a hall 4 wide and 2.5 high, from z = 2 to
--10, by the light of two torches on its left wall and of the sun through two windows in its right
-one."""
+-10, lit by two torches on its left wall and by the sun through two windows in its right wall."""
 
 import numpy as np
 
@@ -12,26 +11,27 @@ NEAR, LENGTH, HEIGHT = 2, 12, 2.5
 WARM, COOL = np.array((1, 0.62, 0.30)), np.array((0.55, 0.72, 1))
 AMBIENT = np.array((0.10, 0.105, 0.145))
 TORCHES = np.array(((-1.6, 1.55, -1.5), (-1.6, 1.55, -7.5)))
-SUN = np.array((-1, -0.8, -0.3))  # its way
-SUNNY = np.array((0.6, 0.05, -4))  # the middle of where it falls
-TIMES = 4  # averaged squared
+SUN = np.array((-1, -0.8, -0.3))  # the direction of its rays
+SUNNY = np.array((0.6, 0.05, -4))  # the middle of the sunlit spot
+TIMES = 4  # samples a texel along each axis
 
 
 def normals(way: tuple[int, int, int], points: np.ndarray, to: np.ndarray
             ) -> tuple[np.ndarray, np.ndarray]:
-    """The cosine of the angle between a surface and the way to a point, and the distance."""
+    """Returns the cosine of the angle between a surface's normal and the direction to a point, and
+    the distance to it."""
     ways = to - points
     distance = np.sqrt((ways * ways).sum(-1))
     return (ways * np.array(way)).sum(-1) / distance, distance
 
 
 def soft(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    """1 between two borders, 0 outside, and a slope 0.07 wide."""
+    """Returns 1 between two borders and 0 outside, with a slope 0.07 wide."""
     return np.clip((values - low) / 0.07 + 0.5, 0, 1) * np.clip((high - values) / 0.07 + 0.5, 0, 1)
 
 
 def sunlight(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
-    """Where the sun falls through the windows, each of which has a bar in its middle."""
+    """Returns the sun's light through the windows, each of which has a bar in its middle."""
     slope = max(0, -(SUN * way).sum()) / length(SUN)
     back = 2 - points[..., 0]  # to the wall with the windows, at x = 2
     y, z = points[..., 1] + 0.8 * back, points[..., 2] + 0.3 * back
@@ -43,7 +43,7 @@ def sunlight(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
 
 
 def light(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
-    """Light at points of a surface, its normal given; linear."""
+    """Returns the light at points of a surface with this normal; linear."""
     made = np.zeros(points.shape) + AMBIENT
     for torch in TORCHES:
         cosine, distance = normals(way, points, torch)
@@ -57,8 +57,8 @@ def light(points: np.ndarray, way: tuple[int, int, int]) -> np.ndarray:
 
 
 def surface(origin: tuple, right: tuple, down: tuple, way: tuple, width: int = 64) -> np.ndarray:
-    """16 rows of the map of a rectangle, from a corner by two sides; the centres of its first and
-    last texels are on its borders."""
+    """Returns 16 rows of a rectangle's map, from a corner and two sides. The centres of the first
+    and last texels are on the rectangle's borders."""
     y, x = np.mgrid[:16 * TIMES, :width * TIMES]
     u, v = (((k + 0.5) / TIMES - 0.5) / (n - 1) for k, n in ((x, width), (y, 16)))
     points = np.array(origin) + u[..., None] * np.array(right) + v[..., None] * np.array(down)
@@ -66,12 +66,12 @@ def surface(origin: tuple, right: tuple, down: tuple, way: tuple, width: int = 6
 
 
 def shown(levels: np.ndarray) -> np.ndarray:
-    """Bright light saturates."""
+    """Converts light to levels of 0 to 255; bright light saturates."""
     return 255 * (1 - each(exp, -2.1 * levels))
 
 
 def hall() -> np.ndarray:
-    """From above: left wall, floor, right wall, ceiling."""
+    """Returns the maps of left wall, floor, right wall and ceiling, from top to bottom."""
     along = (0, 0, -LENGTH)
     return shown(np.concatenate([
         surface((-2, HEIGHT, NEAR), along, (0, -HEIGHT, 0), (1, 0, 0)),
@@ -81,5 +81,5 @@ def hall() -> np.ndarray:
 
 
 def end() -> np.ndarray:
-    """The wall at the far end."""
+    """Returns the map of the wall at the far end."""
     return shown(surface((-2, HEIGHT, NEAR - LENGTH), (4, 0, 0), (0, -HEIGHT, 0), (0, 0, 1), 16))

@@ -12,14 +12,14 @@ Point = np.ndarray | tuple[float, float, float]
 
 
 def obj(title: str, points: list[Point], faces: list[tuple[int, ...]]) -> bytes:
-    """An OBJ file; faces count points from 1."""
+    """Returns an OBJ file; faces count points from 1."""
     lines = [f"# {title}", *("v " + " ".join(f"{c:.4f}" for c in point) for point in points),
              *("f " + " ".join(map(str, face)) for face in faces)]
     return ("\n".join(lines) + "\n").encode()
 
 
 def tube(along: int, around: int) -> list[tuple[int, ...]]:
-    """The faces of a closed tube: ``along`` sections of ``around`` points each."""
+    """Returns the faces of a closed tube: ``along`` sections of ``around`` points each."""
     faces = []
     for i in range(along):
         here, there = i * around + 1, (i + 1) % along * around + 1
@@ -29,7 +29,7 @@ def tube(along: int, around: int) -> list[tuple[int, ...]]:
 
 
 def knot() -> bytes:
-    """A tube, 0.42 thick, round the (2, 3) torus knot, which reaches from 1 to 3."""
+    """A tube, 0.42 thick, around the (2, 3) torus knot, which extends from radius 1 to 3."""
     along, around, thick = 48, 8, 0.42
     points = []
     for i in range(along):
@@ -39,14 +39,14 @@ def knot() -> bytes:
 
 
 def line(angle: float) -> np.ndarray:
-    """A point of the knot's line, for 0 to 2 pi."""
+    """Returns a point of the knot's line for an angle of 0 to 2 pi."""
     reach = 2 + cos(3 * angle)
     return np.array([reach * cos(2 * angle), reach * sin(2 * angle), sin(3 * angle)])
 
 
 def section(angle: float, around: int, thick: float) -> list[np.ndarray]:
-    """The corners of a section of the knot, counterclockwise seen against the knot's way; the
-    first one points away from the knot's axis."""
+    """Returns the corners of a section of the knot, counterclockwise when seen against the line's
+    direction. The first corner points away from the knot's axis."""
     along = line(angle + 1e-4) - line(angle - 1e-4)
     along /= length(along)
     out = line(angle) * (1, 1, 0)

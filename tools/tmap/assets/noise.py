@@ -1,4 +1,4 @@
-"""Noise for computed pictures: it repeats at every border, and its seed says all of it."""
+"""Noise for computed pictures. It repeats at every border and depends on its seed alone."""
 
 import numpy as np
 
@@ -6,8 +6,8 @@ from tmap.base.elementary import each, power as power_of
 
 
 def noise(height: int, width: int, power: float, seed: int, lowest: int = 0) -> np.ndarray:
-    """White noise whose waves of n periods along the longer side are weakened to n^-power, and
-    those of less than ``lowest`` left out; the mean is 0, the standard deviation 1."""
+    """Returns white noise whose waves of n periods along the longer side are weakened to n^-power;
+    waves of fewer than ``lowest`` periods are left out. The mean is 0, the standard deviation 1."""
     white = np.random.default_rng(seed).standard_normal((height, width))
     periods = max(height, width) * np.hypot(np.fft.fftfreq(height)[:, None],
                                             np.fft.rfftfreq(width)[None])
@@ -19,16 +19,16 @@ def noise(height: int, width: int, power: float, seed: int, lowest: int = 0) -> 
 
 
 def grain(height: int, width: int, power: float, seed: int) -> np.ndarray:
-    """The same from 0 to 1."""
+    """Returns noise scaled to 0 to 1."""
     made = noise(height, width, power, seed)
     return (made - made.min()) / np.ptp(made)
 
 
 def smeared(made: np.ndarray) -> np.ndarray:
-    """Noise drawn out downwards over four texels, as wood is."""
+    """Smears noise downwards over four texels, like wood grain."""
     return sum(np.roll(made, k, 0) for k in range(4)) / 2.2
 
 
 def tinted(tint: tuple[float, float, float], light: np.ndarray) -> np.ndarray:
-    """A colour in the light of each texel: height, width, 3."""
+    """Returns a colour times the light of each texel: height, width, 3."""
     return np.array(tint) * light[..., None]

@@ -1,5 +1,5 @@
-"""Pictures that show which way up and how large they are: letters, digits, borders of a colour
-each. Every maker gives levels of 0 to 255, height x width x 3, not yet rounded."""
+"""Pictures that show their orientation and size: letters, digits, a different colour at each
+border. Every maker returns levels of 0 to 255, height x width x 3, not yet rounded."""
 
 import colorsys
 
@@ -10,7 +10,7 @@ from tmap.base.elementary import cos, each
 INK = (255, 250, 235)
 ABOVE, LEFT, RIGHT, BELOW = (70, 130, 255), (235, 60, 50), (60, 190, 80), (250, 205, 60)
 
-# The checker's: its ground, the squares of each quarter, its letter.
+# Colours of the checker: ground, squares of each quarter, letter.
 CHECKER = ((232, 224, 200), (208, 72, 56), (56, 120, 184), (240, 184, 64), (72, 144, 96),
            (28, 28, 44))
 
@@ -21,12 +21,12 @@ GLYPHS = {"1": (".#.", "##.", ".#.", ".#.", "###"), "2": ("###", "..#", "###", "
 
 
 def flat(height: int, width: int, colour: tuple[float, float, float]) -> np.ndarray:
-    """One colour."""
+    """Returns a picture of one colour."""
     return np.full((height, width, 3), colour, float)
 
 
 def checker() -> np.ndarray:
-    """Squares of 32 texels, in each quarter another colour, a dark edge, and an F."""
+    """Squares of 32 texels in a different colour for each quarter, a dark edge, and an F."""
     cream, *quarters, dark = CHECKER
     picture = flat(256, 256, cream)
     for y in range(8):
@@ -41,7 +41,7 @@ def checker() -> np.ndarray:
 
 
 def letter() -> np.ndarray:
-    """An F, with a bright line above and on the left."""
+    """An F, with a bright line at the top and on the left."""
     picture = flat(16, 16, (28, 44, 92))
     picture[0] = picture[:, 0] = (120, 160, 220)
     picture[2:14, 3:6] = picture[2:5, 3:13] = (245, 205, 70)
@@ -61,8 +61,8 @@ def medallion() -> np.ndarray:
 
 
 def palettes() -> np.ndarray:
-    """Sixteen palettes of sixteen colours, one a row: greys, then fifteen hues from dark to
-    bright, whose first colour is the ground around the medallion."""
+    """Sixteen palettes of sixteen colours, one a row: greys, then fifteen hues from dark to bright.
+    The first colour of each hue is the ground around the medallion."""
     picture = flat(16, 16, (24, 24, 32))
     picture[0] = 17 * np.arange(16)[:, None]
     for row in range(1, 16):
@@ -73,7 +73,7 @@ def palettes() -> np.ndarray:
 
 
 def bordered(height: int, width: int, tint: tuple, border: int = 1) -> np.ndarray:
-    """A colour that gets darker downwards, and at each border another one."""
+    """Returns a colour that gets darker downwards, with a different colour at each border."""
     light = 1.12 - 0.30 * np.arange(height) / height
     picture = flat(height, width, tint) * light[:, None, None]
     picture[:border], picture[-border:] = ABOVE, BELOW
@@ -83,12 +83,12 @@ def bordered(height: int, width: int, tint: tuple, border: int = 1) -> np.ndarra
 
 
 def width_of(text: str) -> int:
-    """In dots, a dot between two characters."""
+    """Returns a text's width in dots, with one dot between characters."""
     return sum(len(GLYPHS[each][0]) + 1 for each in text) - 1
 
 
 def write(picture: np.ndarray, text: str, x: int, y: int, dot: int = 1) -> None:
-    """Draws a line of text; its dots are ``dot`` texels wide and high."""
+    """Draws a line of text with dots of ``dot`` x ``dot`` texels."""
     for each in text:
         glyph = np.array([list(row) for row in GLYPHS[each]]) == "#"
         height, width = dot * glyph.shape[0], dot * glyph.shape[1]
@@ -97,7 +97,7 @@ def write(picture: np.ndarray, text: str, x: int, y: int, dot: int = 1) -> None:
 
 
 def write_down(picture: np.ndarray, text: str, x: int, y: int) -> None:
-    """The same downwards; a colon is two dots beside each other."""
+    """Draws text downwards; a colon is two dots next to each other."""
     for each in text:
         if each == ":":
             picture[y, [x, x + 2]] = INK
@@ -108,7 +108,7 @@ def write_down(picture: np.ndarray, text: str, x: int, y: int) -> None:
 
 
 def aspect(width: int, height: int, tint: tuple[int, int, int]) -> np.ndarray:
-    """The ratio of the sides in digits, and arrows along the longer side."""
+    """The aspect ratio in digits, and arrows along the longer side."""
     picture = bordered(height, width, tint)
     arrow = np.array(tint) * 1.5 + 30
     text = f"{max(width // height, 1)}:{max(height // width, 1)}"
@@ -134,7 +134,7 @@ def aspect(width: int, height: int, tint: tuple[int, int, int]) -> np.ndarray:
 
 
 def size(side: int, tint: tuple[int, int, int]) -> np.ndarray:
-    """The side of a square map in digits as large as fit."""
+    """A square map's side in the largest digits that fit."""
     border, text = max(1, side // 16), str(side)
     picture = bordered(side, side, tint, border)
     dot = max(1, int(0.86 * (side - 2 * border)) // max(width_of(text), 5))

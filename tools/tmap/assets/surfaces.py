@@ -1,5 +1,5 @@
-"""Pictures of walls, floors and ground, which repeat. Every maker gives levels of 0 to 255,
-height x width x 3, not yet rounded."""
+"""Repeating pictures of walls, floors and ground. Every maker returns levels of 0 to 255, height x
+width x 3, not yet rounded."""
 
 import math
 
@@ -10,12 +10,12 @@ from tmap.base.elementary import each, power, sin
 
 
 def grey(levels: np.ndarray) -> np.ndarray:
-    """One level for all three."""
+    """Returns levels as R, G and B."""
     return np.repeat(levels[..., None], 3, 2)
 
 
 def bricks() -> np.ndarray:
-    """Four courses; the tops of bricks are lit."""
+    """Four courses of bricks whose top edges are lit."""
     rough = grain(32, 32, 1, 1)
     picture = tinted((188, 180, 168), 0.8 + 0.3 * rough)
     for course, tones in enumerate(((0.8, 1), (0.85, 0.95, 0.9), (0.9, 1.05), (0.9, 1, 0.85))):
@@ -28,7 +28,7 @@ def bricks() -> np.ndarray:
 
 
 def planks() -> np.ndarray:
-    """Four planks with the grain of wood, each of another tint and cut somewhere else."""
+    """Four planks with the grain of wood, each with another tint and cut at another place."""
     light = 0.7 + 0.25 * grain(32, 32, 1.2, 2).mean(0) + 0.25 * grain(32, 32, 1.6, 3)
     picture = np.empty((32, 32, 3))
     for left, tint, cut in ((0, (150, 98, 50), 0), (8, (166, 112, 60), 21),
@@ -49,7 +49,7 @@ def panels() -> np.ndarray:
 
 
 def pavement() -> np.ndarray:
-    """Slabs of two tints by turns, with a diamond on each."""
+    """Slabs in two alternating tints, with a diamond on each."""
     y, x = np.mgrid[:64, :64]
     bright = ((y // 32 + x // 32) % 2 == 1)[..., None]
     light = 0.75 + 0.4 * grain(64, 64, 1.2, 5)
@@ -95,7 +95,7 @@ def stones() -> np.ndarray:
 
 
 def rough() -> np.ndarray:
-    """What stone is like from near, for a detail texture: pits lit from above, 150 in the mean."""
+    """Stone seen closely, for a detail texture: pits lit from above, mean level 150."""
     height = noise(64, 64, 0.55, 7, 2) + 0.5 * noise(64, 64, 1.1, 9, 3)
     pits = np.minimum(noise(64, 64, 0.9, 8, 4) + 1.1, 0)
     levels = 150 + 34 * height / height.std() * 0.9 + 70 * pits
@@ -104,7 +104,7 @@ def rough() -> np.ndarray:
 
 
 def grass() -> np.ndarray:
-    """Grass, seen from far."""
+    """Grass seen from far away."""
     fine, coarse = noise(32, 32, 0.8, 21), noise(32, 32, 1.6, 22)
     return np.stack([98 + 13 * fine + 9 * coarse, 124 + 17 * fine + 9 * coarse, 60 + 9 * fine], -1)
 

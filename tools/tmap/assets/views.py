@@ -1,5 +1,5 @@
-"""Pictures of something to look at, which do not repeat, but for the landscape's left and right.
-Every maker gives levels of 0 to 255, height x width x 3, not yet rounded."""
+"""Pictures of views. They do not repeat, except the landscape from left to right. Every maker
+returns levels of 0 to 255, height x width x 3, not yet rounded."""
 
 import math
 
@@ -11,18 +11,18 @@ from tmap.base.elementary import each, exp, log2, power, sin
 
 
 def averaged(picture: np.ndarray, times: int) -> np.ndarray:
-    """A picture of the mean of each times x times dots."""
+    """Returns a picture of the means of times x times dots."""
     height, width, _ = picture.shape
     return picture.reshape(height // times, times, width // times, times, 3).mean((1, 3))
 
 
 def gradient(places: np.ndarray, start: tuple, end: tuple) -> np.ndarray:
-    """From one colour, at 0, to another, at 1."""
+    """Returns a gradient from one colour, at 0, to another, at 1."""
     return np.array(start) + places[..., None] * np.subtract(end, start)
 
 
 def sunset() -> np.ndarray:
-    """What the demo's chrome mirrors: a low sun, clouds, hills, a tiled plain."""
+    """The picture in the demo's chrome: a low sun, clouds, hills, a tiled plain."""
     y, x = np.mgrid[:128, :128] / 127
     sky = np.stack([20 + 200 * each(power, 2 * y, 2.2), 50 + 185 * each(power, 2 * y, 1.6),
                     120 + 260 * y], -1)
@@ -83,7 +83,7 @@ def painting() -> np.ndarray:
 
 
 def window() -> np.ndarray:
-    """Light through two pointed lights and a rose of stained glass: what is dim is the wall."""
+    """Light through two pointed windows and a rose of stained glass; the wall is dim."""
     dim, times = (84, 86, 108), 4
     y, x = np.mgrid[:64 * times, :64 * times] / times
     picture = flat(64 * times, 64 * times, dim)
@@ -104,8 +104,8 @@ def window() -> np.ndarray:
 
 
 def pointed(x: np.ndarray, y: np.ndarray, width: float, height: float) -> np.ndarray:
-    """What lies in a pointed arch whose top left is 0, 0: below, its sides stand upright; above,
-    each is a circle about the other one's foot."""
+    """Returns the inside of a pointed arch whose top left is 0, 0. The sides are upright below;
+    above, each is a circle about the foot of the other."""
     spring = 0.87 * width
     upright = (x > 0) & (x < width) & (y >= spring) & (y < height)
     circles = (np.hypot(x, y - spring) < width) & (np.hypot(x - width, y - spring) < width)

@@ -1,6 +1,6 @@
-"""What a scene's TOML says of Glide's texture units: materials with a table ``glide``.
+"""Schema and checks of Glide's texture units in a scene's TOML: materials with a table ``glide``.
 
-The words are Glide's where it has one; c/glide/glide.h tells what each does.
+Names and values follow Glide where possible; c/glide/glide.h explains them.
 """
 
 import numpy as np
@@ -13,17 +13,17 @@ from tmap.images.mipmap import FILTERS as MIPMAP_FILTERS
 from tmap.scene_file.pipes import PREFILTER_KB
 
 FRAMES = ("rgb565", "rgba8888")  # formats of scenes that units draw into
-LEAST_W = 1 / ONE  # how far w is from 0
-NO_MIPMAP = "none"  # the picture alone
-#: The bilinear filter, or moved points instead of it.
+LEAST_W = 1 / ONE  # least distance of w from 0
+NO_MIPMAP = "none"  # only the picture, no further levels
+#: The bilinear filter: exact, or replaced by dithered points.
 BILINEAR = ("exact", "dithered")
-#: What becomes of the frame's pixels: replaced, or added to.
+#: How drawn pixels go into the frame: they replace its pixels, or are added to them.
 BLENDS = ("replace", "add")
 PREFILTER_MOST = 8192  # KB of prefiltered tiles
 
 
 def quarters(low: float, high: float):
-    """A number of quarters."""
+    """Returns the check of a multiple of 1/4 within limits."""
     limits = number(low, high)
 
     def check(value, where):
@@ -35,7 +35,8 @@ def quarters(low: float, high: float):
 
 
 def combine_schema():
-    """The check of a unit's functions and factors; what alpha lacks is as colour's."""
+    """Returns the check of a unit's functions and factors. Those of alpha default to the
+    colour's."""
     function, factor = one_of(*FUNCTIONS), one_of(*FACTORS)
     return table({"function": (function, "local"), "factor": (factor, "zero"),
                   "alpha_function": (function, None), "alpha_factor": (factor, None),
@@ -43,7 +44,7 @@ def combine_schema():
 
 
 def unit_schema():
-    """The check of a unit."""
+    """Returns the check of a unit."""
     combined, level = combine_schema(), integer(0, LAST_LEVEL)
     detail = table({"bias": (integer(-32, 31), 0), "scale": (integer(0, 7), 0),
                     "max": (number(0, 1), 1.0)})
@@ -64,7 +65,7 @@ def unit_schema():
 
 
 def one_of_numbers(*numbers: int):
-    """One of these whole numbers."""
+    """Returns the check of one of these whole numbers."""
     def check(value, where):
         if type(value) is not int or value not in numbers:
             fail(where, "must be " + " or ".join(map(str, numbers)))
@@ -73,7 +74,7 @@ def one_of_numbers(*numbers: int):
 
 
 def schema():
-    """The check of a material's ``glide``."""
+    """Returns the check of a material's ``glide``."""
     return table({"perspective": (flag, False),
                   "blend": (one_of(*BLENDS), BLENDS[0]),
                   "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
@@ -81,8 +82,8 @@ def schema():
 
 
 def coordinates_fields(corners: int) -> dict:
-    """The fields of a polygon for its corners' coordinates of the second unit, and for what moves
-    them."""
+    """Returns the fields of a polygon for its corners' coordinates of the second unit, and for
+    moving coordinates."""
     place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-W_MAX, W_MAX)
     way = rows(place, 2, 2), None
     return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None),
@@ -90,12 +91,12 @@ def coordinates_fields(corners: int) -> dict:
 
 
 def has_own(material: dict) -> bool:
-    """Whether a material's second unit has coordinates of its own."""
+    """Returns True if a material's second unit has separate coordinates."""
     return "glide" in material and material["glide"]["units"][-1]["own"]
 
 
 def check_unit(unit: dict, number_: int, where: str) -> None:
-    """Refuses settings of a unit that do not go together; fills in what is left out."""
+    """Refuses settings of a unit that do not go together; fills in alpha's function and factor."""
     if unit["own"] and not number_:
         fail(f"{where}.own", "is for the second unit: the first goes by the vertices")
     if unit["mipmap"] == NO_MIPMAP and (unit["levels"] != "both" or unit["max_level"] is not None):
@@ -112,14 +113,14 @@ def check_unit(unit: dict, number_: int, where: str) -> None:
 
 
 def check(glide: dict, where: str) -> None:
-    """Refuses units that do not go together; fills in what is left out."""
+    """Refuses settings of units that do not go together; fills in their defaults."""
     for n, unit in enumerate(glide["units"]):
         check_unit(unit, n, f"{where}.units[{n}]")
 
 
 def with_own(corners: np.ndarray, obj: dict) -> np.ndarray:
-    """An object's vertices as the file has them, int64 [n, 6], and as many again with the second
-    unit's coordinates; their depth is the vertices' own where there is no other."""
+    """Returns an object's vertices as the file stores them, int64 [n, 6], then the same number with
+    the second unit's coordinates. Their depth is w1, or else the vertices' depth."""
     own = corners.copy()
     own[:, 2:4] = fix_all(obj["st1"])
     own[:, 4] = 0
@@ -129,7 +130,7 @@ def with_own(corners: np.ndarray, obj: dict) -> np.ndarray:
 
 
 def slid(corners: np.ndarray, obj: dict, material: dict, age: int, where: str) -> np.ndarray:
-    """An object's vertices as the file has them, so many frames after it appeared."""
+    """Returns an object's vertices as the file stores them, ``age`` frames after it appeared."""
     made = corners.copy()
     second = len(made) // 2 if has_own(material) else len(made)
     for field, part in (("slide", made[:second]), ("slide1", made[second:])):
@@ -140,12 +141,13 @@ def slid(corners: np.ndarray, obj: dict, material: dict, age: int, where: str) -
 
 
 def slides(obj: dict) -> bool:
-    """Whether an object's s and t move."""
+    """Returns True if an object's s and t move."""
     return any(obj.get(field) is not None for field in ("slide", "slide1"))
 
 
 def check_object(obj: dict, material: dict, where: str) -> None:
-    """Refuses an object that lacks what its material's second unit needs, or has too much."""
+    """Refuses an object without the coordinates that its material's second unit needs, or with
+    coordinates that the material does not use."""
     st, name = obj.get("st1"), obj["material"]
     if obj.get("slide") is not None and "glide" not in material:
         fail(f"{where}.slide", f"material {name!r} has no texture unit of Glide's")
@@ -156,7 +158,7 @@ def check_object(obj: dict, material: dict, where: str) -> None:
                                          "of its own")
         return
     if "points" in obj or "mesh" in obj:
-        return  # tmap.compiler.projectors
+        return  # checked by tmap.compiler.projectors
     if "sides" not in obj and "vertices" not in obj:
         fail(f"{where}.material", f"{name!r} has a unit with coordinates of its own, which "
                                   "rectangles have not")
@@ -174,7 +176,7 @@ def check_object(obj: dict, material: dict, where: str) -> None:
 
 
 def check_range(corners: list, where: str) -> None:
-    """Refuses corners (s, t) of one polygon that units do not draw."""
+    """Refuses corners (s, t) of one polygon that the units cannot draw."""
     for column, noun in enumerate("st"):
         values = [corner[column] for corner in corners]
         if not -REACH < min(values) <= max(values) < REACH:

@@ -1,4 +1,4 @@
-"""Glide's texture units of a scene: their registers, memory and tables."""
+"""Builds the registers, memory and tables of a scene's Glide texture units."""
 
 from fractions import Fraction
 from pathlib import Path
@@ -19,7 +19,8 @@ from tmap.scene_file.pipes import COLUMNS, NO_TABLE
 
 
 def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
-    """A unit's picture, uint8 [height, width, 4], in the size wanted or its own."""
+    """Returns a unit's picture, uint8 [height, width, 4], in the unit's size or else the
+    picture's."""
     at = f"{where}.image"
     width, height = unit["width"], unit["height"]
     if width is None or height is None:
@@ -35,7 +36,7 @@ def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
 
 
 def memory_of(made: Map, largest: int, smallest: int, unit: dict, aspect: str) -> bytes:
-    """A unit's memory with the levels that it holds."""
+    """Returns a unit's memory with the levels that it holds."""
     form, kept = unit["format"], unit["levels"]
     needed = memory_required(kept, largest, smallest, aspect, form)
     memory = bytearray(max(1 << (needed - 1).bit_length(), ALIGN))
@@ -47,7 +48,7 @@ def memory_of(made: Map, largest: int, smallest: int, unit: dict, aspect: str) -
 
 
 def words_of(unit: dict, perspective: bool, memory_bytes: int, shape: tuple) -> Words:
-    """A unit's registers."""
+    """Returns a unit's registers."""
     largest, smallest, aspect = shape
     words, combine = Words(memory_bytes), unit["combine"]
     words.source(0, unit["levels"], largest, smallest, aspect, unit["format"])
@@ -67,7 +68,7 @@ def words_of(unit: dict, perspective: bool, memory_bytes: int, shape: tuple) -> 
 
 
 def row_of(unit: dict, perspective: bool, folder: Path, memory: BytePool, where: str) -> list[int]:
-    """A unit as the scene's table has it."""
+    """Returns a unit's row of the scene's table."""
     picture = picture_of(unit, folder, where)
     height, width = picture.shape[:2]
     largest, _, _ = shape_of(width, height)
@@ -97,8 +98,8 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: BytePool, where:
 
 
 def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
-    """The number of each material's pipe, and what a Scene has of all of them. Fills in the sizes
-    that units leave to their pictures."""
+    """Returns the number of each material's pipe, and the tables of all pipes for a Scene. Sets
+    sizes that units take from their pictures."""
     numbers, known, memory = {}, {}, BytePool()
     glide_units, pipes = [], []
     for name, material in spec["materials"].items():
@@ -120,6 +121,6 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
 
 
 def size_of(material: dict) -> tuple[int, int]:
-    """Texels of the first unit's map, once it is built."""
+    """Returns the size in texels of the first unit's map, after ``build``."""
     unit = material["glide"]["units"][0]
     return unit["width"], unit["height"]

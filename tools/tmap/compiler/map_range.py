@@ -1,4 +1,4 @@
-"""s and t of a scene's corners: what of a map they show, and how far they may go."""
+"""s and t of a scene's corners: the part of a map that they show, and their limits."""
 
 from typing import NamedTuple
 
@@ -10,10 +10,10 @@ from tmap.build import layout
 from tmap.compiler import glide, glide_build, materials, n64_build
 from tmap.n64.state import REACH
 
-MAP_CENTRE = 128.0  # of s along the longer side
-MOST = REACH - 1 / 32  # texels: the last s or t of an engine, s10.5
-#: Texels that s and t may lie beyond a map that is not repeated: less than half a unit of 16.16, so
-#: that rounding leads back.
+MAP_CENTRE = 128.0  # s at the map's centre along the longer side
+MOST = REACH - 1 / 32  # texels: the greatest s or t of an engine, s10.5
+#: Texels by which s and t may exceed a map that does not repeat: less than half a unit of 16.16, so
+#: that rounding removes it.
 SLACK = 1e-6
 
 
@@ -25,13 +25,13 @@ class Map(NamedTuple):
 
 
 def extent_of(size: tuple[int, int]) -> tuple[float, float]:
-    """s and t at the far ends of a map: 256 for the longer side."""
+    """Returns s and t at the far ends of a map: 256 for the longer side."""
     return tuple(2 * MAP_CENTRE * side / max(size) for side in size)
 
 
 def map_of(material: dict, texture: dict | None) -> Map:
-    """The map of a checked material, of 256 texels a side where it has none; those of texture units
-    are built. s and t of an engine are texels."""
+    """Returns the map of a checked material; one of 256 x 256 texels if it has no map. Maps of
+    texture units must be built first. s and t of an N64 engine are texels."""
     mapper = materials.mapper_of(material)
     size = (texture["width"], texture["height"]) if texture else (256, 256)
     if mapper == "glide":
@@ -40,9 +40,9 @@ def map_of(material: dict, texture: dict | None) -> Map:
 
 
 def inside_map(corners: np.ndarray, texture: dict) -> np.ndarray:
-    """Rows of s and t, 16.16, that rounding shall not lead out of a map that is not repeated."""
+    """Clamps rows of s and t, 16.16, to a map that does not repeat, in case rounding left it."""
     size = np.array([texture["width"], texture["height"]])
-    last = (((size << 16) + 1) * 256 - 1) // max(size)  # its texel is not beyond the side
+    last = (((size << 16) + 1) * 256 - 1) // max(size)  # the last value whose texel is inside
     return corners.clip(0, np.minimum(last, 256 * ONE))
 
 
@@ -57,7 +57,7 @@ def check_engine(corners: list[list[float]], where: str) -> None:
 
 
 def check_map(corners: list[list[float]], mapper: str, shown: Map, where: str) -> None:
-    """Refuses s, t too far away for the set-up, or outside a map that is not repeated."""
+    """Refuses s, t too far away for the set-up, or outside a map that does not repeat."""
     reach = layout.load().constants["POLYGON_FAR"]
     for corner in corners:
         if max(map(abs, corner[2:4])) * max(shown.size) / (2 * MAP_CENTRE) >= reach:

@@ -18,18 +18,18 @@ from tmap.setup.shading import LIT
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
-SHADES = 256  # a vertex has one from 0 to 255
+SHADES = 256  # of a vertex: from 0 to 255
 
 
 def texture_schema():
-    """The check of a texture."""
+    """Returns the check of a texture."""
     side = integer(1, SIDE_MAX)
     return table({"image": (text, REQUIRED), "width": (side, images.SIDE),
                   "height": (side, images.SIDE)})
 
 
 def material_schema():
-    """The check of a material."""
+    """Returns the check of a material."""
     settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
                 for name in SETTINGS if name != "mapper"} | {"tolerance": (number(0, 1), 0)}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
@@ -52,12 +52,13 @@ def material_schema():
 
 
 def mapper_of(material: dict) -> str:
-    """The mapper of a checked material."""
+    """Returns the mapper of a checked material."""
     return material.get("mapper", "gouraud" if "shades" in material else "flat")
 
 
 def has_shades(material: dict) -> bool:
-    """Whether a checked material, other than a Gouraud one, takes shades from 0 to 255."""
+    """Returns True if a checked material takes shades from 0 to 255. Gouraud materials do not
+    count."""
     looks = n64.looks(material)
     return mapper_of(material) in LIT or bool(looks and looks.shade)
 
@@ -85,7 +86,7 @@ def check_n64(material: dict, pixel: PixelFormat, at: str) -> None:
 
 
 def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
-    """Refuses settings that do not go together, or are not for the scene's pixels."""
+    """Refuses settings that do not go together or do not suit the scene's pixels."""
     mapper, perspective = mapper_of(material), material["perspective"]
     drawn = MAPPERS[pixel.bytes]
     if mapper not in drawn and mapper not in UNITS:
@@ -110,7 +111,7 @@ def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
 
 
 def check_texture(material: dict, textures: dict[str, dict], at: str) -> None:
-    """Refuses a texture that is not there, or that the material's mapper cannot draw."""
+    """Refuses a texture that does not exist, or that the material's mapper cannot draw."""
     name, mapper = material["texture"], mapper_of(material)
     if name not in textures:
         fail(f"{at}.texture", f"there is no texture {name!r}")
@@ -135,7 +136,7 @@ def check(spec: dict, where: str) -> None:
 
 @dataclass
 class Pixels:
-    """The exact colours of a scene: what pixel each is, and the palette's first entries."""
+    """The exact colours of a scene: their pixel values, and the palette's first entries."""
 
     of: dict[tuple, int]  # flat colour: pixel
     ramps: dict[str, tuple[int, int]]  # material with shades: first entry, steps
@@ -143,7 +144,7 @@ class Pixels:
 
 
 def pixels(spec: dict) -> Pixels:
-    """Palette entries, or colours as the scene's format has them."""
+    """Returns palette entries, or colours in the scene's format."""
     materials = spec["materials"]
     flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
                                                      if "colour" in m)]))
@@ -166,15 +167,15 @@ def pixels(spec: dict) -> Pixels:
 
 
 def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
-    """The pixel coordinate of a shade: half a step inside the ramp, so that the
+    """Returns the pixel coordinate of a shade. It is half a step inside the ramp, so that the
     nearest entry is its floor and rounding cannot leave the ramp."""
     first, steps = ramp
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
 def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[str, np.ndarray]:
-    """The pictures of the textures in use, uint8 (height, width, channels); the others' are
-    looked at too, for what is wrong with them."""
+    """Returns the pictures of the textures in use, uint8 (height, width, channels). Unused ones are
+    loaded too, to find their faults."""
     pictures = {name: images.load(texture["image"], folder,
                                   join(f"{where}textures", name) + ".image", texture["width"],
                                   texture["height"], FORMATS[spec["format"]].channels)
@@ -184,8 +185,8 @@ def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[
 
 def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
-    """Palette, uint8 (256, 3), textures and materials; a texture once a layout. ``engines``:
-    the numbers of those that materials have, or of their pipes."""
+    """Returns the palette, uint8 (256, 3), the textures, one for each layout in use, and the
+    materials. ``engines``: numbers of materials' engines or pipes."""
     textured = [m for m in spec["materials"].values() if "texture" in m]
     wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]]) for m in textured}
     lit = {m["texture"] for m in textured if m["mapper"] in LIT}

@@ -1,7 +1,7 @@
-"""From a mesh as a scene names it to the tables of a scene file.
+"""Converts a scene's mesh to the tables of a scene file.
 
-Faces keep their corners unless something needs triangles: a bent face, the material's
-gradients "polygon", or gradients "plane" with s and t or shades that lie on no plane.
+Faces keep their corners unless triangles are needed: for a bent face, for the material's gradients
+"polygon", or for gradients "plane" if s and t or shades are not planar.
 """
 
 import math
@@ -17,32 +17,32 @@ from tmap.compiler import space
 from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
-FLAT = 1 / 256  # of a face's size its corners may be off its plane, or dented
-UNEVEN = 1 / 64  # of s or t a corner may be off the plane
-SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to tell
+FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
+UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units
+SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to judge
 
 
 @dataclass
 class Wishes:
-    """What a mesh is drawn with."""
+    """How a mesh is drawn."""
 
     size: float = 1.0
-    normals: str | None = None  # "file", "smooth" or "faces"; None: "file" where it has them
+    normals: str | None = None  # "file", "smooth", "faces"; None: "file", else "smooth"
     mapping: str = "none"  # "uv", "environment", "shade"
     light: bool = False  # corners have shades
-    triangles: bool = False  # all faces are cut into them
-    planes: bool = False  # those faces that are not even
+    triangles: bool = False  # cut all faces into triangles
+    planes: bool = False  # cut faces whose values are not planar
     two_sided: bool = False
 
     @property
     def turns_normals(self) -> bool:
-        """Whether anything comes from normals."""
+        """Returns True if s and t or shades are computed from normals."""
         return self.light or self.mapping == "environment"
 
 
 @dataclass
 class Tables:
-    """Rows as the scene file has them; indices from 0."""
+    """Rows of the scene file's tables; indices from 0."""
 
     points: np.ndarray
     normals: np.ndarray
@@ -51,13 +51,13 @@ class Tables:
 
     @property
     def key(self) -> tuple:
-        """The same for the same mesh."""
+        """Equal for equal meshes."""
         return tuple(a.tobytes() for a in (self.points, self.normals, self.corners, self.faces))
 
 
 @dataclass
 class Face:
-    """A polygon: the number it has in the file, and its corners in order."""
+    """A polygon: its number in the file, and its corners in order."""
 
     number: int
     points: list[int]
@@ -65,28 +65,28 @@ class Face:
     normals: list[tuple[float, float, float]] | None
 
     def part(self, kept: list[int]) -> "Face":
-        """The polygon of some of the corners."""
+        """Returns the polygon of some of the corners."""
         def chosen(of):
             return None if of is None else [of[k] for k in kept]
         return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals))
 
     def triangles(self) -> list["Face"]:
-        """A fan from the first corner."""
+        """Returns a fan of triangles from the first corner."""
         return [self.part([0, k - 1, k]) for k in range(2, len(self.points))]
 
 
 def newell(ring: np.ndarray) -> np.ndarray:
-    """The normal of a polygon, twice its area long."""
+    """Returns a polygon's normal, whose length is twice the area."""
     return np.cross(ring - ring[0], np.roll(ring, -1, axis=0) - ring[0]).sum(axis=0)
 
 
 def size_of(ring: np.ndarray) -> float:
-    """The longest extent of a polygon."""
+    """Returns the longest extent of a polygon along an axis."""
     return float(np.ptp(ring, axis=0).max())
 
 
 def check_face(ring: np.ndarray, where: str) -> np.ndarray:
-    """The unit normal of a convex polygon; refuses others."""
+    """Returns the unit normal of a convex polygon; refuses other polygons."""
     normal, size = newell(ring), size_of(ring)
     if length(normal) <= 2 * size * SMALL:
         fail(where, "has no area")
@@ -99,13 +99,13 @@ def check_face(ring: np.ndarray, where: str) -> np.ndarray:
         if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
             fail(where, "is not convex")
         around += math.atan2(abs(turn), ahead)
-    if around > 3 * math.pi:  # it is 2 pi or 4 pi and more: last bits do not matter
+    if around > 3 * math.pi:  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
         fail(where, "crosses itself")
     return normal
 
 
 def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
-    """The faces, without corners that lie where their neighbour does."""
+    """Returns the faces, without corners at the same place as their neighbour."""
     most = layout.load().constants["MESH_CORNERS_MAX"]
     made = []
     for number, points in enumerate(shape.faces):
@@ -122,18 +122,18 @@ def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
 
 
 def is_bent(ring: np.ndarray, normal: np.ndarray) -> bool:
-    """Whether corners lie off the polygon's plane."""
+    """Returns True if corners are off the polygon's plane."""
     return float(np.ptp(product(ring, normal))) > max(FLAT * size_of(ring), 2 * SMALL)
 
 
 def is_even(ring: np.ndarray, normal: np.ndarray, values: np.ndarray) -> bool:
-    """Whether values of a polygon's corners are those of planes: over the two axes on which the
-    polygon has its largest shadow."""
+    """Returns True if values at a polygon's corners are planar. They are taken over the two axes on
+    which the polygon's projection is largest."""
     return off_plane(np.delete(ring, int(abs(normal).argmax()), 1), values) <= UNEVEN
 
 
 def smooth(faces: list[Face], places: np.ndarray) -> None:
-    """Gives corners the mean of the normals of all faces at their place, by area."""
+    """Gives each corner the mean of the normals of all faces at its place, weighted by area."""
     sums: dict[tuple, np.ndarray] = {}
     keys = [tuple(place) for place in places.tolist()]
     areas = [newell(places[face.points] / ONE) for face in faces]
@@ -147,7 +147,7 @@ def smooth(faces: list[Face], places: np.ndarray) -> None:
 
 
 def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: str) -> None:
-    """Gives every corner the normal that is asked for."""
+    """Gives every corner its normal: the file's, the face's or a smooth one."""
     if kind == "faces":
         for face in faces:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
@@ -160,7 +160,7 @@ def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: 
 
 
 def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
-    """Whether a face must become triangles."""
+    """Returns True if a face must become triangles."""
     if len(face.points) == 3:
         return False
     if wishes.triangles or is_bent(ring, normal):
@@ -173,16 +173,16 @@ def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> 
 
 
 def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
-    """Different rows, and the number of each given one among them."""
+    """Returns the distinct rows, and for each given row its index among them."""
     order = {row: i for i, row in enumerate(dict.fromkeys(rows))}
     return np.array(list(order), np.int64), [order[row] for row in rows]
 
 
 def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
-    """Rows of the scene file."""
+    """Returns the rows of the scene file."""
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
-        [(0.0, 0.0, 1.0)] * len(point_of)  # nobody looks at them
+        [(0.0, 0.0, 1.0)] * len(point_of)  # unused
     unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
     normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
@@ -202,7 +202,8 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
 
 
 def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
-    """The tables of a mesh, which has what the wishes need; ``where`` begins refusals."""
+    """Returns the tables of a mesh. The shape must have the coordinates that the wishes need;
+    ``where`` begins messages."""
     limits = layout.load().constants
     scaled = shape.points * wishes.size
     used = sorted({point for face in shape.faces for point in face})

@@ -1,4 +1,4 @@
-"""Meshes as scenes name them: Wavefront OBJ files, or lists of points and faces."""
+"""Reads meshes as scenes name them: Wavefront OBJ files, or lists of points and faces."""
 
 import re
 from dataclasses import dataclass
@@ -12,14 +12,15 @@ from tmap.build import layout
 from tmap.images import images
 
 NUMBER = rb"[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-#: Lines of points, normals and texture coordinates: the parser takes what is no number for 0.
+#: Lines of points, normals and texture coordinates. They are checked here because the parser reads
+#: a word that is not a number as 0.
 NUMBERS = re.compile(rb"[ \t]*(?:vt(?:%b){2,}|vn?(?:%b){3,})[ \t]*(?:#.*)?\r?" % (NUMBER, NUMBER))
-BYTES_MAX = 16 << 20  # of an OBJ file; more is a mistake or an attack
+BYTES_MAX = 16 << 20  # of an OBJ file; a larger one is a mistake or an attack
 
 
 @dataclass
 class Shape:
-    """A mesh before it has a size: faces run counterclockwise, seen from outside."""
+    """A mesh before scaling. Faces run counterclockwise, seen from outside."""
 
     points: np.ndarray  # (n, 3)
     faces: list[list[int]]  # a face's points
@@ -28,7 +29,7 @@ class Shape:
 
 
 def check_counts(points: int, faces: int, where: str) -> None:
-    """Refuses what is too large for a mesh."""
+    """Refuses more points or faces than a mesh may have."""
     most = layout.load().constants["MESH_COUNT_MAX"]
     for noun, count in (("points", points), ("faces", faces)):
         if count > most:
@@ -36,7 +37,7 @@ def check_counts(points: int, faces: int, where: str) -> None:
 
 
 def parse(data: bytes, where: str):
-    """The parser's result of an OBJ file's bytes: attributes and shapes."""
+    """Parses an OBJ file's bytes; returns attributes and shapes."""
     for number, line in enumerate(data.split(b"\n"), 1):
         if line.split(None, 1)[:1] in ([b"v"], [b"vt"], [b"vn"]) and not NUMBERS.fullmatch(line):
             fail(where, f"line {number}: its numbers cannot be read")
@@ -50,7 +51,7 @@ def parse(data: bytes, where: str):
 
 
 def pick(table, width: int, indices: list[list[int]], noun: str, where: str):
-    """Rows of a table by index, face by face; None where a corner has no index."""
+    """Returns rows of a table by index, face by face; None if a corner has no index."""
     if any(index < 0 for face in indices for index in face):
         return None
     rows = np.array(table, float).reshape(-1, width)
@@ -60,10 +61,10 @@ def pick(table, width: int, indices: list[list[int]], noun: str, where: str):
 
 
 def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) -> Shape:
-    """The mesh of an OBJ file, all its objects and groups together, polygons as they are.
+    """Returns the mesh of an OBJ file: all its objects and groups together, with polygons uncut.
 
-    Materials are not read. ``extent``: s and t at the far ends of the map; v runs upwards
-    in the file, t downwards.
+    Materials are not read. ``extent``: s and t at the far ends of the map; v runs upwards in the
+    file, t downwards.
     """
     path = images.locate(reference, folder, where)
     where = f"{where}: {reference}"
@@ -94,8 +95,8 @@ def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) 
 
 
 def listed(spec: dict, where: str, uvs: str = "uvs") -> Shape:
-    """The mesh of an object with points and faces; ``where`` is the object, ``uvs`` the field with
-    the texture coordinates."""
+    """Returns the mesh of an object with points and faces. ``where``: the object, for messages;
+    ``uvs``: the field with the texture coordinates."""
     points, faces, texels = spec["points"], spec["faces"], spec[uvs]
     for i, face in enumerate(faces):
         for k, point in enumerate(face):

@@ -1,6 +1,6 @@
-"""What a scene's TOML says of texture engines: materials with a table ``n64``.
+"""Schema and checks of texture engines in a scene's TOML: materials with a table ``n64``.
 
-The words are the N64 manual's where it has one; c/n64/n64.h tells what each does.
+Names and values follow the N64 manual where possible; c/n64/n64.h explains them.
 """
 
 import re
@@ -12,22 +12,22 @@ from tmap.n64.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
 from tmap.n64.state import CI, I, IA, REACH, RGBA, TILES, YUV
 from tmap.n64.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
 
-#: A tile's formats by name: format and size of its descriptor.
+#: A tile's formats by name: format and size in its descriptor.
 TEXELS = {"rgba16": (RGBA, 2), "rgba32": (RGBA, 3), "yuv16": (YUV, 2), "ci4": (CI, 0),
           "ci8": (CI, 1), "ia4": (IA, 0), "ia8": (IA, 1), "ia16": (IA, 2), "i4": (I, 0),
           "i8": (I, 1)}
 FRAMES = ("rgba5551", "rgba8888")  # formats of scenes that engines draw into
 WRAPS = {"wrap": (0, 0), "mirror": (0, 1), "clamp": (1, 0), "mirror and clamp": (1, 1)}
-COPY = "copy"  # cycle type of texture rectangles whose texels are not changed
+COPY = "copy"  # cycle type of texture rectangles that copy texels unchanged
 COPIED = ("rgba16", "ia16", "ci4", "ci8")
 COPY_FRAMES = "rgba5551"
-#: What copy mode does not do, with what stands for it.
+#: Fields that copy mode cannot follow, with the only value that they may have.
 NOT_COPIED = {"perspective": False, "filter": "point", "convert": "filter", "lod": False,
               "detail": "clamp"}
 
 
 def same(*inputs: str) -> Cycle:
-    """One cycle, alpha as colour."""
+    """Returns a cycle whose alpha inputs are the same as the colour's."""
     return Cycle(inputs, inputs)
 
 
@@ -53,7 +53,7 @@ PRESETS = {
 
 
 def colour_and_alpha(value, where):
-    """``#rrggbb``, opaque, or ``#rrggbbaa`` to (red, green, blue, alpha)."""
+    """Converts ``#rrggbb``, opaque, or ``#rrggbbaa`` to (red, green, blue, alpha)."""
     text(value, where)
     if re.fullmatch(r"#[0-9a-fA-F]{8}", value):
         return tuple(bytes.fromhex(value[1:]))
@@ -61,7 +61,7 @@ def colour_and_alpha(value, where):
 
 
 def four(names: tuple):
-    """A cycle's inputs A, B, C, D, from the names that each may have."""
+    """Returns the check of a cycle's inputs A, B, C, D, given the names that each may have."""
     def check(value, where):
         found = rows(text, 4, 4)(value, where)
         for i, (name, letter, known) in enumerate(zip(found, "ABCD", names)):
@@ -74,7 +74,7 @@ def four(names: tuple):
 
 
 def combine(value, where) -> list[Cycle]:
-    """A preset, two of them, or lists of inputs: a cycle each."""
+    """Checks a preset, two presets, or lists of inputs; returns one cycle for each."""
     if isinstance(value, dict):
         found = table({"rgb": (rows(four(RGB_NAMES), 1, 2), REQUIRED),
                        "alpha": (rows(four(ALPHA_NAMES), 1, 2), REQUIRED)})(value, where)
@@ -88,13 +88,13 @@ def combine(value, where) -> list[Cycle]:
 
 
 def palette(value, where) -> list[int]:
-    """A palette's number, or one for each frame, over and over: always a list."""
+    """Checks a palette's number, or one for each frame, repeated; always returns a list."""
     one = integer(0, 15)
     return rows(one, 1, 1000)(value, where) if isinstance(value, list) else [one(value, where)]
 
 
 def tile_schema():
-    """The check of a tile. Lengths are texels; None: as the picture asks for."""
+    """Returns the check of a tile. Lengths are texels; None: depends on the picture."""
     edge = number(0, REACH - 0.25)
     axis = table({"wrap": (one_of(*WRAPS), "wrap"), "mask": (integer(0, 10), None),
                   "shift": (integer(0, 15), 0), "low": (edge, 0.0), "high": (edge, None)})
@@ -110,14 +110,14 @@ def tile_schema():
 
 
 def cycle_type(value, where):
-    """Cycles a pixel, or copy mode."""
+    """Checks the number of cycles a pixel, or copy mode."""
     if isinstance(value, str):
         return one_of(COPY)(value, where)
     return integer(1, 2)(value, where)
 
 
 def schema():
-    """The check of a material's ``n64``."""
+    """Returns the check of a material's ``n64``."""
     black, fraction = (0, 0, 0, 255), integer(0, 255)
     return table({
         "cycles": (cycle_type, 1), "combine": (combine, [PRESETS["decal"]]),
@@ -133,12 +133,12 @@ def schema():
 
 
 def copies(engine: dict) -> bool:
-    """Whether an engine is in copy mode."""
+    """Returns True if an engine is in copy mode."""
     return engine["cycles"] == COPY
 
 
 def inputs_of(engine: dict) -> set[str]:
-    """The names of the inputs that count. texel0 and texel1: of the first cycle."""
+    """Returns the names of the inputs in use, with texel0 and texel1 as in the first cycle."""
     cycles, found = engine["combine"], set()
     for number_, cycle in enumerate(cycles):
         for name in (*cycle.rgb, *cycle.alpha):
@@ -153,20 +153,20 @@ def inputs_of(engine: dict) -> set[str]:
 
 @dataclass(frozen=True)
 class Looks:
-    """What an engine needs of vertices."""
+    """Vertex values that an engine needs."""
 
     depth: bool  # w
     shade: bool
 
 
 def looks(material: dict) -> Looks | None:
-    """What a material's engine needs; None: it has none."""
+    """Returns a material's needs; None if it has no engine."""
     engine = material.get("n64")
     return engine and Looks(engine["perspective"], "shade" in inputs_of(engine))
 
 
 def numbers(engine: dict) -> list[int]:
-    """The number of each tile's first level; then that behind the last."""
+    """Returns the number of each tile's first level, then the number after the last level."""
     found = [0]
     for tile in engine["tiles"]:
         found.append(found[-1] + tile["levels"])
@@ -174,12 +174,12 @@ def numbers(engine: dict) -> list[int]:
 
 
 def is_ci(tile: dict) -> bool:
-    """Whether a tile's texels are indices of colours."""
+    """Returns True if a tile's texels are palette indices."""
     return TEXELS[tile["format"]][0] == CI
 
 
 def check_tile(engine: dict, number_: int, where: str) -> None:
-    """Refuses a tile that does not go with the first one, or that has what is for others."""
+    """Refuses a tile that does not go with the first one, or has fields of another format."""
     tile, at = engine["tiles"][number_], f"{where}.tiles[{number_}]"
     if is_ci(tile) and engine["tlut"] == "none":
         fail(f"{where}.tlut", f'"none", but tiles[{number_}] is {tile["format"]}')
@@ -191,8 +191,8 @@ def check_tile(engine: dict, number_: int, where: str) -> None:
 
 
 def check_tiles(engine: dict, where: str) -> None:
-    """Refuses tiles too many, that are missing, or that do not go together; fills in what is left
-    out."""
+    """Refuses more tiles than an engine has, tiles that do not exist, and tiles that do not go
+    together; fills in defaults."""
     firsts = numbers(engine)
     for i, (tile, end) in enumerate(zip(engine["tiles"], firsts[1:])):
         if end > TILES:
@@ -210,8 +210,8 @@ def check_tiles(engine: dict, where: str) -> None:
 
 
 def check_last(engine: dict, count: int, where: str) -> None:
-    """Refuses an engine that would draw a tile behind its last; fills in the highest level."""
-    first = engine["tile"] + (engine["detail"] == "detail" and engine["lod"])  # behind a detail tile
+    """Refuses an engine that would draw a tile after its last; fills in the highest level."""
+    first = engine["tile"] + (engine["detail"] == "detail" and engine["lod"])  # after a detail tile
     if engine["max_level"] is None:
         engine["max_level"] = max(count - 1 - first, 0) if engine["lod"] else 0
     last = first + engine["max_level"] if engine["lod"] else engine["tile"] + ("texel1" in inputs_of(engine))
@@ -220,7 +220,7 @@ def check_last(engine: dict, count: int, where: str) -> None:
 
 
 def check_copy(engine: dict, where: str) -> None:
-    """Refuses what copy mode does not do."""
+    """Refuses settings that copy mode cannot follow."""
     for name, plain in (NOT_COPIED | {"combine": [PRESETS["decal"]]}).items():
         if engine[name] != plain:
             fail(f"{where}.{name}", "is not for copy mode, which leaves texels as they are")
@@ -231,7 +231,7 @@ def check_copy(engine: dict, where: str) -> None:
 
 
 def check(engine: dict, where: str) -> None:
-    """Refuses modes and tiles that do not go together; fills in what is left out."""
+    """Refuses modes and tiles that do not go together; fills in defaults."""
     if copies(engine):
         check_copy(engine, where)
         check_tiles(engine, where)

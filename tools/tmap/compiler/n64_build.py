@@ -1,4 +1,4 @@
-"""The texture engines of a scene: their display lists and DRAM."""
+"""Builds the display lists and the DRAM of a scene's texture engines."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ Words = list[tuple[int, int]]
 
 
 def is_block(tile: Tile) -> bool:
-    """Whether a tile's texels can be loaded as one run."""
+    """Returns True if a tile's texels can be loaded as one block."""
     texture = tile.texture
     row = texture.row_texels << texture.size >> 4  # 64-bit words
     return (len(texture.data) >> max(texture.size, 2) - 1 <= BLOCK_TEXELS
@@ -43,18 +43,18 @@ def load(words: List, tile: Tile, palette: int) -> None:
 
 
 def describe(words: List, tile: Tile, palette: int) -> None:
-    """Sets a tile's descriptor alone."""
+    """Sets a tile's descriptor without loading texels."""
     texture = tile.texture
     words.set_tile(tile.number, texture.form, texture.size, tile.line, tile.tmem, palette,
                    tile.s.wrap, tile.t.wrap)
 
 
 def edges(tile: Tile, frame: int) -> tuple[int, int, int, int]:
-    """sl, tl, sh and th of a tile in a frame, 10.2."""
+    """Returns sl, tl, sh and th of a tile in a frame, 10.2."""
     found = []
     for axis, step in zip((tile.s, tile.t), tile.spec["slide"]):
         low, high = axis.low, axis.high
-        if step and not axis.clamps:  # what has become one texel needs no moving
+        if step and not axis.clamps:  # an axis whose mask became 0 is one texel
             low = moved(axis, step * frame, tile.level)
             high = min(low + axis.high - axis.low, EDGE_MAX)
         found.append((low, high))
@@ -63,13 +63,13 @@ def edges(tile: Tile, frame: int) -> tuple[int, int, int, int]:
 
 
 def moved(axis: Axis, way: float, level: int) -> int:
-    """The edge of an axis that moves by texels of level 0, within its period; 10.2."""
+    """Returns the edge of an axis that moves by texels of level 0, wrapped to its period; 10.2."""
     period = 4 << axis.wrap.mask + axis.wrap.mirror
     return (axis.low + (round(4 * way) >> level)) % period
 
 
 def set_modes(words: List, engine: dict) -> None:
-    """All modes, colours and constants."""
+    """Sets all modes, colours and constants."""
     words.cycle_type({1: "one", 2: "two"}.get(engine["cycles"], engine["cycles"]))
     words.texture_perspective(engine["perspective"])
     words.texture_detail(engine["detail"])
@@ -85,13 +85,14 @@ def set_modes(words: List, engine: dict) -> None:
 
 
 def load_palettes(words: List, palettes: Palettes, dram: BytePool) -> None:
-    """Loads an engine's palettes to their places."""
+    """Loads an engine's palettes into TMEM."""
     for first, entries in sorted(palettes.entries.items()):
         words.load_tlut(len(entries), 256 + first, dram.put(entries.astype(">u2").tobytes()))
 
 
 def lists_of(engine: dict, folder: Path, where: str, frames: int, dram: BytePool) -> list[Words]:
-    """An engine's display lists: at the start, then, where anything moves, for each frame."""
+    """Returns an engine's display lists: one for the start and, if anything moves, one for each
+    frame."""
     tiles, palettes = make(engine, folder, where)
     place(tiles, dram, engine["tlut"] != "none")
     start = List()
@@ -117,7 +118,7 @@ def lists_of(engine: dict, folder: Path, where: str, frames: int, dram: BytePool
 
 
 def check(lists: list[Words], dram: BytePool, where: str) -> None:
-    """Refuses what the engine itself would."""
+    """Refuses lists that the engine's model refuses."""
     state = State(np.frombuffer(bytes(dram.data), np.uint8))
     try:
         for words in lists:
@@ -127,8 +128,8 @@ def check(lists: list[Words], dram: BytePool, where: str) -> None:
 
 
 def build(spec: dict, folder: Path, frames: int, where: str) -> tuple[dict[str, int], dict]:
-    """The number of each material's engine, and what a Scene has of all of them. Fills in the
-    sizes that tiles leave to their pictures."""
+    """Returns the number of each material's engine, and the tables of all engines for a Scene. Sets
+    sizes that tiles take from their pictures."""
     numbers_, known, dram = {}, {}, BytePool()
     units, lists, words = [], [], []
     for name, material in spec["materials"].items():
@@ -151,7 +152,7 @@ def build(spec: dict, folder: Path, frames: int, where: str) -> tuple[dict[str, 
 
 
 def size_of(material: dict) -> tuple[int, int]:
-    """Texels of the first tile that an engine draws, once it is built."""
+    """Returns the size in texels of the first tile that an engine draws, after ``build``."""
     engine = material["n64"]
     tile = next(tile for tile, end in zip(engine["tiles"], numbers(engine)[1:]) if engine["tile"] < end)
     return tile["width"], tile["height"]

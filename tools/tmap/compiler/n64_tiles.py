@@ -29,13 +29,13 @@ class Axis:
 
     @property
     def clamps(self) -> bool:
-        """Whether there are edges that count."""
+        """Returns True if coordinates are clamped at the edges."""
         return bool(self.wrap.clamp or not self.wrap.mask)
 
 
 @dataclass
 class Tile:
-    """A tile descriptor in the making: one level of what a scene calls a tile."""
+    """A tile descriptor under construction: one level of a tile in the scene."""
 
     where: str
     spec: dict
@@ -46,37 +46,39 @@ class Tile:
     t: Axis
     address: int = 0
     tmem: int = 0
-    is_loaded: bool = False  # the texels lie there already, for another tile
+    is_loaded: bool = False  # the texels are already loaded for another tile
 
     @property
     def line(self) -> int:
-        """TMEM words of a row."""
+        """Returns the TMEM words of a row."""
         return line_of(self.texture.form, self.texture.size, self.texture.row_texels)
 
     @property
     def words(self) -> int:
-        """TMEM words, of texels that are split those in either half."""
+        """Returns the TMEM words of all rows; for split texels, the words in each half."""
         return self.line * self.texture.height
 
     @property
     def is_split(self) -> bool:
-        """Whether texels lie in both halves of TMEM."""
+        """Returns True if the texels use both halves of TMEM."""
         return self.texture.form == YUV or (self.texture.form, self.texture.size) == (RGBA, 3)
 
     def slots(self, at: int) -> list[slice]:
-        """The TMEM words that it takes from a word on."""
+        """Returns the TMEM words that the tile takes if it starts at a word."""
         starts = (at, at + HALF) if self.is_split else (at,)
         return [slice(start, start + self.words) for start in starts]
 
 
 def shifted(shift: int, level: int) -> int:
-    """A tile's shift for a coarser level: 0-10 to the right, 11-15 to the left by 16 - shift."""
+    """Returns a tile's shift for a coarser level: 0-10 to the right, 11-15 to the left by 16 -
+    shift."""
     right = (shift if shift <= 10 else shift - 16) + level
     return right if right >= 0 else right + 16
 
 
 def axis_of(spec: dict, side: int, level: int, where: str) -> Axis:
-    """An axis of a tile whose picture has ``side`` texels at level 0; refuses what shows more."""
+    """Returns an axis of a tile whose picture has ``side`` texels at level 0. Refuses an axis that
+    shows more texels."""
     clamp, mirror = WRAPS[spec["wrap"]]
     mask, low = spec["mask"], round(4 * spec["low"])
     if mask is None:
@@ -102,7 +104,7 @@ def axis_of(spec: dict, side: int, level: int, where: str) -> Axis:
 
 
 def picture_of(tile: dict, folder: Path, where: str) -> np.ndarray:
-    """A tile's picture, R, G, B, A, in its size; fills in what the tile leaves out of that."""
+    """Returns a tile's picture, R, G, B, A, in the tile's size; sets sizes left to the picture."""
     at = f"{where}.image"
     if tile["width"] is None or tile["height"] is None:
         wide, high = images.picture(tile["image"], folder, at).size
@@ -122,7 +124,7 @@ def picture_of(tile: dict, folder: Path, where: str) -> np.ndarray:
 
 
 def nearest(picture: np.ndarray, entries: np.ndarray, is_ia: bool) -> np.ndarray:
-    """The entry nearest to each pixel, [height, width]; ``entries``: 16 bits."""
+    """Returns the entry nearest to each pixel, [height, width]; ``entries``: 16 bits."""
     colours = (texels.ia16 if is_ia else texels.rgba16)(entries)
     away = picture[..., None, :].astype(np.int64) - colours
     return (away * away).sum(-1).argmin(-1)
@@ -130,13 +132,13 @@ def nearest(picture: np.ndarray, entries: np.ndarray, is_ia: bool) -> np.ndarray
 
 @dataclass
 class Palettes:
-    """The palettes of an engine: number of the first entry (a multiple of 16), entries."""
+    """The palettes of an engine: entries by the number of the first one, a multiple of 16."""
 
     is_ia: bool
     entries: dict[int, np.ndarray] = field(default_factory=dict)
 
     def read(self, reference: str, folder: Path, where: str) -> None:
-        """All of them from a picture: a row each."""
+        """Reads all palettes from a picture, one from each row."""
         picture = np.array(images.picture(reference, folder, where, "RGBA"))
         height, width = picture.shape[:2]
         if width != ENTRIES or height > ENTRIES:
@@ -146,8 +148,8 @@ class Palettes:
         self.entries = {ENTRIES * row: values[row] for row in range(height)}
 
     def indices(self, pictures: list[np.ndarray], first: int, count: int) -> list[np.ndarray]:
-        """Pictures as indices into the entries from ``first`` on, which they choose if there
-        are none."""
+        """Returns pictures as indices into the entries from ``first`` on. If there are none, the
+        entries are made from the pictures."""
         found = [self.entries[at] for at in sorted(self.entries)
                  if first <= at < first + count]
         if found:
@@ -159,21 +161,21 @@ class Palettes:
 
 
 def indexed_level(indices: np.ndarray, size: int, shape: tuple[int, int]) -> texels.Texture:
-    """A CI texture of padded indices; ``shape``: height and width without padding."""
+    """Returns a CI texture of padded indices; ``shape``: height and width without padding."""
     data = (indices if size else texels.nibbles(indices)).astype(np.uint8)
     return texels.Texture(CI, size, shape[1], shape[0], indices.shape[1], data.tobytes())
 
 
 def indexed(engine: dict, pictures: list[list[np.ndarray]], folder: Path,
             where: str) -> tuple[list[list[texels.Texture]], Palettes]:
-    """The levels of CI tiles, and their palettes: those of "ci4" tiles with the same colours share
-    one of 16 entries, all "ci8" tiles one of 256."""
+    """Returns the levels of CI tiles, and their palettes. "ci4" tiles with the same ``colours``
+    share a palette of 16 entries; all "ci8" tiles share one of 256."""
     palettes = Palettes(engine["tlut"] == "ia16")
     if engine["palettes"]:
         palettes.read(engine["palettes"], folder, f"{where}.palettes")
     elif len({tile["format"] for tile in engine["tiles"]}) > 1:
         fail(f"{where}.palettes", 'is missing: "ci4" and "ci8" tiles share one TLUT')
-    groups: dict[int | None, list[int]] = {}  # palette, None: of 256 entries
+    groups: dict[int | None, list[int]] = {}  # by palette; None: the one of 256 entries
     for i, tile in enumerate(engine["tiles"]):
         groups.setdefault(tile["colours"] if tile["format"] == "ci4" else None, []).append(i)
     made: dict[int, list[texels.Texture]] = {}
@@ -194,7 +196,7 @@ def indexed(engine: dict, pictures: list[list[np.ndarray]], folder: Path,
 
 
 def check_slide(steps: list[float], axes: list[Axis], level: int, where: str) -> None:
-    """Refuses axes that move and do not repeat within what an edge can say."""
+    """Refuses moving axes that clamp, or whose period exceeds the range of an edge."""
     for name, axis, step in zip("st", axes, steps):
         if step and axis.clamps and not level:
             fail(where, f"{name} clamps; only what wraps or mirrors can slide")
@@ -203,7 +205,7 @@ def check_slide(steps: list[float], axes: list[Axis], level: int, where: str) ->
 
 
 def make(engine: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
-    """An engine's tiles, without their places, and its palettes."""
+    """Returns an engine's tiles, before they are placed, and its palettes."""
     spots = [f"{where}.tiles[{i}]" for i in range(len(engine["tiles"]))]
     pictures = [texels.chain(picture_of(tile, folder, at), tile["levels"])
                 for tile, at in zip(engine["tiles"], spots)]
@@ -224,8 +226,8 @@ def make(engine: dict, folder: Path, where: str) -> tuple[list[Tile], Palettes]:
 
 
 def free_place(tile: Tile, taken: np.ndarray, room: int, asked: int | None) -> int:
-    """The first TMEM word from which a tile fits below ``room``, or the one that is asked for;
-    refuses what does not fit. ``taken``: bool [TMEM_WORDS]."""
+    """Returns the first TMEM word from which a tile fits below ``room``, or the word the tile
+    names; refuses a tile that does not fit. ``taken``: bool [TMEM_WORDS]."""
     starts = range(TMEM_WORDS) if asked is None else [asked]
     for at in starts:
         if at + tile.words <= room and not any(taken[slot].any() for slot in tile.slots(at)):
@@ -239,8 +241,8 @@ def free_place(tile: Tile, taken: np.ndarray, room: int, asked: int | None) -> i
 
 
 def place(tiles: list[Tile], dram: BytePool, has_tlut: bool) -> None:
-    """Gives tiles their places: in TMEM those that are asked for first, then what is split, then
-    what is left; the same texels lie there once."""
+    """Places tiles in DRAM and TMEM: first the tiles with a given TMEM word, then split ones, then
+    all others. Equal texels are stored once."""
     taken = np.zeros(TMEM_WORDS, bool)
     taken[HALF:] = has_tlut
     known: dict[tuple, int] = {}
@@ -258,6 +260,6 @@ def place(tiles: list[Tile], dram: BytePool, has_tlut: bool) -> None:
         for slot in tile.slots(tile.tmem):
             taken[slot] = True
     loaded = set()
-    for tile in tiles:  # the first in order loads what several show
+    for tile in tiles:  # the first tile loads texels that several tiles show
         tile.is_loaded = (tile.address, tile.tmem) in loaded
         loaded.add((tile.address, tile.tmem))

@@ -1,7 +1,7 @@
-"""Objects in space: what a scene's TOML says of meshes, camera and light, compiled.
+"""Objects in space: compiles meshes, camera and light of a scene's TOML.
 
-Lengths are the scene's own units. Keys count frames from an object's appearance, a camera's
-from the scene's first; between keys positions go straight, rotations the shortest way.
+Lengths are the scene's units. An object's keys count frames from its appearance, a camera's from
+the scene's first frame. Between keys positions move straight, rotations by the shortest way.
 """
 
 from pathlib import Path
@@ -19,14 +19,14 @@ from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from tmap.scene_file.textures import UNITS
 
-#: What mappers take; all others "uv" or "environment".
+#: Mappings that a mapper takes; all other mappers take "uv" or "environment".
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
-FACTOR_BITS = 7  # fraction bits of what normals are multiplied by
-RADIUS = 127.0  # of an environment in its map, s or t
+FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
+RADIUS = 127.0  # of an environment in its map, in s or t
 
 
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
-    """The fields of an object with a mesh, by the one that tells it."""
+    """Returns the fields of objects in space, by the field that identifies their kind."""
     most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
     reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
     place = rows(number(-space.AWAY, space.AWAY), 3, 3)
@@ -48,7 +48,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
 
 
 def schema(limits: dict[str, int]) -> dict:
-    """The fields of a scene for camera and light."""
+    """Returns the fields of a scene for camera, projectors and light."""
     camera = table(space.camera_fields(limits, [0.0, 0.0, 0.0])
                    | {"near": (number(limits["W_MIN"] / ONE, 1000), 0.125)})
     light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED),
@@ -58,23 +58,23 @@ def schema(limits: dict[str, int]) -> dict:
 
 
 def has_light(material: dict) -> bool:
-    """Whether a material takes shades."""
+    """Returns True if a material takes shades."""
     return materials.mapper_of(material) == "gouraud" or materials.has_shades(material)
 
 
 def is_mesh(obj: dict) -> bool:
-    """Whether an object is one in space."""
+    """Returns True if an object is one in space."""
     return "mesh" in obj or "points" in obj
 
 
 def lives_of(obj: dict, count: int) -> int:
-    """Frames of the first ``count`` in which an object is there; below 1: none."""
+    """Returns the number of frames of the first ``count`` that show an object; below 1: none."""
     last = count - 1 if obj["last"] is None else min(obj["last"], count - 1)
     return last - obj["first"] + 1
 
 
 def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
-    """Gives keys what they leave out; refuses those that are not in order."""
+    """Fills in fields that keys leave out; refuses keys that are not in order."""
     for key in spec["keys"] or []:
         for name in names:
             key[name] = spec[name] if key[name] is None else key[name]
@@ -82,20 +82,20 @@ def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
 
 
 def check_length(vector: list[float], where: str) -> None:
-    """Refuses a direction that is none; how long it is does not matter."""
+    """Refuses a direction without length; any other length will do."""
     if not any(vector):
         fail(where, "must have a length")
 
 
 def check_view(spec: dict, where: str) -> None:
-    """Refuses a camera or projector whose keys or upward direction make no sense; fills in what
+    """Refuses a camera or projector with invalid keys or upward direction; fills in fields that
     keys leave out."""
     fill_keys(spec, ("eye", "target"), where)
     check_length(spec["up"], f"{where}.up")
 
 
 def check_camera(camera: dict, width: int, where: str) -> None:
-    """Refuses a camera that sees too little for frames of so many pixels a line."""
+    """Refuses a camera whose field of view is too narrow for a frame of this width."""
     check_view(camera, where)
     focal = space.focal_length(width, camera["fov"])
     most = 1 << layout.load().constants["GUARD_MAX"]
@@ -105,8 +105,8 @@ def check_camera(camera: dict, width: int, where: str) -> None:
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
-    """Refuses an object in space that its material does not draw; fills in its mapping and what its
-    keys leave out."""
+    """Refuses an object in space that its material does not draw; fills in its mapping and the
+    fields that its keys leave out."""
     check_length(obj["axis"], f"{where}.axis")
     fill_keys(obj, ("position", "rotation"), where)
     scene_projectors.check_object(obj, material, projectors, where)
@@ -121,7 +121,8 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
 
 
 def check(spec: dict, where: str) -> None:
-    """Refuses camera, light and objects that make no sense; fills what keys leave out."""
+    """Refuses invalid camera, projectors, light and objects; fills in fields that keys leave
+    out."""
     if spec["camera"]:
         check_camera(spec["camera"], spec["width"], f"{where}camera")
     for name, projector in spec["projectors"].items():
@@ -137,19 +138,19 @@ def check(spec: dict, where: str) -> None:
 
 
 def rounded(values, bits: int) -> list[int]:
-    """The nearest numbers of so many fraction bits."""
+    """Rounds to the nearest numbers with this many fraction bits."""
     return np.rint(np.asarray(values) * 2.0 ** bits).astype(np.int64).ravel().tolist()
 
 
 class Space:
-    """The meshes, instances and views of a scene in the making."""
+    """Collects the meshes, instances and views of a scene."""
 
     def __init__(self, spec: dict, count: int, folder: Path, where: str) -> None:
         self.spec, self.count, self.folder, self.where = spec, count, folder, where
         self.rows = {name: [] for name in ("points", "normals", "corners", "faces")}
         self.meshes: list[Mesh] = []
-        self.asked: dict[str, int] = {}  # wishes: number of the mesh
-        self.known: dict[tuple, int] = {}  # content: the same
+        self.asked: dict[str, int] = {}  # number of the mesh by wishes
+        self.known: dict[tuple, int] = {}  # number of the mesh by content
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
@@ -159,7 +160,7 @@ class Space:
             self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
 
     def wishes_of(self, obj: dict, material: dict) -> Wishes:
-        """What an object's mesh is drawn with."""
+        """Returns how an object's mesh is drawn."""
         mapper = materials.mapper_of(material)
         return Wishes(
             obj["size"], obj["normals"], obj["mapping"], has_light(material),
@@ -168,12 +169,12 @@ class Space:
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables:
-        """The tables of an object with a unit of Glide's, with the coordinates of one field."""
+        """Returns the tables of an object with a Glide unit, with the coordinates of one field."""
         return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
                           where, uvs)
 
     def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
-        """The number of an object's mesh; the same one for the same wishes."""
+        """Returns the number of an object's mesh. Equal meshes have the same number."""
         mapper, shown = materials.mapper_of(material), map_of(material, texture)
         wishes = self.wishes_of(obj, material)
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
@@ -189,8 +190,8 @@ class Space:
 
     def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
               uvs: str = "uvs") -> mesh_build.Tables:
-        """The tables of an object's mesh, refused where the material cannot draw it. ``uvs``: the
-        field with s and t."""
+        """Builds the tables of an object's mesh; refuses one that the material cannot draw.
+        ``uvs``: the field with s and t."""
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
         shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
             mesh_file.listed(obj, where, uvs)
@@ -218,9 +219,9 @@ class Space:
         return len(self.meshes) - 1
 
     def seen(self, obj: dict, age: int, frame: int, shades: float) -> tuple[np.ndarray, ...]:
-        """An object's view before it is rounded: factors, a row each for x, y and w; the move;
-        the eye in the mesh; factors of normals, for s, t and shade. ``shades``: how many lie
-        between dark and bright."""
+        """Returns an object's view before rounding: factors, a row each for x, y and w; the move;
+        the eye in the mesh's space; factors of normals for s, t and shade. ``shades``: the
+        difference of bright and dark."""
         spec, guard = self.spec, 2.0 ** self.guard
         axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])
@@ -231,7 +232,7 @@ class Space:
                 product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 
     def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
-        """An object's row of the views."""
+        """Returns an object's row of the views."""
         factors, move, eye, looks = self.seen(obj, age, frame, shades)
         move, seen_from = rounded(move, 16), rounded(eye, 16)
         away = self.limits["MESH_AWAY"]
@@ -241,7 +242,8 @@ class Space:
         return [*matrix, *move, *seen_from, *rounded(looks, FACTOR_BITS), 0]
 
     def check_together(self, mesh: Mesh, before: int, where: str) -> None:
-        """Refuses a mesh too many among those that are drawn together."""
+        """Refuses a mesh if the meshes drawn together would have too many points, normals or
+        faces."""
         for noun in ("points", "normals", "faces"):
             total = getattr(mesh, noun) + sum(getattr(self.meshes[i.mesh], noun)
                                               for i in self.instances if i.before == before)
@@ -271,7 +273,7 @@ class Space:
             fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} frames of meshes in the scene")
 
     def tables(self) -> dict:
-        """What a Scene has of all this."""
+        """Returns the tables as fields of a Scene."""
         made = {name: np.array(stored, np.int64) if stored else empty(name)
                 for name, stored in (self.rows | {"views": self.views}).items()}
         if self.instances:

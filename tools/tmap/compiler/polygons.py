@@ -1,6 +1,6 @@
-"""Polygons and rectangles of a scene: from what its TOML says of one to vertices and poses.
+"""Compiles polygons and rectangles of a scene's TOML to vertices and poses.
 
-Corners are x, y, s, t, shade and w, floating point, before they are rounded to what the file has.
+Corners are x, y, s, t, shade and w in floating point, before they are rounded for the file.
 """
 
 import math
@@ -17,11 +17,11 @@ from tmap.compiler.map_range import MAP_CENTRE, check_corners, inside_map, map_o
 from tmap.scene_file.textures import UNITS
 from tmap.setup.shading import LIT
 
-CONCAVE = 1 / 64  # pixels a corner may be dented, for coordinates rounded in the file
+CONCAVE = 1 / 64  # pixels: tolerance for dents, for coordinates rounded in the file
 
 
 def regular(spec: dict, extent: tuple[float, float]) -> list[list[float]]:
-    """The vertices of a regular polygon, clockwise from the top: x, y, s, t, shade, w.
+    """Returns the vertices of a regular polygon, clockwise from the top: x, y, s, t, shade, w.
 
     ``extent``: s and t at the far ends of the map, 256 for the longer side.
     """
@@ -55,12 +55,12 @@ def check_convex(corners: list[list[float]], where: str) -> None:
         if dent < -CONCAVE:
             fail(where, "the polygon is not convex")
         around += math.atan2(abs(turn.imag), turn.real)
-    if around > 1.5 * math.tau:  # it is tau or twice that and more: last bits do not matter
+    if around > 1.5 * math.tau:  # it is tau, or twice that and more: last bits do not matter
         fail(where, "the polygon crosses itself")
 
 
 def columns_of(material: dict) -> list[str]:
-    """What a vertex of a material has after x and y."""
+    """Returns the names of a material's vertex values after x and y."""
     mapper, looks = materials.mapper_of(material), n64.looks(material)
     if mapper == "gouraud":
         return ["shade"]
@@ -74,7 +74,7 @@ def columns_of(material: dict) -> list[str]:
 
 
 def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
-    """A vertex list as x, y, s, t, shade, w."""
+    """Returns a vertex list as x, y, s, t, shade, w."""
     columns = columns_of(material)
     is_flat = materials.mapper_of(material) == "flat"
     form = f"[x, y, {', '.join(columns)}]" + is_flat * " or, as it is flat, [x, y]"
@@ -95,7 +95,7 @@ def listed(spec: dict, material: dict, where: str) -> list[list[float]]:
 
 
 def check_shades(spec: dict, material: dict, where: str) -> None:
-    """Refuses shades that the material does not take, or too many."""
+    """Refuses shades that the material does not take, and too many shades."""
     if spec.get("shades") is None:
         return
     if materials.mapper_of(material) != "gouraud" and not materials.has_shades(material):
@@ -113,8 +113,8 @@ def check_count(material: dict, name: str, count: int, at: str) -> None:
 
 
 def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> list[list[float]]:
-    """An object's vertices before its pose: x, y, s, t, shade, w. Refuses what the
-    material cannot draw: ``where`` is the object."""
+    """Returns an object's vertices before its pose: x, y, s, t, shade, w. Refuses vertices that the
+    material cannot draw. ``where``: the object, for messages."""
     mapper = materials.mapper_of(material)
     check_shades(spec, material, where)
     if "vertices" in spec:
@@ -133,7 +133,7 @@ def corners_of(spec: dict, material: dict, texture: dict | None, where: str) -> 
 
 
 def pose_at(spec: dict, age: int, loop: int) -> list[float]:
-    """xx, xy, yx, yy, x0, y0 of an object ``age`` frames after it appeared."""
+    """Returns xx, xy, yx, yy, x0, y0 of an object ``age`` frames after it appeared."""
     life = age / loop
     low, high = spec["scale"]
     scale = low + (high - low) * (1 - cos(math.tau * life)) / 2
@@ -147,7 +147,7 @@ def pose_at(spec: dict, age: int, loop: int) -> list[float]:
 
 
 def check_reach(corners: np.ndarray, poses: np.ndarray, first: int, far: int, where: str) -> None:
-    """Refuses an object that leaves the range polygons may have; 16.16 arguments."""
+    """Refuses an object that leaves the range of polygons; 16.16 arguments."""
     x, y = corners[:, 0], corners[:, 1]
     xx, xy, yx, yy, x0, y0 = (column[:, None] for column in poses.T)  # frames down, corners across
     reach = np.maximum(abs((xx * x >> 16) + (xy * y >> 16) + x0),
@@ -160,8 +160,8 @@ def check_reach(corners: np.ndarray, poses: np.ndarray, first: int, far: int, wh
 
 def in_file(corners: list[list[float]], material: dict, texture: dict | None,
             ramp: tuple[int, int] | None, colours: list[tuple] | None) -> np.ndarray:
-    """Corners as the file has them, 16.16: shades are pixels, or colours; rounding does not leave
-    a map that is not repeated."""
+    """Returns corners as the file stores them, 16.16. Shades become pixels or colours. Rounding
+    does not leave a map that does not repeat."""
     made = fix_all([[x, y, s, t, materials.shade_pixel(shade, ramp) if ramp else 0.0, w]
                     for x, y, s, t, shade, w in corners])
     if materials.mapper_of(material) == "arbitrary":
@@ -173,7 +173,7 @@ def in_file(corners: list[list[float]], material: dict, texture: dict | None,
 
 def object_corners(obj: dict, material: dict, texture: dict | None, ramp: tuple[int, int] | None,
                    where: str) -> np.ndarray:
-    """An object's vertices as the file has them, int64 [n, 6]."""
+    """Returns an object's vertices as the file stores them, int64 [n, 6]."""
     if primitives.is_rectangle(obj):
         return primitives.corners_of(obj, material, where)
     made = in_file(corners_of(obj, material, texture, where), material, texture, ramp,
@@ -183,8 +183,8 @@ def object_corners(obj: dict, material: dict, texture: dict | None, ramp: tuple[
 
 def each_frame(obj: dict, corners: np.ndarray, poses: np.ndarray, material: dict,
                where: str) -> list[tuple[np.ndarray, np.ndarray, int]]:
-    """A polygon or rectangle as objects: vertices and poses in 16.16, first frame. More than one
-    where vertices are others in each frame."""
+    """Returns a polygon or rectangle as objects: vertices and poses in 16.16, first frame. There is
+    one object for each frame if s and t move, else only one."""
     if not glide.slides(obj):
         return [(corners, poses, obj["first"])]
     return [(glide.slid(corners, obj, material, age, where), poses[age:age + 1],

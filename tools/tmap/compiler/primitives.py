@@ -1,4 +1,4 @@
-"""What texture engines draw besides shaded polygons: colours at corners, texture rectangles."""
+"""Further primitives of texture engines: polygons with colours at corners, texture rectangles."""
 
 import copy
 
@@ -11,19 +11,19 @@ from tmap.compiler.n64 import colour_and_alpha
 from tmap.n64.state import REACH
 from tmap.scene_file import units
 
-TEXEL = 32  # parts of a texel where a rectangle begins, s10.5
-STEP = 1024  # of its steps, s5.10
+TEXEL = 32  # s10.5: parts of a texel in a rectangle's start
+STEP = 1024  # s5.10: parts of a texel in its steps
 STEP_MAX = 32  # texels
-KEPT = {"angle": 0.0, "turns": 0.0, "scale": [1.0, 1.0]}  # what no rectangle does
+KEPT = {"angle": 0.0, "turns": 0.0, "scale": [1.0, 1.0]}  # fields that a rectangle cannot change
 
 
 def colours_field(corners: int) -> dict:
-    """The field of a polygon for its corners' colours."""
+    """Returns the field of a polygon for its corners' colours."""
     return {"colours": (rows(colour_and_alpha, 1, corners), None)}
 
 
 def rectangle_fields(far: int) -> dict:
-    """The fields of a texture rectangle."""
+    """Returns the fields of a texture rectangle."""
     steps = number(-STEP_MAX, STEP_MAX - 1 / STEP)
     return {"rectangle": (rows(integer(-far, far), 4, 4), REQUIRED),
             "texel": (rows(number(-REACH, REACH - 1 / TEXEL), 2, 2), [0.0, 0.0]),
@@ -31,14 +31,14 @@ def rectangle_fields(far: int) -> dict:
 
 
 def kind_of(obj: dict) -> str:
-    """What an object is: of units.PRIMITIVES."""
+    """Returns an object's kind, one of units.PRIMITIVES."""
     if "rectangle" in obj:
         return "flipped" if obj["flip"] else "rectangles"
     return "coloured" if obj.get("colours") else "polygons"
 
 
 def whole(values: list[float], parts: int, where: str) -> list[int]:
-    """Texels in parts of one; refuses what lies between."""
+    """Converts texels to whole parts of a texel; refuses values in between."""
     for i, value in enumerate(values):
         if value * parts % 1:
             fail(f"{where}[{i}]", f"must be a multiple of 1/{parts} texel")
@@ -46,7 +46,7 @@ def whole(values: list[float], parts: int, where: str) -> list[int]:
 
 
 def check_rectangle(obj: dict, material: dict, where: str) -> None:
-    """Refuses a rectangle that is empty, turned, or of a material for polygons alone."""
+    """Refuses a rectangle that is empty, turned, or of a material for polygons only."""
     left, top, right, bottom = obj["rectangle"]
     name = obj["material"]
     if left >= right or top >= bottom:
@@ -72,18 +72,18 @@ def check_rectangle(obj: dict, material: dict, where: str) -> None:
 
 
 def corners_of(obj: dict, material: dict, where: str) -> np.ndarray:
-    """A rectangle's two vertices as the scene file has them, int64 [2, 6]."""
+    """Returns a rectangle's two vertices as the file stores them, int64 [2, 6]."""
     left, top, right, bottom = obj["rectangle"]
     s, t = whole(obj["texel"], TEXEL, f"{where}.texel")
     dsdx, dtdy = whole(obj["step"], STEP, f"{where}.step")
     if n64.copies(material["n64"]):
-        dsdx *= 4  # its step is that of four pixels
+        dsdx *= 4  # a step is over four pixels in copy mode
     return np.array([[left * ONE, top * ONE, s, t, 0, ONE],
                      [right * ONE, bottom * ONE, dsdx, dtdy, 0, ONE]], np.int64)
 
 
 def check(obj: dict, material: dict, where: str) -> None:
-    """Refuses an object that its material does not draw: ``where`` is the object."""
+    """Refuses an object that its material does not draw. ``where``: the object, for messages."""
     kind, name, looks = kind_of(obj), obj["material"], n64.looks(material)
     field = {"polygons": "material", "coloured": "colours"}.get(kind, "rectangle")
     if kind != "polygons" and not looks:
@@ -103,8 +103,8 @@ def check(obj: dict, material: dict, where: str) -> None:
 
 
 def place(spec: dict) -> None:
-    """Gives each material what its objects are; one whose objects differ becomes several, whose
-    texture engine is the same."""
+    """Sets each material's primitive to the kind of its objects. A material with objects of several
+    kinds becomes several materials with the same texture engine."""
     made: dict[str, dict[str, str]] = {name: {} for name in spec["materials"]}
     for obj in spec["objects"]:
         name, kind = obj["material"], kind_of(obj)
@@ -120,22 +120,22 @@ def place(spec: dict) -> None:
 
 
 def shades_of(colours: list[tuple]) -> np.ndarray:
-    """Colours as vertices' shades, int64 [n]."""
+    """Packs colours into vertices' shades, int64 [n]."""
     packed = [int.from_bytes(bytes(colour), "big", signed=True) for colour in colours]
     return np.array(packed, np.int64)
 
 
 def whole_pixels(poses: np.ndarray) -> np.ndarray:
-    """Poses, 16.16, moved to the nearest whole pixels."""
+    """Moves poses, 16.16, to the nearest whole pixels, in place."""
     poses[:, 4:] = poses[:, 4:] + ONE // 2 & -ONE
     return poses
 
 
 def is_rectangle(obj: dict) -> bool:
-    """Whether an object is a texture rectangle."""
+    """Returns True if an object is a texture rectangle."""
     return kind_of(obj) in units.RECTANGLES
 
 
 def is_coloured(material: dict) -> bool:
-    """Whether a checked material's vertices have colours."""
+    """Returns True if a checked material's vertices have colours."""
     return material.get("primitive") == "coloured" and materials.mapper_of(material) == "n64"

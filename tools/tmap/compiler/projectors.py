@@ -1,13 +1,14 @@
-"""Faces in space whose second unit has s and t of its own: listed with the faces, or thrown on them
-by a projector, a camera the other way round.
+"""Faces in space whose second unit has separate s and t: listed with the faces, or cast on them by
+a projector, which works like a reversed camera.
 
-A mesh has one s and t a corner, so these are polygons of the scene, some for each frame: their
-corners are found here, as the 68020 finds those of meshes (tmap.model.mesh), so that edges meet. A
-projector's picture is at Q, the depth before it, where the camera sees depth w; what is linear on
-the screen is 1 / w, s / w and t / w, and S Q / w, T Q / w and Q / w of the second unit. So its s
-and t are those in the picture and its w is w / Q: below 0 behind the projector. Next to the plane
-that it stands on they grow without end; a face with a corner there is cut, and what is CONE or more
-from the picture counts as behind.
+A mesh has one s and t a corner, so such faces are compiled to polygons of the scene for each frame.
+Their corners are computed as the 68020 computes those of meshes (tmap.model.mesh), so that edges
+meet. Let the camera see a point at depth w, and the projector see it at depth Q and at S, T in its
+picture. Linear on the screen are 1 / w, s / w and t / w of the first unit, and S Q / w, T Q / w and
+Q / w of the second. So the second unit's s and t are S and T, and its w is w / Q, which is below 0
+behind the projector. s and t grow without limit next to the projector's plane Q = 0. A face with a
+corner there is cut, and the part CONE or more from the picture is treated as if behind the
+projector.
 """
 
 import math
@@ -25,22 +26,22 @@ from tmap.compiler.map_range import extent_of
 from tmap.glide.state import REACH, W_MAX
 from tmap.model import mesh
 
-#: What a corner has on its way to the screen: x, y, s, t, shade and w as tmap.model.mesh has them,
-#: 16.16, then S Q, T Q and Q of the second unit, of FINE fraction bits.
+#: Columns of a corner before projection: x, y, s, t, shade and w as in tmap.model.mesh, 16.16, then
+#: S Q, T Q and Q of the second unit, with FINE fraction bits.
 X, Y, S, W, SQ, TQ, Q = 0, 1, 2, 5, 6, 7, 8
 FINE = 24
 ROUNDED = 1 / 256  # more than rounding adds to s and t
-CONE = 4000  # of s and t, beyond which a face is cut if one of its corners is beyond REACH
+CONE = 4000  # limit of s and t at which a face is cut if one of its corners is beyond REACH
 
 
 def schema(limits: dict[str, int]):
-    """The check of a projector: a camera's fields but the near plane."""
+    """Returns the check of a projector: a camera's fields without the near plane."""
     return table(space.camera_fields(limits, REQUIRED))
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
-    """Refuses an object with a mesh that lacks what its material's second unit goes by, or has
-    too much; ``where`` is the object."""
+    """Refuses an object with a mesh unless it has exactly the coordinates that its material's
+    second unit needs. ``where``: the object, for messages."""
     given = [name for name in ("uvs1", "projector") if obj.get(name) is not None]
     if not has_own(material):
         for field in given:
@@ -57,7 +58,7 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
 
 
 def fits(corners: np.ndarray) -> bool:
-    """Whether units draw the second one's coordinates of a polygon."""
+    """Returns True if the second unit can draw its coordinates of a polygon."""
     if (corners[:, Q] == 0).any():
         return False
     st, w = own_of(corners)
@@ -66,12 +67,13 @@ def fits(corners: np.ndarray) -> bool:
 
 
 def own_of(corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """s and t, and w, of the second unit."""
+    """Returns s and t, and w, of the second unit."""
     return corners[:, SQ:Q] / corners[:, Q:], corners[:, W] / ONE / (corners[:, Q] / 2 ** FINE)
 
 
 def cut(corners: np.ndarray, heights: np.ndarray) -> np.ndarray:
-    """The part of a convex polygon, a row a corner, where heights over a border are not below 0."""
+    """Returns the part of a convex polygon, a row a corner, with heights over a border of 0 or
+    more."""
     kept = []
     for k, (corner, height) in enumerate(zip(corners, heights)):
         last, before = corners[k - 1], heights[k - 1]
@@ -83,10 +85,10 @@ def cut(corners: np.ndarray, heights: np.ndarray) -> np.ndarray:
 
 
 class Faces:
-    """An object in space as polygons of the screen."""
+    """An object in space, as polygons of the screen."""
 
     def __init__(self, obj: dict, material: dict, made, where: str) -> None:
-        """``made``: a objects.Space."""
+        """``made``: an objects.Space."""
         self.obj, self.space, self.where = obj, made, where
         camera = made.spec["camera"]
         self.scene = SimpleNamespace(width=made.spec["width"], height=made.spec["height"],
@@ -100,13 +102,13 @@ class Faces:
         self.second = self.first
         if not self.projector:
             self.second = made.tables_of(obj, material, where, "uvs1")
-            if not np.array_equal(self.first.faces, self.second.faces):  # one of them is uneven
+            if not np.array_equal(self.first.faces, self.second.faces):  # one of them is not planar
                 obj = obj | {"triangles": True}
                 self.first, self.second = (made.tables_of(obj, material, where, name)
                                            for name in ("uvs", "uvs1"))
 
     def thrown(self, frame: int, age: int) -> np.ndarray:
-        """S Q, T Q and Q of all points."""
+        """Returns S Q, T Q and Q of all points."""
         name, spec = self.obj["projector"], self.space.spec
         turn, position = space.placed_at(self.obj, age, spec["frames"])
         axes, eye = space.camera_at(self.projector, frame, f"{self.space.where}projectors.{name}")
@@ -117,7 +119,7 @@ class Faces:
         return np.column_stack([wide / 2 * depth + scale * x, high / 2 * depth + scale * y, depth])
 
     def corners(self, points: list[mesh.Point], frame: int, age: int) -> list[tuple]:
-        """All corners of all faces."""
+        """Returns all corners of all faces."""
         table_ = self.first.corners.tolist()
         if self.projector:
             own = self.thrown(frame, age)[self.first.corners[:, 0]]
@@ -128,7 +130,7 @@ class Faces:
                 for (k, _, s, t), other in zip(table_, own)]
 
     def shown(self, face: np.ndarray, number_: int, frame: int) -> list[np.ndarray]:
-        """A face, or parts of it, whose coordinates units draw."""
+        """Returns a face, or the parts of it whose coordinates the units can draw."""
         if len(face) > self.most:
             fail(self.where, f"face {number_} has {len(face)} corners on the screen in frame "
                              f"{frame}; with coordinates of their own {self.most} at most")
@@ -151,7 +153,8 @@ class Faces:
         return [part for part in [*parts, face] if len(part) >= 3 and fits(part)]
 
     def on_screen(self, face: np.ndarray) -> np.ndarray:
-        """A face's corners as the file has them, int64 [n, 6], the second unit's behind them."""
+        """Returns a face's corners as the file stores them, int64 [n, 6], followed by those of the
+        second unit."""
         first = np.rint(face[:, :SQ]).astype(np.int64)
         first[:, :S] = [mesh.project(self.scene, x, y, w)
                         for x, y, w in first[:, [X, Y, W]].tolist()]
@@ -161,8 +164,8 @@ class Faces:
         return np.concatenate([first, second])
 
     def polygons(self, frame: int, age: int) -> list[np.ndarray]:
-        """A frame's polygons, the farthest first, by each face's greatest depth; faces seen from
-        the back are left out unless the object shows both sides."""
+        """Returns a frame's polygons, the farthest first, by each face's greatest depth. Faces seen
+        from the back are left out unless the object shows both sides."""
         view = self.space.view(self.obj, age, frame, 0.0, self.where)
         points = mesh.transform(self.scene, self.first.points[:, :3].tolist(), view)
         corners, found = self.corners(points, frame, age), []

@@ -1,8 +1,8 @@
 """Compiles a scene file in TOML to the scene the Amiga loads.
 
-What a field may be is in ``schema``. Angles are clockwise on the screen, whose
-y runs down; an object's motion starts at the frame where it appears, and
-``turns``, ``orbit`` and ``scale`` run through once per ``frames`` of the scene.
+``schema`` defines the fields. Angles are clockwise on the screen, whose y runs down. An object's
+motion starts at the frame where it appears, and ``turns``, ``orbit`` and ``scale`` run through once
+per ``frames`` of the scene.
 """
 
 import tomllib
@@ -24,13 +24,13 @@ from tmap.setup import planarity
 
 
 def scaling(value, where):
-    """A size, or [from, to]: always a pair."""
+    """Checks a size, or [from, to]; always returns a pair."""
     size = number(0, 256)
     return rows(size, 2, 2)(value, where) if isinstance(value, list) else [size(value, where)] * 2
 
 
 def schema(limits: dict[str, int]):
-    """The check of a whole scene. Lengths are pixels, texels where named so."""
+    """Returns the check of a whole scene. Lengths are pixels, or texels where noted."""
     far = limits["POLYGON_FAR"] - 1
     corners = limits["POLYGON_VERTICES_MAX"]
     frame = integer(0, limits["SCENE_FRAMES_MAX"] - 1)
@@ -69,7 +69,7 @@ def schema(limits: dict[str, int]):
 
 
 def parse(path: Path) -> dict:
-    """The checked content of a scene's TOML, every default filled in."""
+    """Returns the checked content of a scene's TOML with every default filled in."""
     where = f"{path}: "
     try:
         content = tomllib.loads(path.read_bytes().decode())
@@ -98,14 +98,15 @@ def parse(path: Path) -> dict:
 
 def from_space(obj: dict, material: dict, space: scene_space.Space, lives: int, where: str
                ) -> list[tuple[np.ndarray, np.ndarray, int]]:
-    """An object in space that is no mesh: as ``each_frame``."""
+    """Returns an object in space that is not stored as a mesh, in the form of ``each_frame``."""
     faces, still = projectors.Faces(obj, material, space, where), np.array([IDENTITY])
     return [(corners, still, obj["first"] + age) for age in range(lives)
             for corners in faces.polygons(obj["first"] + age, age)]
 
 
 def planar_of(obj: dict, material: dict, corners: np.ndarray) -> int:
-    """What is vouched for of an object's polygon: poses leave values on their planes."""
+    """Returns the values of an object's polygon that are planar or not drawn. Poses keep values
+    planar."""
     if scene_space.is_mesh(obj):
         return planarity.IN_SPACE
     return planarity.vouched(corners.tolist(), materials.mapper_of(material), bool(obj.get("colours")),
@@ -114,7 +115,7 @@ def planar_of(obj: dict, material: dict, corners: np.ndarray) -> int:
 
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
                   space: scene_space.Space, where: str) -> tuple[list, list, list]:
-    """Objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
+    """Returns objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
     meshes go into ``space``."""
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
@@ -151,10 +152,10 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
 
 
 def compile_scene(path: Path, frames: int | None = None) -> Scene:
-    """The scene of a TOML file.
+    """Compiles the scene of a TOML file.
 
-    ``frames`` is how many frames to make, from the first, instead of the
-    scene's own number; how fast things move does not change.
+    ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
+    the same speed.
     """
     path = Path(path)
     where = f"{path}: "

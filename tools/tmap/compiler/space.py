@@ -1,7 +1,7 @@
 """Cameras and motion in space, in floating point; the scene compiler rounds once at the end.
 
-x is right, y up, z towards the viewer of a camera that looks along -z. Rotations are about
-x, then y, then z, counterclockwise when the axis points at the viewer, in degrees.
+x is right, y up, z towards the viewer of a camera that looks along -z. Rotations are about x, then
+y, then z, counterclockwise when the axis points at the viewer, in degrees.
 """
 
 import math
@@ -13,42 +13,42 @@ from tmap.base.fields import REQUIRED, fail, integer, number, rows, table
 from tmap.base.linear import length, product
 from tmap.build import layout
 
-AWAY = 1e5  # units: how far from the origin things may be
+AWAY = 1e5  # units: limit of distances from the origin
 KEYS_MAX = 1000
 GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
 
 def scaled(vector) -> np.ndarray:
-    """A vector that is not 0, times the power of two that brings its largest part into 1/2 to 1: its
-    squares are neither 0 nor too large."""
+    """Scales a vector that is not 0 by the power of two that brings its largest part to 1/2 to 1,
+    so that its squares neither vanish nor overflow."""
     return np.ldexp(vector, -math.frexp(np.abs(vector).max())[1])
 
 
 def unit(vector) -> np.ndarray:
-    """The vector of length 1 in the direction of one that is not 0."""
+    """Returns the unit vector in the direction of a vector that is not 0."""
     vector = scaled(vector)
     return vector / length(vector)
 
 
 def about(axis, angle: float) -> np.ndarray:
-    """The rotation by an angle (radians) about an axis of any length."""
+    """Returns the rotation by an angle (radians) about an axis of any length."""
     x, y, z = unit(axis)
     across = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return np.eye(3) + sin(angle) * across + (1 - cos(angle)) * product(across, across)
 
 
 def rotated(degrees) -> np.ndarray:
-    """The rotation about x, then y, then z."""
+    """Returns the rotation about x, then y, then z."""
     x, y, z = (about(axis, math.radians(angle)) for axis, angle in zip(np.eye(3), degrees))
     return product(product(z, y), x)
 
 
 def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
-    """A rotation on the shortest way from one to another."""
+    """Returns the rotation at a part of the shortest way from one rotation to another."""
     way = product(second, first.T)
     axis = np.array([way[2, 1] - way[1, 2], way[0, 2] - way[2, 0], way[1, 0] - way[0, 1]])
     angle = atan2(length(axis), float(np.trace(way)) - 1)  # 2 sin and 2 cos
-    if length(axis) < 1e-9:  # none, or a half turn: the column that does not vanish
+    if length(axis) < 1e-9:  # no turn, or a half turn: take the column that does not vanish
         if angle < 1:
             return first
         axis = (way + np.eye(3))[:, int(np.argmax(np.diag(way)))]
@@ -56,7 +56,7 @@ def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
 
 
 def camera_fields(limits: dict[str, int], target) -> dict:
-    """The fields of a camera or a projector; ``target``: the default, or REQUIRED."""
+    """Returns the fields of a camera or a projector; ``target``: the default, or REQUIRED."""
     place = rows(number(-AWAY, AWAY), 3, 3)
     key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
                  "eye": (place, None), "target": (place, None)})
@@ -66,7 +66,7 @@ def camera_fields(limits: dict[str, int], target) -> dict:
 
 
 def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
-    """The keys before and after a frame, and how far it is from one to the other."""
+    """Returns the keys before and after a frame, and the frame's position between them, 0 to 1."""
     before = [key for key in keys if key["frame"] <= frame]
     after = [key for key in keys if key["frame"] > frame]
     if not before or not after:
@@ -77,7 +77,7 @@ def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
 
 
 def mixed(a: dict, b: dict, name: str, part: float) -> np.ndarray:
-    """A key's value on the straight way to the next one's."""
+    """Interpolates a value linearly between two keys."""
     return np.array(a[name]) * (1 - part) + np.array(b[name]) * part
 
 
@@ -89,7 +89,7 @@ def check_keys(keys: list[dict] | None, where: str) -> None:
 
 
 def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarray]:
-    """A camera's axes (rows: right, down, forward) and its eye in a frame."""
+    """Returns a camera's axes (rows: right, down, forward) and its eye in a frame."""
     eye, target = np.array(spec["eye"]), np.array(spec["target"])
     if spec["keys"]:
         a, b, part = at_key(spec["keys"], frame)
@@ -107,7 +107,7 @@ def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarra
 
 
 def placed_at(spec: dict, age: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
-    """Rotation and position of an object ``age`` frames after it appeared."""
+    """Returns rotation and position of an object ``age`` frames after it appeared."""
     turn, position = rotated(spec["rotation"]), np.array(spec["position"])
     if spec["keys"]:
         a, b, part = at_key(spec["keys"], age)
@@ -118,12 +118,12 @@ def placed_at(spec: dict, age: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def focal_length(width: int, degrees: float) -> float:
-    """Pixels from the eye to the screen for a horizontal field of view."""
+    """Returns the pixels from the eye to the screen for a horizontal field of view."""
     return width / 2 / tan(math.radians(degrees) / 2)
 
 
 def guard_bits(width: int, height: int, focal: float) -> int:
-    """log2 of the smallest guard band that holds the frame with its edge, and the focal length, so
-    that a view's factors are 1 at most."""
+    """Returns log2 of the smallest guard band that holds the frame with its edge, and also the
+    focal length, so that a view's factors are at most 1."""
     reach = max(focal, width / 2 + GUARD_EDGE, height / 2 + GUARD_EDGE)
     return max(layout.load().constants["GUARD_MIN"], (math.ceil(reach) - 1).bit_length())

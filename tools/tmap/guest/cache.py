@@ -1,7 +1,7 @@
-"""Results kept by content: what was measured from the same inputs is not measured again.
+"""Keeps results by content: the same inputs are not measured again.
 
-An entry is the directory build/cache/NAME-KEY. Its entry.json, written last, has the result and
-the digest of every file beside it; an entry that is not as it says is measured again.
+An entry is the directory build/cache/NAME-KEY. Its entry.json, written last, has the result and the
+digest of every file beside it. A damaged entry is measured again.
 """
 
 import ast
@@ -32,14 +32,14 @@ class Entry:
 
 
 def digest(path: Path) -> str:
-    """SHA-256 of a file's bytes."""
+    """Returns the SHA-256 of a file's bytes."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 @functools.cache
 def imports(text: str) -> list[str]:
-    """What may be the modules of the tools that a source text imports, inside functions too: their
-    paths, as "tmap/n64/state"."""
+    """Returns possible paths, as "tmap/n64/state", of the tools' modules that a source text
+    imports, inside functions too."""
     names = []
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "tmap":
@@ -49,8 +49,8 @@ def imports(text: str) -> list[str]:
 
 
 def sources(module: str) -> list[Path]:
-    """The files of the tools that a module, as "tmap/bench/bench", needs: its own, and what it imports,
-    however deep."""
+    """Returns the tools' source files that a module, as "tmap/bench/bench", needs: its own, and
+    those of direct and indirect imports."""
     found, names = {}, [module]
     while names:
         name = names.pop()
@@ -63,7 +63,7 @@ def sources(module: str) -> list[Path]:
 
 
 def scene_files(path: Path) -> list[Path]:
-    """A scene's file and every file beside it that it names."""
+    """Returns a scene's file and every file beside it that it names."""
     def words(value) -> Iterable[str]:
         if isinstance(value, str):
             yield value
@@ -72,13 +72,14 @@ def scene_files(path: Path) -> list[Path]:
                 yield from words(each)
 
     named = {path.parent / word for word in words(tomllib.loads(path.read_text()))}
-    # Unlike Path.is_file, os.path's says no of impossible names too.
+    # Unlike Path.is_file, os.path.isfile returns False for impossible names too.
     return [path, *sorted(file for file in named if os.path.isfile(file))]
 
 
 def key(module: str, files: Iterable[Path] = (), words: Iterable[str] = ()) -> str:
-    """What identifies a measurement: the Amiga programs' bytes, the sources of the tool that
-    measures, the emulator's version, files that it reads, and words such as the machine's name."""
+    """Returns the key of a measurement: a digest of the Amiga programs, the sources of the
+    measuring tool, the emulator's version, the files that it reads, and words such as the machine's
+    name."""
     programs = [path for path in PROGRAMS.iterdir() if path.suffix != ".map"]
     total = hashlib.sha256()
     for path in [*sorted(programs), *sources(module), *files]:
@@ -89,7 +90,7 @@ def key(module: str, files: Iterable[Path] = (), words: Iterable[str] = ()) -> s
 
 
 def load(folder: Path) -> Entry | None:
-    """An entry as it was kept, or None where it is missing or damaged."""
+    """Returns an entry, or None if it is missing or damaged."""
     try:
         about = json.loads((folder / ENTRY).read_text())
         result, files = about["result"], about["files"]
@@ -103,14 +104,14 @@ def load(folder: Path) -> Entry | None:
 
 
 def of_result(result) -> str:
-    """The digest of a result."""
+    """Returns the digest of a result."""
     return hashlib.sha256(json.dumps(result).encode()).hexdigest()
 
 
 def kept(name: str, identity: str, make: Callable[[Path], dict],
          cache: Path | None = None) -> Entry:
-    """The entry of a name and key; ``make`` measures what is not there: it writes files into the
-    directory it is given and returns the result."""
+    """Returns the entry of a name and key. If there is none, ``make`` measures: it writes files
+    into the given directory and returns the result."""
     folder = (cache or CACHE) / f"{name}-{identity}"
     entry = load(folder)
     if entry:

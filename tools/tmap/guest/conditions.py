@@ -1,11 +1,12 @@
-"""The conditions that the bench measures under: which machine, and where data lies."""
+"""The conditions under which the bench measures: the machine, and the memory that holds the
+data."""
 
 from typing import NamedTuple
 
 
 class Condition(NamedTuple):
-    """``chip``: a kernel's far data is in chip RAM; ``options``: what ``render`` is told for the
-    same of maps and frame."""
+    """``chip``: a kernel's far data is in chip RAM; ``options``: arguments that make ``render``
+    place maps and frame alike."""
 
     machine: str
     chip: bool

@@ -1,10 +1,10 @@
 """Runs programs on the emulated A1200 and judges how they ended.
 
-A run has one private directory: it is the boot volume, holds the programs, their
-input and whatever they write. The guest's start-up script runs each command with
-its output in ``N.log``, writes its return code to ``N.code``, and at last writes
-``end`` (the sentinel) and leaves the emulator by ``uaequit``. Where commands that
-follow one another are of one program, ``many`` loads it once and does the same.
+A run has one private directory: it is the boot volume, and holds the programs, their input and all
+that they write. The guest's start-up script runs each command with its output in ``N.log``, writes
+its return code to ``N.code``, and at last writes ``end`` (the sentinel) and leaves the emulator by
+``uaequit``. If consecutive commands run the same program, ``many`` loads it once and does the same
+for each.
 """
 
 import contextlib
@@ -35,13 +35,13 @@ MACHINES = {
                   "uae_cycle_exact": "true", "uae_blitter_cycle_exact": "true",
                   "uae_cpu_speed": "real"},
 }
-#: Those that everything is measured on.
+#: Machines of all measurements.
 MEASURED = ("a1200", "a1200-fast")
-#: What every run has.
+#: Options of every run.
 OPTIONS = {
     "amiga_model": "A1200",
     "floppy_drive_count": "0",
-    "deterministic": "1",  # files are served in step: threads of their own deadlock now and then
+    "deterministic": "1",  # serves files synchronously: separate threads deadlock now and then
     "audio_driver": "null",
     "fullscreen": "0",
     "uae_sound_output": "none",
@@ -52,24 +52,25 @@ OPTIONS = {
 
 @dataclass(frozen=True)
 class Display:
-    """Where the emulator's picture goes: its options, and what its environment has besides."""
+    """Where the emulator's picture goes: its options and additional environment variables."""
 
     options: dict[str, str]
     environment: dict[str, str] = field(default_factory=dict)
 
 
-#: Nobody sees the screen, and showing each of its frames is much of the host's work.
+#: The screen is not shown: showing each of its frames would be much of the host's work.
 HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
                   "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
                   "assume_refresh_rate": "10"}, {"SDL_VIDEODRIVER": "offscreen"})
-#: Seconds of the host's processor time without a byte of output before a run counts as hung
-#: (tmap.base.silence). A boot takes about 1 s and the guest's own watchdog bites within 3 s.
+#: Seconds of the host's processor time without a byte of output after which a run counts as hung
+#: (tmap.base.silence). A boot takes about 1 s; the guest's own watchdog ends a program after 3 s at
+#: most.
 STALL_SECONDS = 20.0
-#: The same where texture engines draw: a frame alone may take that long.
+#: The same for texture engines: a single frame may take that long.
 PATIENT_SECONDS = 10 * STALL_SECONDS
-CYCLES_PER_TICK = 4  # CPU cycles in a colour clock, by which guests measure
+CYCLES_PER_TICK = 4  # CPU cycles in a colour clock, the unit of guests' measurements
 CLOCK_HZ = 14_187_580  # of a PAL A1200's 68EC020
-VERSION = "3.1.66"  # the cycle figures in this tree are those of this version
+VERSION = "3.1.66"  # the cycle figures in this tree were measured with this version
 
 EXCEPTIONS = {
     2: "bus error", 3: "address error", 4: "illegal instruction", 5: "division by zero",
@@ -80,7 +81,7 @@ EXCEPTIONS = {
 
 @dataclass
 class Result:
-    """What a command left: the volume, its output and its return code."""
+    """The volume after a command, its output and its return code."""
 
     directory: Path
     output: str
@@ -88,11 +89,11 @@ class Result:
 
 
 class Closed(UserError):
-    """The emulator ended in peace, but before the guest: somebody closed its window."""
+    """The emulator ended without an error but before the guest: its window was closed."""
 
 
 def emulator_version() -> str:
-    """The version of the FS-UAE on PATH."""
+    """Returns the version of the FS-UAE on PATH."""
     try:
         return subprocess.run(["fs-uae", "--version"], capture_output=True, text=True).stdout.strip()
     except OSError:
@@ -100,7 +101,8 @@ def emulator_version() -> str:
 
 
 def routine_at(program: Path, offset: int) -> str:
-    """Where an offset in a program's code is: in which routine, how far from its start."""
+    """Returns the place of an offset in a program's code: the routine, and the distance from its
+    start."""
     header = program.read_bytes()[:24]  # of the hunk file; the code's hunk comes first
     if not offset < 4 * int.from_bytes(header[20:], "big"):
         return "outside the program's code"
@@ -114,7 +116,8 @@ def routine_at(program: Path, offset: int) -> str:
 
 
 def explain_fault(program: Path, output: str) -> str | None:
-    """What the crash report in ``output`` says, or None: one line, then the registers."""
+    """Returns the crash report in ``output`` as one line and the registers, or None if there is
+    none."""
     match = re.search(r"fault: exception ([0-9a-f]{8}) pc ([0-9a-f]{8})\n(.*)\n(.*)", output)
     if not match:
         return None
@@ -126,33 +129,34 @@ def explain_fault(program: Path, output: str) -> str | None:
 
 
 def last_words(output: str) -> str:
-    """The last line a guest wrote, for a message on how far it came."""
+    """Returns the last line a guest wrote, for messages."""
     lines = [line for line in output.splitlines() if line.strip()]
     return f"its last words: {lines[-1]!r}" if lines else "it wrote nothing"
 
 
 @contextlib.contextmanager
 def workspace() -> Iterator[Path]:
-    """A private directory for one run, removed afterwards."""
+    """Yields a private directory for one run, removed afterwards."""
     with tempfile.TemporaryDirectory(prefix="tmap-") as name:
         yield Path(name)
 
 
 def read(path: Path) -> str:
-    """A guest's text file; empty where there is none."""
+    """Returns a guest's text file; empty if it does not exist."""
     return path.read_text("latin-1") if path.exists() else ""
 
 
 def floppies(*images: Path) -> dict[str, str]:
-    """Options for images in DF0:, DF1: and so on, read and written in no time; the guest writes into
-    the files themselves."""
+    """Returns options for images in DF0:, DF1: and so on, read and written without delay. The guest
+    writes into the files themselves."""
     return {f"floppy_drive_{n}": str(path) for n, path in enumerate(images)} | {
         "floppy_drive_count": str(len(images)), "floppy_drive_speed": "0",
         "writable_floppy_images": "1"}
 
 
 def write_config(directory: Path, machine: str, display: Display, drives: dict[str, str]) -> Path:
-    """The emulator's configuration file of a run's directory; ``drives``: its options for disks."""
+    """Writes the emulator's configuration file into a run's directory; ``drives``: options for
+    disks."""
     options = OPTIONS | display.options | MACHINES[machine] | {
         "base_dir": str(directory / "base")} | drives
     config = directory / "a1200.fs-uae"
@@ -162,8 +166,8 @@ def write_config(directory: Path, machine: str, display: Display, drives: dict[s
 
 @contextlib.contextmanager
 def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
-    """The emulator while it runs, its own messages in ``log``; ended afterwards."""
-    # Ctrl-C waits until the process is known, or nobody would end it.
+    """Runs the emulator with its own messages in ``log``; kills it afterwards."""
+    # Ctrl-C waits until the process is known; otherwise nothing would end the process.
     mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     process = None
     try:
@@ -186,7 +190,7 @@ def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Po
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,
             apart: bool) -> None:
-    """Lays out a run's volume, as run_many has it."""
+    """Writes a run's volume; parameters as in run_many."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
     for name, content in files.items():
@@ -214,11 +218,11 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
 
 
 def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> str:
-    """Waits for the emulator's end, or until the guest was silent for so many seconds, which is
-    said then.
+    """Waits until the emulator ends, or until the guest was silent for ``patience`` seconds.
+    Returns a text about the silence, or an empty one.
 
-    Only more files and output than ever before count as a sign of life, so that
-    a guest which reboots again and again is silent too.
+    Only more files and output than ever before count as a sign of life, so that a guest that
+    reboots again and again counts as silent too.
     """
     most, silence = -1, Silence(process.pid, patience)
     while process.poll() is None:
@@ -238,7 +242,7 @@ def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) ->
 
 
 def explain_end(program: Path, arguments: str, output: str, silence: str, log: str) -> str:
-    """Why there is no sentinel, and how far the guest came; ``silence``: as wait has it."""
+    """Returns why there is no sentinel, and how far the guest came; ``silence``: from ``wait``."""
     how = f"it did not end, {silence}" if silence else "the emulator ended before it"
     fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
     said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
@@ -251,14 +255,12 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
              display: Display = HIDDEN, drives: dict[str, str] | None = None) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
-    ``files`` are put into the run's ``directory`` first (a name to bytes, or to
-    a file that is copied); a command's first word is one of ``programs``.
-    ``on_output`` is called with the output so far when there is more of it;
-    ``patience``: seconds of silence, in processor time, that count as a hang (STALL_SECONDS);
-    ``apart``: each command loads its program, whatever ran before; ``drives``: options for
-    disks besides the boot volume.
-    Raises UserError for a hang, Closed where a window was closed; return codes and
-    crash reports are the caller's to judge.
+    ``files`` are put into the run's ``directory`` first (a name to bytes, or to a file that is
+    copied); a command's first word is one of ``programs``. ``on_output`` is called with the output
+    so far when there is more of it; ``patience``: seconds of silence, in processor time, that count
+    as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``drives``: options
+    for further disks. Raises UserError for a hang, Closed if a window was closed. The caller judges
+    return codes and crash reports.
     """
     prepare(directory, commands, files, programs, apart)
     patience = patience or STALL_SECONDS
@@ -282,7 +284,7 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
 def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
         directory: Path, on_output=None, programs: Path = PROGRAMS,
         patience: float | None = None, display: Display = HIDDEN) -> Result:
-    """One command, as ``run_many`` runs it; a crash too raises UserError."""
+    """Runs one command as ``run_many`` does; raises UserError for a crash too."""
     result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs,
                        patience, display=display)
     fault = explain_fault(programs / program, result.output)

@@ -1,7 +1,7 @@
-"""Scenes drawn by the emulated machine: the digests of their frames, held to the model's.
+"""Draws scenes on the emulated machine and compares the digests of their frames with the model's.
 
-A digest (struct frame_digest of c/scene) has what the host needs to tell whether a frame is the one
-it should be, and how long it took, without the frame itself.
+A digest (struct frame_digest of c/scene) shows the host whether a frame is correct and how long it
+took, without the frame itself.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -18,9 +18,8 @@ from tmap.scene_file.scene_file import Scene, write
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None,
          patience: float | None = None, apart: bool = False) -> list[np.ndarray]:
-    """The digests of each scene's frames, all in one boot; beside each scene its form, and what
-    may follow that among the arguments of ``render``. ``patience``, ``apart``: as run_many has
-    them."""
+    """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
+    and any further arguments of ``render``. ``patience``, ``apart``: as in run_many."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
@@ -36,7 +35,7 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
 
 
 def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
-    """The first frame of a scene as the guest draws it."""
+    """Returns the first frame of a scene as the guest draws it."""
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
                             machine, directory)
@@ -45,7 +44,7 @@ def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
 
 
 def digest_of(frame: np.ndarray) -> tuple[int, int]:
-    """The fields sum and hash of struct frame_digest."""
+    """Returns the fields sum and hash of a frame's struct frame_digest."""
     data = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
     longs, factor = np.frombuffer(data, ">u4"), layout.load().constants["FRAME_HASH"]
     changes, found = np.flatnonzero(np.diff(longs, prepend=longs.dtype.type(0))), 0
@@ -55,13 +54,13 @@ def digest_of(frame: np.ndarray) -> tuple[int, int]:
 
 
 def is_models(frame: np.ndarray, digest) -> bool:
-    """Whether a digest is that of a frame, the model's."""
+    """Returns True if a digest is that of the model's frame."""
     return (int(digest["sum"]), int(digest["hash"])) == digest_of(frame)
 
 
 def require_models(frames: Iterable[np.ndarray], digests, what: str, names: Sequence[str] = ()) -> None:
-    """Raises UserError where one of a scene's frames is not the model's. ``frames``: the model's;
-    ``what``: what is drawn, for the message; ``names``: of the frames."""
+    """Raises UserError if one of a scene's frames differs from the model's. ``frames``: the
+    model's; ``what``: the drawing's name, for the message; ``names``: of the frames."""
     for number, (frame, digest) in enumerate(zip(frames, digests, strict=True)):
         if not is_models(frame, digest):
             name = f" ({names[number]})" if names else ""

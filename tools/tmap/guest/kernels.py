@@ -1,8 +1,7 @@
-"""Calls kernels on the emulated machine: what the bench and the kernel tests stand on.
+"""Calls kernels on the emulated machine, for the bench and the kernel tests.
 
-A case names a kernel, its registers and a memory image (the arena); the program
-``bench`` calls it once, gives back registers and memory, and then times repeats.
-Layouts come from c/bench/plan_file.h.
+A case names a kernel, its registers and a memory image (the arena). The program ``bench`` calls it
+once, returns registers and memory, and then times repeats. Layouts come from c/bench/plan_file.h.
 """
 
 from dataclasses import asdict, dataclass, field
@@ -16,21 +15,21 @@ from tmap.guest import emulator
 from tmap.guest.emulator import CYCLES_PER_TICK
 
 REGISTERS = [f"d{n}" for n in range(8)] + [f"a{n}" for n in range(7)]
-#: What registers hold that a case does not set: no kernel may rely on them.
+#: Content of registers that a case does not set: no kernel may rely on them.
 POISON = 0xDEAD0000
-#: A plan's images, cases and offsets: a machine with chip RAM alone has about 1.7 MB free for the
-#: plan and the largest arenas; the others have 8 MB more.
+#: Most bytes of a plan's images, cases and offsets. A machine with chip RAM alone has about 1.7 MB
+#: free for the plan and the largest arenas; the others have 8 MB more.
 BATCH_BYTES = 950_000
 BATCH_BYTES_FAST = 5_000_000
 
 
 class Arena:
-    """A memory image in the making: blocks at offsets, pointers to be relocated."""
+    """A memory image under construction: blocks at offsets, pointers to be relocated."""
 
     def __init__(self) -> None:
         self.data = bytearray()
-        self.pointers: list[int] = []  # longwords that hold offsets into this arena
-        self.far_pointers: list[int] = []  # and into the far one
+        self.pointers: list[int] = []  # longwords with offsets into this arena
+        self.far_pointers: list[int] = []  # longwords with offsets into the far arena
 
     def add(self, content: bytes | bytearray, align: int = 4) -> int:
         """Appends a block; returns its offset."""
@@ -41,7 +40,8 @@ class Arena:
 
     def struct(self, name: str, pointers: dict[str, int], far: dict[str, int] | None = None,
                **values: int) -> int:
-        """Appends a C struct; fields of ``pointers`` and ``far`` hold offsets there."""
+        """Appends a C struct; fields of ``pointers`` and ``far`` hold offsets into the two
+        arenas."""
         shape, far = layout.load().struct(name), far or {}
         offsets = {field: at & M32 for field, at in (pointers | far).items()}
         at = self.add(shape.pack(**values, **offsets))
@@ -57,20 +57,20 @@ class Arena:
 
 @dataclass
 class Shown:
-    """What an owner's program shows of a case, as struct plan_case has it: cycles are those of
-    one of ``units`` on the emulated machine, in thousandths, 0 where the row is not shown."""
+    """Figures of a case for an owner's program, as in struct plan_case. Cycles are those of one of
+    ``units`` on the emulated machine, in thousandths; 0 if the row is not shown."""
 
     title: str
     units: int
     chip: int  # cycles with chip RAM alone
-    fast: int  # and with fast RAM
+    fast: int  # cycles with fast RAM
     drawn: int  # checksum of the far memory after a call; 0: none
 
 
 @dataclass
 class Case:
-    """One call. ``registers``: values; ``pointers``, ``far_pointers``: registers that
-    hold offsets into ``arena`` (a program's own data) and ``far`` (map and frame).
+    """One call. ``registers``: values; ``pointers``, ``far_pointers``: registers that hold offsets
+    into ``arena`` (a program's own data) and ``far`` (map and frame).
     """
 
     kernel: str
@@ -79,16 +79,16 @@ class Case:
     pointers: dict[str, int] = field(default_factory=dict)
     far: Arena = field(default_factory=Arena)
     far_pointers: dict[str, int] = field(default_factory=dict)
-    chip: bool = False  # far lies in chip RAM
+    chip: bool = False  # far is in chip RAM
     repeats: int = 0
-    display: str = "OFF"  # enum plan_display's, while it is timed
-    limit: int = 100  # for the watchdog, 92 ms each
+    display: str = "OFF"  # name in enum plan_display, while it is timed
+    limit: int = 100  # of the watchdog, in units of 92 ms
     shown: Shown | None = None
 
 
 @dataclass
 class Result:
-    """What a call left: addresses, memory, registers, the stack's error, cycles."""
+    """The state after a call: addresses, memory, registers, the stack's error, cycles."""
 
     address: int
     memory: bytes
@@ -100,20 +100,20 @@ class Result:
 
 
 def checksum(content: bytes) -> int:
-    """The checksum of a plan's content, as struct plan_header has it."""
+    """Returns the checksum of a plan's content, as in struct plan_header."""
     sums = np.cumsum(np.frombuffer(content, ">u4"), dtype=np.uint32)
     return (2 * int(sums.sum(dtype=np.uint64)) - int(sums[-1])) & M32
 
 
 def pieces(image: bytes) -> list[bytes]:
-    """An image as plans keep it: cut, b"" for a piece of zeros."""
+    """Returns an image's pieces as a plan stores them; b"" is a piece of zeros."""
     size = layout.load().constants["PLAN_PIECE"]
     cut = [image[at:at + size] for at in range(0, len(image), size)]
     return [piece if piece.strip(b"\0") else b"" for piece in cut]
 
 
 def plan(cases: list[Case]) -> bytes:
-    """The plan file for ``cases``."""
+    """Returns the plan file for ``cases``."""
     shapes = layout.load()
     header, case_shape = shapes.struct("plan_header"), shapes.struct("plan_case")
     body = bytearray(header.size + len(cases) * case_shape.size)
@@ -166,8 +166,8 @@ def plan(cases: list[Case]) -> bytes:
 
 
 def batches(cases: list[Case], machine: str) -> list[list[Case]]:
-    """The cases in runs whose images fit the guest's memory beside their arenas; equal
-    pieces are in a plan once."""
+    """Splits the cases into runs whose images fit the guest's memory beside their arenas. A plan
+    stores equal pieces once."""
     limit = BATCH_BYTES_FAST if "fast_memory" in emulator.MACHINES[machine] else BATCH_BYTES
     runs: list[list[Case]] = []
     kept: dict[bytes, None] = {}
@@ -187,7 +187,7 @@ def batches(cases: list[Case], machine: str) -> list[list[Case]]:
 
 
 def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
-    """Runs the cases in one boot."""
+    """Runs the cases in one boot; returns their results."""
     with emulator.workspace() as directory:
         done = emulator.run("bench", "kernels.plan kernels.results", {"kernels.plan": plan(cases)},
                             machine, directory, progress)
@@ -209,7 +209,7 @@ def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
 
 
 def call(cases: list[Case], machine: str, on_case=None) -> list[Result]:
-    """Calls every case. ``on_case`` is told how many were begun."""
+    """Calls every case. ``on_case`` is called with the number of cases begun."""
     results: list[Result] = []
 
     def progress(output: str) -> None:

@@ -1,4 +1,4 @@
-"""What a result was made with: emulator, commit, compiler."""
+"""The versions that made a result: emulator, commit, compiler."""
 
 import subprocess
 
@@ -7,14 +7,14 @@ from tmap.guest import emulator
 
 
 def commit() -> str:
-    """The commit of the tree, marked where there are changes; "unknown" outside git."""
+    """Returns the commit of the tree, marked if there are changes; "unknown" outside git."""
     done = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT,
                           capture_output=True, text=True)
     return done.stdout.strip() or "unknown"
 
 
 def compiler() -> str:
-    """The C compiler that built the programs, as the Makefile noted it."""
+    """Returns the C compiler that built the programs, as noted by the Makefile."""
     name = (BUILD / "obj" / "objects").read_text().split()[0]
     if name != "gcc":
         return name
@@ -24,6 +24,6 @@ def compiler() -> str:
 
 
 def record() -> dict[str, str]:
-    """The fields that stand at the head of every report."""
+    """Returns the fields at the head of every report."""
     return {"emulator": f"FS-UAE {emulator.emulator_version()}", "commit": commit(),
             "compiler": compiler()}

@@ -31,13 +31,13 @@ IMAGE = BUILD / "adf" / f"{VOLUME}.adf"
 SIZE = 901_120  # 80 tracks of two sides of 11 sectors of 512 bytes
 BLOCK = 512
 TEXTS = Path(__file__).with_name("disk_files")
-WIDTH = 76  # columns of a text: a console has 77, and lines of 77 an empty one behind them
-READ, WRITE, EXECUTE, DELETE, SCRIPT = 8, 4, 2, 1, 64  # the first four are set for "may not"
+WIDTH = 76  # columns of a text: a console has 77, and shows an empty line after lines of 77
+READ, WRITE, EXECUTE, DELETE, SCRIPT = 8, 4, 2, 1, 64  # the first four mean "may not"
 
 
 @dataclass(frozen=True)
 class Item:
-    """A file of the disk; ``make`` gives its bytes."""
+    """A file of the disk; ``make`` returns its bytes."""
 
     name: str
     make: Callable[[], bytes]
@@ -45,7 +45,7 @@ class Item:
 
 
 def text(path: Path) -> bytes:
-    """A text file, or a script's, held to what a console of the Amiga shows of it."""
+    """Returns a text file or script; refuses lines that an Amiga's console cannot show."""
     content = path.read_text()
     for number, line in enumerate(content.splitlines(), 1):
         shown = line.removeprefix('Echo "').removesuffix('"')
@@ -54,7 +54,7 @@ def text(path: Path) -> bytes:
     return content.encode()
 
 
-#: What is on the disk beside the demo, in the order in which it is written.
+#: Files on the disk in addition to the demo, in the order in which they are written.
 ITEMS = (
     Item("S/Startup-Sequence", lambda: text(TEXTS / "Startup-Sequence"), script=True),
     Item("measure", (PROGRAMS / "measure").read_bytes),
@@ -65,12 +65,12 @@ ITEMS = (
 
 
 def contents() -> dict[str, bytes]:
-    """All files of the disk by name: the table's, and the demo's folder."""
+    """Returns all files of the disk by name: ITEMS, and the demo's folder."""
     return {item.name: item.make() for item in ITEMS} | demo.files()
 
 
 def boot_code() -> bytes:
-    """The boot block's code."""
+    """Returns the boot block's code."""
     path = BUILD / "obj" / "asm" / "amiga" / "boot.o"
     code, = (part for part in elf_object.load(path) if part.name == ".text.boot")
     assert not code.relocations
@@ -78,7 +78,7 @@ def boot_code() -> bytes:
 
 
 def commit_time() -> TimeStamp:
-    """The date of all files: the commit's, so that the same tree gives the same image."""
+    """Returns the date of all files: the commit's, so that the same tree gives the same image."""
     done = subprocess.run(["git", "show", "-s", "--format=%ct"], cwd=ROOT, capture_output=True,
                           text=True)
     stamp = TimeStamp()
@@ -87,14 +87,14 @@ def commit_time() -> TimeStamp:
 
 
 def volume_of(device: ADFBlockDevice) -> ADFSVolume:
-    """An empty bootable volume."""
+    """Makes an empty bootable volume."""
     stamp, volume = commit_time(), ADFSVolume(device)
     volume.create(FSString(VOLUME), RootMetaInfo(stamp, stamp, stamp), DosType.DOS_FFS, boot_code())
     return volume
 
 
 def write(volume: ADFSVolume, name: str, content: bytes) -> None:
-    """Adds a file, and its drawer where that is new."""
+    """Adds a file, and its drawer if that is new."""
     script = SCRIPT if any(item.script for item in ITEMS if item.name == name) else 0
     about = MetaInfo(protect=script, mod_ts=commit_time())
     drawer, _, last = name.rpartition("/")
@@ -106,7 +106,7 @@ def write(volume: ADFSVolume, name: str, content: bytes) -> None:
 
 
 def image(files: dict[str, bytes]) -> tuple[bytes, int]:
-    """A disk's image, and how many bytes are free; raises UserError where that is too few."""
+    """Returns a disk's image and the number of free bytes; raises UserError if the disk is full."""
     device = ADFBlockDevice(None)
     device.create()
     volume = volume_of(device)
@@ -125,7 +125,7 @@ def image(files: dict[str, bytes]) -> tuple[bytes, int]:
 
 
 def opened(path: Path) -> ADFSVolume:
-    """The volume of an image in a file."""
+    """Opens the volume of an image file."""
     device = ADFBlockDevice(str(path), read_only=True)
     device.open()
     volume = ADFSVolume(device)
@@ -134,7 +134,7 @@ def opened(path: Path) -> ADFSVolume:
 
 
 def read(path: Path, name: str) -> bytes:
-    """A file of an image in a file."""
+    """Reads a file from an image file."""
     return bytes(opened(path).read_file(FSString(name)))
 
 
@@ -153,7 +153,7 @@ def save(path: Path, content: bytes) -> None:
 
 
 def command(out: Path) -> int:
-    """``tmap adf``: writes the image, prints what is on it; raises UserError."""
+    """``tmap adf``: writes the image and prints its contents; raises UserError."""
     if out.is_dir():
         raise UserError(f"{out}: is a directory")
     files = contents()

@@ -1,9 +1,9 @@
 """Places the parts of a program and writes it as an AmigaDOS hunk file.
 
-The 68020's instruction cache has 64 longwords, chosen by the address modulo 256. What is
-timed lies where the full renderer has it, modulo 256, so that the same instructions push one
-another out of the cache; the holes of what is left out take what is not timed, and what is,
-apart from it by as much as the processor fetches ahead.
+The 68020's instruction cache has 64 longwords, chosen by the address modulo 256. Timed code keeps
+its address in the full renderer modulo 256, so that the same instructions evict each other from the
+cache. Holes left by omitted code are filled with untimed parts, and with timed parts that are
+separated from other timed code by as much as the processor fetches ahead.
 """
 
 import random
@@ -16,18 +16,18 @@ from tmap.build.elf_object import Section
 from tmap.build.hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
 from tmap.product.program_parts import Part, Program
 
-HUNK_RELOC32SHORT = 0x3FC  # dos 39, the A1200's: offsets of 16 bits
+HUNK_RELOC32SHORT = 0x3FC  # dos 39, as on the A1200: offsets of 16 bits
 CACHE = 256  # bytes
-LAST = ".rodata.scene_data"  # maps too: addresses have to be relocated before it only
-#: jsr and jmp to an address become bsr and bra, of the same length, so that nothing is to be
-#: relocated.
+LAST = ".rodata.scene_data"  # with maps; addresses are only relocated before it
+#: jsr and jmp to an address become bsr and bra of the same length, which need no relocation.
 BRANCHES = {bytes.fromhex("4eb9"): 0x61, bytes.fromhex("4ef9"): 0x60}
 NOP = bytes.fromhex("4e71")
-AHEAD = 4  # bytes that are fetched behind an instruction, at most
+AHEAD = 4  # bytes that are fetched after an instruction, at most
 
 
 def fetched(live: np.ndarray, address: int) -> np.ndarray:
-    """bool: the bytes that are fetched where ``live`` ones at ``address`` are executed."""
+    """Returns bool: the bytes that are fetched when the ``live`` bytes at ``address`` are
+    executed."""
     out = np.zeros(len(live) + AHEAD + 8, bool)
     for first in np.flatnonzero(live[::2]) * 2:
         place = (address + first & ~3) - (address & ~3)
@@ -36,8 +36,8 @@ def fetched(live: np.ndarray, address: int) -> np.ndarray:
 
 
 def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]]:
-    """Groups of parts that lie so near in the full renderer that where one ends the next is
-    fetched; the largest first."""
+    """Returns groups of parts that are so close in the full renderer that the end of one makes the
+    processor fetch the next; the largest group first."""
     groups: list[list[Part]] = []
     end = 0
     for part in sorted(parts, key=lambda p: places[p.section]):
@@ -51,9 +51,10 @@ def neighbours(parts: list[Part], places: dict[Section, int]) -> list[list[Part]
 
 
 def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
-    """The branch in place of a jump to an address, whose first two bytes are given, with a target
-    so far behind these; None: it stays. What is timed once has a 68020's, without a nop; what is
-    not, a 68000's, which runs what looks for a 68020; what is timed again and again keeps its time.
+    """Returns the branch that replaces a jump to an address, or None if the jump stays. ``jump``:
+    its first two bytes; ``distance``: from the end of these to the target. Code that is timed once
+    gets a 68020's branch, without a nop. Untimed code gets a 68000's branch, because the check for
+    a 68020 runs on a 68000. Code that is timed more than once keeps its jumps and its time.
     """
     if jump not in BRANCHES or timed > 1:
         return None
@@ -68,16 +69,16 @@ class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
     def __init__(self, program: Program, fixed: dict[Section, int], order: int = 0):
-        """``fixed``: the sections whose places matter, and where the full renderer has them;
-        ``order``: 0, or another order in which they are placed, by which holes differ.
-        A program that is whole keeps the linker's order, in which relative addresses fit."""
+        """``fixed``: the sections whose places matter, with their addresses in the full renderer;
+        ``order``: 0, or the number of another order in which they are placed, which leaves other
+        holes. A whole program keeps the linker's order, in which relative addresses fit."""
         self.program = program
         self.at: dict[Section, int] = {}
         self.bss = 0
         parts = [p for p in program.parts.values() if not p.section.bss]
         room = 4 * sum(p.section.size + CACHE for p in parts) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
-        self.full = 0  # up to here there is no hole
+        self.full = 0  # there is no hole below this address
         entry = program.parts[program.symbols["start"][0]]
         self.put([entry], [0], 0, CACHE)
         rest = [p for p in parts if p is not entry]
@@ -88,7 +89,8 @@ class Layout:
         self.size += -self.size % 4
 
     def put_fixed(self, parts: list[Part], fixed: dict[Section, int], order: int) -> None:
-        """Places parts where the full renderer has them modulo CACHE, neighbours together."""
+        """Places parts at their addresses in the full renderer modulo CACHE, neighbours
+        together."""
         groups = neighbours(parts, fixed)
         if order:
             random.Random(order).shuffle(groups)
@@ -97,8 +99,8 @@ class Layout:
             self.put(group, [fixed[p.section] - first for p in group], first % CACHE, CACHE, True)
 
     def put_others(self, parts: list[Part]) -> None:
-        """Places parts wherever there is room: the largest first, or in the linker's order; the
-        scene is the last."""
+        """Places parts wherever there is room: the largest first or, in a whole program, in the
+        linker's order. The scene is last."""
         linked = {section: n for n, section in enumerate(self.program.sections)}
 
         def rank(part: Part) -> tuple[bool, int]:
@@ -119,16 +121,16 @@ class Layout:
 
     def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
             apart: bool = False) -> None:
-        """Places parts at the lowest address first + n step where there is room for them.
+        """Places parts at the lowest address first + n step with room for them.
 
-        ``offsets``: of each from that address; ``apart``: they share nothing that is fetched
-        with others that are so.
+        ``offsets``: of each part from that address; ``apart``: nothing that is fetched with them
+        may be fetched with other parts placed apart.
         """
         live = np.zeros(offsets[-1] + parts[-1].section.size, bool)
         for part, offset in zip(parts, offsets):
             live[offset:offset + part.section.size] |= part.live
         near = fetched(live, first) if apart else None
-        lead = int(np.argmax(live))  # bytes before the first that is held
+        lead = int(np.argmax(live))  # bytes before the first kept one
         skip = max(0, self.full - lead - first + step - 1) // step * step
         for at in range(first + skip, len(self.used), step):
             if self.used[at + lead] or (self.used[at:at + len(live)] & live).any():
@@ -145,8 +147,8 @@ class Layout:
         raise AssertionError("no room in four times the size")
 
     def link(self) -> tuple[bytes, list[int], list[int]]:
-        """The code's bytes, and where addresses of code and of cleared memory lie in it. A program
-        that is whole is to be traced: its instructions stay what they are."""
+        """Returns the code's bytes, and the offsets in it of addresses of code and of cleared
+        memory. A whole program is for tracing: its instructions stay unchanged."""
         out = np.zeros(self.size, np.uint8)
         code, bss = [], []
         for part in self.program.parts.values():
@@ -179,7 +181,7 @@ class Layout:
 
     @property
     def fits(self) -> bool:
-        """Whether no part lies too far away for a relative address to it."""
+        """Returns True if every relative address fits its field."""
         try:
             self.link()
         except UserError:
@@ -187,7 +189,7 @@ class Layout:
         return True
 
     def hunks(self) -> bytes:
-        """The whole program."""
+        """Returns the whole program as a hunk file."""
         image, *places = self.link()
         sizes = [len(image) // 4] + [(self.bss + 3) // 4] * bool(self.bss)
         out = longs(HUNK_HEADER, 0, len(sizes), 0, len(sizes) - 1, *sizes)
@@ -205,15 +207,15 @@ class Layout:
         return out
 
     def code_end(self) -> int:
-        """Where the last part with code ends."""
+        """Returns the end of the last part with code."""
         return max(self.at[s] + s.size for s in self.program.parts if s.code)
 
     def symbols(self) -> dict[int, str]:
-        """Names of the code's parts, by address."""
+        """Returns the names of the code's parts, by address."""
         return {self.at[s]: s.title for s in self.program.parts if s.code}
 
     def write(self, path: Path) -> None:
-        """The program and, beside it, the ``.map`` of its routines."""
+        """Writes the program and, beside it, the ``.map`` of its routines."""
         path.write_bytes(self.hunks())
         path.with_name(path.name + ".map").write_text("".join(
             f"{at:08x} {name}\n" for at, name in sorted(self.symbols().items())))

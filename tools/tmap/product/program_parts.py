@@ -1,9 +1,9 @@
-"""Which bytes of which sections a program of one scene needs.
+"""Selects the sections, and the bytes in them, that a program of one scene needs.
 
-A section of the renderer is held by the instructions that were executed, measured, and the
-tables they refer to. Where such an instruction could go on to one that never was, there is
-an ILLEGAL in its place: the program's fault handler would report it. Sections of the system's
-rooms are whole: what they do depends on more than the scene.
+A program keeps those instructions of the renderer that were executed in a traced run, and the
+tables that they refer to. If such an instruction could continue at one that was never executed, an
+ILLEGAL is put there, which the program's fault handler would report. Sections of the system's rooms
+are kept whole, because their behaviour depends on more than the scene.
 """
 
 from dataclasses import dataclass, field
@@ -16,25 +16,25 @@ from tmap.build import instructions
 from tmap.build.elf_object import Relocation, Section
 
 ILLEGAL = bytes.fromhex("4afc")
-#: Rooms of build/obj whose sections are whole.
+#: Rooms of build/obj whose sections are kept whole.
 SYSTEM = ("amiga", "system", "programs")
-VBCC_CODE = "CODE"  # the name of its sections, one a file
-STOP = "left_out"  # what a pointer to a routine leads to that is never called
-TABLE = "_table"  # how symbols of code end that are no routines'
+VBCC_CODE = "CODE"  # the name of vbcc's sections, one a file
+STOP = "left_out"  # target of pointers to routines that are never called
+TABLE = "_table"  # ending of symbols in code that are not routines
 
 
 @dataclass(eq=False)
 class Part:
-    """A section as far as a program holds it."""
+    """A section, and the bytes of it that a program keeps."""
 
     section: Section
     executed: list[int]  # offsets of instructions
-    timed: int  # 1: some of them while frames are timed; 2: some more than once
+    timed: int  # 1: some are executed while frames are timed; 2: some more than once
     whole: bool
     live: np.ndarray = field(init=False, repr=False)  # bool (size,)
     data: bytes = field(init=False, repr=False)
     known: dict[int, instructions.Instruction] = field(init=False, repr=False)
-    tables: set[int] = field(init=False, repr=False)  # offsets of those that are held
+    tables: set[int] = field(init=False, repr=False)  # offsets of the kept tables
     instructions: np.ndarray = field(init=False, repr=False)  # bool (size,)
 
     def __post_init__(self) -> None:
@@ -53,7 +53,8 @@ class Part:
         self.mark_ends()
 
     def keep_table(self, offset: int) -> bool:
-        """Holds what lies from an offset to the next instruction; says whether that is news."""
+        """Keeps the bytes from an offset to the next instruction; returns True if some were not
+        kept yet."""
         if offset in self.tables:
             return False
         self.tables.add(offset)
@@ -63,7 +64,7 @@ class Part:
         return news
 
     def mark_ends(self) -> None:
-        """Puts an ILLEGAL where the executed instructions could leave what is held."""
+        """Puts an ILLEGAL where the executed instructions could leave the kept bytes."""
         relocated = {r.offset for r in self.section.relocations}
         data = bytearray(self.data)
         for offset, instruction in self.known.items():
@@ -78,28 +79,29 @@ class Part:
         self.data = bytes(data)
 
     def is_table(self, offset: int) -> bool:
-        """Whether a place is no instruction's."""
+        """Returns True if the byte at an offset belongs to no instruction."""
         if self.whole:
             return not self.section.code
         return not self.instructions[offset]
 
     @property
     def bytes(self) -> int:
-        """How many bytes of it are held."""
+        """The number of bytes kept."""
         return int(self.live.sum())
 
 
 def is_whole(section: Section) -> bool:
-    """Whether a section is held from its first to its last byte, if at all."""
+    """Returns True if a section is kept whole when it is kept at all."""
     return not section.code or Path(section.file).parent.name in SYSTEM
 
 
 class Program:
-    """The parts that a program needs, from its entry on."""
+    """The parts that a program needs, starting with its entry."""
 
     def __init__(self, sections: list[Section], aliases: dict[str, str],
                  trace: dict[Section, tuple[list[int], int]] | None):
-        """``trace``: executed offsets of a section, and timed as in Part; None: all is whole."""
+        """``trace``: executed offsets of each section, and timed as in Part; None: all parts are
+        whole."""
         self.aliases, self.trace, self.sections = aliases, trace, sections
         self.symbols: dict[str, tuple[Section, int]] = {}
         for section in sections:
@@ -115,7 +117,7 @@ class Program:
             pass
 
     def add(self, section: Section) -> Part:
-        """The part of a section, which the program holds from now on."""
+        """Adds a section to the program if it is new; returns its part."""
         if section not in self.parts:
             executed, timed = (self.trace or {}).get(section, ([], 0))
             whole = self.trace is None or is_whole(section) or section is self.stop
@@ -123,7 +125,7 @@ class Program:
         return self.parts[section]
 
     def resolve(self, section: Section, relocation: Relocation) -> tuple[Section, int]:
-        """The section and offset that a relocation leads to."""
+        """Returns the target section and offset of a relocation."""
         target = relocation.target
         if isinstance(target, Section):
             return target, relocation.addend
@@ -135,15 +137,16 @@ class Program:
         return found, offset + relocation.addend
 
     def held(self, part: Part) -> list[Relocation]:
-        """The relocations of the bytes that are held."""
+        """Returns the relocations of the kept bytes that no ILLEGAL has replaced."""
         return [r for r in part.section.relocations if part.live[r.offset]
                 and part.data[r.offset:r.offset + r.size]
                 == part.section.data[r.offset:r.offset + r.size]]
 
     def lead(self, part: Part, relocation: Relocation) -> tuple[Section, int]:
-        """As ``resolve``, but to the stop where the target is a routine never executed.
+        """Like ``resolve``, but returns the stop if the target is a routine that was never
+        executed.
 
-        vbcc has tables in the sections of code: what instructions refer to may be one.
+        vbcc has tables in the sections of code, so the target of an instruction may be a table.
         """
         target, offset = self.resolve(part.section, relocation)
         if self.trace is None or is_whole(target) or target is self.stop:
@@ -157,7 +160,7 @@ class Program:
         return self.stop, 0
 
     def grow(self) -> bool:
-        """Adds what the parts refer to; says whether that was news."""
+        """Adds the targets of the parts' relocations; returns True if any was new."""
         news = False
         for part in list(self.parts.values()):
             for relocation in self.held(part):

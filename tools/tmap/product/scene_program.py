@@ -1,8 +1,8 @@
-"""``tmap scene-program``: a program that holds one scene and what draws it, nothing else.
+"""``tmap scene-program``: a program that holds one scene and only the code that draws it.
 
-The scene's program is linked whole and run once, each instruction noted; the program that
-is kept has only what was executed. It draws the same frames again, so nothing else can be:
-that, and that every frame takes the time it takes the full renderer, is compared here.
+The scene's program is linked whole and run once, with each executed instruction recorded. The final
+program has only those. It draws the same frames again, so it executes no other instructions. This
+is checked here, and also that every frame takes the same time as in the full renderer.
 """
 
 import json
@@ -25,41 +25,41 @@ from tmap.run.run import SCENE_NAME, parse_output
 from tmap.scene_file.scene_file import Scene, write
 from tmap.scene_file.textures import ordered
 
-#: What calls the first calls the second: short memory ends the program with a line.
+#: Calls of the first symbol go to the second: if memory is short, the program ends with a line.
 ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
            "workbench": "workbench_none"}
 TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait",
           "_clock_start": "_trace_start"}
 FLAGS = "trace.flags"
-TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed, more than once so
+TIMED, AGAIN = 2, 4  # bits of a flag: executed while a frame is timed; more than once meanwhile
 RENDER_LINK = BUILD / "obj" / "render.link"
 LINKED = re.compile(r"^ (\S+)\s+0x([0-9a-f]+)\s+0x[0-9a-f]+ (\S+\.o)$", re.M)
 
 TRACE_PATIENCE = 10 * emulator.STALL_SECONDS  # instructions take some 30 times as long
-#: Ticks by which a frame may take longer than the full renderer's: 20 cycles, a few longwords of
-#: code that are fetched once more where it lies otherwise.
+#: Ticks by which a frame may take longer than the full renderer's: 20 cycles, for a few longwords
+#: of code that are fetched once more at other addresses.
 LONGER = 20 // CYCLES_PER_TICK
-ORDERS = 32  # in which a layout's parts are placed: some 100 bytes of 10,000 are won
-ROUTINES = 12  # that are listed
+ORDERS = 32  # orders in which a layout's parts are placed: they save some 100 bytes of 10,000
+ROUTINES = 12  # listed in the report
 
 
 @dataclass
 class Run:
-    """What a program drew: dumps by name, ticks a frame."""
+    """A program's frames: dumps by name, ticks of each frame."""
 
     dumps: dict[str, bytes]
     ticks: list[int]
 
 
 def scene_section(scene: Scene) -> elf_object.Section:
-    """The scene as the program holds it."""
+    """Returns the scene as a section of the program."""
     data = write(scene, with_palette=False)
     return elf_object.Section("", ".rodata.scene_data", data, len(data), 4,
                            symbols={"_scene_data": 0})
 
 
 def load_sections(scene: Scene) -> list[elf_object.Section]:
-    """All sections a program could hold."""
+    """Returns all sections that a program may hold."""
     compiler, *files = (BUILD / "obj" / "objects").read_text().split()
     files.append(f"build/obj/{compiler}/programs/scene.o")
     return [section for name in files for section in elf_object.load(ROOT / name)] + [
@@ -67,7 +67,7 @@ def load_sections(scene: Scene) -> list[elf_object.Section]:
 
 
 def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Section, int]:
-    """Addresses of sections in the full renderer."""
+    """Returns the addresses of sections in the full renderer."""
     places = {(str(ROOT / file), name): at
               for name, address, file in LINKED.findall(RENDER_LINK.read_text())
               if (at := int(address, 16))}  # 0: the linker dropped it
@@ -75,7 +75,8 @@ def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Secti
 
 
 def measure(sections: list[elf_object.Section], folder: Path) -> dict:
-    """Executed offsets of each section, and whether timed: drawn once on the emulator."""
+    """Runs the whole program once on the emulator; returns the executed offsets of each section,
+    and timed as in Part."""
     program = Program(sections, ALIASES | TRACER, None)
     layout = Layout(program, {})
     folder.mkdir()
@@ -100,7 +101,7 @@ def measure(sections: list[elf_object.Section], folder: Path) -> dict:
 
 def run_program(name: str, arguments: str, files: dict, machine: str, folder: Path,
                 programs: Path, frames: int) -> Run:
-    """Runs a program of either kind."""
+    """Runs a scene's program or, with arguments, the full renderer."""
     done = emulator.run(name, arguments, files, machine, folder, programs=programs)
     if done.code:
         raise UserError(f"{name}: return code {done.code}; {emulator.last_words(done.output)}")
@@ -113,7 +114,7 @@ def run_program(name: str, arguments: str, files: dict, machine: str, folder: Pa
 
 
 def compare(full: Run, own: Run, name: str) -> None:
-    """Refuses a program that does not draw as the full renderer does."""
+    """Refuses a program whose frames differ from the full renderer's."""
     if sorted(full.dumps) != sorted(own.dumps) or len(full.ticks) != len(own.ticks):
         raise UserError(f"{name}: {len(own.dumps)} frames drawn and {len(own.ticks)} timed where "
                         f"the full renderer has {len(full.dumps)} and {len(full.ticks)}")
@@ -123,13 +124,14 @@ def compare(full: Run, own: Run, name: str) -> None:
 
 
 def is_as_fast(own: int, full: int) -> bool:
-    """Whether a frame of so many ticks keeps up with the full renderer's."""
+    """Returns True if a frame's ticks exceed the full renderer's by at most LONGER."""
     return own <= full + LONGER
 
 
 def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Layout]:
-    """The program by what lies as in the full renderer: nothing, what is timed again and again, all
-    that is timed (Part.timed); each in some orders, the smallest first. Those that fit, if any does."""
+    """Returns layouts of the program, the smallest first. These parts keep their places in the full
+    renderer: none, those timed more than once, all timed ones (Part.timed); the latter two in
+    ORDERS orders. Layouts that do not fit are left out, unless none fits."""
     made = []
     for least in (3, 2, 1):
         fixed = {p.section: places[p.section] for p in program.parts.values()
@@ -140,7 +142,8 @@ def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Lay
 
 def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,
         machine: str, folder: Path) -> tuple[Layout, Run]:
-    """The smallest layout whose frames are all as fast as the full renderer's, or the last."""
+    """Returns the smallest layout whose frames are all as fast as the full renderer's, or the
+    last."""
     (folder / "made").mkdir()
     for number, layout in enumerate(layouts(program, places)):
         layout.write(folder / "made" / name)
@@ -153,7 +156,7 @@ def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name
 
 
 def sizes(program: bytes, scene: Scene) -> dict[str, int]:
-    """Bytes of the file: what is code and its tables, the scene without maps, the maps."""
+    """Returns bytes of the file: code with its tables, the scene without maps, the maps."""
     maps = sum(len(data) + -len(data) % 4 for data in map(ordered, scene.textures))
     inside = len(write(scene, with_palette=False))
     return {"file": len(program), "code": len(program) - inside, "scene": inside - maps,
@@ -161,7 +164,7 @@ def sizes(program: bytes, scene: Scene) -> dict[str, int]:
 
 
 def describe(layout: Layout) -> list[dict]:
-    """What is inside, the largest first."""
+    """Returns the program's parts, the largest first."""
     rows = [{"name": part.section.title, "file": Path(part.section.file).stem,
              "bytes": part.bytes, "of": part.section.size, "timed": part.timed}
             for part in layout.program.parts.values() if not part.section.bss]
@@ -169,7 +172,7 @@ def describe(layout: Layout) -> list[dict]:
 
 
 def print_report(about: dict, out: Path) -> None:
-    """A short table."""
+    """Prints a short table."""
     own, full = about["bytes"], about["full_bytes"]
     print(f"{about['scene']} on {about['machine']}: {out / about['scene']}\n")
     print(f"{'bytes':<22} {'full renderer':>14} {'this program':>14}")

@@ -1,12 +1,12 @@
-"""Makes the SDK: what others need to link this tree's loops into programs of their own.
+"""Makes the SDK: the files with which other programs link this tree's loops.
 
     include/    C headers as they are in c/, tmap020.h which includes them, tmap020.i for assembly
     c/          C sources, and sources.mk: which of them each drawing routine needs
     lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
     example/    two programs and their Makefile
 
-A routine is public where a C header declares it; the libraries hold the public ones and what they
-refer to.
+A routine is public if a C header declares it. The libraries hold the public routines and all that
+they refer to.
 """
 
 import re
@@ -22,14 +22,14 @@ from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
 from tmap.product import sdk_include
 
-#: Folders of c/ whose sources and headers are public, and of src68k/; single files: displays are
-#: the programs' own.
+#: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
+#: Displays are left to the programs.
 C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "glide", "glide/polygons",
            "n64", "n64/polygons")
 C_FILES = (Path("scene/draw_meshes.c"), Path("scene/draw_meshes.h"), Path("screen/ham8.c"),
            Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
-#: Lists of C sources: what each offers, routines or a whole room.
+#: Lists of C sources by name: the routines, or the whole room, that a list offers.
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
@@ -43,13 +43,14 @@ ARCHIVE = "tmap020"
 
 @dataclass
 class Tree:
-    """What the project's build left, by the names that are defined there."""
+    """The objects of the project's build, by path and by the symbols that they define."""
 
     sections: dict[Path, list[Section]]
     home: dict[str, Path]  # of each symbol
 
     def needed(self, symbols: list[str]) -> list[Path]:
-        """The objects that define the symbols, and those that they refer to, sorted."""
+        """Returns the objects that define the symbols, and all objects that these refer to,
+        sorted."""
         found: set[Path] = set()
         todo = [self.home[name] for name in symbols]
         while todo:
@@ -61,8 +62,8 @@ class Tree:
         return sorted(found)
 
     def groups(self, paths: list[Path]) -> list[list[Path]]:
-        """The objects, those together that refer to one another by distances: linkers disagree on
-        these, so they are settled here."""
+        """Returns the objects in groups: those that refer to one another by distances are together.
+        Linkers disagree on distances, so these are resolved here."""
         of = {path: [path] for path in paths}
         for path in paths:
             for target in references(self.sections[path], True):
@@ -73,25 +74,26 @@ class Tree:
 
 
 def references(sections: list[Section], relative: bool = False) -> set[str]:
-    """The symbols that an object expects of others; ``relative``: those it takes distances to."""
+    """Returns the symbols that an object expects from others; ``relative``: only those that it
+    takes distances to."""
     return {r.target for s in sections for r in s.relocations
             if isinstance(r.target, str) and (r.relative or not relative)}
 
 
 def included(path: Path) -> list[Path]:
-    """The headers that a file of c/ includes itself."""
+    """Returns the headers that a file of c/ includes directly."""
     return [Path(name) for name in INCLUDE.findall((ROOT / "c" / path).read_text())]
 
 
 def offered(suffix: str) -> list[Path]:
-    """The public C sources or headers, relative to c/."""
+    """Returns the public C sources or headers, relative to c/."""
     paths = [path.relative_to(ROOT / "c") for room in C_ROOMS
              for path in sorted((ROOT / "c" / room).glob(f"*{suffix}"))]
     return [path for path in (*paths, *C_FILES) if path.suffix == suffix]
 
 
 def headers() -> list[Path]:
-    """The public headers, and those that public files include, relative to c/."""
+    """Returns the public headers, and those that public files include, relative to c/."""
     todo = offered(".c") + offered(".h")
     found: set[Path] = set()
     while todo:
@@ -103,19 +105,19 @@ def headers() -> list[Path]:
 
 
 def declared() -> set[str]:
-    """The routines that public headers declare."""
+    """Returns the names of the routines that public headers declare."""
     return {name for path in offered(".h")
             for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
 
 
 def public() -> list[contracts.Contract]:
-    """The contracts of the routines that are offered, by file."""
+    """Returns the contracts of the public routines, by file."""
     names = declared()
     return [each for each in contracts.kernels(ROOT / "src68k") if each.name in names]
 
 
 def built() -> Tree:
-    """The objects of the public rooms."""
+    """Returns the objects of the public rooms."""
     compiler, *names = (BUILD / "obj" / "objects").read_text().split()
     wanted = [BUILD / "obj" / compiler / path.with_suffix(".o") for path in offered(".c")] \
         + [ROOT / name for name in names if Path(name).parent.name in ASM_ROOMS
@@ -127,18 +129,18 @@ def built() -> Tree:
 
 
 def source(path: Path) -> Path:
-    """The C source of an object, relative to c/."""
+    """Returns the C source of an object, relative to c/."""
     compiler = (BUILD / "obj" / "objects").read_text().split()[0]
     return path.relative_to(BUILD / "obj" / compiler).with_suffix(".c")
 
 
 def is_assembly(path: Path) -> bool:
-    """Whether an object was built of an assembly source."""
+    """Returns True if an object was built from an assembly source."""
     return path.is_relative_to(BUILD / "obj" / "asm")
 
 
 def run_tool(*words: str | Path) -> None:
-    """Runs a tool; UserError with what it said where that fails."""
+    """Runs a tool; raises UserError with its output if it fails."""
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, text=True, errors="replace", cwd=ROOT)
     if done.returncode:
@@ -146,14 +148,14 @@ def run_tool(*words: str | Path) -> None:
 
 
 def hunk_units(path: Path) -> dict[str, bytes]:
-    """An ELF object as hunk objects, by linker."""
+    """Converts an ELF object to hunk objects, by linker."""
     sections = elf_object.load(path)
     return {kind: hunk_object.unit(path.name, sections, names)
             for kind, names in (("gcc", hunk_object.GCC), ("vlink", hunk_object.VLINK))}
 
 
 def write_libraries(out: Path, groups: list[list[Path]]) -> None:
-    """The objects in all three forms, one by one and as a library each."""
+    """Writes the objects in all three forms, each alone and all in a library."""
     folders = {name: out / "lib" / name for name in ("elf", "gcc", "vlink")}
     for folder in folders.values():
         (folder / "objects").mkdir(parents=True)
@@ -177,7 +179,7 @@ def write_libraries(out: Path, groups: list[list[Path]]) -> None:
 
 
 def source_lists(tree: Tree) -> str:
-    """sources.mk: the C sources that each entry needs, as a variable of its name."""
+    """Returns sources.mk: for each entry of LISTS a variable with the C sources that it needs."""
     lines = ["# C sources by what they offer, each list with all C that it needs."]
     for name, offer in LISTS.items():
         symbols = [f"_{routine}" for routine in offer] if isinstance(offer, tuple) else \
@@ -190,7 +192,7 @@ def source_lists(tree: Tree) -> str:
 
 
 def copy_files(out: Path) -> None:
-    """Headers, sources, example, licence and what to read."""
+    """Copies headers, sources, example, licence and README."""
     for folder, files in (("include", headers()), ("c", offered(".c"))):
         for path in files:
             (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
@@ -204,8 +206,8 @@ def copy_files(out: Path) -> None:
 
 
 def make(out: Path) -> int:
-    """Writes the SDK into ``out``, which holds nothing else afterwards; returns how many routines
-    it offers."""
+    """Writes the SDK into ``out``, whose other content is removed; returns the number of routines
+    that the SDK offers."""
     if out.exists() and not (out / "README.txt").exists() and any(out.iterdir()):
         raise UserError(f"{out} holds something else than an SDK: it is left as it is")
     shutil.rmtree(out, ignore_errors=True)
@@ -221,7 +223,7 @@ def make(out: Path) -> int:
 
 
 def command(out: Path) -> int:
-    """``tmap sdk``: the folder, and beside it an archive of it."""
+    """``tmap sdk``: makes the folder, and an archive of it beside it."""
     count = make(out)
     archive = out.with_name(f"{ARCHIVE}-sdk.tar.gz")
     with tarfile.open(archive, "w:gz") as tar:

@@ -1,4 +1,4 @@
-"""The SDK's include files: tmap020.h, and tmap020.i out of headers and contract blocks."""
+"""The SDK's include files: tmap020.h, and tmap020.i from headers and contract blocks."""
 
 import subprocess
 from pathlib import Path
@@ -44,12 +44,12 @@ WIDTH = 96
 
 
 def umbrella(headers: list[Path]) -> str:
-    """tmap020.h."""
+    """Returns the text of tmap020.h."""
     return UMBRELLA % "\n".join(f'#include "{path}"' for path in headers)
 
 
 def equates(headers: list[Path]) -> str:
-    """Offsets and constants of the headers, as layout.i has them."""
+    """Returns offsets and constants of the headers, in the form of layout.i."""
     with workspace() as folder:
         source, target = folder / "headers.c", folder / "headers.o"
         source.write_text("".join(f'#include "{path}"\n' for path in headers))
@@ -61,18 +61,18 @@ def equates(headers: list[Path]) -> str:
 
 
 def arguments(title: str, given: tuple[Argument, ...]) -> list[str]:
-    """The lines of ``in`` or ``out``."""
+    """Returns the lines of ``in`` or ``out``."""
     return [f";   {title if not k else '':<8} {a.register:<5} {a.type:<20} {a.meaning}"
             for k, a in enumerate(given)]
 
 
 def trashes(registers: frozenset[str]) -> str:
-    """Registers, data before address."""
+    """Returns registers as text, data registers first."""
     return " ".join(sorted(registers, key=lambda r: (r[0] == "a", r))) or "-"
 
 
 def routine(contract: Contract) -> list[str]:
-    """What a caller must know of a routine, and its name."""
+    """Returns the lines of a routine: its interface, and its names."""
     lines = ["", f"; {contract.name} - {contract.summary}", *arguments("in", contract.inputs),
              *arguments("out", contract.outputs), f";   changes  {trashes(contract.trashes)}"]
     for title, words in (("formats", contract.formats), ("error", contract.error)):
@@ -82,7 +82,7 @@ def routine(contract: Contract) -> list[str]:
 
 
 def wrapped(title: str, words: str) -> list[str]:
-    """A field's text in comment lines."""
+    """Wraps a field's text into comment lines."""
     lines, line = [], f";   {title:<8}"
     for word in words.split():
         if len(line) + 1 + len(word) > WIDTH:
@@ -93,7 +93,7 @@ def wrapped(title: str, words: str) -> list[str]:
 
 
 def assembly(headers: list[Path], offered: list[Contract]) -> str:
-    """tmap020.i."""
+    """Returns the text of tmap020.i."""
     lines = [line for each in offered for line in routine(each)]
     return HEAD + equates(headers).split("\n", 1)[1] + ROUTINES + "\n".join(lines) \
         + "\n\n        endc\n"

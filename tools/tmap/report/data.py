@@ -1,4 +1,4 @@
-"""What the report shows, measured or taken from the cache: one function a part."""
+"""The content of the report, measured or taken from the cache: one function for each part."""
 
 import json
 from collections.abc import Callable, Iterable
@@ -14,21 +14,21 @@ from tmap.guest import cache, provenance
 from tmap.guest.cache import Entry
 from tmap.guest.emulator import MEASURED
 
-#: What methods and hard cases are drawn on.
+#: The machine of methods and hard cases.
 MACHINE = "a1200-fast"
-#: Of a scene's run, what the page shows.
+#: Files of a scene's run that the page shows.
 SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
-#: To be raised when what a part keeps in the cache takes another form.
+#: To be increased when the form of a part's cache entry changes.
 FORM = "1"
-#: Told how many of how many steps are done; None: nobody knows.
+#: Called with the numbers of steps done and of all steps; None: not known.
 Tell = Callable[[int, int | None], None]
 
 
 @dataclass
 class Found:
-    """Everything; what was not measured is None."""
+    """All parts of the report; a part that was not measured is None."""
 
-    bench: dict  # as bench.json, accuracy.json and polys.json have it
+    bench: dict  # in the form of bench.json, accuracy.json and polys.json
     accuracy: dict
     polys: dict
     scenes: list[Entry]
@@ -38,7 +38,7 @@ class Found:
 
 
 def scene_names(chosen: list[str] | None) -> list[str]:
-    """All scenes, or those that were asked for."""
+    """Returns the chosen scenes, or all. Refuses unknown names."""
     known = sorted(path.stem for path in SCENES.glob("*.toml"))
     unknown = [name for name in chosen or () if name not in known]
     if unknown:
@@ -47,12 +47,13 @@ def scene_names(chosen: list[str] | None) -> list[str]:
 
 
 def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
-    """What identifies a part that a module of the tools measures."""
+    """Returns the cache key of a part that one of the tools' modules measures."""
     return cache.key(module, files, [FORM, *words])
 
 
 def of_scene(name: str, machine: str) -> Entry:
-    """A scene drawn: run.json's content without dumps and palette, and what its texels are off."""
+    """Draws a scene; returns run.json's content without dumps and palette, with the texels'
+    errors."""
     path = SCENES / f"{name}.toml"
 
     def make(folder: Path) -> dict:
@@ -71,7 +72,7 @@ def of_scene(name: str, machine: str) -> Entry:
 
 
 def bench_scene_files() -> list[Path]:
-    """The scenes that the bench draws."""
+    """Returns the files of the scenes that the bench draws."""
     from tmap.bench import scenes as bench_scenes
 
     return [file for name in bench_scenes.NAMES
@@ -79,7 +80,7 @@ def bench_scene_files() -> list[Path]:
 
 
 def of_bench(tell: Tell) -> Entry:
-    """All rows of the bench on all machines."""
+    """Returns all rows of the bench on all machines."""
     def make(folder: Path) -> dict:
         from tmap.bench import bench
 
@@ -91,7 +92,7 @@ def of_bench(tell: Tell) -> Entry:
 
 
 def of_accuracy(tell: Tell) -> Entry:
-    """All sets under all settings, on all machines."""
+    """Returns all sets under all settings, on all machines."""
     def make(folder: Path) -> dict:
         from tmap.accuracy import accuracy
         from tmap.corpus import polygon_sets
@@ -107,7 +108,7 @@ def of_accuracy(tell: Tell) -> Entry:
 
 
 def of_methods(tell: Tell) -> Entry:
-    """A turning face by each method."""
+    """Returns a turning face by each method."""
     def make(folder: Path) -> dict:
         from tmap.accuracy import methods
 
@@ -120,7 +121,7 @@ def of_methods(tell: Tell) -> Entry:
 
 
 def of_polys(_: Tell) -> Entry:
-    """Polygons a second."""
+    """Returns polygons a second."""
     def make(_: Path) -> dict:
         from tmap.accuracy import polys
 
@@ -130,7 +131,7 @@ def of_polys(_: Tell) -> Entry:
 
 
 def of_hard_cases(tell: Tell) -> Entry:
-    """The page of hard cases, and which exceed a bound."""
+    """Returns the page of hard cases, and the cases that exceed a bound."""
     def make(folder: Path) -> dict:
         from tmap.accuracy import accuracy
 
@@ -141,12 +142,12 @@ def of_hard_cases(tell: Tell) -> Entry:
 
 
 def committed(path: Path) -> dict:
-    """A baseline."""
+    """Reads a committed baseline."""
     return json.loads(path.read_text())
 
 
 def gather(scenes: list[str], machine: str, only_committed: bool, progress: Progress) -> Found:
-    """Everything the page shows; ``progress`` is told what is being measured."""
+    """Returns everything the page shows; ``progress`` shows the part being measured."""
     task, drawn = progress.add_task("scenes", total=len(scenes)), []
     for name in scenes:
         progress.update(task, description=f"scene {name}")

@@ -1,4 +1,4 @@
-"""The report's page: what stands in which section. The template is tools/report.html."""
+"""The report's page: the content of its sections. The template is report.html in this folder."""
 
 import json
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ MACHINES = {
     "a1200-fast": "the same with 8 MB of fast RAM, which has code, tables, textures and frame",
     "a1200-mixed": "a1200-fast with textures and frame in chip RAM",
     "a1200-030": "a1200-fast with a 68EC030 at the same clock; its data cache on where said"}
-#: Kinds of bench rows: title.
+#: Titles of the kinds of bench rows.
 BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)",
                "lines": "Cycles a line: edges and line tables",
                "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
@@ -35,19 +35,19 @@ BENCH_KINDS = {"rows": "Cycles a pixel (step_*: a step)",
                "frames": "Cycles a frame of whole scenes",
                "modes": "Cycles a pixel of texture engines' modes (_c: in plain C)",
                "first_frames": "Cycles more of the first frame of a mode"}
-#: Rows of the bench beside memory alone, and the row of memory that is their floor.
+#: Rows of the bench that are compared with memory alone.
 FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx", "tiled",
            "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_every16", "persp_every8",
            "persp_pixel", "persp_pixel_fine")
-STORES = ("gouraud",)  # they fetch no texel
-#: Of the hard cases, how many nearest to their bounds are told one by one: of these edges,
-#: gradients and start, by this mapper, and large enough for the eye (pixels).
+STORES = ("gouraud",)  # rows without texel fetches, compared with stores alone
+#: Hard cases that are listed: the number of those nearest to their bounds, their settings (edges,
+#: gradients, start, mapper), and their least size in pixels, so that the eye can see them.
 NEAREST, EXACT, LARGE = 9, ("exact", "plane", "subtexel", "affine"), 400
 
 
 def tables(markdown: str, numbers: bool = False) -> Markup:
-    """Markdown's tables as HTML, each in a box that scrolls by itself; ``numbers``: all columns but
-    the first stand to the right."""
+    """Returns Markdown's tables as HTML, each in a box that scrolls by itself; ``numbers``: all
+    columns except the first are right-aligned."""
     made = MarkdownIt("commonmark").enable("table").render(markdown)
     box = f'<div class="wide{" numbers" if numbers else ""}"><table>'
     return Markup(made.replace("<table>", box).replace("</table>", "</table></div>"))
@@ -55,10 +55,10 @@ def tables(markdown: str, numbers: bool = False) -> Markup:
 
 @dataclass
 class Source:
-    """Where figures come from: it stands beside them."""
+    """The source of figures, to be shown beside them."""
 
     machine: str
-    about: dict  # emulator, compiler, commit and, with most, conditions
+    about: dict  # emulator, compiler, commit and, in most, conditions
     conditions: str = ""
 
     def __html__(self) -> str:
@@ -68,7 +68,7 @@ class Source:
 
 
 def scene(about: dict, pictures: Path) -> dict:
-    """A scene's run as the template takes it."""
+    """Returns a scene's run for the template."""
     count, cycles = len(about["frames"]), [frame["cycles"] for frame in about["frames"]]
     mean = sum(cycles) / count
     materials = [{"name": name, **each} for name, each in about["lowering"].items()]
@@ -81,7 +81,7 @@ def scene(about: dict, pictures: Path) -> dict:
 
 
 def floored(measured: dict) -> list[dict]:
-    """Rows of the bench, 256 pixels, in multiples of what memory alone takes."""
+    """Returns rows of the bench, 256 pixels, each with its cycles and those of memory alone."""
     figures, made = bench.figures(measured["rows"]), []
     for name in FLOORED:
         cycles = [figures[name, machine, published.LONG] for machine in markdown.MACHINES]
@@ -92,14 +92,14 @@ def floored(measured: dict) -> list[dict]:
 
 
 def scene_errors(scenes: list[dict]) -> list[showcase.Shown]:
-    """Scenes with what their texels are off."""
+    """Returns scenes with the errors of their texels."""
     return [showcase.Shown(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))
             for s in scenes]
 
 
 def hard_cases(entry: Entry) -> dict:
-    """How many there are, what exceeds a bound, and what comes nearest of spans that are as
-    exact as they can be."""
+    """Returns the number of hard cases, the rows that exceed a bound, and the rows nearest to a
+    bound among the most exact spans."""
     rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
     judged = [r for r in rows if r["worst_ratio"] is not None]
     exact = dict(zip(("edges", "gradients", "start", "mapper"), EXACT)).items()
@@ -115,7 +115,7 @@ def hard_cases(entry: Entry) -> dict:
 
 
 def all_settings(found: dict) -> list[tuple[str, Markup]]:
-    """Title and table of each set on each machine."""
+    """Returns title and table of each set on each machine."""
     rows = found["rows"]
     return [(f"{name}, {machine}", tables(accuracy.table(rows, name, machine)))
             for name in dict.fromkeys(r["name"] for r in rows)
@@ -123,7 +123,8 @@ def all_settings(found: dict) -> list[tuple[str, Markup]]:
 
 
 def page(found: Found, pictures: Path) -> str:
-    """index.html; ``pictures``: the directory beside it, with all its pictures."""
+    """Returns the text of index.html; ``pictures``: the directory beside it, with all its
+    pictures."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)

@@ -1,8 +1,8 @@
-"""The pages for readers, and what can be checked in them.
+"""The pages for readers, and checks of them.
 
-Pages are the Markdown files on top and the README.md of each room. A table stands between two
-marker lines, by its title; every table has one page, every marker a table. Links, files and
-commands that a page names are there.
+Pages are the Markdown files in the root and the README.md of each room. A table is between two
+marker lines with its title. Every table is on one page, and every marker has a table. Links, files
+and commands on a page must exist.
 """
 
 import re
@@ -24,23 +24,23 @@ FILE = re.compile(rf"(?:{'|'.join(ROOMS)})/[\w./*-]*")
 
 
 def find(root: Path = ROOT) -> list[Path]:
-    """All pages, those on top first."""
+    """Returns all pages, those in the root first."""
     return [*sorted(root.glob("*.md")),
             *(page for room in ROOMS for page in sorted((root / room).rglob("README.md")))]
 
 
 def name(page: Path, root: Path = ROOT) -> str:
-    """A page's path in the tree."""
+    """Returns a page's path in the tree."""
     return str(page.relative_to(root))
 
 
 def prose(text: str) -> str:
-    """A page without its blocks of code."""
+    """Returns a page's text without its blocks of code."""
     return INDENTED.sub("", FENCE.sub("", text))
 
 
 def with_table(text: str, page: str, title: str, content: str) -> str:
-    """A page's text with a table between its marker lines."""
+    """Returns a page's text with a table put between its marker lines."""
     head, rest = text.split(BEGIN.format(title), 1)
     old, end, tail = rest.partition(END)
     if not end or MARKER.search(old):
@@ -49,7 +49,7 @@ def with_table(text: str, page: str, title: str, content: str) -> str:
 
 
 def with_tables(texts: dict[str, str], tables: dict[str, str]) -> dict[str, str]:
-    """The pages' texts by name, with all tables as they are to be."""
+    """Returns the pages' texts by name, with all tables up to date."""
     pages: dict[str, str] = {}
     for page, text in texts.items():
         for title in MARKER.findall(text):
@@ -67,24 +67,24 @@ def with_tables(texts: dict[str, str], tables: dict[str, str]) -> dict[str, str]
 
 
 def read(root: Path = ROOT) -> dict[str, str]:
-    """The texts of all pages by name."""
+    """Returns the texts of all pages by name."""
     return {name(page, root): page.read_text() for page in find(root)}
 
 
 def typed_tables(text: str) -> list[str]:
-    """Lines of tables that stand between no markers, so that nothing keeps them right."""
+    """Returns lines of tables outside all markers, which nothing keeps up to date."""
     outside = re.sub(rf"{MARKER.pattern}.*?{END}", "", FENCE.sub("", text), flags=re.S)
     return [line for line in outside.splitlines() if line.startswith("|")]
 
 
 def anchor(heading: str) -> str:
-    """What a host makes of a heading, for links to it."""
+    """Returns the anchor that a host gives a heading."""
     words = re.sub(r"[^\w\- ]", "", heading.replace("`", "").lower())
     return words.replace(" ", "-")
 
 
 def wrong_links(page: str, texts: dict[str, str], root: Path = ROOT) -> list[str]:
-    """Links of a page that lead to no file of the tree, or to no heading of a page."""
+    """Returns links of a page that lead to no file of the tree, or to no heading of a page."""
     wrong = []
     for target in LINK.findall(prose(texts[page])):
         if target.startswith(("http://", "https://")):
@@ -101,14 +101,14 @@ def wrong_links(page: str, texts: dict[str, str], root: Path = ROOT) -> list[str
 
 
 def wrong_files(text: str, root: Path = ROOT) -> list[str]:
-    """Files and folders of the tree, named in code, that are not there."""
+    """Returns files and folders of the tree, named in code, that do not exist."""
     words = [word for code in CODE.findall(prose(text)) for word in code.split()]
     named = [match[0] for word in words if (match := FILE.match(word)) and "NAME" not in word]
     return [each for each in named if not any(root.glob(each.rstrip("/.")))]
 
 
 def commands(text: str) -> tuple[set[str], set[str]]:
-    """The targets of make and the commands of scripts/tmap that a page names."""
+    """Returns the targets of make and the commands of scripts/tmap that a page names."""
     makes = re.findall(r"(?:^ {4}|`)(?:\w+=\S+ )*make ([a-z][\w-]*)", text, re.M)
     tmaps = re.findall(r"scripts/tmap ([a-z][\w-]*)", MARKER.sub("", text))
     return set(makes), set(tmaps)

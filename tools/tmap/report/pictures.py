@@ -6,25 +6,25 @@ import matplotlib.pyplot as plt
 
 from tmap.accuracy.pictures import LEAST, MARKS, drawn_by
 
-#: Set to its title and colour: polygons without depth and with it.
+#: Title and colour of each set: polygons without depth and with it.
 SETS = {"medium": ("without depth", "#1f5fa8"), "depth": ("with depth", "#b3541e")}
-#: Where the name of a frontier's point stands, in points from it, and which end of it: the first
-#: one's, the last one's, and those between of each set.
+#: Label of a frontier's point: its offset from the point, in points, and its alignment. There is
+#: one for the first point, one for the last, and one for the points in between of each set.
 PLACES = {"first": ((8, 3), "left"), "last": ((0, -14), "center"), "medium": ((-8, -4), "right"),
           "depth": ((7, 5), "left")}
-#: Name of a picture to its size in inches, dots an inch and size of letters: wide pages, phones.
+#: Each picture's size in inches, dots an inch and font size: for wide pages, for phones.
 SIZES = {"frontier.png": ((9.6, 5.6), 120, 9), "frontier_narrow.png": ((4.4, 6.0), 160, 8)}
 
 
 def plotted(rows: list[dict], machine: str) -> list[dict]:
-    """The rows of the plot: everything with a texture."""
+    """Returns the rows of the plot: all rows with a texture."""
     return [r for r in rows if r["name"] in SETS and r["machine"] == machine
             and drawn_by(r) in MARKS]
 
 
 def frontier(rows: list[dict]) -> list[dict]:
-    """The rows than which none is as cheap and as exact, and better in one; cheapest first.
-    Error is that of texels alone."""
+    """Returns the rows that no other row beats in cycles and error, cheapest first. The error is
+    that of texels alone."""
     best = []
     for row in sorted(rows, key=lambda r: (r["cycles_per_pixel"], r["texel_error_rms"])):
         if not best or row["texel_error_rms"] < best[-1]["texel_error_rms"]:
@@ -33,14 +33,14 @@ def frontier(rows: list[dict]) -> list[dict]:
 
 
 def frontiers(rows: list[dict], machine: str) -> dict[str, list[dict]]:
-    """The frontier of each set."""
+    """Returns the frontier of each set."""
     chosen = plotted(rows, machine)
     return {name: frontier([r for r in chosen if r["name"] == name]) for name in SETS}
 
 
 def plot(rows: list[dict], machine: str, path: Path) -> None:
-    """Both sets in one plot; a point's form is its mapper or perspective, a hollow one starts spans
-    at whole texels or takes vertices as integers."""
+    """Plots both sets. A point's shape is its mapper or perspective; a hollow point starts spans at
+    whole texels or takes vertices as integers."""
     size, dots, letters = SIZES[path.name]
     chosen = plotted(rows, machine)
     with plt.rc_context({"font.size": letters}):
@@ -75,7 +75,7 @@ def plot(rows: list[dict], machine: str, path: Path) -> None:
 
 
 def label(axes, row: dict, best: list[dict], colour: str) -> None:
-    """A point of the frontier by its name, on the side where there is room."""
+    """Labels a point of the frontier; PLACES has the free side."""
     offset, end = PLACES["first" if row is best[0] else "last" if row is best[-1] else row["name"]]
     axes.annotate(drawn_by(row), (row["cycles_per_pixel"], max(row["texel_error_rms"], LEAST)),
                   color=colour, xytext=offset, textcoords="offset points", ha=end,

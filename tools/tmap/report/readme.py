@@ -1,6 +1,6 @@
 """``tmap readme``: writes the tables and pictures of the pages, so that nobody types them.
 
-Figures are the committed baselines'; tools/tmap/report/pages.py has where tables stand.
+Figures come from the committed baselines. tools/tmap/report/pages.py finds the tables' places.
 """
 
 import json
@@ -26,7 +26,7 @@ COLOURS = 24  # of the animation
 
 
 def tables() -> dict[str, str]:
-    """All tables of all pages by title, as the baselines have them."""
+    """Returns all tables of all pages by title, from the baselines."""
     measured, accuracy = (json.loads(path.read_text()) for path in (BASELINE, ACCURACY_BASELINE))
     counted = json.loads(POLYS_BASELINE.read_text())
     found = {"addx against swap": readme_cycles.versus_table(measured),
@@ -48,14 +48,14 @@ def tables() -> dict[str, str]:
 
 
 def picture() -> Image.Image:
-    """Frame 0 of the default scene, as the emulated machine draws it."""
+    """Returns frame 0 of the default scene, as the emulated machine draws it."""
     compiled = scene.compile_scene(SCENES / "default.toml", 1)
     return run.picture_of(run.render(compiled, "a1200-fast", "addx").frames[0], compiled)
 
 
 def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """COLOURS colours for what a frame shows of a palette, its first one kept, and which of them
-    stands for each entry."""
+    """Reduces a palette to COLOURS colours for a frame, with its first entry kept. Returns them,
+    and for each entry of the palette the number of its new colour."""
     shown = Image.fromarray(full[frame[frame != 0]][None])
     reduced = shown.quantize(COLOURS - 1, Image.Quantize.MEDIANCUT, kmeans=1,
                              dither=Image.Dither.NONE).getpalette()
@@ -64,7 +64,8 @@ def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def animation() -> list[Image.Image]:
-    """Every other frame of the environment-mapped knot, in few colours: half the bytes."""
+    """Returns every second frame of the environment-mapped knot, in few colours, to halve the
+    bytes."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
     frames = run.render(compiled, "a1200-fast", "addx").frames
     colours, entries = fewer_colours(compiled.palette, frames[0])

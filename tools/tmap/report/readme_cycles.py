@@ -1,11 +1,11 @@
-"""The pages' tables of loops, polygons, meshes and rules: their cycles out of the baselines."""
+"""The pages' tables of loops, polygons, meshes and rules, with cycles from the baselines."""
 
 from tmap.accuracy import dither_errors
 from tmap.base.markdown import MACHINES, table
 from tmap.bench import bench, rules
 from tmap.guest.emulator import CLOCK_HZ
 
-#: What is compared: title, name with {} for the form, length.
+#: Lines of the comparison: title, name with {} for the form, length.
 LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 1024),
          ("step, 3", "step_{}_3", 1024), ("pixel, 1 interpolant", "pixel_{}_1", 256),
          ("pixel, 2 (affine)", "pixel_{}_2", 256), ("pixel, 3 (affine, lit)", "pixel_{}_3", 256),
@@ -14,7 +14,7 @@ LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 10
 
 
 def versus_table(baseline: dict) -> str:
-    """Markdown: swap / addx on each machine, cycles a pixel or step."""
+    """Returns a Markdown table: swap / addx on each machine, cycles a pixel or step."""
     figures = bench.figures(baseline["rows"])
     rows = [[title, *(" / ".join(f"{figures[name.format(form), machine, length]:.1f}"
                                  for form in ("swap", "addx")) for machine in MACHINES)]
@@ -24,7 +24,7 @@ def versus_table(baseline: dict) -> str:
     return table(["cycles, swap / addx", *MACHINES.values()], rows, "l")
 
 
-#: What accuracy costs: edges, gradients, start, mapper of the table's lines.
+#: Lines of the table of accuracy's costs: edges, gradients, start, mapper.
 ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("subpixel", "polygon", "truncated", "affine"),
                   ("subpixel", "polygon", "subtexel", "affine"),
@@ -37,7 +37,7 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
 
 
 def accuracy_table(accuracy: dict) -> str:
-    """Markdown: the medium set in fast RAM."""
+    """Returns a Markdown table: the medium set in fast RAM."""
     found = {(r["edges"], r["gradients"], r["start"], r["mapper"]): r for r in accuracy["rows"]
              if r["machine"] == "a1200-fast" and r["name"] == "medium"}
     rows = []
@@ -50,7 +50,7 @@ def accuracy_table(accuracy: dict) -> str:
                   "wrong pixels in 10^6", "rms error, texels", "wrong texels"], rows, "llllr")
 
 
-#: Perspective: title, setting, bench row of its spans, of the ones that take over.
+#: Perspective: title, setting, bench row of its spans, bench row of their exact form.
 PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
                      ("every 16 pixels", "every16", "persp_every16", "persp_every16_exact"),
                      ("every 8 pixels", "every8", "persp_every8", "persp_every8_exact"),
@@ -59,7 +59,8 @@ PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
 
 
 def perspective_table(baseline: dict, accuracy: dict) -> str:
-    """Markdown: spans of 256 pixels in fast and mixed RAM, whole polygons in fast RAM."""
+    """Returns a Markdown table: spans of 256 pixels in fast and mixed RAM, whole polygons in fast
+    RAM."""
     figures = bench.figures(baseline["rows"])
     found = {r["perspective"]: r for r in accuracy["rows"] if r["name"] == "depth"
              and (r["machine"], r["edges"]) == ("a1200-fast", "exact")}
@@ -90,7 +91,7 @@ EFFECT_LINES = (("rotator, 320x256, addx", "rotator", 320),
 
 
 def effects_table(baseline: dict) -> str:
-    """Markdown: cycles a pixel on each machine, pixels a second."""
+    """Returns a Markdown table: cycles a pixel on each machine, pixels a second."""
     figures, rows = bench.figures(baseline["rows"]), []
     for title, name, length in EFFECT_LINES:
         found = [figures[name, machine, length] for machine in MACHINES]
@@ -98,7 +99,7 @@ def effects_table(baseline: dict) -> str:
     return table(["cycles a pixel", *MACHINES.values(), "pixels a second, fast RAM"], rows)
 
 
-#: Dithered points beside points: title, bench rows.
+#: Dithered points compared with points: title, bench rows.
 DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
                   ("8 bits, where v may wrap", "dithered_wrap", "affine_addx_wrap"),
                   ("16 or 32 bits", "dithered_16", "affine_16"),
@@ -106,7 +107,8 @@ DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
 
 
 def dithered_tables(baseline: dict) -> str:
-    """Markdown: what dithered points are off from the bilinear filter, and what they cost."""
+    """Returns Markdown tables: errors of dithered points against the bilinear filter, and
+    cycles."""
     figures = bench.figures(baseline["rows"])
     rows = [[title, *(" / ".join(f"{figures[name, machine, 256]:.1f}" for name in names)
                       for machine in MACHINES)] for title, *names in DITHERED_LINES]
@@ -114,7 +116,7 @@ def dithered_tables(baseline: dict) -> str:
     return f"{dither_errors.table()}\n\n{costs}"
 
 
-#: Meshes: title of a line, row.
+#: Meshes: title of a line, bench row.
 MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
               ("a point outside the borders", "mesh_transform_outside"),
               ("a normal: one of s, t and shade", "mesh_looks"),
@@ -124,7 +126,7 @@ MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
 
 
 def mesh_table(baseline: dict) -> str:
-    """Markdown: what meshes cost before their polygons are drawn."""
+    """Returns a Markdown table: cycles of meshes before their polygons are drawn."""
     figures = bench.figures(baseline["points"])
     return table(["cycles", *MACHINES.values()],
                  [[title, *(f"{figures[name, machine, 1]:.0f}" for machine in MACHINES)]
@@ -132,7 +134,7 @@ def mesh_table(baseline: dict) -> str:
 
 
 def rules_table(baseline: dict) -> str:
-    """Markdown: what a polygon costs without each rule of lowering, and with it, kilocycles."""
+    """Returns a Markdown table: kilocycles of a polygon without and with each rule of lowering."""
     figures = bench.figures(baseline["rules"])
     machines = ("a1200-fast", "a1200")
     rows = []

@@ -1,4 +1,4 @@
-"""The pages' tables of texture engines: what their modes and texel formats cost and are off."""
+"""The pages' tables of texture engines: cycles and errors of their modes and texel formats."""
 
 from dataclasses import dataclass
 
@@ -13,28 +13,29 @@ Rows = dict[tuple[str, str], dict]
 
 
 def rows_of(baseline: dict) -> Rows:
-    """Rows by name and machine."""
+    """Returns rows by name and machine."""
     return {(row["name"], row["machine"]): row
             for kind in ("modes", "first_frames") for row in baseline[kind]}
 
 
 def figures_of(baseline: dict) -> Figures:
-    """Cycles by a row's name and machine."""
+    """Returns cycles by a row's name and machine."""
     return {name: bench.cycles(row) for name, row in rows_of(baseline).items()}
 
 
 def ratio(figures: Figures, name: str) -> float:
-    """How many times the plain C of a mode takes."""
+    """Returns a mode's cycles in plain C, as a multiple of its cycles."""
     return figures[f"{ROW}{name}{PLAIN_END}", PLAIN_MACHINE] / figures[ROW + name, PLAIN_MACHINE]
 
 
 def thousands(cycles: float) -> str:
-    """Whole thousands; what is nearly nothing has no sign."""
+    """Returns whole thousands; a number that rounds to 0 has no sign."""
     return f"{round(cycles / 1000):,}"
 
 
 def modes_table(baseline: dict, engine: Engine) -> str:
-    """Markdown: cycles a pixel, in plain C, and of the first frame; errors on both pictures."""
+    """Returns a Markdown table: cycles a pixel, in plain C, and of the first frame; errors on both
+    pictures."""
     figures, rows = figures_of(baseline), []
     for mode in engine.modes:
         cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
@@ -47,7 +48,7 @@ def modes_table(baseline: dict, engine: Engine) -> str:
 
 
 def formats_table(baseline: dict, engine: Engine) -> str:
-    """Markdown: each texel format, point sampled and filtered."""
+    """Returns a Markdown table: each texel format, point sampled and filtered."""
     figures, rows = figures_of(baseline), []
     for form, names in engine.formats.items():
         cells = [form]
@@ -65,8 +66,8 @@ def formats_table(baseline: dict, engine: Engine) -> str:
 
 @dataclass(frozen=True)
 class Step:
-    """What is switched on. ``without``, ``on``: the modes without it and with it; ``small``: of
-    SMALL, what is done once a polygon without it."""
+    """A step that can be on. ``without``, ``on``: the modes without it and with it; ``small``: the
+    mode of SMALL, polygons of 8 pixels, without it."""
 
     title: str
     without: str
@@ -74,11 +75,11 @@ class Step:
     small: str = ""
 
     def more(self, figures: Figures, machine: str) -> float:
-        """Cycles a pixel that it adds."""
+        """Returns the cycles a pixel that it adds."""
         return figures[ROW + self.on, machine] - figures[ROW + self.without, machine]
 
 
-#: Of Glide's unit, what shows.
+#: Steps of Glide's unit with an effect.
 STEPS = (Step("bilinear instead of points", "glide_point", "glide_bilinear"),
          Step("the same in perspective", "glide_point_perspective", "glide_bilinear_perspective"),
          Step("the same, mip-mapped", "glide_mip_point", "glide_mip_bilinear"),
@@ -96,7 +97,7 @@ STEPS = (Step("bilinear instead of points", "glide_point", "glide_bilinear"),
          Step("the same in perspective", "glide_bilinear_perspective", "glide_modulate_perspective"),
          Step("own s, t and w of the second unit: projected", "glide_modulate_perspective",
               "glide_projected"))
-#: What is on and does nothing for its polygon.
+#: Steps that are on without effect on their polygon.
 UNCALLED = (Step("clamping, inside the map", "glide_point", "glide_point_inside", "glide_point_small"),
             Step("perspective, all as deep: points", "glide_point", "glide_level_point",
                  "glide_point_small"),
@@ -113,7 +114,8 @@ UNCALLED = (Step("clamping, inside the map", "glide_point", "glide_point_inside"
 
 
 def steps_table(baseline: dict) -> str:
-    """Markdown: what each step of Glide's unit adds where it is on."""
+    """Returns a Markdown table: cycles that each step of Glide's unit adds when it has an
+    effect."""
     figures, rows = figures_of(baseline), []
     for step in STEPS:
         cells = []
@@ -127,14 +129,14 @@ def steps_table(baseline: dict) -> str:
 
 
 def polygon(rows: Rows, name: str, machine: str) -> float:
-    """Cycles of a mode's whole polygon."""
+    """Returns the cycles of a mode's whole polygon."""
     row = rows[ROW + name, machine]
     return bench.cycles(row) * row["length"]
 
 
 def uncalled_table(baseline: dict) -> str:
-    """Markdown: what a polygon costs more with each step on that does nothing for it, beside what
-    a polygon of a few pixels costs."""
+    """Returns a Markdown table: cycles that each step without effect adds to a polygon, compared
+    with the cycles of a polygon of a few pixels."""
     measured, rows = rows_of(baseline), []
     for step in UNCALLED:
         cells = []

@@ -1,5 +1,5 @@
-"""The tables of the page on numbers: formats, and what tools/tmap/ideal/bounds.py and its neighbours
-derive."""
+"""The tables of the page on numbers: formats, and the bounds derived in tools/tmap/ideal/bounds.py
+and its neighbours."""
 
 from dataclasses import dataclass, replace
 from functools import cache
@@ -19,7 +19,7 @@ from tmap.setup.texturing import Settings
 @dataclass(frozen=True)
 class Format:
     """A fixed-point format: ``bits`` in all, ``fraction`` of them (a negative number: the unit is
-    more than 1), signed or not; where it is introduced and what holds it to that."""
+    more than 1), signed or not; the file that introduces it, and the test that checks it."""
 
     name: str
     what: str
@@ -38,7 +38,7 @@ class Format:
 
     @property
     def ends(self) -> tuple[str, str]:
-        """The least number, and the first that is too large."""
+        """The least number, and the first number that is too large."""
         power = self.bits - self.fraction - self.is_signed
         end = f"{2 ** power:,}" if power < 25 else f"2^{power}"
         return f"-{end}" if self.is_signed else "0", end
@@ -89,7 +89,7 @@ FORMATS = (
 
 
 def formats_table() -> str:
-    """Markdown: each format, its range, its step, and where it lives."""
+    """Returns a Markdown table: each format, its range, its step, and its file."""
     rows = [[f.name, f.what, *f.ends, f.step, f.rounding, f"`{f.place}`", f"`{f.proof}`"]
             for f in FORMATS]
     return table(["format", "of", "from", "below", "step", "rounding", "introduced in", "held by"],
@@ -97,7 +97,8 @@ def formats_table() -> str:
 
 
 EXACT = Settings("exact")
-#: What is judged: title, settings. Each on the large triangles of tools/tmap/corpus/polygon_sets.py.
+#: Lines of the table of errors: title, settings. Each is for the large triangles of
+#: tools/tmap/corpus/polygon_sets.py.
 JUDGED = (
     ("edges `integer`, two divides a polygon", Settings("integer", "polygon", "truncated")),
     ("edges `subpixel`, two divides a polygon", Settings("subpixel", "polygon", "truncated")),
@@ -117,7 +118,7 @@ SIZE, LARGE = (polygon_sets.WIDTH, polygon_sets.HEIGHT), (1024, 1024)
 
 
 def judged(settings: Settings, name: str) -> bounds.Verdict:
-    """The worst of a set of triangles."""
+    """Returns the worst results of a set of triangles."""
     total = bounds.Verdict()
     for vertices in polygon_sets.polygons(name)[::4]:
         total.merge(bounds.judge(vertices, settings, *SIZE))
@@ -126,7 +127,8 @@ def judged(settings: Settings, name: str) -> bounds.Verdict:
 
 @cache
 def judged_table() -> str:
-    """Markdown: what every setting is off at most, and what is derived for that pixel."""
+    """Returns a Markdown table: the largest error of every setting, and the bound derived for that
+    pixel."""
     rows = [(title, settings, "large") for title, settings in JUDGED]
     rows += [(title, replace(EXACT, perspective=setting), "depth") for title, setting in DEEP]
     cells = []
@@ -139,24 +141,24 @@ def judged_table() -> str:
 
 
 def edge_off(lines: int) -> float:
-    """How far a rounded edge may be off so many lines below its first, pixels."""
+    """Returns the error bound in pixels of a rounded edge at its line ``lines``, counted from 1."""
     return bounds.edge_bound(Edge((1, 1), (65537 * 999 + 3, 65537 * 1023 + 5), 1, 1024, False), lines)
 
 
 def pixels(x: float) -> str:
-    """A small number in full digits, and as what part of one."""
+    """Returns a small number as digits and as a fraction 1/n."""
     return f"{x:.2g} (1/{1 / x:,.0f})" if x < 0.1 else f"{x:g}"
 
 
 def seen(size: tuple[int, int]) -> model.Texturing:
-    """Where the plane of a polygon as large as a frame is seen from."""
+    """Returns a texturing whose plane is given at the middle of a polygon as large as a frame."""
     width, height = size
     return model.Texturing(0, 0, 0, 0, False, i=width // 2, j=height // 2, box=(0, 0, width, height))
 
 
 def bounds_table() -> str:
-    """Markdown: the derived bounds by what they depend on, evaluated."""
-    # gradients that lie in the middle between two steps
+    """Returns a Markdown table of the derived bounds, evaluated for typical arguments."""
+    # gradients halfway between two steps
     planes = [ideal.Plane([(0, 0), (1 << 24, 0), (0, 1 << 24)],
                           [0, (3 << 23) + (128 << cut), (5 << 22) + (128 << cut)]) for cut in (0, 1)]
     corner, large = ([plane.bound(*size, seen(size), cut) for cut, plane in enumerate(planes)]
@@ -196,5 +198,5 @@ def bounds_table() -> str:
 
 
 def tables() -> dict[str, str]:
-    """By title."""
+    """Returns the tables by title."""
     return {"formats": formats_table(), "bounds": bounds_table(), "errors": judged_table()}

@@ -9,13 +9,13 @@ from tmap.base.paths import ROOT
 from tmap.bench import bench
 
 PROGRAMS = ROOT / "c" / "programs"
-#: "/* name - what it does." at a program's beginning.
+#: "/* name - summary." at a program's beginning.
 SUMMARY = re.compile(r"/\* (\w+) - (.+?)\.\n", re.S)
 TEMPLATE = re.compile(r'args_read\(((?:\s*"[^"]*")+)')
 
 
 def about(source: Path) -> tuple[str, str, str]:
-    """A program's name, its template of arguments and what it does."""
+    """Returns a program's name, its template of arguments and its summary."""
     text = source.read_text()
     summary, template = SUMMARY.match(text), TEMPLATE.search(text)
     if not summary or summary[1] != source.stem:
@@ -25,13 +25,13 @@ def about(source: Path) -> tuple[str, str, str]:
 
 
 def programs_table() -> str:
-    """Markdown: each program."""
+    """Returns a Markdown table: each program."""
     return table(["program", "template", "does"],
                  [about(source) for source in sorted(PROGRAMS.glob("*.c"))], "l")
 
 
-#: Chunky to planar: frame, row, pixels of a line, displays of 320x256: what shows it, end of the
-#: row.
+#: Chunky to planar: title of the frame's format, row, pixels of a line; for each display of 320x256
+#: its title and the end of the row's name.
 PLANAR_LINES = (
     ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
@@ -40,8 +40,8 @@ PLANAR_LINES = (
 
 
 def planar_table(baseline: dict) -> str:
-    """Markdown: cycles a pixel of the frame, with nothing displayed and with the frame's own
-    display."""
+    """Returns a Markdown table: cycles a pixel of the frame, with the display off and with the
+    frame's own display."""
     figures, rows = bench.figures(baseline["rows"]), []
     for title, name, width, displays in PLANAR_LINES:
         for shown, end in displays:
@@ -55,5 +55,5 @@ def planar_table(baseline: dict) -> str:
 
 
 def tables(baseline: dict) -> dict[str, str]:
-    """By title."""
+    """Returns the tables by title."""
     return {"programs": programs_table(), "chunky to planar": planar_table(baseline)}

@@ -1,5 +1,5 @@
-"""The tables of the page on scenes: what each shows and costs, and what became of the notes that
-the project grew from."""
+"""The tables of the page on scenes: content and cycles of each, and answers to questions of the
+notes that the project grew from."""
 
 import json
 import re
@@ -16,7 +16,7 @@ from tmap.guest.emulator import CLOCK_HZ
 
 
 def shows(name: str) -> str:
-    """The first sentence of the comment that a scene's file begins with."""
+    """Returns the first sentence of the comment at the start of a scene's file."""
     lines = []
     for line in (SCENES / f"{name}.toml").read_text().splitlines():
         if not line.startswith("#"):
@@ -29,7 +29,7 @@ def shows(name: str) -> str:
 
 
 def scenes_table(baseline: dict) -> str:
-    """Markdown: each scene, cycles of a frame and frames a second; blank where it is not
+    """Returns a Markdown table: each scene, cycles of a frame and frames a second; blank if not
     measured."""
     figures, rows = bench.figures(baseline["frames"]), []
     for name in sorted(path.stem for path in SCENES.glob("*.toml")):
@@ -43,7 +43,8 @@ def scenes_table(baseline: dict) -> str:
 
 
 def fatmap2(accuracy: dict, counted: dict) -> list[tuple[str, str]]:
-    """What exactness costs, and its fillers beside ours: questions and answers."""
+    """Returns questions and answers: cycles of exactness, and fatmap2's fillers compared with
+    ours."""
     rows = {(row["edges"], row["gradients"], row["start"]): row for row in accuracy["rows"]
             if (row["name"], row["machine"], row["mapper"]) == ("medium", "a1200-fast", "affine")}
     plain, exact = (rows[settings] for settings in (
@@ -58,7 +59,7 @@ def fatmap2(accuracy: dict, counted: dict) -> list[tuple[str, str]]:
 
 
 def tiles(pixels: dict, counted: dict) -> list[tuple[str, str]]:
-    """What tiles cost where there is hardly a cache to gain from."""
+    """Returns questions and answers: cycles of tiles on processors with hardly a cache."""
     kilocycles = {(row["name"], row["machine"]): f"{row['kilocycles_per_polygon']:.1f}"
                   for row in counted["rows"] + counted["rows_68030"]}
     return [(f"thousand cycles a random triangle, {words}: rows; tiles of 8x8",
@@ -70,7 +71,7 @@ def tiles(pixels: dict, counted: dict) -> list[tuple[str, str]]:
 
 
 def a1200_note(pixels: dict) -> list[tuple[str, str]]:
-    """swap and addx, and the three methods on the turning face."""
+    """Returns questions and answers: swap and addx, and the three methods on the turning face."""
     with Image.open(SCENES / "methods.png") as picture:
         methods = json.loads(picture.text["Description"])
     found = [(f"cycles a {what}: swap; addx", "; ".join(
@@ -81,7 +82,7 @@ def a1200_note(pixels: dict) -> list[tuple[str, str]]:
                     for name, each in sorted(methods.items()) if is_of_the_note(name)]
 
 
-#: Of the texture units: table, then questions and the modes that answer them.
+#: Tables of the texture units: by title, questions and the modes that answer them.
 MODES = {"the N64's manual": {
     "points; the three-point filter": ("point", "threepoint"),
     "the same with perspective": ("point_perspective", "threepoint_perspective"),
@@ -95,7 +96,7 @@ MODES = {"the N64's manual": {
 
 
 def mode_rows(baseline: dict, questions: dict[str, tuple[str, ...]]) -> list[tuple[str, str]]:
-    """Cycles a pixel of modes."""
+    """Returns questions and answers: cycles a pixel of modes."""
     modes = {row["name"]: bench.cycles(row) for row in baseline["modes"]
              if row["machine"] == "a1200-fast"}
     return [(f"cycles a pixel of polygons: {question}",
@@ -104,7 +105,7 @@ def mode_rows(baseline: dict, questions: dict[str, tuple[str, ...]]) -> list[tup
 
 
 def tables(baseline: dict, accuracy: dict, counted: dict) -> dict[str, str]:
-    """By title."""
+    """Returns the tables by title."""
     pixels = {row["name"]: bench.cycles(row) for row in baseline["rows"]
               if row["machine"] == "a1200-fast" and row["length"] >= 256}
     found = {"fatmap2": fatmap2(accuracy, counted), "tiles": tiles(pixels, counted),

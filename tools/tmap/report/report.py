@@ -1,4 +1,4 @@
-"""``tmap report``: all that is measured in one page, index.html, which needs nothing else."""
+"""``tmap report``: all measurements in one page, index.html, which needs nothing else."""
 
 import shutil
 from pathlib import Path
@@ -14,7 +14,7 @@ PAGE, PICTURES, HARD = "index.html", "pictures", "hard"
 
 
 def write_pictures(found: Found, folder: Path) -> None:
-    """All pictures of the page."""
+    """Writes all pictures of the page."""
     folder.mkdir()
     for scene in found.scenes:
         for name in data.SCENE_FILES[1:]:
@@ -31,7 +31,7 @@ def write_pictures(found: Found, folder: Path) -> None:
 
 
 def write(found: Found, out: Path) -> None:
-    """Replaces what an earlier report left in ``out``."""
+    """Replaces an earlier report in ``out``."""
     with replaced(out, (PICTURES, HARD), PAGE) as made:
         write_pictures(found, made / PICTURES)
         if found.hard:
@@ -40,7 +40,8 @@ def write(found: Found, out: Path) -> None:
 
 
 def command(out: Path, scenes: list[str] | None, machine: str, only_committed: bool) -> int:
-    """``tmap report``: measures what is not in the cache, writes the page, says where it is."""
+    """``tmap report``: measures parts that are not in the cache, writes the page, prints its
+    path."""
     check_directory(out)
     names = data.scene_names(scenes)
     with bars() as progress:

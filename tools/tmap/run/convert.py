@@ -1,8 +1,8 @@
-"""``tmap map`` and ``tmap picture``: pictures as texture maps in memory layout, and back.
+"""``tmap map`` and ``tmap picture``: convert pictures to texture maps in memory layout, and back.
 
-A map file holds the texels alone, as c/texture/map.h lays them; FILE.json beside it says
-width, height, layout, format and, of chunky maps, the palette. Both ways are exact: a PNG with
-a palette, or of at most 256 colours, comes back as it was; in other formats every colour they have.
+A map file holds the texels alone, in the order of c/texture/map.h. FILE.json beside it has width,
+height, layout, format and, for chunky maps, the palette. Both ways are exact: a PNG with a palette,
+or of at most 256 colours, returns unchanged; other formats keep every colour that they have.
 """
 
 import json
@@ -21,13 +21,14 @@ LAYOUTS = ("linear", "tiled", "columns")
 
 
 def padded(palette: np.ndarray) -> np.ndarray:
-    """A palette with black for the rest of its 256 colours."""
+    """Pads a palette with black to 256 colours."""
     return np.pad(palette, ((0, 256 - len(palette)), (0, 0)))
 
 
 def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Palette indices uint8 [height][width] and the palette, uint8 (256, 3), of a PNG or JPEG. A picture's
-    own indices, or those of its colours in order; more than 256 colours become so many."""
+    """Returns palette indices, uint8 [height][width], and the palette, uint8 (256, 3), of a PNG or
+    JPEG. They are the picture's own or, without a palette, those of its colours in order; more than
+    256 colours are reduced to 256."""
     with images.opened(path) as image:
         if image.mode == "P":
             found = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
@@ -43,12 +44,12 @@ def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def laid_out(picture: np.ndarray, layout: str) -> np.ndarray:
-    """The texels in their order in memory."""
+    """Returns the texels in memory order."""
     return {"linear": np.ravel, "tiled": maps.to_tiled, "columns": maps.to_columns}[layout](picture)
 
 
 def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarray:
-    """The picture of texels in memory."""
+    """Returns the picture of texels in memory order."""
     if layout == "linear":
         return texels.reshape(height, width)
     return {"tiled": maps.from_tiled, "columns": maps.from_columns}[layout](texels, width, height)
@@ -64,7 +65,7 @@ def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
             picture, palette = made.numbers(np.array(images.decode(source, made.channels))), None
     except FileNotFoundError:
         raise UserError(f"{source}: no such file") from None
-    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+    except Exception as error:  # a damaged file can raise any of the decoders' exceptions
         raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
     height, width = picture.shape
     needs = size_fault(layout, width, height)

@@ -1,4 +1,4 @@
-"""``tmap demo``: the demo's folder, as it goes onto an Amiga, and the demo played in a window.
+"""``tmap demo``: makes the demo's folder for an Amiga, and plays the demo in a window.
 
 ``demo`` is the program, ``data/parts`` the script (c/demo/script.h) and ``data/NAME.scene`` the
 scenes it names, compiled from the TOML beside it.
@@ -21,7 +21,7 @@ SCRIPT = "parts"
 
 
 def data(source: Path = SOURCE) -> dict[str, bytes]:
-    """The script and its scenes, by their names in ``data``."""
+    """Returns the script and its scenes, by their names in ``data``."""
     script = (source / SCRIPT).read_text()
     names = dict.fromkeys(re.findall(r"^scene (\S+)\.scene$", script, re.M))
     return {SCRIPT: script.encode()} | {
@@ -29,13 +29,13 @@ def data(source: Path = SOURCE) -> dict[str, bytes]:
 
 
 def files() -> dict[str, bytes]:
-    """All of the folder, by paths in it."""
+    """Returns all files of the folder, by path."""
     return {"demo": (PROGRAMS / "demo").read_bytes()} | {
         f"data/{name}": content for name, content in data().items()}
 
 
 def make(out: Path) -> list[Path]:
-    """Writes the folder, which replaces an older one; returns its files."""
+    """Writes the folder, replacing an older one; returns its files."""
     written = files()
     shutil.rmtree(out / "data", ignore_errors=True)
     (out / "data").mkdir(parents=True)
@@ -45,7 +45,7 @@ def make(out: Path) -> list[Path]:
 
 
 def play(machine: str, display: emulator.Display) -> None:
-    """Plays the demo in a window until its end, escape, or until it is closed."""
+    """Plays the demo in a window until its end, escape, or until the window is closed."""
     with emulator.workspace() as directory:
         try:
             done = emulator.run("demo", '""', data(), machine, directory, patience=math.inf,
@@ -58,7 +58,7 @@ def play(machine: str, display: emulator.Display) -> None:
 
 
 def command(out: Path, machine: str | None) -> int:
-    """``tmap demo``: writes the folder; with a machine plays it too."""
+    """``tmap demo``: writes the folder; if a machine is given, plays it too."""
     display = show.window() if machine else None
     made = make(out)
     size = sum(path.stat().st_size for path in made)

@@ -19,12 +19,12 @@ MARK = (255, 0, 160)  # a differing pixel in the third panel
 
 @dataclass
 class Difference:
-    """How two frames differ; all but ``count`` mean nothing when it is 0."""
+    """How two frames differ; all fields but ``count`` mean nothing when it is 0."""
 
     count: int  # differing pixels
     box: tuple[int, int, int, int]  # left, top, right, bottom; all inside
     first: tuple[int, int]  # x, y of the first in reading order
-    values: tuple  # what a and b have there: index, or [r, g, b]
+    values: tuple  # of a and b at that pixel: index, or [r, g, b]
     largest: int  # difference of a value or channel
 
     def __str__(self) -> str:
@@ -43,7 +43,7 @@ class Frame:
     pixel: PixelFormat = FORMATS["chunky"]
 
     def picture(self) -> np.ndarray:
-        """uint8 (h, w, 3); indices without a palette are shown as greys."""
+        """Returns uint8 (h, w, 3); indices without a palette are shown as greys."""
         if self.values.ndim == 3:
             return self.values
         if self.pixel.colours:
@@ -53,13 +53,13 @@ class Frame:
 
 
 def differing(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """bool (h, w): pixels with any other value."""
+    """Returns bool (h, w): pixels that differ in any value."""
     different = a != b
     return different if different.ndim == 2 else different.any(axis=2)
 
 
 def compare(a: np.ndarray, b: np.ndarray) -> Difference:
-    """The difference of two frames of one shape and kind, as in ``Frame``."""
+    """Returns the difference of two frames of the same shape and kind, as in ``Frame``."""
     if a.shape != b.shape:
         raise ValueError(f"shapes {a.shape} and {b.shape}")
     y, x = np.nonzero(differing(a, b))
@@ -72,7 +72,7 @@ def compare(a: np.ndarray, b: np.ndarray) -> Difference:
 
 
 def panels(a: Frame, b: Frame) -> np.ndarray:
-    """A, B, and A in dark grey with the differing pixels marked, side by side."""
+    """Returns A, B, and A in dark grey with the differing pixels marked, side by side."""
     left, right = a.picture(), b.picture()
     marked = np.repeat((left.mean(axis=2, keepdims=True) / 3).astype(np.uint8), 3, axis=2)
     marked[differing(a.values, b.values)] = MARK
@@ -81,7 +81,7 @@ def panels(a: Frame, b: Frame) -> np.ndarray:
 
 
 def load_dump(path: Path) -> Frame:
-    """A raw dump with what run.json beside it says of its size, pixels and colours."""
+    """Loads a raw dump, with its size, pixels and colours from the run.json beside it."""
     data = path.read_bytes()
     described = path.with_name("run.json")
     width, height, palette = DEFAULT_WIDTH, len(data) // DEFAULT_WIDTH, None
@@ -106,7 +106,7 @@ def load_dump(path: Path) -> Frame:
 
 
 def load_frame(path: Path) -> Frame:
-    """A dump or a PNG, by its name."""
+    """Loads a dump or a PNG, depending on its name."""
     if not path.is_file():
         raise UserError(f"{path}: no such file")
     if path.suffix == ".chunky":
@@ -116,12 +116,12 @@ def load_frame(path: Path) -> Frame:
     try:
         with Image.open(path, formats=("PNG",)) as image:
             return Frame(np.array(image.convert("RGB")))
-    except Exception as error:  # a damaged file fails in as many ways as there are chunks
+    except Exception as error:  # a damaged file raises exceptions of many kinds
         raise UserError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
 
 
 def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
-    """Two frames of the same size and kind."""
+    """Loads two frames; refuses them if size or kind differ."""
     frames = load_frame(a), load_frame(b)
     shapes = [frame.values.shape for frame in frames]
     if len(shapes[0]) != len(shapes[1]):
@@ -136,7 +136,7 @@ def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
 
 
 def pairs(a: Path, b: Path) -> list[tuple[Path, Path]]:
-    """The frames to compare: a and b, or those of the same name in both directories."""
+    """Returns the frames to compare: a and b, or those of the same name in both directories."""
     if a.is_dir() != b.is_dir():
         raise UserError(f"{a} and {b}: one is a directory, the other is not")
     if not a.is_dir():

@@ -1,25 +1,25 @@
-"""The integer model of c/demo/governor.c: which step of a part is drawn next."""
+"""The integer model of c/demo/governor.c, which chooses the step of a part to draw next."""
 
 from tmap.build import layout
 
 
 class Governor:
-    """As struct governor; ``budget`` and times in colour clocks, 0 the best step."""
+    """As struct governor; ``budget`` and times in colour clocks; step 0 is the best."""
 
     def __init__(self, steps: int, budget: int):
         self.limits = layout.load().constants
         self.steps, self.budget = steps, budget
         self.step = self.late = self.calm = self.most = self.left = 0
-        self.ratio = [0] * steps  # 24.8, of a frame of a step to one of the next
+        self.ratio = [0] * steps  # 24.8, time of a frame of a step to one of the next
 
     def change(self, by: int, left: int) -> None:
-        """To the next step, whose frames are not known yet."""
+        """Changes the step; the time of the new step's frames is not known yet."""
         self.step += by
         self.late = self.calm = self.most = 0
         self.left = left
 
     def has_room(self) -> bool:
-        """Whether the step above would have fitted all these calm frames long."""
+        """Returns True if the next better step would have had room in all of these calm frames."""
         limits = self.limits
         if self.step == 0:
             return False
@@ -27,7 +27,7 @@ class Governor:
         return above <= self.budget // 8 * limits["GOVERNOR_ROOM"]
 
     def next(self, work: int) -> int:
-        """A frame of the present step took so long; returns the next one's step."""
+        """Takes the time of a frame of the present step; returns the next frame's step."""
         limits = self.limits
         work = min(work, limits["GOVERNOR_WORK_MAX"])
         if self.left:

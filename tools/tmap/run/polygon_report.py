@@ -1,4 +1,4 @@
-"""What a person needs to find the cause of one wrong polygon."""
+"""A report that helps to find the cause of one wrong polygon."""
 
 import re
 
@@ -13,14 +13,14 @@ from tmap.scene_file.scene_file import Scene, vertices_at
 
 
 def numbers(name: str, value: int) -> str:
-    """A 16.16 number in decimal and in hexadecimal."""
+    """Returns a 16.16 number in decimal and in hexadecimal."""
     return f"{name} {value / ONE:.6f} ({value & M32:#010x})"
 
 
 def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, again: str) -> str:
-    """All about the frame ``number`` with one polygon: ``what`` is wrong, the first wrong pixel,
-    vertices, slopes, gradients, a picture's file, and the command to run it ``again``. ``found``:
-    None where the guest has drawn nothing."""
+    """Returns a report on the frame ``number`` with one polygon: ``what`` is wrong, the first wrong
+    pixel, vertices, slopes, gradients, a picture's file, and the command to run it ``again``.
+    ``found``: None if the guest has drawn nothing."""
     obj = scene.objects[number]
     lines = [what]
     if found is not None:

@@ -1,4 +1,4 @@
-"""``tmap run``: a scene rendered on the emulated A1200, as pictures and figures."""
+"""``tmap run``: renders a scene on the emulated A1200 to pictures and figures."""
 
 import json
 import re
@@ -22,26 +22,26 @@ from tmap.scene_file.scene_file import Scene, write
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
 GIF_FRAME_MS = 40
-GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # of a whole animation, where that is no slower
-ROWS_MAX = 10  # frames that are listed one by one
-#: What a run writes and the next one replaces, run.json first: it describes the rest.
+GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # shortest animation, and slowest frame to reach it
+ROWS_MAX = 10  # frames listed one by one, at most
+#: Files that a run writes and the next one replaces. run.json is first: it describes the rest.
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky",
            "frame_[0-9][0-9][0-9].png")
 COUNTS = r"((?: [a-z]\w* \d+)*)"
 FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
 MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
-#: Not "scene": the Amiga would take that argument for its template's keyword.
+#: Not "scene": the Amiga would take that argument for the keyword in its template.
 SCENE_NAME = "input.scene"
 
 
 def counts_of(text: str) -> dict[str, int]:
-    """Names and numbers by turns."""
+    """Parses alternating names and numbers."""
     words = text.split()
     return {name: int(count) for name, count in zip(words[::2], words[1::2])}
 
 
 def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Match]:
-    """Lines of one pattern, numbered from 0."""
+    """Matches lines with a pattern and checks their numbers, which count from 0."""
     found = []
     for number, line in enumerate(lines):
         match = pattern.fullmatch(line)
@@ -52,7 +52,8 @@ def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Mat
 
 
 def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], list[dict]]:
-    """The figures of each frame and of each material in what ``render`` printed, a line each."""
+    """Parses the output of ``render``, a line for each frame and material; returns their
+    figures."""
     lines = output.splitlines()
     if len(lines) != frames + materials:
         raise UserError(f"render: {len(lines)} lines of output for {frames} frames and "
@@ -70,14 +71,14 @@ def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], 
 
 
 def check_frame(frame: np.ndarray, scene: Scene, number: int) -> None:
-    """Refuses a frame of one colour unless nothing else is to be seen, says the model."""
+    """Refuses a frame of one colour unless the model's frame is the same."""
     if (frame == frame[0, 0]).all() and (model.render(scene, number) != frame).any():
         raise UserError(f"frame {number}: one colour only, though the scene has something to "
                         "show there: the run failed")
 
 
 def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
-    """All frames, (height, width) pixels in the host's byte order, checked."""
+    """Loads and checks all frames, (height, width) pixels in the host's byte order."""
     names = [f"frame_{number:03}.chunky" for number in range(scene.frames)]
     found = sorted(path.name for path in volume.glob("frame_*.chunky"))
     if found != names:
@@ -100,15 +101,15 @@ def load_dumps(volume: Path, scene: Scene) -> list[np.ndarray]:
 
 @dataclass
 class Rendered:
-    """What a run gives."""
+    """The results of a run."""
 
-    frames: list[np.ndarray]  # as ``load_dumps`` has them
+    frames: list[np.ndarray]  # from ``load_dumps``
     figures: list[dict]  # of each frame
     executed: list[dict]  # for each material: polygons, polygons by rule, pixels by span
 
 
 def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
-    """Renders all frames, without the rules ``off``; a bar on stderr where that is a terminal."""
+    """Renders all frames, without the rules ``off``. Shows a bar if stderr is a terminal."""
     with emulator.workspace() as directory, bars() as bar:
         task = bar.add_task(f"rendering on {machine}", total=scene.frames)
         done = emulator.run(
@@ -124,7 +125,7 @@ def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Ren
 
 
 def total(figures: list[dict]) -> dict:
-    """The sum of all frames' figures."""
+    """Sums the figures of all frames."""
     sums = {key: sum(frame[key] for frame in figures) for key in ("cycles", "polygons", "pixels")}
     kinds = dict.fromkeys(kind for frame in figures for kind in frame["spans"])
     sums["spans"] = {kind: sum(f["spans"].get(kind, 0) for f in figures) for kind in kinds}
@@ -133,14 +134,14 @@ def total(figures: list[dict]) -> dict:
 
 
 def as_json(about: dict) -> str:
-    """JSON with a field a line, and a frame a line."""
+    """Returns JSON with a line for each field and for each frame."""
     texts = {key: json.dumps(value) for key, value in about.items()}
     texts["frames"] = "[\n  " + ",\n  ".join(map(json.dumps, about["frames"])) + "]"
     return "{\n " + ",\n ".join(f'"{key}": {text}' for key, text in texts.items()) + "\n}\n"
 
 
 def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
-    """A scene's frame as a picture."""
+    """Returns a scene's frame as a picture."""
     if scene.pixel.colours:
         return Image.fromarray(scene.pixel.picture(frame))
     picture = Image.fromarray(frame, "P")
@@ -149,7 +150,7 @@ def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
 
 
 def gif_frame_ms(frames: int) -> int:
-    """How long an animation shows a frame; GIFs count hundredths of a second."""
+    """Returns the time of a frame in an animation; GIFs count hundredths of a second."""
     return max(GIF_FRAME_MS, min(GIF_LEAST_MS // frames // 10 * 10, GIF_SLOWEST_MS))
 
 
@@ -169,19 +170,19 @@ def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> N
 
 
 def publish(out: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
-    """Replaces what an earlier run left in ``out``."""
+    """Replaces an earlier run in ``out``."""
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
         save(folder, frames, scene, about)
 
 
 def asked(material: dict) -> str:
-    """What a material asked for: its mapper, and its perspective where it has one."""
+    """Returns a material's mapper, and its perspective if it has one."""
     settings, depth = material["asked"], material["asked"]["perspective"]
     return settings["mapper"] + (f", perspective {depth}" if depth != "none" else "")
 
 
 def print_lowering(materials: dict) -> None:
-    """For each material what it asked for, what was executed, and by which rules."""
+    """Prints for each material its settings, the spans executed, and the rules that chose them."""
     width = max(map(len, materials), default=0)
     for name, material in materials.items():
         pixels = sum(material["spans"].values())
@@ -195,7 +196,7 @@ def print_lowering(materials: dict) -> None:
 
 
 def print_report(about: dict, out: Path) -> None:
-    """A short table: each of a few frames, what was executed, then the whole run."""
+    """Prints a short table: each frame if there are few, the spans executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
     count = len(frames)
     print(f"{about['title'] or about['scene']}: {about['width']}x{about['height']} on "
@@ -226,7 +227,7 @@ def print_report(about: dict, out: Path) -> None:
 
 
 def rules(off: str | None) -> str | None:
-    """The names of a list by commas, checked."""
+    """Checks the names in a list separated by commas; returns the list."""
     known = layout.load().names("RULE_")
     for name in off.split(",") if off else []:
         if name not in ("all", *known):
@@ -236,7 +237,7 @@ def rules(off: str | None) -> str | None:
 
 def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
          off: str | None = None) -> dict:
-    """Renders a scene file into the directory ``out``; returns what run.json says."""
+    """Renders a scene file into the directory ``out``; returns run.json's content."""
     check_directory(out)
     scene = compile_scene(path, frames)
     done = render(scene, machine, form, rules(off))

@@ -1,4 +1,4 @@
-"""``tmap show``: a scene played on the emulated A1200's screen, in a window."""
+"""``tmap show``: plays a scene on the emulated A1200's screen, in a window."""
 
 import math
 import os
@@ -12,22 +12,24 @@ from tmap.guest.emulator import Display
 from tmap.run.run import SCENE_NAME
 from tmap.scene_file.scene_file import write
 
-#: All of the PAL screen that can be seen, a dot of high resolution a pixel: nothing is scaled.
+#: The visible part of the PAL screen, a dot of high resolution a pixel: nothing is scaled.
 WIDTH, HEIGHT = 752, 572
-#: The machine runs at its own speed; its keyboard is the window's.
+#: The machine runs at its normal speed and uses the window's keyboard.
 OPTIONS = {"window_width": str(WIDTH), "window_height": str(HEIGHT), "zoom": "full",
            "keep_aspect": "0", "texture_filter": "nearest", "initial_input_grab": "0"}
-#: What may show windows, and the library's name for it; it is named, so that nothing else is taken.
+#: Variables of display servers, and the driver for each. It is given by name, so that no other
+#: driver is used.
 DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
 
 
 def answers() -> bool:
-    """Whether there is an X server at DISPLAY: the emulator would end without a word."""
+    """Returns True if an X server answers at DISPLAY. Without one the emulator would end without a
+    message."""
     return subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True).returncode == 0
 
 
 def window() -> Display:
-    """A window; raises UserError where none can be opened."""
+    """Returns a window; raises UserError if none can be opened."""
     for name, driver in DRIVERS.items():
         if place := os.environ.get(name):
             if driver == "x11" and not answers():
@@ -37,7 +39,8 @@ def window() -> Display:
 
 
 def command(path: Path, machine: str, display: Display) -> int:
-    """Plays a scene file in a window until escape is pressed or it is closed; raises UserError."""
+    """Plays a scene file in a window until escape is pressed or the window is closed; raises
+    UserError."""
     scene = compile_scene(path)
     with emulator.workspace() as directory:
         try:

@@ -1,6 +1,6 @@
-"""Materials in scene files: their settings, and what the Amiga would refuse.
+"""Materials in scene files: their settings, and checks for everything the Amiga would refuse.
 
-Formats stand in c/scene/scene_file.h.
+Formats are defined in c/scene/scene_file.h.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "ex
 
 @dataclass(frozen=True)
 class Material:
-    """What a polygon is drawn with: struct scene_material, enumerators by name."""
+    """A polygon's drawing settings: struct scene_material, enumerators by name."""
 
     mapper: str = "flat"
     edges: str = "subpixel"
@@ -32,19 +32,19 @@ class Material:
     texture: int = -1  # index, or NO_TEXTURE
     colour: int = 0  # pixel
     light: int = -1  # index of a light table, or NO_TEXTURE
-    tolerance: int = 0  # 16.16 texels that less perspective may cost
+    tolerance: int = 0  # 16.16 texels of error that cheaper perspective may cause
     unit: int = -1  # index of a texture engine or a pipe, or NO_UNIT
-    primitive: str = "polygons"  # what an engine's objects are: of PRIMITIVES
+    primitive: str = "polygons"  # kind of an engine's objects: of PRIMITIVES
 
 
 def name_of(kind: str, number: int, name: str, where: str) -> str:
-    """The setting with this number."""
+    """Returns the setting with this number."""
     require(name, where, number, 0, len(SETTINGS[kind]) - 1)
     return SETTINGS[kind][number]
 
 
 def number_of(kind: str, value: str, name: str, where: str) -> int:
-    """The number of a setting."""
+    """Returns the number of a setting."""
     if value not in SETTINGS[kind]:
         raise UserError(f"{name}: {where}: {value!r} is not one of {', '.join(SETTINGS[kind])}")
     return SETTINGS[kind].index(value)
@@ -66,7 +66,7 @@ def check_settings(material: Material, name: str, where: str) -> None:
 
 
 def check_pixels(pixel: PixelFormat, material: Material, name: str, where: str) -> None:
-    """Refuses what does not draw a scene's pixels."""
+    """Refuses a material that cannot draw a scene's pixels."""
     if pixel.bytes == 2 and pixel.name != UNIT_FORMATS.get(material.mapper, pixel.name):
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for {pixel.name}")
     if material.mapper not in MAPPERS[pixel.bytes]:
@@ -79,7 +79,7 @@ def check_pixels(pixel: PixelFormat, material: Material, name: str, where: str) 
 
 
 def check_unit(scene, material: Material, name: str, where: str) -> None:
-    """Refuses a texture unit that is not there, and what none draws."""
+    """Refuses a texture unit that does not exist, and a primitive that the mapper does not draw."""
     none = layout.load().constants["NO_UNIT"]
     if material.mapper in UNITS:
         there = scene.units if material.mapper == "n64" else scene.pipes
@@ -95,7 +95,7 @@ def check_unit(scene, material: Material, name: str, where: str) -> None:
 
 
 def check_maps(scene, material: Material, name: str, where: str) -> None:
-    """Refuses a texture or a light table that is not the mapper's."""
+    """Refuses a texture or a light table with another layout than the mapper's."""
     none = layout.load().constants["NO_TEXTURE"]
     light = "light" if material.mapper in LIT else None
     for kind, index, wanted in (("texture", material.texture, MAPPER_LAYOUT[material.mapper]),

@@ -1,6 +1,6 @@
-"""Meshes in scene files: tables, and what the Amiga would refuse.
+"""Meshes in scene files: their tables, and checks for everything the Amiga would refuse.
 
-Formats and ranges stand in c/scene/scene_file.h.
+Formats and ranges are defined in c/scene/scene_file.h.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from tmap.build import layout
 from tmap.scene_file import pipes
 from tmap.scene_file.textures import check_on_map
 
-#: The tables that are rows of numbers, with their columns.
+#: Tables of numbers, with their columns.
 COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
            "corners": ("point", "normal", "s", "t"),
            "faces": ("x", "y", "z", "distance", "corner", "corners"),
@@ -54,7 +54,7 @@ class Instance:
 
 
 def empty(table: str) -> np.ndarray:
-    """A table without entries."""
+    """Returns a table without entries."""
     return np.zeros((0, len(COLUMNS[table])), np.int64)
 
 
@@ -68,7 +68,7 @@ def require_all(name: str, table: str, rows: np.ndarray, columns, low: int, high
 
 
 def check_mesh(scene, mesh: Mesh, name: str, where: str) -> None:
-    """Refuses a mesh that leads outside its tables."""
+    """Refuses a mesh with entries outside its tables."""
     limits = layout.load().constants
     most = limits["MESH_COUNT_MAX"]
     for one, many, low, high in (("point", "points", 1, most), ("normal", "normals", 1, most),

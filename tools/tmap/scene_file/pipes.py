@@ -1,7 +1,7 @@
-"""Glide's texture units in scene files: their registers and memory, and what the Amiga would
-refuse.
+"""Glide's texture units in scene files: their registers and memory, and checks for everything the
+Amiga would refuse.
 
-Formats stand in c/scene/scene_file.h.
+Formats are defined in c/scene/scene_file.h.
 """
 
 from dataclasses import replace
@@ -16,31 +16,30 @@ from tmap.glide.state import (LOD_FRACTION, SUBDIVISIONS, VOODOO2_BITS, VOODOO_B
 UNITS = 2  # of a pipe at most
 LEAST_BYTES = 8  # of a unit's memory
 NO_TABLE = -1
-PREFILTER_KB = 1024  # of prefiltered tiles, unless a pipe says otherwise
+PREFILTER_KB = 1024  # of prefiltered tiles, unless a pipe has another number
 PALETTE_BYTES, NCC_BYTES = 256 * 4, 2 * NCC_REGISTERS * 4
-RESERVED_MODE = 1 << 31  # of no meaning here
+RESERVED_MODE = 1 << 31  # without meaning here
 
-#: The tables, with their columns: a unit's registers, the bytes that are its memory, where its
-#: palette and NCC tables lie, three settings; a pipe's first unit, how many, which of them has
-#: coordinates of its own (2, or 0: none), bytes that prefiltered tiles may take, whether it adds to
-#: the frame.
+#: Columns of the tables. A unit: registers, offset and bytes of its memory, offsets of its palette
+#: and NCC tables, three settings. A pipe: first unit, number of units, which of them has separate
+#: coordinates (2, or 0: none), bytes that prefiltered tiles may take, whether it adds to the frame.
 COLUMNS = {"glide_units": ("mode", "lod", "detail", "base", "memory", "bytes", "palette", "ncc",
                            "fraction_bits", "dithered", "subdivision"),
            "pipes": ("glide", "glide_units", "own", "prefilter", "adds")}
 
 
 def empty(table: str) -> np.ndarray:
-    """A table without entries, int64."""
+    """Returns a table without entries, int64."""
     return np.zeros((0, len(COLUMNS[table])), np.int64)
 
 
 def longs(scene, at: int, count: int) -> np.ndarray:
-    """Big-endian longs of the texture memory."""
+    """Returns big-endian longs of the texture memory."""
     return np.frombuffer(scene.glide_memory, ">u4", count, at).astype(np.int64)
 
 
 def unit_of(scene, number: int) -> Unit:
-    """The model of a unit."""
+    """Returns the model of a unit."""
     *words, memory, size, palette, ncc, bits, dithered, pixels = scene.glide_units[number].tolist()
     unit = Unit(replace(modes_of(*words, bits), dithered=dithered, subdivision=pixels),
                 np.frombuffer(scene.glide_memory, np.uint8, size, memory))
@@ -53,19 +52,19 @@ def unit_of(scene, number: int) -> Unit:
 
 
 def units_of(scene, pipe: int) -> list[Unit]:
-    """The models of a pipe's units, the first nearest the frame."""
+    """Returns the models of a pipe's units, the one nearest the frame first."""
     first, count, *_ = scene.pipes[pipe].tolist()
     return [unit_of(scene, first + n) for n in range(count)]
 
 
 def has_own(scene, material) -> bool:
-    """Whether the second half of an object's vertices is what its second unit goes by."""
+    """Returns True if the second half of an object's vertices has its second unit's coordinates."""
     return material.mapper == "glide" and bool(scene.pipes[material.unit][2])
 
 
 def check_own(corners: np.ndarray, name: str, where: str) -> None:
     """Refuses an object's vertices, rows of the table, that are not twice as many as its corners,
-    or have a depth that the second unit cannot divide by."""
+    or that have a depth by which the second unit cannot divide."""
     if len(corners) < 6 or len(corners) % 2:
         raise UserError(f"{name}: {where}.vertices: {len(corners)} are not twice as many as a "
                         "polygon has corners")
@@ -75,7 +74,8 @@ def check_own(corners: np.ndarray, name: str, where: str) -> None:
 
 
 def check_unit(row: list[int], size: int, name: str, where: str) -> None:
-    """Refuses registers that mean nothing and memory that is not there; ``size``: bytes of all."""
+    """Refuses registers without meaning and memory that does not exist; ``size``: bytes of all
+    memory."""
     *words, memory, count, palette, ncc, bits, dithered, pixels = row
     for column, word in zip(COLUMNS["glide_units"], words):
         if not 0 <= word < 1 << 32:
@@ -107,7 +107,7 @@ def check_unit(row: list[int], size: int, name: str, where: str) -> None:
 
 
 def check(scene, name: str) -> None:
-    """Refuses units and pipes that cannot be."""
+    """Refuses invalid units and pipes."""
     if len(scene.glide_memory) % 8:
         raise UserError(f"{name}: glide_memory: {len(scene.glide_memory)} bytes are not a multiple "
                         "of 8")

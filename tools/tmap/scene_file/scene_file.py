@@ -21,15 +21,15 @@ from tmap.setup.shading import LIT
 __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE", "SETTINGS",
            "UNITS", "Material", "Object", "Scene", "Texture", "read", "records", "vertices_at", "write"]
 
-#: (count and offset field, struct of an entry) of each table, in file order; texels
-#: follow. The palette has no count: it is always whole.
+#: Tables in file order: name, which is also the count and offset field, and struct of an entry.
+#: Texels follow. The palette has no count: it is always whole.
 TABLES = {"textures": "scene_texture", "materials": "scene_material",
           "objects": "scene_object", "vertices": "vertex", "poses": "scene_pose",
           "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
           "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
           "views": "scene_view", "units": "scene_unit", "lists": "scene_list",
           "words": "n64_word", "glide_units": "scene_glide_unit", "pipes": "scene_pipe"}
-BYTES = ("dram", "glide_memory")  # behind the tables, without a structure
+BYTES = ("dram", "glide_memory")  # after the tables, without a structure
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
@@ -67,7 +67,7 @@ class Scene:
     vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     format: str = "chunky"  # of FORMATS
-    near_plane: int = ONE  # 16.16; it and guard count where instances are
+    near_plane: int = ONE  # 16.16; like guard, only used if there are instances
     guard: int = 9
     points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
     normals: np.ndarray = field(default_factory=lambda: scene_meshes.empty("normals"), repr=False)
@@ -79,19 +79,20 @@ class Scene:
     units: np.ndarray = field(default_factory=lambda: scene_units.empty("units"), repr=False)
     lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
     words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)
-    dram: bytes = field(default=b"", repr=False)  # what the lists load from
+    dram: bytes = field(default=b"", repr=False)  # the lists load from it
     glide_units: np.ndarray = field(default_factory=lambda: scene_pipes.empty("glide_units"), repr=False)
     pipes: np.ndarray = field(default_factory=lambda: scene_pipes.empty("pipes"), repr=False)
     glide_memory: bytes = field(default=b"", repr=False)  # of all Glide's units
 
     @property
     def pixel(self) -> PixelFormat:
-        """What a pixel is."""
+        """The format of a pixel."""
         return FORMATS[self.format]
 
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
-    """(x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty when not there."""
+    """Returns (x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty if the
+    object is not in the frame."""
     age = frame - obj.first_frame
     if not 0 <= age < obj.poses:
         return []
@@ -102,7 +103,8 @@ def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, i
 
 
 def check_vertices(scene: Scene, obj: Object, name: str, where: str) -> None:
-    """Refuses vertices the material cannot have: what leaves the map or the palette."""
+    """Refuses vertices that the material cannot have, such as those outside the map or the
+    palette."""
     material = scene.materials[obj.material]
     if material.primitive in scene_units.RECTANGLES:
         scene_units.check_rectangle(scene.vertices[obj.vertex:obj.vertex + 2],
@@ -158,7 +160,7 @@ def check(scene: Scene, name: str) -> None:
 
 
 def records(table, struct: layout.Struct) -> bytes:
-    """A table's bytes, from rows of one number a field."""
+    """Converts rows with one number a field to a table's bytes."""
     rows = np.asarray(table, np.int64).reshape(-1, len(struct.fields))
     out = np.zeros(len(rows), struct.dtype)
     for column, (field_name, entry) in enumerate(struct.fields.items()):
@@ -171,7 +173,7 @@ def records(table, struct: layout.Struct) -> bytes:
 
 
 def rows_of(scene: Scene) -> dict[str, list | np.ndarray]:
-    """The rows of all tables but the textures', a number a field."""
+    """Returns the rows of all tables except the textures', one number a field."""
     rows = {table: getattr(scene, table)
             for table in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
                           *scene_pipes.COLUMNS)}
@@ -186,9 +188,10 @@ def rows_of(scene: Scene) -> dict[str, list | np.ndarray]:
 
 
 def write(scene: Scene, with_palette: bool = True) -> bytes:
-    """The scene as a scene file; without a palette it is for programs that hold it.
+    """Returns the scene as a scene file. Without a palette it is for programs that contain the
+    scene.
 
-    Header, palette, TABLES, BYTES, texels of each texture: padded to whole longwords.
+    The order is: header, palette, TABLES, BYTES, texels of each texture, padded to whole longwords.
     """
     check(scene, "scene")
     built = layout.load()
@@ -226,7 +229,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
 
 
 class Contents:
-    """A scene file's bytes, taken apart; ``name`` begins every refusal."""
+    """The parts of a scene file; ``name`` begins every message."""
 
     def __init__(self, data: bytes, name: str) -> None:
         built = layout.load()
@@ -243,18 +246,18 @@ class Contents:
                                 "right")
 
     def part(self, where: str, at: int, size: int) -> bytes:
-        """Bytes behind the header; ``where``: the field that says so."""
+        """Returns bytes after the header; ``where``: the field with their offset."""
         require(self.name, where, at, self.header.size, len(self.data) - size)
         if at % 4:
             raise UserError(f"{self.name}: {where}: {at} is not a multiple of 4")
         return self.data[at:at + size]
 
     def block(self, name: str, size: int) -> bytes:
-        """Bytes whose place the header has."""
+        """Returns bytes whose offset is in the header."""
         return self.part(f"{name}_at", self.values[f"{name}_at"], size)
 
     def rows(self, table: str) -> np.ndarray:
-        """A table, int64 [n, fields]."""
+        """Returns a table, int64 [n, fields]."""
         built = layout.load()
         struct, count = built.struct(TABLES[table]), self.values[table]
         require(self.name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
@@ -262,7 +265,7 @@ class Contents:
         return np.stack([found[name].astype(np.int64) for name in struct.fields], axis=1)
 
     def texture(self, row: list[int], pixel: PixelFormat, where: str) -> Texture:
-        """A texture from its row of the table."""
+        """Returns a texture from its row of the table."""
         width, height, kind, texel_bytes, at = row
         require(self.name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
         require(self.name, f"{where}.texel_bytes", texel_bytes, pixel.bytes, pixel.bytes)
@@ -274,7 +277,7 @@ class Contents:
         return linear(texels, width, height, LAYOUTS[kind], pixel.dtype)
 
     def material(self, row: list[int], where: str) -> Material:
-        """A material from its row of the table."""
+        """Returns a material from its row of the table."""
         *row, primitive = row
         settings = [name_of(kind, number, self.name, f"{where}.{kind}")
                     for kind, number in zip(SETTINGS, row)]
@@ -283,7 +286,7 @@ class Contents:
 
 
 def read(data: bytes, name: str) -> Scene:
-    """The scene in a scene file's bytes; ``name`` is for messages only."""
+    """Reads the scene from a scene file's bytes; ``name`` is for messages only."""
     contents = Contents(data, name)
     values = contents.values
     rows = {table: contents.rows(table) for table in TABLES}

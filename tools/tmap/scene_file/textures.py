@@ -1,6 +1,6 @@
 """Maps in scene files: their layouts, sizes and texels.
 
-Formats stand in c/scene/scene_file.h.
+Formats are defined in c/scene/scene_file.h.
 """
 
 from dataclasses import dataclass, field
@@ -42,7 +42,7 @@ class Texture:
 
 
 def size_fault(kind: str, width: int, height: int) -> str | None:
-    """What a layout needs and this size is not; None: it fits."""
+    """Returns a text on the sizes that a layout allows, or None if this size is one of them."""
     limits = layout.load().constants
     least, page, most = (limits[n] for n in ("MAP_SIDE_MIN", "MAP_PAGE_SIDE", "MAP_LINEAR_MAX"))
     low, high = sorted((width, height))
@@ -64,7 +64,7 @@ def size_fault(kind: str, width: int, height: int) -> str | None:
 
 
 def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -> None:
-    """Refuses a map no mapper could draw."""
+    """Refuses a map that no mapper can draw."""
     drawn = [MAPPER_LAYOUT[mapper] for mapper in MAPPERS[pixel.bytes]]
     if texture.layout not in drawn and not (texture.layout == "light" and pixel.bytes == 1):
         raise UserError(f"{name}: {where}.layout: {texture.layout!r} is not for these pixels")
@@ -78,7 +78,7 @@ def check_texture(texture: Texture, pixel: PixelFormat, name: str, where: str) -
 
 
 def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -> None:
-    """Refuses corners, rows of s and t in 16.16, outside a map that is not repeated."""
+    """Refuses corners, rows of s and t in 16.16, outside a map that does not repeat."""
     height, width = texture.texels.shape
     for s, t in corners.tolist():
         for noun, value, side in (("s", s, width), ("t", t, height)):
@@ -88,7 +88,7 @@ def check_on_map(corners: np.ndarray, texture: Texture, name: str, where: str) -
 
 
 def ordered(texture: Texture) -> bytes:
-    """The texels as the file has them: in the layout's order, big-endian."""
+    """Returns the texels as the file stores them: in the layout's order, big-endian."""
     texels = texture.texels.astype(texture.texels.dtype.newbyteorder(">"))
     if texture.layout == "tiled":
         texels = maps.to_tiled(texels)

@@ -1,6 +1,7 @@
-"""Texture engines in scene files: their display lists and DRAM, and what the Amiga would refuse.
+"""Texture engines in scene files: their display lists and DRAM, and checks for everything the Amiga
+would refuse.
 
-Formats stand in c/scene/scene_file.h.
+Formats are defined in c/scene/scene_file.h.
 """
 
 import numpy as np
@@ -10,42 +11,42 @@ from tmap.base.fixed import ONE
 from tmap.n64.commands import replay
 from tmap.n64.state import REACH, State
 
-#: What the objects of an engine's material are: enum unit_primitive.
+#: Kinds of the objects of an engine's material: enum unit_primitive.
 PRIMITIVES = ("polygons", "coloured", "rectangles", "flipped")
 RECTANGLES = PRIMITIVES[2:]
 
-#: The tables, with their columns: an engine's first list and how many; a list's first word and
-#: how many; a word's halves.
+#: Columns of the tables. An engine: first list, number of lists. A list: first word, number of
+#: words. A word: its halves.
 COLUMNS = {"units": ("list", "lists"), "lists": ("word", "words"), "words": ("hi", "lo")}
 
 
 def empty(table: str) -> np.ndarray:
-    """A table without entries, int64."""
+    """Returns a table without entries, int64."""
     return np.zeros((0, len(COLUMNS[table])), np.int64)
 
 
 def words_of(scene, unit: int, number: int) -> list[list[int]]:
-    """The words (hi, lo) of an engine's list ``number``."""
+    """Returns the words (hi, lo) of an engine's list ``number``."""
     first = int(scene.units[unit][0])
     word, words = (int(n) for n in scene.lists[first + number])
     return scene.words[word:word + words].tolist()
 
 
 def lists_until(scene, unit: int, frame: int) -> list[list[int]]:
-    """All words that an engine has been given when a frame is drawn on its own."""
+    """Returns all words that an engine has received when a frame is drawn alone."""
     several = int(scene.units[unit][1]) > 1
     return words_of(scene, unit, 0) + (words_of(scene, unit, 1 + frame) if several else [])
 
 
 def state_at(scene, unit: int, frame: int) -> State:
-    """An engine's model as it is when a frame is drawn."""
+    """Returns the model of an engine's state when a frame is drawn."""
     state = State(np.frombuffer(scene.dram, np.uint8))
     replay(state, lists_until(scene, unit, frame))
     return state
 
 
 def check_range(vertices: list[tuple], where: str) -> None:
-    """Refuses vertices whose s and t an engine does not draw."""
+    """Refuses vertices whose s and t an engine cannot draw."""
     for noun, column in (("s", 2), ("t", 3)):
         values = [vertex[column] for vertex in vertices]
         if not -REACH << 16 <= min(values) <= max(values) < REACH << 16:
@@ -57,7 +58,7 @@ def check_range(vertices: list[tuple], where: str) -> None:
 
 def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
                    steps: tuple[int, int], copies: bool, flip: bool) -> list[tuple]:
-    """The first corner of a rectangle (tmap.n64.polygon.rectangle) and the one behind its last
+    """Returns a rectangle's first corner (tmap.n64.polygon.rectangle) and the corner after its last
     pixel, as vertices with s and t in 16.16."""
     width, height = box[2] - box[0], box[3] - box[1]
     ways = (height, width) if flip else (width + 3 >> 2 if copies else width, height)
@@ -66,7 +67,7 @@ def rectangle_ends(box: tuple[int, int, int, int], starts: tuple[int, int],
 
 
 def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: str) -> None:
-    """Refuses a rectangle's vertices and poses, rows of the scene's tables, that are not whole
+    """Refuses a rectangle's vertices and poses, rows of the scene's tables, that are not in whole
     pixels, s10.5 and s5.10, or that turn it."""
     for noun, column in (("x", 0), ("y", 1)):
         if (vertices[:, column] & 0xFFFF).any():
@@ -82,7 +83,7 @@ def check_rectangle(vertices: np.ndarray, poses: np.ndarray, name: str, where: s
 
 
 def check(scene, name: str) -> None:
-    """Refuses lists and words that are not there, and an odd DRAM."""
+    """Refuses lists and words that do not exist, and a DRAM that is no multiple of 8 bytes."""
     for i, (first, count) in enumerate(scene.lists.tolist()):
         if not 0 <= first <= first + count <= len(scene.words):
             raise UserError(f"{name}: lists[{i}].words: {first} and {count} of {len(scene.words)}")

@@ -22,23 +22,23 @@ SHAPES = {
     "pix": Shape((DECIMAL,) * 3 + (HEX, DECIMAL, DECIMAL), (HEX,), (M32,)),  # s t w other x y
 }
 
-#: Command to the operation's name behind VECTOR_GLIDE_.
+#: The operation of each command, without the prefix VECTOR_GLIDE_.
 OPERATIONS = {"texrand": "RANDOM", "palrand": "PALETTE_RANDOM", "nccrand": "NCC_RANDOM",
               "regs": "REGISTERS", "grad": "GRADIENTS", "pix": "PIXEL"}
 
 PERSPECTIVE = 1  # bit of textureMode
-#: A register's bits that stand for something.
+#: A register's bits that have a meaning.
 REGISTER_BITS = {"textureMode": M32, "tLOD": (1 << 23) - 1, "tDetail": (1 << 17) - 1,
                  "texBaseAddr": (1 << 29) - 1}
 FORMATS = (*range(6), *range(8, 15))
 FACTORS = range(6)
-#: Files of Voodoo 2, whose filter weights have 8 bits instead of 4, have names that begin so.
+#: Prefix of the names of Voodoo 2 files, whose filter weights have 8 bits instead of 4.
 WIDE_PREFIX = "tmu2"
-COLOUR_BITS = 27  # of a register of I or Q
+COLOUR_BITS = 27  # of an NCC register of I or Q
 
 
 def check_registers(words: tuple[int, ...], place: str) -> None:
-    """Registers that a unit can take."""
+    """Refuses registers that a unit cannot take."""
     for (name, bits), word in zip(REGISTER_BITS.items(), words, strict=True):
         if not 0 <= word <= M32:
             raise UserError(f"{place}: {name}: {word:x} does not fit into 32 bits")
@@ -53,31 +53,31 @@ def check_registers(words: tuple[int, ...], place: str) -> None:
 
 
 def read(path: str | Path) -> Iterator[Line]:
-    """The lines of a file."""
+    """Reads the lines of a file."""
     return vector_text.read(path, SHAPES)
 
 
 def random_memory(seed: int) -> np.ndarray:
-    """A unit's texture memory, uint8."""
+    """Returns a unit's texture memory filled with random numbers, uint8."""
     return np.frombuffer(xorshift(seed, UNIT_MEMORY // 4).astype("<u4").tobytes(), np.uint8)
 
 
 def random_palette(seed: int) -> np.ndarray:
-    """A palette, int64 [256, 3]."""
+    """Returns a random palette, int64 [256, 3]."""
     values = xorshift(seed, 256).astype(np.int64)
     return np.stack([values >> shift & 255 for shift in (16, 8, 0)], -1)
 
 
 def random_ncc(seed: int) -> list[Ncc]:
-    """Both tables."""
+    """Returns both NCC tables with random registers."""
     words = xorshift(seed, 2 * NCC_REGISTERS).astype(np.int64).reshape(2, NCC_REGISTERS)
     words[:, 4:] &= (1 << COLOUR_BITS) - 1
     return [ncc_of(table) for table in words]
 
 
 class GlideLines:
-    """The lines of a file. A logarithm may be rounded otherwise than the reference rounds it, and
-    a quotient under perspective."""
+    """Adds the lines of a file. Logarithms, and quotients under perspective, may be rounded
+    differently from the reference."""
 
     SHAPES = SHAPES
     ALLOWED = {"without perspective": 2, "with perspective": 5}
@@ -88,11 +88,11 @@ class GlideLines:
         operations.add("GLIDE_RESET", 8 if path.name.startswith(WIDE_PREFIX) else 4)
 
     def kind(self) -> str:
-        """By textureMode."""
+        """Returns the kind of question, by textureMode."""
         return "with perspective" if self.mode & PERSPECTIVE else "without perspective"
 
     def add(self, line: Line, place: str) -> None:
-        """The operation of one line."""
+        """Adds the operation of one line."""
         if line.command == "regs":
             check_registers(line.arguments, place)
             self.mode = line.arguments[0]

@@ -13,7 +13,7 @@ from tmap.vectors.vector_text import DECIMAL, HEX, Line, Shape, check_longs, che
 NINE_BITS = 0x1FF
 FOUR, FOUR_MASKS = (HEX,) * 4, (NINE_BITS,) * 4
 
-#: Name in a ``mode`` line to (field of struct n64_modes, bits).
+#: Names in a ``mode`` line: field of struct n64_modes, bits.
 MODE_FIELDS = {
     "persp_tex_en": ("perspective", 1), "detail_tex_en": ("detail", 1),
     "sharpen_tex_en": ("sharpen", 1), "tex_lod_en": ("lod", 1), "en_tlut": ("tlut", 1),
@@ -21,7 +21,7 @@ MODE_FIELDS = {
     "bi_lerp0": ("filter0", 1), "bi_lerp1": ("filter1", 1), "convert_one": ("convert_one", 1),
     "cycle_type": ("cycle", 2)}
 
-#: A ``tile`` line's fields and their bits.
+#: Fields of a ``tile`` line, with their bits.
 TILE_BITS = {"n": 3, "fmt": 3, "siz": 2, "line": 9, "tmem": 9, "pal": 4, "cs": 1, "ms": 1,
              "masks": 4, "shs": 4, "ct": 1, "mt": 1, "maskt": 4, "sht": 4, "sl": 12, "tl": 12,
              "sh": 12, "th": 12}
@@ -49,7 +49,7 @@ SHAPES = {
     "copy": Shape((DECIMAL,) * 3, (HEX, HEX), (M32, M32)),  # tile s t = hi lo
 }
 
-#: Command to the operation's name behind VECTOR_.
+#: The operation of each command, without the prefix VECTOR_.
 OPERATIONS = {
     "tmemrand": "TMEM_RANDOM", "tlutrand": "TLUT_RANDOM", "rdramrand": "DRAM_RANDOM",
     "tmem": "TMEM", "rdram": "DRAM", "tile": "TILE", "convert": "CONVERT", "rdp": "WORDS",
@@ -58,12 +58,12 @@ OPERATIONS = {
 
 
 def read(path: str | Path) -> Iterator[Line]:
-    """The lines of a file."""
+    """Reads the lines of a file."""
     return vector_text.read(path, SHAPES)
 
 
 class N64Lines:
-    """The lines of a file, every one of whose answers must be exact."""
+    """Adds the lines of a file. All answers must be exact."""
 
     SHAPES = SHAPES
     ALLOWED = {"exact": 0}
@@ -73,11 +73,11 @@ class N64Lines:
         operations.add("RESET")
 
     def kind(self) -> str:
-        """There is but one."""
+        """Returns the only kind."""
         return "exact"
 
     def modes(self, pairs: tuple[tuple[str, int], ...], place: str) -> None:
-        """A line ``mode``."""
+        """Adds the operations of a line ``mode``."""
         fields = layout.load().struct("n64_modes").fields
         for name, value in pairs:
             field_name, bits = MODE_FIELDS[name]
@@ -85,7 +85,8 @@ class N64Lines:
             self.operations.add("MODE", fields[field_name]["offset"], value)
 
     def check_poke(self, line: Line, place: str) -> None:
-        """A line ``tmem`` or ``rdram``: bytes, within the memory."""
+        """Refuses a line ``tmem`` or ``rdram`` with values that are not bytes, or outside the
+        memory."""
         size = self.operations.codes[
             "N64_TMEM_BYTES" if line.command == "tmem" else "VECTOR_DRAM_BYTES"]
         address, *values = line.arguments
@@ -95,7 +96,7 @@ class N64Lines:
                             f"{size:x} bytes")
 
     def add(self, line: Line, place: str) -> None:
-        """The operations of one line."""
+        """Adds the operations of one line."""
         if line.command == "mode":
             self.modes(line.arguments, place)
             return

@@ -1,5 +1,5 @@
-"""What the program ``vectors`` reads and writes: operations and answers
-(c/bench/vector_file.h), one boot for all."""
+"""Files of the program ``vectors``: operations and answers (c/bench/vector_file.h), run in one
+boot."""
 
 import zlib
 
@@ -12,7 +12,7 @@ from tmap.guest import emulator
 
 
 class Operations:
-    """What the program is to do, in the making: big-endian longs."""
+    """Collects the program's operations as big-endian longs."""
 
     def __init__(self) -> None:
         self.longs: list[int] = []
@@ -20,7 +20,7 @@ class Operations:
         self.codes = layout.load().constants
 
     def add(self, name: str, *values: int) -> None:
-        """Appends an operation; ``name`` without VECTOR_."""
+        """Appends an operation; ``name`` has no prefix VECTOR_."""
         if len(values) >= 1 << 16:
             raise UserError(f"an operation of {len(values)} numbers is too long")
         self.longs += [self.codes[f"VECTOR_{name}"] << 16 | len(values),
@@ -28,7 +28,7 @@ class Operations:
         self.count += 1
 
     def file(self) -> bytes:
-        """The file that the program reads."""
+        """Returns the file that the program reads."""
         header = layout.load().struct("vector_header")
         body = np.array(self.longs, ">u4").tobytes()
         values = {"magic": self.codes["VECTOR_MAGIC"], "version": self.codes["VECTOR_VERSION"],
@@ -41,8 +41,8 @@ class Operations:
 
 def ask_all(several: list[Operations], machine: str = "a1200-fast",
             on_output=None) -> list[np.ndarray]:
-    """Runs each of several lists of operations with the engines as new, all in one boot; returns
-    their answers, int32."""
+    """Runs several lists of operations, each with reset engines, all in one boot; returns their
+    answers, int32."""
     commands = [f"vectors {n}.questions {n}.answers" for n in range(len(several))]
     files = {f"{n}.questions": operations.file() for n, operations in enumerate(several)}
     with emulator.workspace() as directory:
@@ -56,8 +56,8 @@ def ask_all(several: list[Operations], machine: str = "a1200-fast",
 
 
 def ask(operations: Operations, machine: str = "a1200-fast", on_operation=None) -> np.ndarray:
-    """Runs the operations in one boot; returns all answers, int32. ``on_operation`` is told
-    how many operations were begun."""
+    """Runs the operations in one boot; returns all answers, int32. ``on_operation`` is called with
+    the number of operations begun."""
     def progress(output: str) -> None:
         lines = [line for line in output.splitlines() if line.startswith("operation ")]
         if on_operation and lines and lines[-1].split()[1].isdecimal():

@@ -1,7 +1,7 @@
 """The text of reference data: one command a line, questions with their expected answers.
 
 A file is plain text or gzipped. ``#`` starts a comment line; a line with `` = `` is a question.
-State persists from line to line: whoever runs the lines keeps it.
+State persists from line to line; the caller keeps it.
 """
 
 import gzip
@@ -21,10 +21,10 @@ DECIMAL, HEX = 10, 16
 
 @dataclass(frozen=True)
 class Shape:
-    """What stands in a command's line. ``bases``: of each argument; where ``many``, of each
-    group of arguments, of which there is at least one. ``answers``: bases of the expected
-    answer; none: not a question. ``masks``: which bits of each number of the answer count; None:
-    it is not compared. ``names``: instead of all that, arguments are pairs of one of them and a
+    """The form of a command's line. ``bases``: of each argument; if ``many``, of each argument in a
+    group, and the line has one or more groups. ``answers``: bases of the expected answer; empty:
+    not a question. ``masks``: the bits of each number of the answer that are compared; None: it is
+    not compared. ``names``: instead of all these; arguments are pairs of one of the names and a
     decimal value."""
 
     bases: tuple[int, ...] = ()
@@ -36,8 +36,8 @@ class Shape:
 
 @dataclass(frozen=True)
 class Line:
-    """One command. ``arguments``: integers, or (name, value) pairs. ``expected``: the
-    answer's integers, empty where nothing is asked."""
+    """One command. ``arguments``: integers, or (name, value) pairs. ``expected``: the answer's
+    integers, empty if the line is not a question."""
 
     number: int
     command: str
@@ -46,7 +46,7 @@ class Line:
 
 
 def integers(texts: list[str], bases: tuple[int, ...], place: str) -> tuple[int, ...]:
-    """The texts as integers of the bases."""
+    """Converts texts to integers with these bases."""
     values = []
     for text, base in zip(texts, bases, strict=True):
         try:
@@ -58,7 +58,7 @@ def integers(texts: list[str], bases: tuple[int, ...], place: str) -> tuple[int,
 
 
 def pairs(texts: list[str], names: tuple[str, ...], place: str) -> tuple[tuple[str, int], ...]:
-    """Pairs of a name and a value."""
+    """Converts texts to pairs of a name and a value."""
     if not texts or len(texts) % 2:
         raise UserError(f"{place}: pairs of name and value expected")
     for name in texts[::2]:
@@ -68,7 +68,7 @@ def pairs(texts: list[str], names: tuple[str, ...], place: str) -> tuple[tuple[s
 
 
 def parse_line(text: str, number: int, shapes: dict[str, Shape], place: str) -> Line:
-    """One line that holds a command."""
+    """Parses a line with a command."""
     question, equals, answer = text.partition(" = ")
     command, *texts = question.split()
     shape = shapes.get(command)
@@ -89,8 +89,8 @@ def parse_line(text: str, number: int, shapes: dict[str, Shape], place: str) -> 
 
 
 def read(path: str | Path, shapes: dict[str, Shape]) -> Iterator[Line]:
-    """The commands of a file in order, of those that have shapes; UserError names the file and
-    the line."""
+    """Yields the commands of a file in order; ``shapes``: all commands allowed. UserError names the
+    file and the line."""
     path = Path(path)
     try:
         data = path.read_bytes()
@@ -106,28 +106,28 @@ def read(path: str | Path, shapes: dict[str, Shape]) -> Iterator[Line]:
 
 
 def check_range(values: Iterable[int], bits: Iterable[tuple[str, int]], place: str) -> None:
-    """Every value must fit its unsigned field, (name, bits)."""
+    """Refuses a value that does not fit its unsigned field, (name, bits)."""
     for value, (name, width) in zip(values, bits, strict=True):
         if not 0 <= value < 1 << width:
             raise UserError(f"{place}: {name}: {value} is not within 0 to {(1 << width) - 1}")
 
 
 def check_longs(values: Iterable[int], place: str) -> None:
-    """Every value must fit 32 bits, signed or not."""
+    """Refuses a value that does not fit 32 bits, signed or not."""
     for value in values:
         if not -1 << 31 <= value < 1 << 32:
             raise UserError(f"{place}: {value} does not fit into 32 bits")
 
 
 def xorshift_step(x: int) -> int:
-    """The next number of xorshift32."""
+    """Returns the next number of xorshift32."""
     x ^= x << 13 & M32
     x ^= x >> 17
     return x ^ x << 5 & M32
 
 
 def after(basis: list[int], x: int) -> int:
-    """x after the steps that a basis stands for: what each bit becomes."""
+    """Returns x after the steps of a basis, which has the result for each bit."""
     result = 0
     for bit, becomes in enumerate(basis):
         if x >> bit & 1:
@@ -137,7 +137,7 @@ def after(basis: list[int], x: int) -> int:
 
 @cache
 def doublings(times: int) -> list[int]:
-    """The basis of 2^times steps."""
+    """Returns the basis of 2^times steps."""
     if not times:
         return [xorshift_step(1 << bit) for bit in range(32)]
     half = doublings(times - 1)
@@ -146,15 +146,17 @@ def doublings(times: int) -> list[int]:
 
 @cache
 def jumps(times: int) -> np.ndarray:
-    """What each value of each byte of a number, the lowest first, becomes by 2^times steps; uint32
-    [4][256]. Steps are linear: a number becomes the exclusive or of what its bytes become."""
+    """Returns, for each byte of a number, the lowest first, and each value of that byte, the result
+    of 2^times steps; uint32 [4][256]. Steps are linear: a number's result is the exclusive or of
+    its bytes' results."""
     basis = doublings(times)
     return np.array([[after(basis[8 * n:8 * n + 8], value) for value in range(256)]
                      for n in range(4)], np.uint32)
 
 
 def xorshift(seed: int, count: int) -> np.ndarray:
-    """The ``count`` numbers that follow a seed, uint32: what the ``rand`` commands fill with."""
+    """Returns the ``count`` numbers after a seed, uint32. The ``rand`` commands fill memory with
+    them."""
     values = np.array([xorshift_step(seed)], np.uint32)
     for times in range((count - 1).bit_length()):
         parts = (jump[values >> np.uint32(8 * n) & np.uint32(255)]

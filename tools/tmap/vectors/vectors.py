@@ -1,7 +1,7 @@
-"""``tmap vectors``: reference data against the engines in C, on the emulated machine.
+"""``tmap vectors``: checks the engines in C, on the emulated machine, against reference data.
 
-The lines of all files become operations of the program ``vectors``, which runs them in one boot;
-its answers are compared here, number by number. A file's commands tell which engine it is for.
+The lines of all files become operations of the program ``vectors``, which runs them in one boot.
+Its answers are compared here, number by number. The commands of a file determine its engine.
 """
 
 import sys
@@ -20,25 +20,25 @@ from tmap.vectors.n64_text import N64Lines
 from tmap.vectors.vector_file import Operations, ask
 from tmap.vectors.vector_text import Line, Shape
 
-#: Bytes of operations that fit the machine's memory beside what else is in it.
+#: Most bytes of operations that fit the machine's free memory.
 FILE_BYTES = 6_000_000
 SHOWN = 5  # wrong lines of a file that are printed
 
 
 class Lines(Protocol):
-    """A file's lines as one engine understands them, in their order."""
+    """Adds the lines of a file, in order, for one engine."""
 
     SHAPES: dict[str, Shape]
-    #: Kind of question to how many of 1,000 may be answered otherwise.
+    #: Kind of question to the number of answers in 1,000 that may differ.
     ALLOWED: dict[str, int]
 
     def __init__(self, operations: Operations, path: Path) -> None: ...
 
     def add(self, line: Line, place: str) -> None:
-        """The operations of a line; UserError begins with ``place``."""
+        """Adds the operations of a line; messages begin with ``place``."""
 
     def kind(self) -> str:
-        """Of the question that was added last."""
+        """Returns the kind of the question that was added last."""
 
 
 ENGINES: tuple[type[Lines], ...] = (N64Lines, GlideLines)
@@ -47,8 +47,8 @@ SHAPES = {name: shape for engine in ENGINES for name, shape in engine.SHAPES.ite
 
 @dataclass
 class File:
-    """A file of reference data: its questions by their kinds, and after ``check`` the wrong ones,
-    with what was found."""
+    """A file of reference data: its questions with their kinds, and after ``check`` the wrong ones
+    with the answers found."""
 
     path: Path
     allowed: dict[str, int]
@@ -56,23 +56,23 @@ class File:
     wrong: list[tuple[str, Line, tuple[int, ...]]] = field(default_factory=list)
 
     def count(self, kind: str) -> tuple[int, int]:
-        """(questions, wrong ones) of a kind."""
+        """Returns (questions, wrong ones) of a kind."""
         return (sum(of == kind for of, _ in self.questions),
                 sum(of == kind for of, _, _ in self.wrong))
 
     def passes(self) -> bool:
-        """Whether of no kind more are wrong than may be."""
+        """Returns True if no kind has more wrong answers than allowed."""
         counts = ((allowed, *self.count(kind)) for kind, allowed in self.allowed.items())
         return all(1000 * wrong <= allowed * questions for allowed, questions, wrong in counts)
 
 
 def engine_of(line: Line) -> type[Lines]:
-    """The engine that a command is for."""
+    """Returns the engine that a command is for."""
     return next(engine for engine in ENGINES if line.command in engine.SHAPES)
 
 
 def add_file(operations: Operations, path: Path) -> File:
-    """Reads a file into the operations."""
+    """Adds a file's lines to the operations."""
     lines, questions = None, []
     for line in vector_text.read(path, SHAPES):
         place = f"{path}:{line.number}"
@@ -89,14 +89,15 @@ def add_file(operations: Operations, path: Path) -> File:
 
 
 def differs(line: Line, found: tuple[int, ...]) -> bool:
-    """Whether a number that counts is another one."""
+    """Returns True if any of the compared bits differ."""
     masks = SHAPES[line.command].masks
     return any(mask is not None and (a ^ b) & mask
                for a, b, mask in zip(line.expected, found, masks, strict=True))
 
 
 def compare(file: File, answers: np.ndarray, at: int) -> int:
-    """Notes what is wrong in a file, whose answers begin at ``at``; returns their end."""
+    """Compares a file's answers, which begin at ``at``, and notes the wrong ones; returns their
+    end."""
     for kind, line in file.questions:
         end = at + len(line.expected)
         found = tuple(int(value) for value in answers[at:end])
@@ -110,7 +111,8 @@ def compare(file: File, answers: np.ndarray, at: int) -> int:
 
 def check(paths: list[Path], machine: str = "a1200-fast",
           on_operation: Callable[[int, int], None] | None = None) -> list[File]:
-    """Asks every question of the files in one boot. ``on_operation``: told (begun, all)."""
+    """Runs every question of the files in one boot. ``on_operation`` is called with (begun,
+    all)."""
     operations = Operations()
     files = []
     for path in paths:
@@ -129,7 +131,8 @@ def check(paths: list[Path], machine: str = "a1200-fast",
 
 
 def written(line: Line, values: tuple[int, ...]) -> str:
-    """An answer as files have it: decimal, or hexadecimal in as many digits as it needs."""
+    """Returns an answer in the files' form: decimal, or hexadecimal with as many digits as it
+    needs."""
     shape = SHAPES[line.command]
     texts = []
     for value, base, mask in zip(values, shape.answers, shape.masks, strict=True):
@@ -140,21 +143,21 @@ def written(line: Line, values: tuple[int, ...]) -> str:
 
 
 def asked(line: Line) -> str:
-    """A question as files have it."""
+    """Returns a question in the files' form."""
     texts = (str(value) if base == vector_text.DECIMAL else f"{value:x}"
              for value, base in zip(line.arguments, SHAPES[line.command].bases, strict=True))
     return " ".join([line.command, *texts])
 
 
 def counts(file: File) -> Iterator[str]:
-    """Right and wrong of each kind, where there are several."""
+    """Yields the right and wrong answers of each kind, if there are several."""
     for kind in file.allowed if len(file.allowed) > 1 else ():
         questions, wrong = file.count(kind)
         yield f"{kind} {questions - wrong} right, {wrong} wrong"
 
 
 def report(file: File) -> list[str]:
-    """Lines on a file: right and wrong, and the first wrong questions."""
+    """Returns lines on a file: right and wrong answers, and the first wrong questions."""
     lines = ["; ".join([f"{file.path}: {len(file.questions) - len(file.wrong)} right, "
                         f"{len(file.wrong)} wrong", *counts(file)])]
     if file.wrong and file.passes():
@@ -168,7 +171,7 @@ def report(file: File) -> list[str]:
 
 
 def command(paths: list[Path], machine: str) -> int:
-    """``tmap vectors``: status 1 where more answers of a file are wrong than may be."""
+    """``tmap vectors``: returns 1 if more answers of a file are wrong than allowed."""
     from rich.progress import Progress
 
     with Progress(transient=True, disable=not sys.stderr.isatty()) as progress:
