@@ -2,7 +2,8 @@
 
 enum { DIGIT_BITS = 8, DIGITS = 1 << DIGIT_BITS };
 
-/* One pass by one byte; 0 where it is the same in all, and nothing moved. */
+/* One pass of the radix sort, by one byte. Returns 0 if all faces have the same byte: nothing is
+   moved. */
 static int32 pass(struct mesh_face *to, const struct mesh_face *from, int32 count, uint32 shift)
 {
     static int32 at[DIGITS];
@@ -25,7 +26,7 @@ static int32 pass(struct mesh_face *to, const struct mesh_face *from, int32 coun
     return 1;
 }
 
-/* Sixteen faces and fewer: by insertion. */
+/* Insertion sort, for 16 faces or fewer. */
 static void insert(struct mesh_face *faces, int32 count)
 {
     for (int32 i = 1; i < count; i++) {
