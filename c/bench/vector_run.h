@@ -4,8 +4,8 @@
 
 #include "compiler.h"
 
-/* Does one operation (enum vector_code); its longs must be as many as it wants. Where there is
-   too little memory for the first one, prints a line and returns 0. */
+/* Does one operation (enum vector_code); the number of longs must be the operation's. The first
+   call allocates the engines' memory; prints a line and returns 0 if it is short. */
 int32 vectors_run(uint32 code, const int32 *values, uint32 count);
 
 #endif

@@ -23,7 +23,7 @@ static uint32 sum_pixels(const struct draw_counts *counts, uint32 materials)
     return sum;
 }
 
-/* The frame of the scene that is next. */
+/* Returns the scene's frame for a lane's next picture. */
 static int32 scene_frame(const struct player *player, const struct lane *lane)
 {
     const struct step *step = &player->part->step[player->governor.step];
@@ -65,7 +65,7 @@ static void draw(struct player *player, int32 number, int32 frame)
     set_settings(player, number);
     if (counted)
         clear_counts(player->counts, materials);
-    /* The system's tasks have work ten times a second: it is none of the picture's. */
+    /* Other tasks run ten times a second; their time must not count as the picture's. */
     tasks_forbid();
     player_lap(player);
     scene_draw(player->scene, &lane->frame, frame, &drawing);
@@ -102,7 +102,7 @@ void lanes_probe(struct player *player)
     }
 }
 
-/* The pane that has had the least time. */
+/* Returns the pane that has used the least time. */
 static int32 poorest(const struct player *player)
 {
     int32 best = 0;
@@ -113,8 +113,8 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns: until the frame before is shown, and none that
-   might make this one late; but one at least where there is nothing to convert. */
+/* Draws pictures in turn until the previous frame is shown, but none that might make this frame
+   late. Draws at least one if there is nothing to convert. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
@@ -133,7 +133,7 @@ static void draw_fairly(struct player *player)
         const int32 next = poorest(player);
         const struct lane *lane = &player->lane[next];
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
-        const uint32 age = display_age() * LINE_TICKS;  /* read while the frame before waits */
+        const uint32 age = display_age() * LINE_TICKS;  /* read first: valid if the screen waits */
 
         if ((drawn || converting)
             && (!screen_waits(player->screen)
@@ -154,7 +154,7 @@ void lanes_draw(struct player *player)
         lane_draw(player, i);
 }
 
-/* Rows of a pane, counted from its frame's top, over its whole width. */
+/* Converts rows of a pane, counted from its frame's top, over its whole width. */
 static void convert_rows(const struct player *player, int32 number, int32 top, int32 rows)
 {
     const struct pane *pane = &player->part->pane[number];

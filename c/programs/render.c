@@ -1,13 +1,13 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
    render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
-   writes frame_000.chunky and so on into the current directory and prints one line
-   a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
-   a line a material too: its polygons, those each rule applied to, pixels of each span).
-   CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
-   DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
-   rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
-   set all materials to a step (scene/settings.h), numbered from 0. */
+   Writes frame_000.chunky and so on into the current directory and prints a line for each frame:
+   its number and ticks (colour clocks). COUNT adds polygons and pixels of each kind of span, then
+   a line for each material: its polygons, those to which each rule applied, pixels of each span.
+   CHIP puts maps and frame into chip RAM. DCACHE draws with a 68030's data cache. DIGEST writes a
+   struct frame_digest for each frame into one file instead. OFF switches rules of lowering off:
+   names separated by commas, or all. ACCURACY and PERSPECTIVE set all materials to a step
+   (scene/settings.h), numbered from 0. */
 #include "scene/counts.h"
 #include "scene/settings.h"
 #include "system/arguments.h"
@@ -16,7 +16,7 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* Bytes before and behind the frame that nobody may touch. */
+/* Bytes before and after the frame that must not be written. */
 #define GUARD 4096
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
@@ -46,7 +46,7 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     return 1;
 }
 
-/* Bits of both guard bands that are not what they were. */
+/* Returns the bits that have changed in the guards before and after the frame. */
 static uint32 guards_broken(const struct frame *frame)
 {
     const uint32 *before = (const uint32 *)(frame->pixels - GUARD);
@@ -58,7 +58,7 @@ static uint32 guards_broken(const struct frame *frame)
     return broken;
 }
 
-/* How a run goes. */
+/* The settings of a run. */
 struct run {
     int32 frames;
     struct drawing drawing;
@@ -66,7 +66,7 @@ struct run {
     const char *digest;         /* name of the file, or 0: dumps */
 };
 
-/* Draws a frame and looks at the guard bands. */
+/* Draws a frame and checks the guards; prints a line and returns 0 if they were written. */
 static int32 draw(const struct scene *scene, const struct frame *frame, int32 number,
                   const struct run *run, struct frame_digest *drawn)
 {
@@ -81,7 +81,7 @@ static int32 draw(const struct scene *scene, const struct frame *frame, int32 nu
     return 1;
 }
 
-/* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
+/* Draws and writes all frames; sets *refused to the reason if a polygon was refused. */
 static int32 dump_frames(const struct scene *scene, const struct frame *frame,
                          struct run *run, uint32 *refused)
 {
@@ -109,7 +109,7 @@ static int32 dump_frames(const struct scene *scene, const struct frame *frame,
     return 1;
 }
 
-/* Only where a longword is another than the one before: most of a frame is its ground. */
+/* The hash skips longwords equal to the one before: most of a frame is background. */
 static void add_up(const struct frame *frame, struct frame_digest *digest)
 {
     const uint32 *pixels = (const uint32 *)frame->pixels;
@@ -127,7 +127,7 @@ static void add_up(const struct frame *frame, struct frame_digest *digest)
     digest->hash = hash;
 }
 
-/* The same, but for the frames' digests in one file, and a line now and then. */
+/* Draws all frames and writes their digests to one file; prints a line every 50 frames. */
 static int32 digest_frames(const struct scene *scene, const struct frame *frame,
                            const struct run *run)
 {
@@ -165,7 +165,7 @@ static int32 render(const struct scene *scene, const struct frame *frame, struct
     return RETURN_OK;
 }
 
-/* The form of this name; -1: there is none. */
+/* Returns the form with this name, or -1 if there is none. */
 static int32 form_named(const char *name)
 {
     return text_same(name, "addx") ? FORM_ADDX

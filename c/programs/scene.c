@@ -1,12 +1,12 @@
 /* scene - draws the frames of the one scene it holds into chunky dumps and times them.
 
-   No arguments. It writes frame_000.chunky and so on into the current directory, as render
-   does, and prints a line a frame: colour clocks. tools/tmap/product/scene_program.py links it. */
+   No arguments. Writes frame_000.chunky and so on into the current directory, as render does, and
+   prints the colour clocks of each frame. tools/tmap/product/scene_program.py links it. */
 #include "scene/scene.h"
 #include "system/system.h"
 #include "system/text.h"
 
-/* A scene file without a palette, which the tools have checked. */
+/* A scene file without a palette, checked by the tools. */
 extern const uint8 scene_data[];
 
 static int32 fail(const char *why)
@@ -22,7 +22,7 @@ int main(void)
     static const struct drawing drawing = {FORM_ADDX, 0, 0, PLANAR_ALL};
 
     scene_place(&scene, scene_data);
-    scene_make(&scene, MEMORY_ANY);     /* returns with all it wants: mem_need */
+    scene_make(&scene, MEMORY_ANY);     /* mem_need ends the program if memory is short */
     frame.width = scene.header->width;
     frame.height = scene.header->height;
     frame.pixel_bytes = scene_pixel_bytes(scene.header->format);
