@@ -1,4 +1,4 @@
-/* What draws each kind of span. */
+/* The routines for each kind of span. */
 #ifndef KIND_H
 #define KIND_H
 
@@ -8,7 +8,7 @@
 typedef void span_routine(const struct span_plan *plan);
 typedef void edge_routine(const struct edge_plan *plan);
 
-/* How lines hold u and v, or nothing: what spans read, and edges write. */
+/* The form of u and v in a line, if any: written by edges, read by spans. */
 enum line_form { LINES_FLAT, LINES_ADDX, LINES_SWAP, LINES_PLAIN, LINE_FORMS };
 
 struct line_routines {
@@ -18,8 +18,8 @@ struct line_routines {
 
 extern const struct line_routines line_routines[LINE_FORMS];
 
-/* In the order of enum span_kind; none for those that polygon_draw does not know. Tables apart,
-   so that a program of one scene holds a byte of a kind that it does not need. */
+/* In the order of enum span_kind; empty for kinds that polygon_draw does not draw. The tables are
+   separate, so that a program of one scene holds only a byte for a kind that it does not need. */
 extern span_routine *const kind_spans[SPAN_KINDS];
 extern const uint8 kind_lines[SPAN_KINDS];      /* enum line_form */
 

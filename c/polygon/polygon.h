@@ -1,4 +1,4 @@
-/* A convex polygon on the screen and what it is drawn with. */
+/* A convex polygon on the screen, its material and the ways to draw it. */
 #ifndef POLYGON_H
 #define POLYGON_H
 
@@ -8,7 +8,7 @@
 #include "span/logarithm.h"
 #include "texture/map.h"
 
-/* How near the picture comes to the exact one, from cheap to exact. */
+/* Accuracy of the picture: each setting from cheap to exact. */
 enum edges {
     EDGES_INTEGER,              /* vertices cut to whole pixels */
     EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line: neighbours
@@ -30,7 +30,7 @@ enum start {
     START_KINDS
 };
 
-/* What is done with what lies outside the frame. */
+/* How a polygon is clipped to the frame. */
 enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
     CLIP_VERTICES,              /* the polygon is, before it has edges; exact ones: lines */
@@ -47,7 +47,7 @@ enum perspective {
     PERSPECTIVE_KINDS
 };
 
-/* Spans and edges in swapped form and plain form: same picture, other speed. */
+/* Forms of spans and edges: the same picture at different speeds. */
 enum form { FORM_ADDX, FORM_SWAP, FORM_C };
 
 enum polygon_result {
@@ -87,8 +87,8 @@ enum mapper {
     MAPPER_KINDS
 };
 
-/* Which routines drew, counted where it is asked for. A polygon with a perspective is drawn by
-   one or two of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
+/* The span routines, for counting their pixels. A polygon with perspective is drawn by one or two
+   of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
 enum span_kind {
     SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32,      /* the flat ones come first */
     SPAN_GOURAUD, SPAN_AFFINE_ADDX, SPAN_AFFINE_ADDX_WRAP,
@@ -108,7 +108,8 @@ enum span_kind {
     SPAN_PERSPECTIVE = SPAN_KINDS       /* it is not settled yet which */
 };
 
-/* Why less is done than a material asks for: c/drawing/lower.c has them line by line. */
+/* Rules of lowering: reasons to draw with less work than a material's settings require. They are in
+   c/drawing/lower.c, line by line. */
 enum rule {
     RULE_OUTSIDE,               /* the polygon lies beside the frame: nothing */
     RULE_EQUAL_SHADES,          /* the same pixel at all vertices: flat */
@@ -174,7 +175,7 @@ struct material {
                                    and a shift */
 };
 
-/* Values of a polygon's vertices that are drawn as planes over the screen. */
+/* Values of a polygon's vertices that are planes over the screen. */
 enum planar_values {
     PLANAR_TEXELS = 1,          /* s and t */
     PLANAR_DEPTHS = 2,          /* 1/w, s/w and t/w */
@@ -183,7 +184,7 @@ enum planar_values {
     PLANAR_ALL = 15
 };
 
-/* How polygons are drawn, whatever they are. */
+/* Options for drawing polygons of all materials. */
 struct drawing {
     enum form form;
     uint32 off;                 /* bit n: rule n is not followed; exact ones leave the picture
@@ -193,9 +194,9 @@ struct drawing {
                                    than three vertices are not looked at for them */
 };
 
-/* By every mapper but MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
-   three vertices whose values lie on no plane (fan.c has how near they must come) is drawn as a
-   fan of triangles from its first vertex: so every vertex shows its own. */
+/* Draws with every mapper except MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of
+   more than three vertices whose values are not on a plane (fan.c has the tolerance) is drawn as a
+   fan of triangles from its first vertex: so every vertex shows its own values. */
 polygon_routine polygon_draw;
 
 #endif
