@@ -9,7 +9,7 @@ enum custom_register {
 };
 
 enum register_bits {
-    DMA_SPRITES = 0x0020,               /* without the highest bit: off */
+    DMA_SPRITES = 0x0020,               /* written without bit 15: switched off */
     /* BPLCON0 */
     HIRES = 0x8000, ONE_PLANE = 0x1000, HAM = 0x0800, COLOUR = 0x0200, SHRES = 0x0040,
     EIGHT_PLANES = 0x0010, ECS_ENABLED = 0x0001,

@@ -97,7 +97,7 @@ struct ramp_plan {
     int32 count;                /* lines, 1 or more */
     struct ramp *left, *right;  /* both cover the lines; the routine changes them */
     struct scanline_step *steps;        /* one a line */
-    int32 truncated;            /* 1: starts u, v where the left side crosses the line */
+    int32 truncated;            /* 1: u, v start where the left side crosses the line */
     int32 packed;               /* 1: starts in the addx form */
 };
 
