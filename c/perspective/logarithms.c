@@ -39,7 +39,7 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
 {
     static int32 coarse[FACTORS], fine[FACTORS];
     int16 *to[OCTAVES];
-    uint32 index[OCTAVES], part = ONE, here = ONE;      /* mantissas, 2.30; index: each octave's next */
+    uint32 index[OCTAVES], part = ONE, here = ONE;      /* 2.30; index: each octave's next */
     uint32 *parts = tables->parts;
 
     multiply_up(coarse, COARSE);
