@@ -1,4 +1,4 @@
-/* What differs between C compilers, and the integer types: nowhere else.
+/* The integer types, and all that differs between C compilers.
    The C is C99 without library, without long long and without extensions. */
 #ifndef COMPILER_H
 #define COMPILER_H

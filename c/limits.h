@@ -1,4 +1,4 @@
-/* What every room keeps to: the size of frames and polygons, and what a pixel is. */
+/* Limits common to all rooms: the size of frames and polygons, and pixel formats. */
 #ifndef LIMITS_H
 #define LIMITS_H
 
@@ -7,7 +7,7 @@ enum common_limits {
     POLYGON_VERTICES_MAX = 64
 };
 
-/* What a pixel and a texel are; two or four bytes are big-endian. */
+/* Formats of pixels and texels; two or four bytes are big-endian. */
 enum pixel_format {
     PIXEL_CHUNKY,               /* 8 bits: palette index */
     PIXEL_RGB565,

@@ -9,14 +9,14 @@
 #include "system/text.h"
 #include "texture/map.h"
 
-/* column_layout_make as a kernel: its arguments are in a plan, the result in count. */
+/* column_layout_make as a kernel: its arguments come from a plan, its result goes to count. */
 static void make_columns(struct span_plan *plan)
 {
     plan->count = column_layout_make((struct column_layout *)plan->columns, plan->map_width,
                                      plan->map_height);
 }
 
-/* logarithms_make as a kernel: the tables name the memory. */
+/* logarithms_make as a kernel: the structure has the addresses of the tables. */
 static void make_logarithms(struct logarithm_tables *tables)
 {
     logarithms_make(tables, (int16 *)tables->logs, (uint16 *)tables->powers);
@@ -28,7 +28,7 @@ static void nothing(void)
 
 #define PASS(name) {#name, (void (*)(void))name}
 
-/* Beside the assembly: what is written in C, and what costs nothing. */
+/* Kernels in C, and an empty one, whose time is the cost of a call. */
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
     {"column_layout_make", (void (*)(void))make_columns},

@@ -1,4 +1,4 @@
-/* The kernels that a plan can name. */
+/* The kernels that a plan can call by name. */
 #ifndef KERNELS_H
 #define KERNELS_H
 
@@ -9,10 +9,11 @@ struct kernel {
     void (*routine)(void);
 };
 
-/* Every routine of src68k's math, mesh, polygon, edge, span and n64, made from their contract blocks. */
+/* Every routine of src68k's math, mesh, polygon, edge, span, n64, glide and screen, generated from
+   their contract blocks. */
 extern const struct kernel kernel_table[];
 
-/* One of those or of the ones in C; 0: no kernel has this name. */
+/* Finds a kernel in that table or among those in C; returns 0 if none has this name. */
 void (*kernel_find(const char *name))(void);
 
 /* src68k/amiga/call.s: contracts there. */

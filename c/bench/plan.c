@@ -4,7 +4,7 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* Twice the sum of all sums, less the last. */
+/* Twice the sum of all partial sums, less the last one, gives the odd factors. */
 uint32 plan_checksum(const uint32 *from, uint32 longs)
 {
     uint32 sum = 0, sums = 0;
@@ -79,7 +79,7 @@ static int32 text_ends(const uint8 *plan, uint32 at, uint32 bytes)
     return at < bytes;
 }
 
-/* The first field of a case that is wrong, or 0. */
+/* Returns the name of the first field of a case that is wrong, or 0. */
 static const char *wrong_case(const struct plan_case *c, const uint8 *plan, uint32 bytes)
 {
     if (!text_ends(plan, c->name_at, bytes))

@@ -1,4 +1,4 @@
-/* A plan in memory: loaded and checked, so that nothing else need be. */
+/* A plan in memory. It is checked when it is loaded, so that its users need no checks. */
 #ifndef PLAN_H
 #define PLAN_H
 
@@ -8,13 +8,13 @@
 /* Reads a plan; prints a line and returns 0 if it cannot be used. */
 int32 plan_load(const char *name, const uint8 **plan);
 
-/* Its cases, plan_header.cases of them. */
+/* Returns its cases, plan_header.cases of them. */
 const struct plan_case *plan_cases(const uint8 *plan);
 
-/* As plan_header.checksum says, of so many longwords. */
+/* Returns the checksum of so many longwords, as in plan_header.checksum. */
 uint32 plan_checksum(const uint32 *from, uint32 longs);
 
-/* The number of pieces that an image of so many bytes is cut into. */
+/* Returns the number of pieces of an image of so many bytes. */
 uint32 plan_pieces(uint32 bytes);
 
 #endif

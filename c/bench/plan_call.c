@@ -34,7 +34,7 @@ int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan)
         && make_arena(&arenas->chip, chip, MEMORY_CHIP);
 }
 
-/* Unrolled: most of the time of many short calls is the copying of their images. */
+/* Unrolled: with many short calls most of the time goes into copying their images. */
 void plan_copy(uint8 *to, const uint8 *from, uint32 bytes)
 {
     uint32 *to_long = (uint32 *)to;
@@ -116,7 +116,7 @@ uint32 plan_time(struct plan_call *call, const struct plan_case *c, const uint8 
     quiet_enter();
     if (c->display) {
         planes_fetch(c->display);
-        clock_wait();           /* which lines are displayed counts now */
+        clock_wait();           /* with a display the position in the field matters */
     }
     clock_start((int32)c->limit);
     call_repeat(call->registers, c->repeats);

@@ -5,32 +5,32 @@
 #include "bench/plan_file.h"
 #include "compiler.h"
 
-/* The memory of all cases: one piece for every use, as large as its largest image. */
+/* Memory shared by all cases: a piece for each use, as large as the largest image. */
 struct plan_arenas {
     uint8 *near, *any, *chip;
 };
 
-/* A call that was made: where its memory was, and its registers; the last is by how much the
-   stack pointer was off. */
+/* A call: its memory and its registers. The last longword is the stack pointer's change during the
+   call. */
 struct plan_call {
     void (*routine)(void);
     uint8 *near, *far;
     uint32 registers[PLAN_REGISTERS + 1];
 };
 
-/* 0 where memory is short. */
+/* Allocates the arenas; returns 0 if memory is short. */
 int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan);
 
-/* Makes a case's memory and calls its routine once, in quiet mode; prints a line and returns 0
-   where there is no such routine. clock_open must have succeeded. */
+/* Prepares a case's memory and calls its routine once, in quiet mode; prints a line and returns 0
+   if there is no such routine. clock_open must have succeeded. */
 int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *plan,
                 const struct plan_arenas *arenas);
 
-/* Makes the same memory anew and calls the routine `repeats` times; returns how long that took, in
-   colour clocks. */
+/* Prepares the same memory again and calls the routine `repeats` times; returns the time in colour
+   clocks. */
 uint32 plan_time(struct plan_call *call, const struct plan_case *c, const uint8 *plan);
 
-/* Longwords, by the plan's sizes; both addresses are multiples of 4. */
+/* Copies longwords: bytes and both addresses are multiples of 4. */
 void plan_copy(uint8 *to, const uint8 *from, uint32 bytes);
 
 #endif

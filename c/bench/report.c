@@ -10,7 +10,7 @@
 
 static char lines[ROOM + 1];
 static int32 length;
-static int32 left_full;         /* a cell stands in the console's line */
+static int32 left_full;         /* 1: the console's line has a cell already */
 
 void report_cell_text(struct report_cell *cell, int32 column, const char *text)
 {
@@ -67,7 +67,7 @@ void report_line(void)
     text_print();
 }
 
-/* One cell of the console's line. */
+/* Prints a cell on the console. */
 static void show(const char *cell)
 {
     text_add(left_full ? " | " : "");
@@ -116,7 +116,7 @@ void report_end_rows(void)
 
 int32 report_save(const char *name)
 {
-    const int32 window = dos_requests(-1);      /* no requester: the line below says it */
+    const int32 window = dos_requests(-1);      /* no requester: the line below has the reason */
     const int32 file = file_open(name, FILE_NEW);
     int32 put = -1;
     char fault[FAULT];

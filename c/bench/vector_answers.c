@@ -5,11 +5,11 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* Answers on their way to the file. */
+/* Answers not written yet. */
 static uint32 answers[8192];
 static uint32 answered;
 static int32 results;           /* the file */
-static int32 failed;            /* to write */
+static int32 failed;            /* 1: a write failed */
 
 void vector_answers_open(int32 file)
 {

@@ -1,18 +1,18 @@
-/* What the engines' operations share: answers to a file, and numbers at random. */
+/* Shared by the engines' operations: answers written to a file, and random numbers. */
 #ifndef VECTOR_ANSWERS_H
 #define VECTOR_ANSWERS_H
 
 #include "compiler.h"
 
-/* The open file that answers go to. */
+/* Sets the open file for answers. */
 void vector_answers_open(int32 file);
 
 void vector_answer(int32 value);
 
-/* As many longs as VECTOR_TEXT_BYTES, a character each, and 0 behind the last. */
+/* Answers with VECTOR_TEXT_BYTES longs, a character each, then zeros. */
 void vector_answer_text(const char *text);
 
-/* Writes the answers that are still kept; prints a line and returns 0 if any could not be. */
+/* Writes the buffered answers; returns 0 if any write failed, and prints a line the first time. */
 int32 vector_answers_flush(void);
 
 /* xorshift32: the next number. */

@@ -4,11 +4,11 @@
 
 #include "compiler.h"
 
-/* Engines as new, in VECTOR_DRAM_BYTES of memory that each overwrites when it is reset. */
+/* Make a new engine in VECTOR_DRAM_BYTES of memory, which each engine overwrites when reset. */
 void vector_n64_open(uint8 *memory);
 void vector_glide_open(uint8 *memory);
 
-/* Does one operation (enum vector_code), whose longs are as many as it wants. */
+/* Do one operation (enum vector_code); the number of longs must be the operation's. */
 void vector_n64_run(uint32 code, const int32 *values, uint32 count);
 void vector_glide_run(uint32 code, const int32 *values, uint32 count);
 

@@ -8,9 +8,9 @@
 
 static struct glide units[GLIDE_UNITS];
 static uint8 *memories[GLIDE_UNITS];
-static uint8 *texels;           /* of calls */
+static uint8 *texels;           /* room for the texels of a call */
 static struct glide *chosen;
-static int32 lod;               /* of the gradients */
+static int32 lod;               /* from the gradients */
 
 static void reset(uint32 fraction_bits)
 {
@@ -21,7 +21,7 @@ static void reset(uint32 fraction_bits)
             *at++ = 0;
         glide_init(&units[n], memories[n], VECTOR_GLIDE_BYTES);
         glide_fraction_bits(&units[n], fraction_bits);
-        glide_quotients(&units[n], 1);  /* as reference data have them */
+        glide_quotients(&units[n], 1);  /* as in the reference data */
     }
     chosen = units;
     lod = GLIDE_LOD_LEAST;

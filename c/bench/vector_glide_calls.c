@@ -3,7 +3,7 @@
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 
-enum { ARGUMENTS = 258 };       /* a whole palette */
+enum { ARGUMENTS = 258 };       /* of a whole palette */
 
 uint32 vector_sum(uint32 sum, uint32 place, uint32 value)
 {
@@ -18,7 +18,7 @@ static void set_texture(struct glide_texture *to, const uint32 *from)
     to->format = from[3];
 }
 
-/* A whole map's, or none if there is no such map. */
+/* Fills in the texels of a whole map, or none if there is no such map. */
 static void fill_texels(uint8 *texels, const struct glide_texture *texture, uint32 seed)
 {
     uint32 bytes;

@@ -151,7 +151,7 @@ static void set_point(struct n64_point *point, const int32 *values)
     set_iterators(&point->dy, &values[6]);
 }
 
-/* In two-cycle mode, whatever the modes say. */
+/* Always in two-cycle mode. */
 static void pixel(const int32 *values)
 {
     const uint8 cycle = n64.modes.cycle;
@@ -223,7 +223,8 @@ static void decode(const int32 *values)
     vector_answer((int32)tile->decoded.texels);
 }
 
-/* A quad between its texels, in C: the passes' tables would not fit beside the questions. */
+/* Interpolates in a quad, in plain C: the passes' tables would not fit in memory with the
+   questions. */
 static uint32 filtered(const struct n64_quad *quad, uint32 st)
 {
     const struct n64_triangle *triangle = &quad->lower;
@@ -238,7 +239,7 @@ static uint32 filtered(const struct n64_quad *quad, uint32 st)
         | ((triangle->ga + fs * triangle->ga_s + ft * triangle->ga_t) >> 8 & 0x00ff00ffu);
 }
 
-/* The same, but the mean of all four in the middle. */
+/* The same, but returns the mean of all four texels in the middle. */
 static uint32 averaged(const struct n64_quad *quad, uint32 st)
 {
     return (st & 0x001f001f) != 0x00100010 ? filtered(quad, st)

@@ -4,9 +4,8 @@
 
 #include "n64/calls.h"
 
-/* Makes the call (enum vector_call); arguments that are missing count as 0. Where a call takes
-   a struct n64_texture its fields come one by one, those of s and t as wrap, mask, shift; where
-   it takes a struct n64_combine, its bytes in order. */
+/* Makes the call (enum vector_call); missing arguments are 0. A struct n64_texture is given field
+   by field, with wrap, mask and shift for s and t; a struct n64_combine is given byte by byte. */
 enum n64_result vector_n64_call(struct n64_list *list, uint32 number, const int32 *values,
                                 uint32 count);
 

@@ -5,12 +5,12 @@
 #include "system/system.h"
 #include "system/text.h"
 
-#define CYCLES 4                /* of the CPU in a colour clock */
+#define CYCLES 4                /* CPU cycles in a colour clock */
 #define BOTH 3u
-#define FREE_EVERY 4            /* frames between two status lines where they take long */
+#define FREE_EVERY 4            /* frames between two status lines in PART_FREE: they take long */
 #define TEXT 160                /* bytes: the status line has 80 */
 
-/* A tenth's value with its point. */
+/* Adds a number of tenths, with a decimal point. */
 static void text_tenths(uint32 tenths)
 {
     text_number((int32)(tenths / 10));
@@ -18,13 +18,13 @@ static void text_tenths(uint32 tenths)
     text_number((int32)(tenths % 10));
 }
 
-/* Events in so many fields as tenths a second, to the nearest. */
+/* Returns a rate from events in so many fields, in tenths a second, to the nearest. */
 static uint32 rate(uint32 events, uint32 fields)
 {
     return fields ? (events * 500 + fields / 2) / fields : 0;
 }
 
-/* Cycles a pixel of what was counted since the last time. */
+/* Updates a lane's cycles a pixel from the pictures counted since the last call. */
 static void find_cost(struct lane *lane)
 {
     if (lane->pixels)
@@ -32,7 +32,7 @@ static void find_cost(struct lane *lane)
     lane->counted = lane->pixels = 0;
 }
 
-/* One line below a pane, in its middle. */
+/* Writes a line below a pane, centred. */
 static void put(const struct player *player, int32 number, int32 line, const char *text)
 {
     const struct pane *pane = &player->part->pane[number];
@@ -74,7 +74,7 @@ static void put_rate(struct player *player, int32 number)
     lane->figured = player->due;
 }
 
-/* Line 1 or 2 of a pane's figures. */
+/* Writes line 1 or 2 of a pane's figures. */
 static void make_below(struct player *player, int32 number, int32 line)
 {
     if (line == 1)
@@ -144,7 +144,7 @@ void figures_first(struct player *player)
 
 static void make(struct player *player, uint32 phase)
 {
-    const uint32 line = phase / FIGURES_APART;          /* two a pane, from 1 on */
+    const uint32 line = phase / FIGURES_APART;          /* from 1 on, two for each pane */
 
     if (player->part->panes > 1 && phase % FIGURES_APART == 0 && line
         && line <= 2 * (uint32)player->part->panes)
@@ -158,7 +158,7 @@ static void make(struct player *player, uint32 phase)
     player->figured = player->due;
 }
 
-/* A step's first picture, which makes what it needs, is not counted. */
+/* A step's first picture is not counted: it also makes the data it needs. */
 void figures_again(struct player *player)
 {
     struct lane *lane = &player->lane[0];
@@ -170,7 +170,7 @@ void figures_again(struct player *player)
     make_status(player, 0, 0);
 }
 
-/* Not all of it after one frame, which would be late. */
+/* The lines are spread over several frames: all at once would make a frame late. */
 void figures_make(struct player *player)
 {
     const uint32 every = player->part->kind == PART_FREE ? FREE_EVERY : FIGURES_EVERY;

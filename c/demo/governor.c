@@ -17,7 +17,7 @@ static void change(struct governor *governor, int32 by, uint32 left)
     governor->left = left;
 }
 
-/* Whether the step above would have fitted all these calm frames long. */
+/* Returns 1 if the better step would have been in time for all these calm frames. */
 static int32 has_room(const struct governor *governor)
 {
     const uint32 room = governor->budget / 8 * GOVERNOR_ROOM;
@@ -30,7 +30,7 @@ int32 governor_next(struct governor *governor, uint32 work)
 {
     if (work > GOVERNOR_WORK_MAX)
         work = GOVERNOR_WORK_MAX;
-    if (governor->left) {       /* less than 2^30; products above: less than 2^32 */
+    if (governor->left) {       /* the quotient is below 2^30, has_room's product below 2^32 */
         uint32 ratio = (governor->left << GOVERNOR_RATIO_BITS) / (work | 1);
 
         governor->ratio[governor->step - 1] = ratio < 4096 ? ratio : 4095;

@@ -1,11 +1,11 @@
-/* Which step of a part is drawn, so that frames come in time.
+/* Chooses the step of a part that is drawn, so that frames are ready in time.
 
-   Steps go from the best, 0, to the cheapest; the best is begun with. A late frame counts two, one
-   in time takes one back; at GOVERNOR_LATE the next cheaper step is taken. How much longer a frame
-   of the step that was left took is kept, and that step is taken again only after GOVERNOR_CALM
-   frames in time in a row of which the longest, so much longer, would leave an eighth of the time. So a load
-   that stays within a tenth of itself changes the step in one direction alone: the ratio is then at
-   most a tenth and its rounding, 1/256, too small. */
+   Steps go from the best, 0, with which a part begins, to the cheapest. A late frame counts 2, a
+   frame in time takes 1 back; at GOVERNOR_LATE the governor changes to the next cheaper step and
+   keeps the ratio of the two steps' times. It goes back after GOVERNOR_CALM frames in time in a
+   row, if the longest of them, times that ratio, would leave an eighth of the budget. So a load
+   that varies by less than a tenth changes the step in one direction only: the ratio is then too
+   small by at most a tenth and its rounding, 1/256. */
 #ifndef GOVERNOR_H
 #define GOVERNOR_H
 
@@ -17,23 +17,23 @@ enum governor_constants {
     GOVERNOR_CALM = 25,         /* frames: a second */
     GOVERNOR_ROOM = 7,          /* eighths of the budget */
     GOVERNOR_RATIO_BITS = 8,
-    GOVERNOR_WORK_MAX = 1 << 22 /* ticks; longer frames count as so long */
+    GOVERNOR_WORK_MAX = 1 << 22 /* ticks; longer times are clamped to this */
 };
 
 struct governor {
     int32 step, steps;
     uint32 budget;              /* ticks a frame may take, less than GOVERNOR_WORK_MAX */
-    int32 late;                 /* two a frame that was, less one each that was not */
+    int32 late;                 /* 2 for each late frame, less 1 for each frame in time */
     int32 calm;                 /* frames in time in a row, of this step, up to GOVERNOR_CALM */
     uint32 most;                /* ticks of the longest of these */
-    uint32 left;                /* ticks of the last frame of the step above, or 0: known already */
-    uint32 ratio[GOVERNOR_STEPS];       /* of a frame of this step to one of the next: 24.8, rounded
+    uint32 left;                /* ticks of the better step's last frame; 0: the ratio is known */
+    uint32 ratio[GOVERNOR_STEPS];       /* time of a frame of this step / of the next: 24.8, rounded
                                            down, less than 16 */
 };
 
 void governor_start(struct governor *governor, int32 steps, uint32 budget);
 
-/* A frame of the present step took so many ticks; returns the next one's step. */
+/* Takes the ticks of a frame drawn with the current step; returns the next frame's step. */
 int32 governor_next(struct governor *governor, uint32 work);
 
 #endif

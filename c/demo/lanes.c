@@ -23,7 +23,7 @@ static uint32 sum_pixels(const struct draw_counts *counts, uint32 materials)
     return sum;
 }
 
-/* The frame of the scene that is next. */
+/* Returns the scene's frame for a lane's next picture. */
 static int32 scene_frame(const struct player *player, const struct lane *lane)
 {
     const struct step *step = &player->part->step[player->governor.step];
@@ -115,7 +115,7 @@ void lanes_probe(struct player *player)
     }
 }
 
-/* The pane that has had the least time. */
+/* Returns the pane that has used the least time. */
 static int32 poorest(const struct player *player)
 {
     int32 best = 0;
@@ -126,8 +126,8 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* As many pictures as there is time for, by turns: until the frame before is shown, and none that
-   might make this one late; but one at least where there is nothing to convert. */
+/* Draws pictures in turn until the previous frame is shown, but none that might make this frame
+   late. Draws at least one if there is nothing to convert. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
@@ -168,7 +168,7 @@ void lanes_draw(struct player *player)
         lane_draw(player, i);
 }
 
-/* Rows of a pane, counted from its frame's top, over its whole width. */
+/* Converts rows of a pane, counted from its frame's top, over its whole width. */
 static void convert_rows(const struct player *player, int32 number, int32 top, int32 rows)
 {
     const struct pane *pane = &player->part->pane[number];

@@ -39,7 +39,7 @@ uint32 picture_pixel(uint32 format, const uint8 *palette, uint32 colour)
     }
 }
 
-/* Pixels of a byte, width a multiple of 4: below panes while a part is played. */
+/* For pixels of one byte and a width that is a multiple of 4: used while a part is played. */
 static void fill_quickly(uint8 *row, int32 pitch, int32 width, int32 height, uint32 pixel)
 {
     const uint32 four = pixel * 0x01010101u;
@@ -71,7 +71,7 @@ void picture_fill(const struct frame *frame, int32 x, int32 y, int32 width, int3
                 ((uint32 *)row)[i] = pixel;
 }
 
-/* Four pixels of a byte for each four bits. */
+/* A mask of four one-byte pixels for each value of four bits. */
 static const uint32 dots_table[16] = {
     0x00000000, 0x000000ff, 0x0000ff00, 0x0000ffff, 0x00ff0000, 0x00ff00ff, 0x00ffff00, 0x00ffffff,
     0xff000000, 0xff0000ff, 0xff00ff00, 0xff00ffff, 0xffff0000, 0xffff00ff, 0xffffff00, 0xffffffff
@@ -82,7 +82,7 @@ static uint32 mixed(uint32 below, uint32 ink, uint32 bits)
     return below ^ ((below ^ ink) & dots_table[bits]);
 }
 
-/* Letters in pixels of a byte, which are written while a part is played. */
+/* For pixels of one byte and scale 1: used while a part is played. */
 static void put_small(uint8 *to, int32 pitch, const uint8 *rows, uint32 pixel)
 {
     const uint32 ink = pixel * 0x01010101u;

@@ -4,7 +4,7 @@
 #include "system/system.h"
 
 #define FIELDS_SECOND 50
-#define GROUND 0x000000         /* colours of the picture and of figures */
+#define GROUND 0x000000         /* colours of the background and of figures */
 #define INK 0xffffff
 
 uint32 player_lap(struct player *player)
@@ -36,7 +36,8 @@ static void make_lanes(struct player *player)
     }
 }
 
-/* The first picture of all panes and what does not change, in both sets of planes. */
+/* Starts a part: draws the first picture of all panes, texts and rectangles, converts them into
+   both sets of planes, and resets the figures. */
 static void begin(struct player *player)
 {
     const struct scene_header *header = player->scene->header;
@@ -56,16 +57,16 @@ static void begin(struct player *player)
                  player->ground);
     figures_first(player);
     for (int32 i = 0; i < player->part->panes; i++)
-        lane_draw(player, i);           /* makes what is needed */
+        lane_draw(player, i);           /* also makes the data it needs */
     lanes_probe(player);
     for (int32 set = 0; set < 2; set++) {
         screen_convert(player->screen, &player->frame);
         if (!set)
             screen_palette(player->screen, palette);
         screen_swap(player->screen);
-        lanes_convert(player);          /* times it */
+        lanes_convert(player);          /* times the conversion */
     }
-    screen_swap(player->screen);        /* from a field's begin on */
+    screen_swap(player->screen);        /* returns at the start of a field */
     clock_start(CLOCK_LIMIT);
     player->work = player->aside = 0;
     player->began = player->shown = player->figured = screen_wait(player->screen);
@@ -78,7 +79,7 @@ static void begin(struct player *player)
     }
 }
 
-/* What the user wants; PLAYED: nothing. */
+/* Returns the user's request, or PLAYED if there is none. */
 static enum player_end asked(void)
 {
     uint32 key;
@@ -93,7 +94,7 @@ static enum player_end asked(void)
     return PLAYED;
 }
 
-/* Waits until the frame before is shown. */
+/* Waits until the previous frame is shown. */
 static void wait_shown(struct player *player)
 {
     uint32 fields;
@@ -107,7 +108,7 @@ static void wait_shown(struct player *player)
     player->shown += fields;
 }
 
-/* Frames are shown in the second field after the one before, or as soon as they can be. */
+/* Posts a frame for the second field after the previous one; in PART_FREE for the next field. */
 static void post(struct player *player)
 {
     player->due = player->part->kind == PART_FREE ? screen_fields(player->screen) + 1
@@ -117,14 +118,14 @@ static void post(struct player *player)
     player->frames++;
 }
 
-/* Fields a part takes; frames of PART_FREE count as long as they should take. */
+/* Returns the fields that a part takes. A frame counts as FRAME_FIELDS, in PART_FREE too. */
 static uint32 fields_of(const struct player *player, uint32 frames)
 {
     return frames ? frames * FRAME_FIELDS : (uint32)player->part->seconds * FIELDS_SECOND;
 }
 
-/* Steps of PART_FREE have equal shares of its time. What a step leaves out of the picture stays as
-   the step before left it: all is shown anew. */
+/* Chooses the next step. Steps of PART_FREE have equal shares of its time. After a change whole
+   panes are converted twice, once for each set of planes: a step may redraw only some rows. */
 static void govern(struct player *player, uint32 frames)
 {
     const int32 before = player->governor.step, steps = player->part->steps;
@@ -141,7 +142,7 @@ static void govern(struct player *player, uint32 frames)
         player->whole = 2;
 }
 
-/* What is known of a frame before it is shown. */
+/* Records a frame's figures that are known before it is shown. */
 static void note(struct player *player)
 {
     struct worked *to = player->worked + player->frames;

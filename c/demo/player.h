@@ -1,8 +1,8 @@
 /* One part of the demo while it is played.
 
-   A frame is drawn while the one before it waits to be shown, and becomes planes as soon as that
-   is; the display then takes it at its field by itself. So a picture may end in the time of the next
-   frame, and what one frame takes longer the next ones can take less. */
+   A frame is drawn while the one before it waits to be shown, and converted as soon as that one is
+   shown; the display then shows it at its field by itself. So drawing may extend into the time of
+   the next frame, and the next frames can catch up. */
 #ifndef PLAYER_H
 #define PLAYER_H
 
@@ -15,18 +15,18 @@ enum player_constants {
     FRAME_FIELDS = 2,           /* 25 frames a second */
     LINE_TICKS = 227,           /* colour clocks */
     FRAME_TICKS = FRAME_FIELDS * 312 * LINE_TICKS,
-    /* All work is timed; a twentieth is to catch up what some frames take longer. */
+    /* All work is timed; a twentieth is left for catching up after long frames. */
     FRAME_BUDGET = FRAME_TICKS * 95 / 100,
-    /* From one frame on the screen to the end of the next one's conversion, where panes take turns,
-       less what the system may do meanwhile: up to 46 lines each tenth of a second. */
+    /* Where panes take turns: from the start of one frame on the screen to the end of the next
+       one's conversion, less the system's own work of up to 46 lines each tenth of a second. */
     TURNS_BUDGET = 2 * FRAME_TICKS - 2 * 46 * LINE_TICKS,
-    FIGURES_EVERY = 25,         /* frames between two looks at the figures, */
-    FIGURES_APART = 2,          /* from one line to the next: each takes time, */
-    COUNT_EVERY = 4,            /* pictures between two whose pixels are counted: that too */
+    FIGURES_EVERY = 25,         /* frames from one update of the figures to the next; */
+    FIGURES_APART = 2,          /* from one of their lines to the next, as each takes time */
+    COUNT_EVERY = 4,            /* one picture of these has its pixels counted: that takes time */
     CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
 };
 
-/* For ever: the watchdog does not bite outside quiet mode. */
+/* No limit: the watchdog acts in quiet mode only. */
 #define CLOCK_LIMIT 65535
 
 enum player_end {
@@ -37,7 +37,7 @@ enum player_end {
     FAILED                      /* a line was printed */
 };
 
-/* A pane's picture. */
+/* The state of a pane. */
 struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
@@ -54,11 +54,11 @@ struct lane {
     uint32 sum;                 /* colour clocks of drawing all pictures, modulo 2^32 */
 };
 
-/* A frame, as LOG tells it. */
+/* A frame's figures for LOG. */
 struct worked {
     uint32 work, aside;         /* as the player's */
-    uint32 lines;               /* after the one before was shown it was ready */
-    uint32 step, fields;        /* that it was shown later than the one before */
+    uint32 lines;               /* raster lines since the previous frame was shown, when ready */
+    uint32 step, fields;        /* fields from the previous frame on the screen to this one */
 };
 
 struct player {
@@ -71,41 +71,41 @@ struct player {
     struct draw_counts *counts; /* one a material */
     struct governor governor;
     struct lane lane[PANES_MAX];
-    int32 set;                  /* pane and step of the settings that are set, or -1 */
-    uint32 began, shown;        /* fields: the part, the last frame on the screen, */
-    uint32 due;                 /* and the one behind it, which waits for it */
+    int32 set;                  /* pane and step whose settings are in effect, or -1 */
+    uint32 began, shown;        /* fields: start of the part, of the last frame shown */
+    uint32 due;                 /* field of the frame that was posted after it */
     uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
-    uint32 figured, figured_frames;     /* field and frames of the last status line */
-    int32 whole;                /* frames for which panes are shown whole: the step is another */
-    uint32 work;                /* colour clocks of the next frame, all but waits, */
-    uint32 aside;               /* and those of it that the governor is not to count */
-    struct worked *worked;      /* of each frame, or 0 */
+    uint32 figured, figured_frames;     /* field and frames at the last status line */
+    int32 whole;                /* frames for which whole panes are converted: the step changed */
+    uint32 work;                /* colour clocks of the next frame without waits, */
+    uint32 aside;               /* and those among them that the governor does not count */
+    struct worked *worked;      /* one a frame, or 0 */
     uint32 ink, ground;         /* pixels */
 };
 
-/* Plays a part until its time or, where not 0, so many frames are over; the screen is open. */
+/* Plays a part for its seconds or, if not 0, for so many frames. The screen must be open. */
 enum player_end player_play(struct player *player, uint32 frames);
 
-/* Colour clocks since the last call; they are the frame's work. */
+/* Returns the colour clocks since the last call and adds them to the frame's work. */
 uint32 player_lap(struct player *player);
 
-/* figures.c: what a part is, on the screen; and, after each frame, what is measured. */
+/* figures.c: writes a part's texts to the screen; updates the figures after each frame. */
 void figures_first(struct player *player);
 void figures_make(struct player *player);
 
-/* From now on they are another step's. */
+/* Restarts the figures for a new step. */
 void figures_again(struct player *player);
 
 /* lanes.c: draws a pane's next picture. */
 void lane_draw(struct player *player, int32 number);
 
-/* Times the dearest picture of each pane where panes take turns. */
+/* Times each pane's most expensive picture, if panes take turns. */
 void lanes_probe(struct player *player);
 
-/* Draws what there is time for. */
+/* Draws a picture of each pane; if panes take turns, the pictures that there is time for. */
 void lanes_draw(struct player *player);
 
-/* Turns what the hidden planes lack into them. */
+/* Converts pictures and figures that the hidden planes lack. */
 void lanes_convert(struct player *player);
 
 #endif

@@ -6,7 +6,7 @@
 
 static const char *const kinds[PART_KINDS] = {"together", "race", "fair", "free"};
 
-/* The next word, ended by 0, or an empty one. */
+/* Returns the next word, ended by 0, or an empty one. */
 static char *word(char **at)
 {
     char *begin = *at, *end;
@@ -27,7 +27,7 @@ static const char *text(char **at)
     return *at;
 }
 
-/* From 0 to 9,999; -1: the word is none of them. */
+/* Returns a number from 0 to 9,999, or -1 if the word is none. */
 static int32 value_of(const char *digits)
 {
     int32 value = 0, length = 0;
@@ -45,7 +45,7 @@ static int32 number(char **at)
     return value_of(word(at));
 }
 
-/* Which of names the next word is; count: none of them. */
+/* Returns the index of the next word in names, or count if it is none of them. */
 static uint32 choice(char **at, const char *const *names, uint32 count)
 {
     const char *name = word(at);
@@ -56,7 +56,7 @@ static uint32 choice(char **at, const char *const *names, uint32 count)
     return i;
 }
 
-/* A step of perspective, or `own`; PERSPECTIVE_KINDS: neither. */
+/* Reads a step of perspective or `own`; returns PERSPECTIVE_KINDS if the word is neither. */
 static int32 perspective(char **at)
 {
     const char *name = word(at);
@@ -69,7 +69,7 @@ static int32 perspective(char **at)
     return i;
 }
 
-/* A step of accuracy, or `own`; -2: neither. */
+/* Reads a step of accuracy or `own`; returns -2 if the word is neither. */
 static int32 accuracy(char **at)
 {
     const char *name = word(at);
@@ -98,7 +98,7 @@ static int32 add_part(struct script *script, char *at)
 
 static int32 add_pane(struct part *part, char *at)
 {
-    static const char *const forms[] = {"addx", "swap"};        /* as enum form has them */
+    static const char *const forms[] = {"addx", "swap"};        /* as in enum form */
     struct pane *pane = &part->pane[part->panes];
 
     if (part->panes == PANES_MAX)
@@ -133,7 +133,7 @@ static int32 add_step(struct part *part, char *at)
         && step->perspective < PERSPECTIVE_KINDS;
 }
 
-/* Six hexadecimal digits, small letters; 0xff000000: they are none. */
+/* Reads six hexadecimal digits, small letters; returns 0xff000000 if the word is something else. */
 static uint32 colour(char **at)
 {
     const char *digits = word(at);
@@ -153,7 +153,7 @@ static uint32 colour(char **at)
     return length == 6 ? value : 0xff000000;
 }
 
-/* A text or, with a scale of 0, a rectangle. */
+/* Adds a text or a rectangle; a rectangle has a scale of 0. */
 static int32 add_mark(struct part *part, char *at, int32 is_text)
 {
     struct mark *mark = &part->mark[part->marks];
@@ -187,7 +187,7 @@ static int32 read_size(int32 *width, int32 *height, char *at)
     return *width > 0 && *height > 0;
 }
 
-/* One line; 0: it is wrong. */
+/* Reads a line; returns 0 if it is wrong. */
 static int32 read_line(struct script *script, char *at)
 {
     struct part *part = &script->part[script->parts - 1];

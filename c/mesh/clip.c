@@ -1,9 +1,9 @@
-/* Sutherland and Hodgman again, before the divide: a border is where w - near, w + x, w - x,
-   w + y or w - y is 0. With coordinates below 16,384 these fit 32 bits, and the way from an
-   end to the other 32 bits without sign. */
+/* Sutherland and Hodgman's clipping, before the divide: on a border w - near, w + x, w - x, w + y
+   or w - y is 0. With coordinates below 16,384 these depths fit 32 bits, and the difference between
+   an edge's ends fits 32 bits without sign. */
 #include "mesh/mesh.h"
 
-/* How far inside a border a vertex lies. */
+/* Returns how far inside a border a vertex is. */
 static int32 depth(const struct vertex *v, uint32 border, fix16 near_plane)
 {
     switch (border) {
@@ -20,7 +20,8 @@ static int32 depth(const struct vertex *v, uint32 border, fix16 near_plane)
     }
 }
 
-/* Where the border cuts an edge: reckoned from the end inside, whichever comes first. */
+/* Makes the vertex where a border cuts an edge. It is always calculated from the inner end, so that
+   both directions of an edge give the same vertex. */
 static void cut(struct vertex *to, const struct vertex *inside, const struct vertex *outside,
                 uint32 border, fix16 near_plane)
 {

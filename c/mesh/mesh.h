@@ -5,7 +5,8 @@
 #include "mesh/records.h"
 #include "polygon/polygon.h"
 
-/* Borders of what is projected: the near plane and |x|, |y| <= z, the guard band. */
+/* The borders inside which points are projected: the near plane and |x|, |y| <= z, the guard
+   band. */
 enum mesh_outside {
     MESH_NEAR = 1,              /* z below the near plane */
     MESH_LEFT = 2,              /* x + z below 0 */
@@ -14,7 +15,7 @@ enum mesh_outside {
     MESH_BELOW = 16             /* z - y below 0 */
 };
 
-/* A point before the camera, and on the screen if it is outside of nothing. */
+/* A point in camera space, and on the screen if it is inside all borders. */
 struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
     fix16 screen_x, screen_y;   /* written where outside is 0 */
@@ -22,14 +23,14 @@ struct mesh_point {
     uint32 spare[2];            /* 32 bytes: an index is a shift */
 };
 
-/* What a normal makes: of an environment s and t, of a light shade. */
+/* Values from a normal: s and t of an environment, shade of a light. */
 struct mesh_look {
     fix16 s, t, shade;
 };
 
 struct transform_plan {
     const struct scene_point *from;
-    int32 count;                /* one at least */
+    int32 count;                /* 1 or more */
     const struct scene_view *view;
     struct mesh_point *to;
     fix16 near_plane;
@@ -37,11 +38,11 @@ struct transform_plan {
     fix16 middle_x, middle_y;   /* of the frame */
 };
 
-/* Sums of products: base + (x n.x + y n.y + z n.z) / 32, from low to high. */
+/* Sums of products: base + (x n.x + y n.y + z n.z) / 32, clamped to low to high. */
 struct look_plan {
     const struct scene_normal *from;
-    int32 count;                /* one at least */
-    fix16 *to;                  /* a field of a mesh_look, and of those that follow */
+    int32 count;                /* 1 or more */
+    fix16 *to;                  /* a field of the first mesh_look; the others follow */
     const int16 *factors;       /* x, y, z: 9.7 */
     fix16 base, low, high;
 };
@@ -56,27 +57,27 @@ struct mesh_placed {
     uint32 flags;
 };
 
-/* A face to be drawn. */
+/* A face to draw. */
 struct mesh_face {
-    uint32 order;               /* its greatest depth, all bits inverted: small ones first */
+    uint32 order;               /* its greatest depth, inverted: the least order is drawn first */
     const struct scene_face *face;
     const struct mesh_placed *placed;
 };
 
 struct faces_plan {
     const struct scene_face *from;
-    int32 count;                /* one at least */
+    int32 count;                /* 1 or more */
     const struct mesh_placed *placed;
     const struct scene_view *view;
     struct mesh_face *to;
 };
 
-/* One border's point of an edge. */
+/* The point where a border cuts an edge. */
 struct cut_plan {
     struct vertex *to;
     const struct vertex *inside, *outside;
-    int32 part;                 /* the inner end's way to the border, 0 or more */
-    uint32 whole;               /* both ends' way, more than part */
+    int32 part;                 /* the inner end's depth inside the border, 0 or more */
+    uint32 whole;               /* the difference of both ends' depths, more than part */
 };
 
 /* Memory for the meshes that are drawn together. */
@@ -100,10 +101,10 @@ enum { MESH_SORT_DIGITS = 256 };
 struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
                             int32 *digits);
 
-/* Cuts a convex polygon before the camera (x, y, w as in mesh_point) to all borders; *count
-   is what is left of it. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices
-   in either direction, each within 1/2^17. A polygon that would get too many vertices, which
-   a convex one cannot, comes back empty. */
+/* Clips a convex polygon in camera space (x, y, w as in mesh_point) to all borders; sets *count to
+   the number of vertices left. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices
+   in either direction, each within 1/2^17. A polygon that would get too many vertices, which a
+   convex one cannot, becomes empty. */
 struct vertex *mesh_clip(struct vertex *room, struct vertex *vertices, int32 *count,
                          fix16 near_plane);
 

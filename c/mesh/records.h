@@ -1,4 +1,4 @@
-/* A mesh's tables, as the scene file has them. */
+/* A mesh's tables, in the scene file's format. */
 #ifndef MESH_RECORDS_H
 #define MESH_RECORDS_H
 
@@ -6,9 +6,9 @@
 
 enum mesh_constants {
     MESH_COUNT_MAX = 4096,      /* points, normals and faces of a mesh, each */
-    MESH_CORNERS_MAX = 32,      /* of a face: cutting adds some */
-    MESH_REACH = 2048,          /* a mesh's points: farthest coordinate */
-    MESH_AWAY = 10240           /* its origin from the camera, each axis: excluded, so that
+    MESH_CORNERS_MAX = 32,      /* of a face: clipping adds some */
+    MESH_REACH = 2048,          /* largest coordinate of a mesh's points */
+    MESH_AWAY = 10240           /* distance of its origin from the camera on each axis, excluded:
                                    every point is less than 16,384 away */
 };
 
@@ -22,39 +22,41 @@ struct scene_normal {
     int16 x, y, z, spare;
 };
 
-/* s and t as a vertex has them. */
+/* s and t as in a vertex. */
 struct scene_corner {
-    uint16 point, normal;       /* of the mesh; the normal counts where an instance has flags */
+    uint16 point, normal;       /* of the mesh; the normal is used by instances with flags */
     fix16 s, t;
 };
 
-/* A convex polygon, a plane in space as its corners' s, t and shades are, seen from where its normal points: x, y, z (2.30, -1 to 1) times the
-   eye is more than distance (16.16). Zeros and -1: from both sides. */
+/* A convex polygon. It is flat, and its corners' s, t and shades are planes over it. It is visible
+   from the side of its normal x, y, z (2.30, -1 to 1): where normal * eye is more than distance
+   (16.16). Zeros and a distance of -1: from both sides. */
 struct scene_face {
     int32 x, y, z;
     fix16 distance;
-    uint32 corner, corners;     /* first of the mesh's, how many: 3 to MESH_CORNERS_MAX */
+    uint32 corner, corners;     /* first of the mesh's, number: 3 to MESH_CORNERS_MAX */
 };
 
-/* First entries of the tables above and how many: MESH_COUNT_MAX but for corners. */
+/* First entries and numbers of entries in the tables above; all but corners at most
+   MESH_COUNT_MAX. */
 struct scene_mesh {
     uint32 point, points, normal, normals, corner, corners, face, faces;
 };
 
-/* What comes from normals, in instance.flags. */
+/* Values that come from normals, in instance.flags. */
 enum mesh_flags {
     MESH_ENVIRONMENT = 1,       /* s and t */
     MESH_LIT = 2,               /* shade */
     MESH_FLAGS = 4
 };
 
-/* From a mesh to the camera: x to the right and y down, both times the focal length over
-   the guard's pixels, z the depth. Each is the sum of three products and x0, y0 or z0, rounded
-   to the nearest 1/65536. Screen x = middle + guard pixels * x / z. */
+/* From a mesh's space to the camera's: x to the right and y down, both times focal length / guard
+   pixels, z the depth. Each is the sum of three products and x0, y0 or z0, rounded to the nearest
+   1/65536. Screen x = middle + guard pixels * x / z. */
 struct scene_view {
     int32 xx, xy, xz, yx, yy, yz, zx, zy, zz;   /* 2.30, -1 to 1 */
     fix16 x0, y0, z0;
-    fix16 eye_x, eye_y, eye_z;                  /* the camera's place in the mesh */
+    fix16 eye_x, eye_y, eye_z;                  /* the camera's position in the mesh's space */
     int16 s_x, s_y, s_z;        /* 128 + normal * s_ is s of an environment; 9.7 */
     int16 t_x, t_y, t_z;
     int16 light_x, light_y, light_z;            /* dark + normal * light_ is a shade */

@@ -25,7 +25,7 @@ static int32 pass(struct mesh_face *to, const struct mesh_face *from, int32 coun
     return 1;
 }
 
-/* Sixteen faces and fewer: by insertion. */
+/* Insertion sort, for 16 faces or fewer. */
 static void insert(struct mesh_face *faces, int32 count)
 {
     for (int32 i = 1; i < count; i++) {

@@ -1,13 +1,13 @@
-/* Lines with perspective: by tables where they are good enough, exactly elsewhere. */
+/* Draws lines with perspective: by tables if they are accurate enough, otherwise exactly. */
 #include "perspective/perspective.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 
-/* What each setting's lines are drawn by. */
+/* How each setting's lines are drawn. */
 static const struct {
     int32 piece, bend;
     int32 raise;                /* units, of u and v */
-    int32 off, width;           /* as level lines: by so much at most, up to so wide */
+    int32 off, width;           /* level lines: error allowed, widest polygon */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
                              FRAME_SIDE_MAX},
@@ -20,7 +20,7 @@ static const struct {
                           PERSPECTIVE_LEVEL_WIDTH}
 };
 
-/* What is made of all lines before they are drawn: one kind at a time. */
+/* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
     struct reciprocal_line reciprocals[FRAME_SIDE_MAX];
     struct logarithm_line logarithms[FRAME_SIDE_MAX];
@@ -30,17 +30,18 @@ union made {
 
 SCRATCH_FITS(union made);
 
-/* K, u and v lie nearer than this to their bases: C then stays inside 64 bits. */
+/* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
 #define FAR (512 << 16)
 
-/* And K is so near to the range that some line may be within reach of it. */
+/* Returns 1 if K (value) and the range are nearer than FAR to the base, and K is at most reach
+   outside the range: some line may then be within reach of K. */
 static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
 {
     return value > -FAR && value < FAR && low > -FAR && high < FAR
         && low - value <= reach && value - high <= reach;
 }
 
-/* Whole texels from K to the farther end of a range, rounded up. */
+/* Returns the whole texels from K to the farther end of a range, rounded up. */
 static int32 farthest(fix16 k, fix16 low, fix16 high)
 {
     const fix16 above = high - k, below = k - low;
@@ -48,9 +49,9 @@ static int32 farthest(fix16 k, fix16 low, fix16 high)
     return ((above > below ? above : below) >> 16) + 1;
 }
 
-/* 0: no line is to be tried. reach: texels from K, 16.16, beyond which lines are not drawn.
-   Lines may be off by less than `off` units and `part` quarters of one for each texel from K:
-   they are raised by that. */
+/* Finds K and C. Returns 0 if no line can be drawn with them. reach: texels from K, 16.16, beyond
+   which lines are not drawn. Lines may be off by less than `off` units and `part` quarters of a
+   unit for each texel from K: K is raised by that. */
 static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 off, int32 part)
 {
     const struct perspective_plan *planes = plan->planes;

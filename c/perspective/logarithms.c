@@ -1,4 +1,4 @@
-/* The tables of logarithms and powers that spans with perspective read. */
+/* Makes the tables of logarithms and powers for spans with perspective. */
 #include "math/math.h"
 #include "span/logarithm.h"
 
@@ -8,7 +8,8 @@
 
 enum { FACTORS = 128, FIRST_BIT = 13, OCTAVES = 3 };    /* of the indices */
 
-/* Powers of a factor: half a unit of its own and one each time, below 2^-23 of it in all. */
+/* Fills in the powers of a factor. The factor is off by half a unit, each product by one: in all
+   below 2^-23 of the power. */
 static void multiply_up(int32 *to, int32 factor)
 {
     *to = (int32)ONE;
@@ -16,14 +17,14 @@ static void multiply_up(int32 *to, int32 factor)
         to[1] = mul_shift(*to, factor, 30);
 }
 
-/* The mantissa t units up: 2^(t / OCTAVE). */
+/* Returns 2^(t / LOGARITHM_OCTAVE), 2.30. */
 static uint32 mantissa(const int32 *coarse, const int32 *fine, int32 t)
 {
     return t == LOGARITHM_OCTAVE ? 2 * ONE
         : (uint32)mul_shift(coarse[t / FACTORS], fine[t % FACTORS], 30);
 }
 
-/* The mantissa in every octave, to the nearest; `to` is the highest one's. */
+/* Writes a mantissa's power in every octave, to the nearest; `to`: its entry in the highest one. */
 static void set_powers(uint16 *to, uint32 here)
 {
     here >>= 30 - LOGARITHM_OCTAVES;
@@ -38,7 +39,7 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
 {
     static int32 coarse[FACTORS], fine[FACTORS];
     int16 *to[OCTAVES];
-    uint32 index[OCTAVES], part = ONE, here = ONE;      /* the next of each octave, 2.30 */
+    uint32 index[OCTAVES], part = ONE, here = ONE;      /* 2.30; index: each octave's next */
     uint32 *parts = tables->parts;
 
     multiply_up(coarse, COARSE);
@@ -48,7 +49,7 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
         index[k] = ONE + (ONE >> (FIRST_BIT + 1 + k));
     }
     for (int32 t = 0; t <= LOGARITHM_OCTAVE; t++) {
-        /* Indices belong to t up to the middle of it and the next. */
+        /* An index has the logarithm t if it is below the middle between t's power and the next. */
         uint32 next = t < LOGARITHM_OCTAVE ? mantissa(coarse, fine, t + 1) : here;
         uint32 middle = t < LOGARITHM_OCTAVE ? (here >> 1) + (next >> 1) : 2 * ONE;
 

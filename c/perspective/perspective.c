@@ -2,13 +2,13 @@
 
 #include "math/math.h"
 
-/* q is at least so many times its error: it cannot become 0, nor a quotient too large. */
+/* q must be at least this times its error, so that it cannot become 0 nor a quotient overflow. */
 #define SURE 4
 #define Q_ONE (1 << 30)
-#define STEEP (1 << 14)                /* of 2^16 units a pixel */
+#define STEEP (1 << 14)                /* in 2^16 units a pixel */
 #define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
                                           moves less than 8,192, and stays inside 16.16 */
-#define TOO_STEEP (1 << 28)            /* SURE times this is above all q but the nearest's */
+#define TOO_STEEP (1 << 28)            /* SURE times this is above every q but the nearest's */
 
 int32 perspective_steepness(const struct number64 *gradient)
 {
@@ -24,7 +24,7 @@ static int32 is_gentle(const struct number64 *gradient)
     return perspective_steepness(gradient) < STEEP;
 }
 
-/* Units that a plane may be off after so many pixels: its gradient, in 48.16, is off by
+/* Returns the units that a plane may be off after so many pixels. Its gradient, in 48.16, is off by
    2^-31 of itself and 3 / 2^16. */
 static int32 error_part(const struct number64 *gradient, int32 pixels)
 {
@@ -42,7 +42,7 @@ static void shift_left(struct number64 *to, const struct number64 *from, int32 b
     to->lo = from->lo << bits;
 }
 
-/* The plane of value * 2^scale, scale from 16 to 32. */
+/* Converts a plane in 48.16 to value * 2^scale; scale: 16 to 32. */
 static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
 {
     shift_left(&to->at, &from->at, scale - 16);
@@ -50,8 +50,8 @@ static void scale_plane(struct screen_plane *to, const struct screen_plane *from
     shift_left(&to->dy, &from->dy, scale - 16);
 }
 
-/* The range of s or t from its middle, a whole texel, which it returns; makes *farthest
-   the distance of the range's ends from it, if that is more. */
+/* Returns the middle of the range of s or t, rounded down to a whole texel. Sets *from and *to to
+   the range's ends less the middle, and raises *farthest to their distance if that is more. */
 static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int32 *farthest)
 {
     fix16 low, base, high = vertex_range(value, count, &low);
@@ -86,7 +86,7 @@ static void to_vector(struct plane_corner *to, const struct plane_corner *first)
     to->t -= first->t;
 }
 
-/* The least q that the plane has at a vertex. */
+/* Returns the least q that the plane has at a vertex. */
 static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32 count,
                      const struct rectangle *box)
 {
@@ -102,13 +102,13 @@ static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32
     return least;
 }
 
-/* What a plane may be off after so many pixels and lines, two units more. */
+/* Returns the units that a plane may be off after so many pixels and lines, and 2 more. */
 static int32 plane_error(const struct screen_plane *plane, int32 right, int32 down)
 {
     return 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
 }
 
-/* Whether the least q is large beside a plane's error. */
+/* Returns 1 if the least q is large compared with a plane's error. */
 static int32 is_sure(int32 error, int32 least)
 {
     return error < TOO_STEEP && least >= SURE * error;
@@ -156,13 +156,13 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     off_t = plane_error(&planes.t, right, down);
     if (!is_sure(off_q, least) || !is_sure(off_s, least) || !is_sure(off_t, least))
         return 0;
-    /* So that s / q is never below u: q's error makes less than itself of s, as u less its base
-       is below 2^scale; each corner's rounding less than half and one, by the shares that a
-       pixel has of the corners. */
+    /* Raised so that s / q is never below u. q's error changes s by less than itself, as u less its
+       base is below 2^scale. Rounding at each corner adds less than half a unit and one, times the
+       pixel's shares of the corners. */
     shares = count == 3 ? 1 : 3;
     raise(&planes.s, off_s + off_q + 2 * shares + 2);
     raise(&planes.t, off_t + off_q + 2 * shares + 2);
-    plan->u += 1;               /* quotients are cut */
+    plan->u += 1;               /* quotients are truncated */
     plan->v += 1;
     scale_plane(&plan->q, &planes.q, 32);
     scale_plane(&plan->s, &planes.s, scale);
@@ -174,14 +174,14 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     return 1;
 }
 
-/* u * q of a plane of u, q being 1. */
+/* Sets *to to u * q, q being 1.0. */
 static void with_q_one(struct number64 *to, fix16 u)
 {
     to->hi = (uint32)(u >> 2);
     to->lo = (uint32)u << 30;
 }
 
-/* The plane of u or v at the box's corner. */
+/* Sets *to to the plane of u or v, at the box's corner. */
 static void plane_of(struct screen_plane *to, uint32 at, fix16 ddx, fix16 ddy,
                      const struct texturing *t, const struct rectangle *box)
 {
@@ -232,7 +232,7 @@ int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int
         return 0;
     if (!part)
         return !grows->hi;
-    /* in units of q: what it grows by along the width, times texels */
+    /* in units of q: its change over the width, times texels */
     off = mul_shift(((perspective_reach(plan) >> 16) + 1) * width, (int32)(part >> 16) + 1, 16)
         + 1;
     return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);

@@ -1,4 +1,4 @@
-/* The table of reciprocals that spans with perspective read. */
+/* Makes the table of reciprocals for spans with perspective. */
 #include "span/reciprocal.h"
 
 const uint16 *reciprocals_make(uint16 *table)

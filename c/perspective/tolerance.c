@@ -3,7 +3,7 @@
 #include "math/math.h"
 #include "perspective/perspective.h"
 
-/* Half the range of a triangle's u or v, rounded up. */
+/* Returns half the range of a triangle's u or v, rounded up. */
 static fix16 half_range(const fix16 *value)
 {
     fix16 low, high = vertex_range(value, 3, &low);
@@ -12,16 +12,16 @@ static fix16 half_range(const fix16 *value)
     return (high >> 1) - (low >> 1) + 1;
 }
 
-/* Inside a triangle a point has shares a_i of its vertices, Q = sum a_i q_i, and u, affine, is
-   off by sum a_i (q_i / Q - 1) (u_i - c). The shares' sum being 1, so many times |q_i / Q - 1|
-   is at most (greatest q - least q) / 2 least q = (greatest w - least w) / 2 least w; with c
-   in the middle |u_i - c| is half u's range. */
+/* A point inside a triangle has shares a_i of the vertices, with sum 1, and Q = sum a_i q_i. Affine
+   u is off by sum a_i (q_i / Q - 1) (u_i - c). sum a_i |q_i / Q - 1| is at most
+   (greatest q - least q) / 2 least q = (greatest w - least w) / 2 least w. With c in the middle,
+   |u_i - c| is at most half u's range. */
 int32 tolerance_is_flat(const struct setup *s)
 {
     fix16 least, range, u, v;
 
-    if (s->count != 3)          /* of more, the plane is that of three: outside them shares
-                                   have no bound */
+    if (s->count != 3)          /* otherwise the plane is that of three vertices: outside them
+                                   shares have no bound */
         return 0;
     range = vertex_range(&s->vertices->w, 3, &least);
     if (range > least)
@@ -31,9 +31,9 @@ int32 tolerance_is_flat(const struct setup *s)
     return mul_div(u > v ? u : v, range, least) < 2 * s->material->tolerance;
 }
 
-/* A piece of n pixels, right at both ends, is off by n^2 |u''| / 8 at most, u'' = -2 q' u' / q
-   and |u'| <= (|S'| + |u - base| |q'|) / q. With a = |q'| / least q this is n^2 / 4 times a
-   times the greatest |u'|: here a for one pixel in 8.24, everything rounded up. */
+/* A piece of n pixels, exact at both ends, is off by at most n^2 |u''| / 8, with u'' = -2 q' u' / q
+   and |u'| <= (|S'| + |u - base| |q'|) / q. With a = |q'| / least q that is n^2 / 4 times a times
+   the greatest |u'|. Returns a times the greatest |u'|; a is in 8.24, everything is rounded up. */
 static fix16 bend(const struct perspective_plan *plan)
 {
     int32 steep = perspective_steepness(&plan->q.dx) + 1;

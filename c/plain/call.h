@@ -1,4 +1,4 @@
-/* What the bench calls a pass in plain C with. */
+/* The argument with which the bench calls a pass in plain C. */
 #ifndef PLAIN_CALL_H
 #define PLAIN_CALL_H
 

@@ -1,4 +1,4 @@
-/* Routines of Glide's unit that are in C, called as passes are. */
+/* Routines of Glide's texture unit in C, called like passes. */
 #ifndef PLAIN_GLIDE_H
 #define PLAIN_GLIDE_H
 
@@ -12,18 +12,18 @@ struct glide_combine_call {
     const uint32 *other;
     const uint8 *details, *fractions;
     int32 detail_step, fraction_step;
-    int32 detail, fraction, flip;       /* as struct glide_known */
-    uint8 odd;                  /* the level is */
+    int32 detail, fraction, flip;       /* as in struct glide_known */
+    uint8 odd;                  /* 1: the level is odd */
     uint8 has_other, has_alpha, spare;
 };
 
-/* Of the local texels in. Without has_alpha alpha becomes 0. */
+/* in: the local texels. Without has_alpha alpha becomes 0. */
 void glide_combine_line_c(const struct pass_call *call);
 
-/* glide_logarithms_make of the limits in. */
+/* glide_logarithms_make; in: the limits. */
 void glide_logarithms_c(const struct pass_call *call);
 
-/* glide_quads_make, glide_quads_8_make of the two rows in, one behind the other. */
+/* glide_quads_make and glide_quads_8_make; in: two rows, one after the other. */
 void glide_quads_c(const struct pass_call *call);
 void glide_quads_8_c(const struct pass_call *call);
 

@@ -1,6 +1,6 @@
 #include "plain/screen.h"
 
-/* 32 dots' bytes as longwords of the planes from `first` on. */
+/* Stores 32 dots, a byte each, as one longword of each plane from `first` on. */
 static void store(uint8 *planes, int32 plane_pitch, const uint8 *dots, int32 first)
 {
     planes += first * plane_pitch;
@@ -27,7 +27,7 @@ void c2p_8_c(const struct planar_plan *plan)
     }
 }
 
-/* The upper six bits of five: the highest one again behind them. */
+/* Widens 5 bits to 6, the upper bits of a byte, by repeating the highest bit. */
 static inline uint8 six(uint32 five)
 {
     return (uint8)(five << 3 | five >> 2);

@@ -1,4 +1,4 @@
-/* Chunky to planar in plain C, bit by bit: the yardsticks of the bench. */
+/* Chunky to planar in plain C, bit by bit: references for the bench. */
 #ifndef PLAIN_SCREEN_H
 #define PLAIN_SCREEN_H
 

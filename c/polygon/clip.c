@@ -21,7 +21,8 @@ static fix16 between(fix16 a, fix16 b, int32 part, int32 whole)
     return a + mul_div(b - a, part, whole);
 }
 
-/* Where the border cuts the edge: reckoned from the end inside, whichever comes first. */
+/* Makes the vertex where the border cuts the edge. It is always calculated from the inner end, so
+   that both directions of an edge give the same vertex. */
 static void cut(struct vertex *to, const struct vertex *inside, const struct vertex *outside,
                 const struct border *border)
 {

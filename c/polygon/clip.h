@@ -1,4 +1,4 @@
-/* Cutting convex polygons to a rectangle (Sutherland and Hodgman, 1974). */
+/* Clips convex polygons to a rectangle (Sutherland and Hodgman, 1974). */
 #ifndef CLIP_H
 #define CLIP_H
 
@@ -13,12 +13,12 @@ enum clip_constants {
     CLIP_VERTICES_MAX = POLYGON_VERTICES_MAX + 4        /* each border adds one at most */
 };
 
-/* The part of a convex polygon inside the window, with s, t and shade kept; *count is
-   its number of vertices, 0 where nothing is left. A polygon wholly inside costs only
-   the test and comes back itself; another one is made in room[2 * CLIP_VERTICES_MAX].
-   New vertices are rounded to the nearest 1/65536; an edge gives the same ones in either
-   direction, so polygons that share it still do. One that would get too many vertices, which
-   a convex one cannot, comes back empty. */
+/* Returns the part of a convex polygon inside the window, with s, t and shade; sets *count to its
+   number of vertices, 0 if nothing is left. A polygon wholly inside costs only the test and is
+   returned itself; another one is made in room[2 * CLIP_VERTICES_MAX]. New vertices are rounded to
+   the nearest 1/65536. An edge gives the same new vertices in either direction, so polygons that
+   share an edge still share it. A polygon that would get too many vertices, which a convex one
+   cannot, becomes empty. */
 const struct vertex *polygon_clip(struct vertex *room, const struct vertex *vertices,
                                   int32 *count, const struct clip_window *window);
 

@@ -2,7 +2,7 @@
 
 #include "math/math.h"
 
-/* Lines of an edge, from the first at or below its upper vertex. */
+/* Returns the number of lines of an edge, from the first at or below its upper vertex. */
 static int32 lines_of(const struct edge *edge)
 {
     return FIX_CEIL(edge->lower->y) - FIX_CEIL(edge->upper->y);

@@ -10,11 +10,11 @@ struct rectangle {
     int32 left, top, right, bottom;
 };
 
-/* x of an edge at its first line in the frame and its slope in 16.16, each within 1/2^17. */
+/* Return x of an edge at its first line in the frame, and its slope; 16.16, each within 1/2^17. */
 fix16 edge_x(const struct edge *edge);
 fix16 edge_slope(const struct edge *edge);
 
-/* Pixels of a scanline table. */
+/* Returns the number of pixels in a scanline table. */
 uint32 lines_pixels(const struct scanline *line, int32 count);
 
 /* src68k/polygon: contract there. */

@@ -1,4 +1,4 @@
-/* What something that is kept was made from: longs, compared before it is made again. */
+/* Cache keys: longs from which a cached result was made, compared before it is made again. */
 #ifndef KEY_H
 #define KEY_H
 

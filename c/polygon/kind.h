@@ -1,4 +1,4 @@
-/* What draws each kind of span. */
+/* The routines for each kind of span. */
 #ifndef KIND_H
 #define KIND_H
 
@@ -8,7 +8,7 @@
 typedef void span_routine(const struct span_plan *plan);
 typedef void edge_routine(const struct edge_plan *plan);
 
-/* How lines hold u and v, or nothing: what spans read, and edges write. */
+/* The form of u and v in a line, if any: written by edges, read by spans. */
 enum line_form { LINES_FLAT, LINES_ADDX, LINES_SWAP, LINES_PLAIN, LINE_FORMS };
 
 struct line_routines {

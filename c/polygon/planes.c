@@ -39,15 +39,15 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
     find_pair(planes, s, first, bits, &t);
 }
 
-/* Whole pixels between a corner's coordinate and a pixel's, rounded down. */
+/* Returns the whole pixels between a corner's coordinate and a pixel's, rounded down. */
 static int32 way(fix16 from, int32 to)
 {
     return (int32)(fix_magnitude((fix16)((uint32)to << 16) - from) >> 16);
 }
 
-/* Units that u of a plane may be above the exact one at any pixel of the box: twice what it may
-   fall short by (texturing_plane), steps being off by half a unit and gradients by less than a
-   texel more than the steps. */
+/* Returns the units by which u of a plane may be above the exact one at any pixel of the box: twice
+   its possible shortfall (texturing_plane). Steps are off by half a unit; a gradient is less than a
+   texel above its step's whole texels. */
 static int32 above(const struct setup *s, const struct texturing *t)
 {
     const struct vertex *top = s->sides.top;
@@ -58,7 +58,7 @@ static int32 above(const struct setup *s, const struct texturing *t)
     return sides + 2 * mul_shift(steep, 2 * ways, 16) + 6;
 }
 
-/* What w of the corners are like. */
+/* Properties of the corners' w. */
 struct depths {
     fix16 least;                /* |w| */
     int32 is_constant, is_positive;
@@ -81,8 +81,9 @@ static void find_depths(struct depths *depths, const struct vertex *corners, int
     depths->least = (fix16)least;
 }
 
-/* Raises S or T of divided corners, whose s or t are `value`, by that times what W may be too high,
-   3 units for its rounding at the corners among it, and 3 for that of S. */
+/* Raises S or T of divided corners, whose s or t are `value`: by the largest of these times the
+   units by which W may be too high, with 3 more for W's rounding at the corners, and by 3 units for
+   S's rounding. */
 static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
                           const struct planes_scale *scale, int32 too_high)
 {

@@ -1,4 +1,4 @@
-/* A convex polygon on the screen and what it is drawn with. */
+/* A convex polygon on the screen, its material and the ways to draw it. */
 #ifndef POLYGON_H
 #define POLYGON_H
 
@@ -10,7 +10,7 @@
 #include "span/logarithm.h"
 #include "texture/map.h"
 
-/* How near the picture comes to the exact one, from cheap to exact. */
+/* Accuracy of the picture: each setting from cheap to exact. */
 enum edges {
     EDGES_INTEGER,              /* vertices cut to whole pixels */
     EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line: neighbours
@@ -32,7 +32,7 @@ enum start {
     START_KINDS
 };
 
-/* What is done with what lies outside the frame. */
+/* How a polygon is clipped to the frame. */
 enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
     CLIP_VERTICES,              /* the polygon is, before it has edges; exact ones: lines */
@@ -49,7 +49,7 @@ enum perspective {
     PERSPECTIVE_KINDS
 };
 
-/* Spans and edges in swapped form and plain form: same picture, other speed. */
+/* Forms of spans and edges: the same picture at different speeds. */
 enum form { FORM_ADDX, FORM_SWAP, FORM_C };
 
 enum polygon_result {
@@ -176,9 +176,9 @@ struct material {
                                    and two shifts */
 };
 
-/* By every mapper but MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of more than
-   three vertices whose values lie on no plane (fan.c has how near they must come) is drawn as a
-   fan of triangles from its first vertex: so every vertex shows its own. */
+/* Draws with every mapper except MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of
+   more than three vertices whose values are not on a plane (fan.c has the tolerance) is drawn as a
+   fan of triangles from its first vertex: so every vertex shows its own values. */
 polygon_routine polygon_draw;
 
 #endif

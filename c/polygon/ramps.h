@@ -5,7 +5,7 @@
 #include "polygon/edges.h"
 #include "span/scanline.h"
 
-/* The way along each edge of a side. */
+/* Makes the ramps along the edges of a side. */
 void ramps_make(struct ramp *ramps, const struct edge *edges, int32 count);
 
 #endif

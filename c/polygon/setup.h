@@ -1,4 +1,4 @@
-/* A polygon on its way through the set-up: what the rules of lowering look at. */
+/* The state of a polygon in the set-up, which the rules of lowering read. */
 #ifndef SETUP_H
 #define SETUP_H
 
@@ -10,8 +10,8 @@
 #include "span/perspective.h"
 #include "span/scanline.h"
 
-/* Pixels that an edge's x may lie beyond its vertices, in 16.16: it starts and
-   steps within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
+/* How far an edge's x may be beyond its vertices, in pixels, 16.16: its start and its steps are
+   within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
 #define EDGE_ERROR 1024
 
 struct setup {

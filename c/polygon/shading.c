@@ -8,8 +8,8 @@
 #define LEVEL_OF(shade) ((shade) >> (LEVEL_BITS - 16))
 #define FREE_BITS ((1 << CUT_LEVEL) - 1)
 
-/* What a pixel may have beyond the vertices, as the plane is stepped: the pixel is within
-   1/64 pixel of the polygon, and as far by cut vertices, times a level at most. */
+/* INSET: how far a pixel's level on the stepped plane may be beyond the vertices'. The pixel is
+   within 1/64 pixel of the polygon, and as far by clipped vertices, times a level at most. */
 #define INSET (65536 / 16)
 #define STEEP 65536
 
@@ -22,7 +22,7 @@ int32 shading_light(struct span_plan *span, const struct material *material, fix
     return 1;
 }
 
-/* A corner with its level in the place of s. */
+/* Copies a corner with its level in the place of s; returns to. */
 static const struct vertex *lit(struct vertex *to, const struct vertex *from)
 {
     to->x = from->x;
@@ -32,8 +32,8 @@ static const struct vertex *lit(struct vertex *to, const struct vertex *from)
     return to;
 }
 
-/* Whether no pixel leaves the range, as the stepped plane has it at the vertices: in
-   quarters, whose sums do not overflow. */
+/* Returns 1 if no pixel leaves the range, judged by the stepped plane at the vertices. Calculated
+   in quarters, whose sums do not overflow. */
 static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
                        const struct vertex *v, int32 count)
 {

@@ -1,4 +1,4 @@
-/* Polygons in the light of a table: which level each pixel has. */
+/* Levels of light for polygons that are lit by a table. */
 #ifndef SHADING_H
 #define SHADING_H
 
@@ -8,7 +8,8 @@
 
 enum { LEVEL_BITS = 18 };       /* of a shade, below the number of its level */
 
-/* Sets the light of a span plan to the row of a shade; 0: the material has no light table. */
+/* Sets the light of a span plan to the row of a shade; returns 0 if the material has no light
+   table. */
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade);
 
 /* MAPPER_LIT_GOURAUD: the levels of a table's lines, on the plane of the polygon, cut to

@@ -2,10 +2,10 @@
 
 #include "math/math.h"
 
-/* Where a step reaches so many texels, what it may fall short by is not made up. */
+/* For steps of this many texels and more, shortfall makes up for nothing. */
 #define STEEP 256
 
-/* The difference a - b of x, y, s and t. */
+/* Sets *out to a - b: x, y, s and t. */
 static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
 {
     out->x = a->x - b->x;
@@ -14,7 +14,7 @@ static void vertex_difference(struct vertex *out, const struct vertex *a, const 
     out->t = a->t - b->t;
 }
 
-/* part * 65536 / whole, or the largest step: a narrow triangle's may be any. */
+/* Returns part * 65536 / whole, saturated: a narrow triangle's step may have any size. */
 static fix16 saturated_step(fix16 part, fix16 whole)
 {
     const fix16 largest = 0x7fffffff;
@@ -24,7 +24,7 @@ static fix16 saturated_step(fix16 part, fix16 whole)
     return whole < 0 ? mul_div(-part, 65536, -whole) : mul_div(part, 65536, whole);
 }
 
-/* The nearest multiple of 2^cut. */
+/* Returns step rounded to the nearest multiple of 2^cut. */
 static fix16 nearest(fix16 step, uint32 cut)
 {
     return (fix16)((((uint32)step + (1u << cut >> 1)) >> cut) << cut);
@@ -74,9 +74,9 @@ void texturing_along(struct edge *edge)
     }
 }
 
-/* Units by which u may fall short along a left edge and the lines that begin there. g is
-   below `whole`, the longest line a pixel or wider. Along the edge u is half a unit off a
-   line; moves to pixels are cut, and x, half a unit off a line, makes g times that. The
+/* Returns the units by which u may fall short along a left edge and the lines that begin there. The
+   step g is below `whole`, the longest line is a pixel or wider. Along the edge u is off by half a
+   unit a line; presteps are rounded down, and x, off by half a unit a line, adds g times that. The
    step is off by half of `coarse` a pixel and by (1 + g) / 2 units over the longest line. */
 static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width, enum start start)
 {
@@ -101,7 +101,7 @@ static void to_pixels(const struct texturing *t, struct edge *edge)
     edge->dv += mul_fix(t->dvdx, step);
 }
 
-/* The other way: the plane's values where the edge crosses the lines. */
+/* Moves u and v the other way: from the first pixels to where the edge crosses the lines. */
 static void to_crossing(const struct texturing *t, struct edge *edge)
 {
     fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);

@@ -1,4 +1,4 @@
-/* How u and v run over a polygon, and where they begin on its left edges. */
+/* Steps of u and v over a polygon, and their starts on its left edges. */
 #ifndef TEXTURING_H
 #define TEXTURING_H
 
@@ -20,7 +20,7 @@ struct texturing {
     int32 i, j;
 };
 
-/* How u and v share an addx chain, in which a wrap of v must be provided for. */
+/* How u and v share an addx chain, in which a wrap of v must be handled. */
 enum chain {
     CHAIN_NONE,                 /* not at all */
     CHAIN_ANYWHERE,             /* v may be anywhere */
@@ -41,18 +41,18 @@ void texturing_plane(struct texturing *t, const struct sides *sides,
 void texturing_wrap(struct texturing *t, const struct rectangle *box, enum chain chain);
 void texturing_starts(const struct texturing *t, struct edge *edges, int32 count);
 
-/* The next multiple of 2^cut. */
+/* Returns value rounded up to a multiple of 2^cut. */
 uint32 texturing_raised(uint32 value, uint32 cut);
 
-/* A triangle's steps from its longest scanline, the one through the middle vertex. */
+/* Finds a triangle's steps from its longest scanline, the one through the middle vertex. */
 void texturing_longest(struct texturing *t, const struct sides *sides,
                        const struct rectangle *box, enum chain chain);
 
-/* u, v and their steps a line between an edge's ends, where it crosses the lines. */
+/* Finds u, v and their steps a line along an edge, where it crosses the lines. */
 void texturing_along(struct edge *edge);
 
-/* u, v and their steps on left edges, GRADIENTS_PLANE or GRADIENTS_POLYGON. No line is wider
-   than so many pixels. */
+/* Finds u, v and their steps on left edges, for GRADIENTS_PLANE or GRADIENTS_POLYGON. No line is
+   wider than `width` pixels. */
 void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
                      enum gradients gradients, enum start start, int32 width);
 

@@ -15,8 +15,8 @@ struct vertex {
 
 enum { VERTEX_FIELDS = sizeof(struct vertex) / sizeof(fix16) };
 
-/* The least value of a field of vertices, and how much more the greatest is; value: the first
-   one's. */
+/* Sets *least to the least value of a field of vertices; returns the greatest less the least.
+   value: the first vertex's field. */
 fix16 vertex_range(const fix16 *value, int32 count, fix16 *least);
 
 enum vertex_limits {

@@ -1,7 +1,7 @@
 /* bench - calls kernels as a plan says, times them and writes what they did.
 
    bench PLAN RESULTS
-   prints a line before each case that is timed, and before every REPORTED-th. */
+   Prints a line before each timed case and before every REPORTED-th case. */
 #include "bench/plan.h"
 #include "bench/plan_call.h"
 #include "system/file.h"
@@ -11,7 +11,7 @@
 
 #define REPORTED 32
 
-/* Results on their way to the file: a write takes AmigaDOS milliseconds, however short. */
+/* Results not written yet: every write takes AmigaDOS milliseconds, however short. */
 static uint8 kept[32768];
 static uint32 kept_bytes;
 

@@ -1,9 +1,10 @@
 /* demo - the parts of a script, one after the other, on the machine's screen.
 
    demo DIR FRAMES n PART n LOG
-   DIR holds the file "parts" (demo/script.h) and its scenes; PROGDIR:data where it is left out.
-   FRAMES shows so many frames of each part, whatever its seconds; PART this one only. Space goes on
-   to the next part, escape and Ctrl-C leave. A line a part is printed; LOG prints what tests read. */
+   DIR holds the file "parts" (demo/script.h) and its scenes; the default is PROGDIR:data. FRAMES
+   shows so many frames of each part, whatever its seconds; PART shows only that part. Space skips
+   to the next part, escape and Ctrl-C leave. Prints a line for each part; LOG prints more, for
+   tests. */
 #include "demo/log.h"
 #include "demo/picture.h"
 #include "system/arguments.h"
@@ -13,7 +14,7 @@
 
 #define PATH 256                /* bytes */
 #define FRAMES_MAX 9999
-#define READ_BEYOND 32          /* bytes behind a frame: its conversion looks so far */
+#define READ_BEYOND 32          /* bytes after a frame that its conversion may read */
 
 enum { DIR, FRAMES, PART, LOG, ITEMS };
 
@@ -44,7 +45,7 @@ static const char *path(char *whole, const char *directory, const char *name)
     return *name || *directory ? 0 : whole;
 }
 
-/* What is open. */
+/* The format of the open screen; width 0: none. */
 static int32 width, height;
 static uint32 format;
 
@@ -76,7 +77,8 @@ static int32 open_for_scene(const struct part *part)
     return open_screen(header->width, header->height, header->format);
 }
 
-/* A pane or its captions outside the screen, or steps outside the scene: names the part. */
+/* Prints the part's number and returns 0 if panes or captions are outside the screen, or steps
+   outside the scene. */
 static int32 is_usable(const struct part *part, int32 number)
 {
     const struct scene_header *header = scene.header;
@@ -101,14 +103,15 @@ static int32 is_usable(const struct part *part, int32 number)
     return text_refuse("", "something lies outside its scene or screen");
 }
 
-/* While a part is made ready, up to three seconds: tables of perspective take the most. */
+/* Shows a message while a part is prepared, up to three seconds, mostly for tables of
+   perspective. */
 static void announce(const struct part *part)
 {
     screen_text(&screen, 0, part->title);
     screen_text(&screen, 1, "A moment: its pictures and tables are made.");
 }
 
-/* Loads what a part needs; 0: a line was printed. */
+/* Loads a part's scene and allocates its memory; prints a line and returns 0 if it cannot. */
 static int32 load(const struct part *part, int32 number, const char *directory, uint32 frames)
 {
     char whole[PATH];
@@ -118,7 +121,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
         return text_refuse("DIR", "too long");
     if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
         return 0;
-    announce(part);                     /* another screen has forgotten it */
+    announce(part);                     /* again, as the screen may be a new one */
     if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height + READ_BEYOND,
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
@@ -130,7 +133,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
     return 1;
 }
 
-/* One part from its file to its figures; the memory it took is given back. */
+/* Loads and plays one part, prints its figures and releases its memory. */
 static enum player_end play(int32 number, const char *directory, uint32 frames, int32 log)
 {
     const uint32 before = mem_mark();
@@ -147,7 +150,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
         end = player_play(&player, frames);
         log_part(&player, number, log);
     }
-    if (screen.chip != chip) {          /* it took more */
+    if (screen.chip != chip) {          /* the screen allocated more, which is released below */
         screen_close(&screen);
         width = 0;
         screen.chip = chip;
@@ -157,7 +160,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     return end;
 }
 
-/* All parts, or one; the return code. */
+/* Plays all parts, or only one; returns the return code. */
 static int32 play_all(const char *directory, uint32 frames, int32 only, int32 log)
 {
     int32 result = RETURN_OK;

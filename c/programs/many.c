@@ -1,8 +1,8 @@
 /* many - runs a program with one line of arguments after the other, loading it once.
 
    many PROGRAM FIRST
-   takes the lines from FIRST.run and numbers them from FIRST: what the program says goes to
-   N.log, its return code to N.code. Before each run the program's data is as it was loaded. */
+   Takes the lines from FIRST.run and numbers them from FIRST. The program's output goes to N.log,
+   its return code to N.code. Before each run the program's data is restored as it was loaded. */
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
@@ -11,7 +11,8 @@
 #define HUNKS 4
 #define NAME 32             /* bytes of a file's name */
 
-/* A hunk behind the code: what it had when it was loaded; `kept` is 0 for nothing but zeros. */
+/* A hunk after the code, and a copy of its contents when loaded; `kept` is 0 if they are all
+   zeros. */
 struct hunk {
     uint32 *at, *kept;
     uint32 longs;
@@ -80,7 +81,7 @@ static void restore(const struct hunk *hunk)
         *to++ = 0;
 }
 
-/* Number and ending as a file's name. */
+/* Makes a file's name from a number and an ending. */
 static void name_file(char *name, int32 number, const char *ending)
 {
     text_number(number);

@@ -1,9 +1,9 @@
 /* measure - how fast this Amiga runs the loops, beside the emulated A1200.
 
    measure [TO FILE] [PLAN FILE]
-   times a plan's cases, shows cycles of each pixel or step, those of the emulated machine with
-   the same kind of RAM, and the ratio; saves the table as TO. Cycles are an A1200's: four of
-   them are a colour clock, by which this counts, whatever the processor's clock is. */
+   Times a plan's cases. Shows their cycles a pixel or step, those of the emulated machine with the
+   same kind of RAM, and the ratio; saves the table as TO. Cycles are an A1200's: a colour clock,
+   the unit of measurement, is four of them, whatever the processor's clock is. */
 #include "bench/plan.h"
 #include "bench/plan_call.h"
 #include "bench/report.h"
@@ -14,16 +14,16 @@
 
 #define CYCLES 4                /* in a colour clock */
 #define CLOCK 20                /* cycles in an E-clock */
-#define NTSC_E_CLOCK 712644     /* Hz, and more: half-way from PAL's 709,379 to 715,909 */
-#define FRACTION 8              /* bits of a call's cycles */
+#define NTSC_E_CLOCK 712644     /* Hz, half-way from PAL's 709,379 to 715,909: above it is NTSC */
+#define FRACTION 8              /* fraction bits of a call's cycles */
 
-/* Where program and data are: what the emulated machine's figures are for. */
+/* The RAM of program and data, which selects the emulated machine's figures. */
 enum memory { IN_CHIP, IN_FAST, IN_BOTH };
 
 struct measured {
     enum memory memory;
-    uint32 calling;             /* a call of nothing: cycles, FRACTION */
-    int32 wrong;                /* rows whose pixels are not the emulated machine's */
+    uint32 calling;             /* cycles of an empty call, with FRACTION */
+    int32 wrong;                /* rows whose pixels differ from the emulated machine's */
 };
 
 int main(void);
@@ -36,7 +36,7 @@ static enum memory memory_of(const struct plan_arenas *arenas)
     return chip == 3 ? IN_CHIP : chip ? IN_BOTH : IN_FAST;
 }
 
-/* Cycles of a call, FRACTION. */
+/* Returns the cycles of a call, with FRACTION. */
 static uint32 call_cycles(uint32 ticks, uint32 repeats)
 {
     const uint32 cycles = CYCLES * ticks;
@@ -44,7 +44,7 @@ static uint32 call_cycles(uint32 ticks, uint32 repeats)
     return (cycles / repeats << FRACTION) + (cycles % repeats << FRACTION) / repeats;
 }
 
-/* Thousandths of a cycle for each of so many units, rounded. */
+/* Returns the thousandths of a cycle for each of so many units, rounded. */
 static uint32 unit_cycles(uint32 call, uint32 units)
 {
     return (call / units * 1000 + call % units * 1000 / units + (1 << (FRACTION - 1))) >> FRACTION;
@@ -56,7 +56,7 @@ static const char *processor(uint32 attention)
          : attention & CPU_68030 ? "68030" : "68020";
 }
 
-/* To the nearest: exec's own list takes some bytes of each memory. */
+/* Rounds to the nearest: exec's own list takes some bytes of each memory. */
 static void add_kilobytes(const char *before, uint32 bytes, const char *after)
 {
     text_add(before);
@@ -97,7 +97,7 @@ static void show_machine(const struct plan_arenas *arenas, struct measured *meas
     report_heads();
 }
 
-/* Returns whether the console's line is to have another. */
+/* Returns 1 if the console's line needs another cell. */
 static int32 show_case(const struct plan_case *c, const char *title, uint32 ticks, int32 right,
                       struct measured *measured)
 {
@@ -125,12 +125,13 @@ static int32 show_case(const struct plan_case *c, const char *title, uint32 tick
     return report_row(&cell);
 }
 
-/* 1: all were measured. 0: a line says why not, or the user does not want to. */
+/* Returns 1 if all were measured. Returns 0 after a break or an error, for which a line is
+   printed. */
 static int32 measure(const uint8 *plan, const struct plan_arenas *arenas, struct measured *measured)
 {
     const struct plan_case *cases = plan_cases(plan);
     const uint32 count = ((const struct plan_header *)plan)->cases;
-    int32 half = 0;             /* a line is on the console, in which a break would be told */
+    int32 half = 0;             /* 1: the console's line has a cell; a break's message waits */
 
     for (uint32 i = 0; i < count; i++) {
         const struct plan_case *c = &cases[i];

@@ -17,7 +17,7 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* Bytes before and behind the frame that nobody may touch. */
+/* Bytes before and after the frame that must not be written. */
 #define GUARD 4096
 #define GUARD_BYTE 0xa5
 #define GUARD_LONGWORD 0xa5a5a5a5u
@@ -47,7 +47,7 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     return 1;
 }
 
-/* Bits of both guard bands that are not what they were. */
+/* Returns the bits that have changed in the guards before and after the frame. */
 static uint32 guards_broken(const struct frame *frame)
 {
     const uint32 *before = (const uint32 *)(frame->pixels - GUARD);
@@ -59,7 +59,7 @@ static uint32 guards_broken(const struct frame *frame)
     return broken;
 }
 
-/* How a run goes. */
+/* The settings of a run. */
 struct run {
     int32 frames;
     struct renderer renderer;
@@ -110,7 +110,7 @@ static int32 dump_frames(struct scene *scene, struct run *run, uint32 *refused)
     return 1;
 }
 
-/* Only where a longword is another than the one before: most of a frame is its ground. */
+/* The hash skips longwords equal to the one before: most of a frame is background. */
 static void add_up(const struct frame *frame, struct frame_digest *digest)
 {
     const uint32 *pixels = (const uint32 *)frame->pixels;
@@ -165,7 +165,7 @@ static int32 render(struct scene *scene, struct run *run)
     return RETURN_OK;
 }
 
-/* The form of this name; -1: there is none. */
+/* Returns the form with this name, or -1 if there is none. */
 static int32 form_named(const char *name)
 {
     return text_same(name, "addx") ? FORM_ADDX

@@ -7,7 +7,7 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* A scene file without a palette, which the tools have checked. */
+/* A scene file without a palette, checked by the tools. */
 extern const uint8 scene_data[];
 
 static struct scratch scratch;
@@ -25,7 +25,7 @@ int main(void)
     struct renderer renderer = {&frame, FORM_ADDX, 0, 0, &scratch, 0, 0};
 
     scene_place(&scene, scene_data);
-    scene_make(&scene, MEMORY_ANY);     /* returns with all it wants: mem_need */
+    scene_make(&scene, MEMORY_ANY);     /* mem_need ends the program if memory is short */
     frame.width = scene.header->width;
     frame.height = scene.header->height;
     frame.pixel_bytes = scene_pixel_bytes(scene.header->format);

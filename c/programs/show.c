@@ -1,11 +1,11 @@
 /* show - plays a scene on the screen and says what it costs.
 
    show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n
-   draws frame after frame, from FRAME on, and again from the first: 8 bitplanes or HAM8. PAUSE
-   begins paused; ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0, else materials are as
-   the scene says. Keys: space pauses and goes on; cursor left and right change the accuracy, down
-   and up the perspective, each from cheap to exact, S goes back to the scene's own; escape leaves.
-   Returns 0, 5 after Ctrl-C or where a polygon could not be drawn, 10 for arguments and files, 20.
+   Draws all frames from FRAME on, then again from the first, as 8 bitplanes or HAM8. PAUSE begins
+   paused. ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0; the default is the scene's
+   settings. Keys: space pauses and resumes; cursor left and right change the accuracy, down and up
+   the perspective, each from cheap to exact; S restores the scene's settings; escape leaves.
+   Returns 0, 5 after Ctrl-C or if a polygon could not be drawn, 10 for arguments and files, 20.
 
    The status lines below the picture:
    - frames per second, of some 50 fields: drawing, conversion, the wait for the field and this
@@ -25,13 +25,13 @@
 #include "system/system.h"
 #include "system/text.h"
 
-#define NO_LIMIT 65535          /* of the clock: no watchdog is on */
-#define MEASURE_REST 4          /* times as long as measuring took it is not done again */
-#define READ_BEYOND 32          /* the conversion reads up to so many bytes behind a frame */
+#define NO_LIMIT 65535          /* of the clock: the watchdog is off */
+#define MEASURE_REST 4          /* the pause after measuring, in times that it took */
+#define READ_BEYOND 32          /* bytes after a frame that its conversion may read */
 
 struct show {
     struct scene scene;
-    struct frame frame, exact;  /* exact.pixels 0: no memory */
+    struct frame frame, exact;  /* exact.pixels is 0 if memory is short */
     struct screen screen;
     struct settings settings;
     struct renderer renderer;
@@ -42,9 +42,9 @@ struct show {
     uint32 next_measuring;      /* field */
     int32 number, paused;
     int32 is_broken;            /* by Ctrl-C */
-    int32 has_tables;           /* 0: perspective has to do without */
+    int32 has_tables;           /* 0: no memory for tables of perspective */
     uint32 ticks;               /* of the last frame */
-    uint32 refused;             /* enum polygon_result, why a polygon was, or POLYGON_DRAWN */
+    uint32 refused;             /* enum polygon_result: the last one refused, or POLYGON_DRAWN */
 };
 
 static int32 make_frame(struct frame *frame, const struct scene_header *header)
@@ -92,7 +92,7 @@ static void compare(struct show *s)
     measured_compare(&s->measured, &s->frame, &s->exact);
 }
 
-/* Of the frame that was just drawn. */
+/* Measures the frame that was just drawn. */
 static void measure(struct show *s)
 {
     const uint32 began = screen_fields(&s->screen);
@@ -136,7 +136,7 @@ static void describe(struct show *s)
     screen_text(&s->screen, 1, text);
 }
 
-/* The frame of now, on the screen. */
+/* Draws the current frame and shows it. */
 static void present(struct show *s)
 {
     draw(s);
@@ -147,7 +147,7 @@ static void present(struct show *s)
     screen_swap(&s->screen);
 }
 
-/* One further, or onto the most exact step. */
+/* Moves a setting by one step; from the scene's setting, to the most exact step. */
 static void move(struct show *s, int32 *step, int32 steps, int32 by)
 {
     const int32 to = *step == SETTINGS_OWN ? steps - 1 : *step + by;
@@ -158,7 +158,7 @@ static void move(struct show *s, int32 *step, int32 steps, int32 by)
     set(s);
 }
 
-/* Follows a key; 0: leave. */
+/* Acts on a key; returns 0 to leave. */
 static int32 follow(struct show *s, uint32 key)
 {
     switch (key) {
@@ -191,7 +191,7 @@ static int32 follow(struct show *s, uint32 key)
     return 1;
 }
 
-/* Keys that were pressed, or while it is paused that will be; 0: leave. */
+/* Acts on the keys pressed; when paused, waits for one. Returns 0 to leave. */
 static int32 follow_keys(struct show *s)
 {
     uint32 key;
@@ -229,8 +229,8 @@ static int32 play(struct show *s)
     return RETURN_WARN;
 }
 
-/* What is needed, and at last what can be done without. 0: a line says what
-   is lacking. */
+/* Allocates what is necessary, then what is optional. Prints a line and returns 0 if something
+   necessary is lacking. */
 static int32 make(struct show *s)
 {
     const struct scene_header *header = s->scene.header;

@@ -1,7 +1,7 @@
 /* vectors - asks the texture engines what a file says, and writes their answers.
 
    vectors QUESTIONS ANSWERS
-   prints a line before every REPORTED-th operation. */
+   Prints a line before every REPORTED-th operation. */
 #include "bench/vector_answers.h"
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
@@ -12,9 +12,9 @@
 #include "system/text.h"
 
 #define REPORTED 512
-#define ANY 0xffff              /* longs: as many as there are */
+#define ANY 0xffff              /* any number of longs */
 
-/* Longs of each operation. */
+/* The number of longs of each operation. */
 static const uint16 longs_of[VECTOR_CODES] = {
     0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
     2, 1, 3,
@@ -29,7 +29,7 @@ static int32 in_memory(const struct vector_operation *operation, const int32 *va
     return at <= room && count <= room - at;
 }
 
-/* Whether an operation is one, within so many longs behind its own. */
+/* Returns 1 if an operation is valid; longs: how many follow it in the file. */
 static int32 usable_operation(const struct vector_operation *operation, uint32 longs)
 {
     const int32 *values = (const int32 *)(operation + 1);

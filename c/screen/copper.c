@@ -9,7 +9,7 @@ enum custom_register {
 };
 
 enum register_bits {
-    DMA_SPRITES = 0x0020,               /* without the highest bit: off */
+    DMA_SPRITES = 0x0020,               /* written without bit 15: switched off */
     /* BPLCON0 */
     HIRES = 0x8000, ONE_PLANE = 0x1000, HAM = 0x0800, COLOUR = 0x0200, SHRES = 0x0040,
     EIGHT_PLANES = 0x0010, ECS_ENABLED = 0x0001,
@@ -30,11 +30,11 @@ static uint16 *move_to(uint16 *at, uint32 reg, uint32 value)
     return at;
 }
 
-/* Waits for the begin of a line. */
+/* Waits for the start of a line. */
 static uint16 *wait_for(uint16 *at, int32 line)
 {
     if (line > 255)
-        at = move_to(at, 0xffdf, 0xfffe);       /* the last place that line's 8 bits reach */
+        at = move_to(at, 0xffdf, 0xfffe);       /* the last position with an 8-bit line number */
     return move_to(at, (uint32)(line & 255) << 8 | 1, 0xfffe);
 }
 
@@ -45,7 +45,7 @@ static uint16 *pointer(uint16 *at, uint32 plane, const uint8 *to)
     return move_to(move_to(at, reg, address >> 16), reg + 2, address & 0xffff);
 }
 
-/* The part of the screen that is not border: in low resolution, from the screen's corner. */
+/* Sets the display window, in pixels of low resolution from the screen's corner. */
 static uint16 *window(uint16 *at, int32 left, int32 top, int32 width, int32 height)
 {
     const uint32 x = (uint32)(SCREEN_LEFT + left), right = x + (uint32)width;
@@ -56,11 +56,11 @@ static uint16 *window(uint16 *at, int32 left, int32 top, int32 width, int32 heig
     return move_to(at, DIWHIGH, (right >> 8) << 13 | (bottom >> 8) << 8 | (x >> 8) << 5 | y >> 8);
 }
 
-/* What is fetched of each row: 64 dots at a time from the one on at whose place it can begin,
-   moved right for the rest. */
+/* Sets the data fetch of a row. It starts at a multiple of 64 dots; a delay moves the picture right
+   by the remainder. */
 static uint16 *fetch(uint16 *at, int32 left, int32 shift, int32 row_bytes)
 {
-    const int32 unit = FETCH_DOTS >> shift;     /* in low resolution, two in a colour clock */
+    const int32 unit = FETCH_DOTS >> shift;     /* low-resolution pixels, two a colour clock */
     const uint32 start = (uint32)(SCREEN_FETCH + (left / unit) * (unit / 2));
     const uint32 rest = (uint32)(left % unit);
     const uint32 delay = (rest & 15) | (rest >> 4) << 10;
@@ -91,7 +91,8 @@ static uint16 *picture(uint16 *at, const struct screen_layout *layout,
     at = window(at, layout->left, SCREEN_TOP + layout->top, layout->shown_width,
                 layout->shown_height);
     at = fetch(at, layout->left, layout->shift, layout->row_bytes);
-    /* Rows shown twice: the first time of them, its parity that of the window's begin, steps back. */
+    /* Rows shown twice: after the first time, on lines of the parity of the window's first line,
+       BPL1MOD steps back. */
     at = move_to(at, BPL1MOD, layout->twice ? (uint32)-layout->row_bytes & 0xffff : 0);
     at = move_to(at, BPL2MOD, 0);
     for (uint32 plane = 0; plane < PLANES; plane++)
@@ -99,7 +100,7 @@ static uint16 *picture(uint16 *at, const struct screen_layout *layout,
     return at;
 }
 
-/* Both halves of all colours, which copper_palette_set writes. */
+/* Moves for both nibbles of all colours, black; copper_palette_set fills them in. */
 static uint16 *palette(uint16 *at)
 {
     for (uint32 bank = 0; bank < 8; bank++)

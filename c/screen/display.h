@@ -1,5 +1,5 @@
-/* The display, the ROM's letters and the keys: src68k/amiga, contracts there. What is taken is
-   given back when the program ends, whichever way. */
+/* The display, the ROM's font and the keys: src68k/amiga, contracts there. All are given back when
+   the program ends, even after a break or a crash. */
 #ifndef DISPLAY_H
 #define DISPLAY_H
 
@@ -11,7 +11,7 @@ enum font_constants {
 
 #define NO_KEY 0xffffffffu
 
-/* Codes of keys by their places. */
+/* Raw key codes. */
 enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
            KEY_LEFT };
 

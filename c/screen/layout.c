@@ -3,7 +3,7 @@
 #include "limits.h"
 #include "screen/planar.h"
 
-/* A frame of half of the screen is shown twice as large. */
+/* Returns 1 if the frame fits half the screen's width and height: it is shown twice as large. */
 static int32 is_half(int32 width, int32 height)
 {
     return width <= SCREEN_WIDTH / 2 && height <= SCREEN_HEIGHT / 2;

@@ -1,4 +1,4 @@
-/* Where a frame is on the screen, and which way it is shown. */
+/* The place of a frame on the screen, and how it is shown. */
 #ifndef SCREEN_LAYOUT_H
 #define SCREEN_LAYOUT_H
 
@@ -8,12 +8,12 @@
    286 lines that can be shown; the usual 256 are within them. */
 enum screen_constants {
     SCREEN_WIDTH = 320, SCREEN_HEIGHT = 256,
-    SCREEN_LEFT = 0x81, SCREEN_TOP = 32,            /* of the beam, as DIWSTRT has it */
-    SCREEN_FETCH = 0x38,                            /* DDFSTRT of SCREEN_LEFT: colour clocks */
+    SCREEN_LEFT = 0x81, SCREEN_TOP = 32,            /* beam position, as in DIWSTRT */
+    SCREEN_FETCH = 0x38,                            /* DDFSTRT for SCREEN_LEFT: colour clocks */
     STATUS_TOP = SCREEN_TOP + SCREEN_HEIGHT + 2,
     STATUS_COLUMNS = 80, STATUS_LINES = 2,
-    STATUS_PITCH = STATUS_COLUMNS,                  /* bytes of a row of its plane */
-    STATUS_LINE = 9,                                /* rows from one to the other */
+    STATUS_PITCH = STATUS_COLUMNS,                  /* bytes of a row of the status plane */
+    STATUS_LINE = 9,                                /* rows from one status line to the next */
     STATUS_ROWS = 18
 };
 
@@ -23,15 +23,16 @@ enum screen_constants {
 struct screen_layout {
     int32 width, height;        /* of the frame, pixels */
     uint32 ham;                 /* 1: HAM8 */
-    int32 dots;                 /* of a frame's pixel */
+    int32 dots;                 /* in a frame's pixel */
     int32 shift;                /* log2 of the dots in a pixel of low resolution: 0, 1 or 2 */
     uint32 twice;               /* 1: each row is shown twice */
     int32 shown_width, shown_height;                /* low resolution */
-    int32 left, top;            /* on the screen, the same */
+    int32 left, top;            /* on the screen, low resolution */
     int32 row_bytes, plane_bytes;
 };
 
-/* Finds it for a frame of an enum pixel_format. Returns 0 or why it cannot be shown. */
+/* Finds the layout for a frame; format: enum pixel_format. Returns 0, or the reason why the frame
+   cannot be shown. */
 const char *screen_layout_find(struct screen_layout *layout, int32 width, int32 height,
                                uint32 format);
 

@@ -8,7 +8,8 @@
 
 static const char name[] = "screen";
 
-/* Bytes of chip RAM: the planes, of HAM8 with the lowest two once, the lists, the status plane. */
+/* Returns the bytes of chip RAM for both sets of planes, the copper lists and the status plane. In
+   HAM8 both sets share planes 0 and 1. */
 static int32 chip_needed(const struct screen_layout *layout)
 {
     const int32 planes = layout->ham ? 2 * PLANES - 2 : 2 * PLANES;
@@ -39,8 +40,8 @@ static void clear(uint8 *from, int32 bytes)
         *at++ = 0;
 }
 
-/* The memory's parts, each at a multiple of the 8 bytes that are fetched at a time; the blank list
-   may be shown. */
+/* Divides the memory. Each part is at a multiple of the 8 bytes of a fetch. The blank list is not
+   cleared: it may be on the screen. */
 static void place(struct screen *screen)
 {
     const struct screen_layout *layout = &screen->layout;
@@ -77,7 +78,7 @@ static void plan_make(const struct screen *screen, struct planar_plan *plan)
     plan->planes = screen->planes[screen->hidden];
 }
 
-/* What HAM8 needs once: who changes which colour, and the colour on each line's left. */
+/* Writes HAM8's planes 0 and 1, and the colour that each line begins with. */
 static void make_ham(struct screen *screen)
 {
     struct planar_plan plan;
@@ -213,7 +214,7 @@ void screen_text(struct screen *screen, int32 line, const char *text)
         const uint8 *row = screen->font + letter * FONT_ROWS;
         uint8 *to = at;
 
-        if (*there == letter)           /* chip RAM is slow */
+        if (*there == letter)           /* chip RAM is slow: write only what changed */
             continue;
         *there = (uint8)letter;
         for (int32 y = 0; y < FONT_ROWS; y++, to += STATUS_PITCH)

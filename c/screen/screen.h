@@ -1,6 +1,6 @@
-/* The machine's screen, taken over for frames: two sets of planes by turns, 50 fields a second,
-   and two status lines below the picture. The system goes on behind it, without keys and mouse,
-   and gets everything back when the program ends, whichever way. */
+/* The machine's screen, taken over for frames: two sets of planes in turn, 50 fields a second, and
+   two status lines below the picture. The system keeps running behind it, without keys and mouse,
+   and gets everything back when the program ends, even after a break or a crash. */
 #ifndef SCREEN_H
 #define SCREEN_H
 
@@ -9,60 +9,64 @@
 #include "screen/layout.h"
 #include "screen/planar.h"
 
-/* Zeroed before it is opened the first time. */
+/* Must be zero before screen_open is first called. */
 struct screen {
     struct screen_layout layout;
     void (*convert)(const struct planar_plan *plan);
-    /* Memory of all that follows, kept when the screen is closed for the next one; a larger one
-       takes its own beside it, so open the largest first. */
+    /* Memory for the planes and lists below. screen_close keeps it for the next screen_open; a
+       larger screen allocates a second piece, so open the largest first. */
     uint8 *chip;
     int32 chip_bytes;
-    uint8 *planes[2];           /* plane 0 of either set, in HAM8 one for both */
+    uint8 *planes[2];           /* plane 0 of each set; in HAM8 both sets use the first one's
+                                   planes 0 and 1 */
     uint16 *blank;              /* a copper list that shows nothing */
     uint16 *list[2], *palette[2];
     uint8 *status;
     int32 hidden;               /* the set that is not shown: 0 or 1 */
-    uint32 since;               /* display_fields when it was opened */
+    uint32 since;               /* display_fields when the screen was opened */
     int32 is_open;
     uint8 font[FONT_LETTERS * FONT_ROWS];
-    uint8 text[STATUS_LINES][STATUS_COLUMNS];       /* the letters that are there, 0: none */
+    uint8 text[STATUS_LINES][STATUS_COLUMNS];       /* the letters shown, 0: none */
 };
 
 /* Takes the screen over for frames of this size, at most 320x256 and the width a multiple of 8, and
-   enum pixel_format: 8 bitplanes for chunky ones, HAM8 for those of 16 and 32 bits (planar.h has its
-   errors); centred, black around. HAM8 frames of up to 160x128 are shown twice as large. Prints
-   what is lacking and returns 0 where it cannot. One that is open changes its frames,
-   black meanwhile, and is closed where it cannot. */
+   enum pixel_format: 8 bitplanes for chunky frames, HAM8 for 16 and 32 bits (planar.h has its
+   errors). The picture is centred on black. HAM8 frames of up to 160x128 are shown twice as large.
+   On failure prints the reason, closes the screen and returns 0. A screen that is open already is
+   reopened for the new frames and is black meanwhile. */
 int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format);
 
-/* 256 entries of 4 bytes: 0, red, green, blue, as scene_header.palette_at. In HAM8: none. */
+/* Sets the palette: 256 entries of 4 bytes, 0, red, green, blue, as at scene_header.palette_at.
+   Does nothing in HAM8. */
 void screen_palette(struct screen *screen, const uint8 *palette);
 
-/* Turns a frame, or a part of it, into the hidden planes; pixels and pitch multiples of 8. */
+/* Converts a frame into the hidden planes; pixels and pitch are multiples of 8. */
 void screen_convert(struct screen *screen, const struct frame *frame);
 
-/* x and width in pixels, multiples of 32, or up to the frame's right edge. */
+/* Converts a part of a frame. x and width are in pixels and multiples of 32; the box may also end
+   at the frame's right edge. */
 void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
                         int32 width, int32 height);
 
-/* Shows the hidden planes from the next field on, and returns when they are shown: the others are
+/* Shows the hidden planes from the next field on and returns when they are shown. The other set is
    hidden then. */
 void screen_swap(struct screen *screen);
 
-/* Shows the hidden planes from a field on, of screen_fields, or from the next one where it is over,
-   and returns at once. The others are hidden then, but shown until screen_wait returns: when what
-   was posted is shown, with the field since when it is. screen_waits: whether it would wait. */
+/* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the
+   next field if that one is over; it returns at once. The other set becomes the hidden one, but
+   stays on the screen until screen_wait returns. screen_wait returns when the posted planes are
+   shown, with the number of their first field. screen_waits returns 1 if screen_wait would wait. */
 void screen_post(struct screen *screen, uint32 field);
 int32 screen_waits(const struct screen *screen);
 uint32 screen_wait(const struct screen *screen);
 
-/* Writes status line 0 or 1: 80 characters, what is behind the text's end is cleared. */
+/* Writes status line 0 or 1, 80 characters; the rest of the line after the text is cleared. */
 void screen_text(struct screen *screen, int32 line, const char *text);
 
-/* Fields since it was opened. */
+/* Returns the fields since the screen was opened. */
 uint32 screen_fields(const struct screen *screen);
 
-/* Gives the screen back; it can be opened again. Nothing is done where it is not open. */
+/* Gives the screen back; it can be opened again. Does nothing if it is not open. */
 void screen_close(struct screen *screen);
 
 #endif

@@ -2,8 +2,8 @@
 
 #include "system/text.h"
 
-#define SUM_LIMIT 0x10000000u   /* so that 4 ticks, and what a frame adds, have 32 bits */
-#define CYCLES 4                /* of the CPU in a tick */
+#define SUM_LIMIT 0x10000000u   /* CYCLES times this, and a frame more, fit 32 bits */
+#define CYCLES 4                /* CPU cycles in a tick */
 
 void rate_begin(struct rate *rate, uint32 field)
 {
@@ -42,7 +42,7 @@ void measured_add(struct measured *measured, const struct scene_counts *counts, 
     measured->ticks += ticks;
 }
 
-/* Pixels of a longword in which two frames differ. */
+/* Returns how many pixels of a longword differ; differs: the XOR of two frames' longwords. */
 static uint32 pixels_in(uint32 differs, int32 pixel_bytes)
 {
     const uint32 bits = 8 * (uint32)pixel_bytes, mask = 0xffffffffu >> (32 - bits);
@@ -67,7 +67,7 @@ void measured_compare(struct measured *measured, const struct frame *frame,
     measured->compared += (uint32)(frame->width * frame->height);
 }
 
-/* part / whole * scale, rounded down: whole is below 2^28.7, scale a power of ten. */
+/* Returns part / whole * scale, rounded down. whole is below 2^28.7, scale a power of ten. */
 static uint32 ratio(uint32 part, uint32 whole, uint32 scale)
 {
     uint32 result = part / whole;
@@ -80,7 +80,7 @@ static uint32 ratio(uint32 part, uint32 whole, uint32 scale)
     return result;
 }
 
-/* A number of tenths or hundredths: a power of ten, 10 or 100. */
+/* Adds value / power with its decimals; power: 10 or 100. */
 static void add_decimal(uint32 value, uint32 power)
 {
     text_number((int32)(value / power));

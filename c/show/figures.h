@@ -1,4 +1,4 @@
-/* The figures that `show` has below its picture, from frames that it drew, measured and compared. */
+/* The figures that `show` prints below its picture, from frames drawn, measured and compared. */
 #ifndef SHOW_FIGURES_H
 #define SHOW_FIGURES_H
 
@@ -6,37 +6,37 @@
 
 #define FIELDS 50               /* a second */
 
-/* Sums over the frames that were measured under the steps of now. */
+/* Sums over the frames measured with the current settings. */
 struct measured {
     uint32 pixels, ticks;       /* of the polygons */
     uint32 different, compared; /* of the picture */
 };
 
-/* Frames since a field. */
+/* The frame rate since a field. */
 struct rate {
     uint32 since, frames;
     uint32 spent;               /* fields that do not count */
-    uint32 tenths;              /* frames in 10 seconds: the last result, 0 for none */
+    uint32 tenths;              /* the last result: frames in 10 seconds, 0 if none yet */
 };
 
 void rate_begin(struct rate *rate, uint32 field);
 
-/* One more frame, at that field. */
+/* Counts a frame shown at that field. */
 void rate_count(struct rate *rate, uint32 field);
 
 void measured_clear(struct measured *measured);
 
-/* 0: a sum has no room for another frame. */
+/* Returns 0 if a sum has no room for another frame. */
 int32 measured_has_room(const struct measured *measured);
 
-/* A frame's polygons, and the ticks that they took. */
+/* Adds the pixels of a frame's polygons and the ticks that drawing took. */
 void measured_add(struct measured *measured, const struct scene_counts *counts, uint32 ticks);
 
-/* Two frames of one size, whose rows have no gaps. */
+/* Compares two frames of the same size, whose rows have no gaps, and adds the result. */
 void measured_compare(struct measured *measured, const struct frame *frame,
                       const struct frame *exact);
 
-/* Add to the text. */
+/* Add a figure to the line of text. */
 void figures_rate(const struct rate *rate);
 void figures_cost(const struct measured *measured);
 void figures_error(const struct measured *measured);

@@ -1,6 +1,6 @@
 #include "span/scanline.h"
 
-/* What a compiler makes of the affine span: the yardstick of the bench. */
+/* The affine span in plain C: a reference for the bench. */
 void span_affine_c(const struct span_plan *plan)
 {
     const struct scanline *line = plan->lines;

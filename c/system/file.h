@@ -7,14 +7,14 @@
 /* Reads a file into new memory; prints a line and returns 0 if it cannot. */
 int32 file_load(const char *name, uint8 **data, uint32 *bytes);
 
-/* Writes a file; prints a line, leaves none and returns 0 if it cannot. */
+/* Writes a file; prints a line, leaves no file and returns 0 if it cannot. */
 int32 file_save(const char *name, const void *data, uint32 bytes);
 
 /* CRC-32 as zlib, PNG and Ethernet have it (polynomial $edb88320, reflected). */
 uint32 crc32(const uint8 *data, uint32 bytes);
 
-/* Whether a table of `count` entries of `size` bytes at `at` lies in a file of
-   `bytes` bytes, at a multiple of 4. */
+/* Returns 1 if a table of `count` entries of `size` bytes at offset `at` fits in a file of `bytes`
+   bytes and `at` is a multiple of 4. */
 int32 table_inside(uint32 at, uint32 count, uint32 size, uint32 bytes);
 
 #endif

@@ -8,8 +8,8 @@ struct machine {
     uint32 exec_version, exec_revision;
     uint32 attention;           /* enum processor */
     uint32 e_clock;             /* Hz: a twentieth of an A1200's processor clock */
-    uint32 chip, fast;          /* bytes of RAM in all; fast: what exec gives before chip RAM */
-    uint32 agnus;               /* bits 14 to 8 of VPOSR: bit 4 NTSC's, bit 1 Alice's of AGA */
+    uint32 chip, fast;          /* total bytes of RAM; fast: RAM that exec prefers to chip RAM */
+    uint32 agnus;               /* bits 14 to 8 of VPOSR: bit 4 is NTSC, bit 1 AGA's Alice */
 };
 
 enum processor { CPU_68020 = 2, CPU_68030 = 4, CPU_68040 = 8, CPU_68060 = 128 };

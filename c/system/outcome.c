@@ -5,7 +5,7 @@
 
 static int32 code = RETURN_ERROR;
 
-/* A file that is not whole yet. */
+/* A file that is not complete yet. */
 static int32 piece;
 static const char *piece_name;
 

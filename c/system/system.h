@@ -1,22 +1,22 @@
-/* What src68k/amiga offers to C; contracts there. */
+/* The routines of src68k/amiga; contracts there. */
 #ifndef SYSTEM_H
 #define SYSTEM_H
 
 #include "compiler.h"
 
-/* What programs return. */
+/* Return codes of programs. */
 enum return_code {
-    RETURN_OK = 0,      /* all is done */
-    RETURN_WARN = 5,    /* not all: polygons were refused, or Ctrl-C; what was written is whole */
-    RETURN_ERROR = 10,  /* arguments, or a file that cannot be read or written, or is not as it
-                           should be: the user can mend it */
+    RETURN_OK = 0,      /* everything is done */
+    RETURN_WARN = 5,    /* polygons were refused, or Ctrl-C; the files written are complete */
+    RETURN_ERROR = 10,  /* wrong arguments, or a file that is invalid or cannot be read or written:
+                           the user can fix it */
     RETURN_FAIL = 20    /* the machine lacks something: processor, Kickstart, memory, timers,
                            chips; or the program crashed */
 };
 enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
 enum memory_kind { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
 
-/* What gives something back at the program's end; see at_end. Keeps d2-d7/a2-a6. */
+/* A routine that gives something back at the program's end; see at_end. Keeps d2-d7/a2-a6. */
 struct end {
     struct end *next;
     void (*routine)(void);

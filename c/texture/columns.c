@@ -1,6 +1,6 @@
 #include "texture/map.h"
 
-/* log2 of a side, 0 where it has none. */
+/* Returns log2 of a side, or 0 if the side is not a power of two from MAP_SIDE_MIN to 2^15. */
 static uint32 bits_of(int32 side)
 {
     uint32 bits = 3;

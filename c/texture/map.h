@@ -4,7 +4,7 @@
 
 #include "compiler.h"
 
-/* Where texel (u, v) lies. */
+/* The index of texel (u, v). */
 enum map_layout {
     MAP_PAGE,                   /* 256 v + u, modulo 256 each: a 256x256 page at a multiple
                                    of 65,536; a smaller map is repeated in it. Texels of 2
@@ -14,17 +14,17 @@ enum map_layout {
     MAP_TILED,                  /* 256x256 in tiles of 8x8: 2048 (u/8) + 8 v + u%8; at a
                                    multiple of 65,536 */
     MAP_COLUMNS,                /* columns 4 texels wide: 4 height (u/4) + 4 v + u%4 */
-    MAP_MARGINS,                /* MAP_PAGE, its second half once more before it and its
-                                   first half once more behind */
-    MAP_LIGHT,                  /* 256 level + texel: what a texel becomes in the light;
+    MAP_MARGINS,                /* MAP_PAGE, with a copy of its second half before it and of
+                                   its first half after it */
+    MAP_LIGHT,                  /* 256 level + texel: the pixel of a texel at a level of light;
                                    at a multiple of 256, inside a page */
     MAP_LAYOUTS
 };
 
 enum map_constants {
-    MAP_SIDE_MIN = 8,           /* of repeating maps: powers of two */
+    MAP_SIDE_MIN = 8,           /* of repeating maps, whose sides are powers of two */
     MAP_PAGE_SIDE = 256,
-    LIGHT_LEVELS = 64,          /* MAP_LIGHT: from dark to the texels themselves */
+    LIGHT_LEVELS = 64,          /* MAP_LIGHT: from dark to full light */
     MAP_LINEAR_MAX = 1024,      /* MAP_LINEAR: 1 to this, each side */
     MAP_COLUMNS_BITS = 18       /* MAP_COLUMNS: log2(width) + log2(height) at most */
 };
@@ -32,25 +32,25 @@ enum map_constants {
 struct map {
     const uint8 *texels;        /* (u, v) = (0, 0) */
     int32 width, height;        /* texels */
-    fix16 scale;                /* texels for 1 of s or t: the longer side / 256 */
+    fix16 scale;                /* texels per unit of s or t: the longer side / 256 */
     uint8 layout;
     uint8 texel_bytes;          /* 1, 2 or 4: as many as the frame's pixels have */
-    uint8 full, dark;           /* MAP_LIGHT: the last level shows texels as they are, the
-                                   first one makes all the same */
+    uint8 full, dark;           /* MAP_LIGHT, 1: the last level leaves texels unchanged; the
+                                   first level makes all texels the same */
 };
 
-/* The scale of a map of this size. */
+/* Returns the scale of a map of this size. */
 fix16 map_scale(int32 width, int32 height);
 
-/* Column layout, from a map's size: where the index of a texel has its parts.
+/* Column layout, from a map's size: the parts of a texel's index.
      tttttvvvvvvvuu      t: column, v: row (v_bits of it), u: texel in the column     */
 struct column_layout {
     uint32 v_bits;              /* 3 to 15 */
     uint32 u_mask, v_mask;      /* t and u; v */
 };
 
-/* Fills in a column layout; 0: the map's size has none (8 to 2^15 each side, powers of
-   two, MAP_COLUMNS_BITS bits together). */
+/* Fills in a column layout. Returns 0 if there is none for the map's size: sides must be powers of
+   two from 8 to 2^15, with MAP_COLUMNS_BITS bits together at most. */
 int32 column_layout_make(struct column_layout *layout, int32 width, int32 height);
 
 #endif
