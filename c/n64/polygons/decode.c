@@ -4,16 +4,16 @@
 #include "n64/polygons/rows.h"
 #include "system/system.h"
 
-/* One column of a decoded tile: its texel and the one's beside it in quads, and which decoded
-   column that is, or -1. */
+/* One column of a decoded tile: its texel, its neighbour's texel in quads, and the decoded column
+   which shows that neighbour, or -1. */
 struct column {
     int16 index, next, next_at;
 };
 
-/* What stands between the steps of decoding a tile. */
+/* Data between the steps of decoding a tile. */
 struct work {
-    struct column columns[2048];        /* as many as a mirrored mask of 10 bits has */
-    uint32 line[N64_COLUMNS_MAX + 1];   /* both at a time: some formats decode one more */
+    struct column columns[2048];        /* the most: mirrored, a mask of 10 bits */
+    uint32 line[N64_COLUMNS_MAX + 1];   /* + 1: some formats decode two texels at a time */
     uint32 below[2048];
 };
 
@@ -21,18 +21,18 @@ static struct work *const work = (struct work *)line_room;
 static struct column *const columns = ((struct work *)line_room)->columns;
 extern char work_fits[sizeof(struct work) <= LINE_ROOM ? 1 : -1];
 
-/* The tile that is decoded. */
+/* The tile being decoded. */
 struct making {
     struct n64_rows rows;
     const struct n64_axis *t;
     int32 width, height;
-    int32 reach;                /* columns to the texel beside */
+    int32 reach;                /* columns to the neighbour in quads */
     int32 texels;               /* of a row, that columns show */
     int32 in_order;             /* column k shows texel k */
     uint32 *to;
 };
 
-/* log2 of how many columns or rows the relative coordinates can tell apart. */
+/* Returns log2 of the number of columns or rows that relative coordinates can distinguish. */
 static uint32 bits_of(const struct n64_axis *axis)
 {
     const uint32 mask = axis->mask < 10 ? axis->mask : 10;
@@ -68,7 +68,7 @@ static void list_columns(struct making *m, const struct n64_axis *axis)
     }
 }
 
-/* A row's texels and the next one's. */
+/* Finds the rows of TMEM that row j and its neighbour show. */
 static void place_row(const struct making *m, int32 j, int32 *index, int32 *next)
 {
     struct n64_place row;
@@ -78,7 +78,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
     *next = *index + row.step;
 }
 
-/* The columns of a row of TMEM. */
+/* Decodes a row of TMEM in the order of the columns. */
 static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
     if (m->in_order && !(m->width & 1)) {
@@ -90,7 +90,7 @@ static void decode_row(const struct making *m, int32 row, uint32 *to)
         *to++ = work->line[column->index];
 }
 
-/* Each row of TMEM once: another that shows it is copied. */
+/* Decodes each row of TMEM once; other rows that show it are copies. */
 static void decode_texels(const struct making *m)
 {
     static const uint32 *shown[N64_ROWS_MAX];
@@ -110,7 +110,7 @@ static void decode_texels(const struct making *m)
     }
 }
 
-/* The texels of the row below: a decoded row's where that shows it. */
+/* Returns the texels of TMEM row next, below row j: from the decoded row if that shows it. */
 static const uint32 *row_below(const struct making *m, int32 j, int32 next)
 {
     const int32 below = j + 1 < m->height ? j + 1 : 0;
@@ -123,7 +123,8 @@ static const uint32 *row_below(const struct making *m, int32 j, int32 next)
     return work->below;
 }
 
-/* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */
+/* Makes a row's quads. Those whose neighbour in s is `reach` columns on are made at once, the others
+   one by one. */
 static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads)
 {
     const uint32 *here = m->to + j * m->width, *below;
@@ -177,7 +178,7 @@ static int32 holds(const struct n64 *n64, const struct n64_tile_key *key, enum n
         && (quads == N64_QUADS_NONE || kept->kind == quads);
 }
 
-/* Memory for so many texels and quads: *kept holds nothing until they are made. */
+/* Takes memory for the texels and quads and empties *kept; returns 0 if there is none. */
 static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
 {
     kept->n64 = 0;

@@ -1,9 +1,9 @@
-/* A line of a polygon, pass by pass. */
+/* Draws a line of a polygon, pass by pass. */
 #include "n64/polygons/pixels.h"
 #include "n64/polygons/plan.h"
 #include "polygon/line_room.h"
 
-/* What stands between the passes of a line, so many pixels at a time. */
+/* Data between the passes, for a part of a line. */
 struct work {
     uint32 coordinates[N64_LINE_PIXELS], relative[N64_LINE_PIXELS];
     struct n64_blending blendings[N64_LINE_PIXELS];
@@ -22,12 +22,12 @@ struct n64_blending *n64_line_blendings(void)
     return work->blendings;
 }
 
-/* A run of pixels of the same tiles. */
+/* A run of pixels with the same tiles. */
 struct run {
     int32 first, count, tile0, tile1;
 };
 
-/* Coordinates relative to a tile. */
+/* Returns the coordinates relative to a tile. */
 static const uint32 *relate(const struct n64_sampling *from, const uint32 *at, int32 count)
 {
     if (!from->relative)
@@ -57,7 +57,7 @@ static const int16 *fractions_of(const struct n64_plan *plan, int32 first)
     return plan->form.fraction < 0 ? &work->blendings[first].fraction : &plan->form.fraction;
 }
 
-/* Texels of one tile; where the blend is of that and itself it is left out. */
+/* Finds a run's texels, blended if the form blends. A blend of a tile with itself is skipped. */
 static void sample_run(const struct n64_plan *plan, const struct run *run, uint32 *texels)
 {
     const struct n64_form *form = &plan->form;
@@ -78,7 +78,7 @@ static void sample_run(const struct n64_plan *plan, const struct run *run, uint3
     n64_lerp(texels, texels, &blend, run->count);
 }
 
-/* The next pixels that have the same tiles. */
+/* Finds how many pixels from run->first on have the same tiles, and which. */
 static void find_run(const struct n64_plan *plan, struct run *run, int32 end)
 {
     const struct n64_blending *from = &work->blendings[run->first];
@@ -119,7 +119,7 @@ static void find_yuv(const struct n64_plan *plan, int32 count)
     }
 }
 
-/* Texels that are pixels. */
+/* Draws texels directly as 16-bit pixels. */
 static void draw_direct(const struct n64_plan *plan, uint16 *pixels, int32 count)
 {
     struct run run;
@@ -160,7 +160,6 @@ static void modulate(const struct n64_plan *plan, const uint32 *texels, uint32 *
     n64_modulate(texels, colours, &by, count);
 }
 
-/* The combiner's cycles as they stand. */
 static void combine(const struct n64_plan *plan, const uint32 *texels, uint32 *colours,
                     int32 count)
 {

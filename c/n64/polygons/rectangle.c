@@ -1,13 +1,13 @@
-/* A rectangle is a polygon of four vertices whose plane is exact: its gradients are whole
-   multiples of 1/65536 texel. Copy mode steps four pixels at a time, which is the same where
-   four pixels are four texels. */
+/* Texture rectangles are drawn as polygons of four vertices. Their planes are exact: the gradients
+   are whole multiples of 1/65536 texel. Copy mode steps four pixels at a time, which gives the same
+   pixels if four pixels are four texels. */
 #include "n64/polygons/rectangle.h"
 
 #include "drawing/fan.h"
 
 #define FOUR_TEXELS (4 * 1024)
 
-/* s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
+/* Returns s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
 static fix16 corner(int32 start, int32 step, int32 pixels)
 {
     return start * 2048 + step * pixels * 64;
@@ -28,7 +28,7 @@ static void find_corners(struct vertex *v, const struct n64_rectangle *r, int32 
     }
 }
 
-/* Four pixels of a line, as many of them as the frame has. */
+/* Writes four pixels of a line, or those of them that are within the frame. */
 static void copy_four(const struct frame *frame, int32 x, int32 y, int32 end,
                       const uint32 *texels)
 {
@@ -93,7 +93,7 @@ static void count_copied(const struct frame *frame, const struct n64_rectangle *
     counts->pixels[SPAN_N64_PIXELS] += (uint32)((right - left) * (bottom - top));
 }
 
-/* By the plain mappers where they do. */
+/* Draws in copy mode, with the plain mappers if they can. */
 static enum polygon_result draw_copy(const struct frame *frame, const struct n64_rectangle *r,
                                      const struct material *material,
                                      const struct drawing *drawing)
@@ -119,7 +119,8 @@ static enum polygon_result draw_copy(const struct frame *frame, const struct n64
     return POLYGON_DRAWN;
 }
 
-/* Its command names no level: the greatest is 0. What was made of the modes is made again then. */
+/* A rectangle's command has no field for levels: max_level is 0. The change of mode_generation
+   makes data that depends on it be made again. */
 static enum polygon_result draw_first_level(const struct frame *frame,
                                             const struct n64_rectangle *r,
                                             const struct material *material,
@@ -144,7 +145,7 @@ static int32 is_far(int32 pixels)
     return pixels < -POLYGON_FAR || pixels >= POLYGON_FAR;
 }
 
-/* Whether a coordinate stays where polygons' may be. */
+/* Returns non-zero if a coordinate stays within the range of polygons'. */
 static int32 is_in_range(int32 start, int32 step, int32 steps)
 {
     const int32 most = 1024 * 1024;             /* texels in s5.10 */

@@ -11,10 +11,10 @@ struct n64_rectangle {
     int32 flip;                 /* s runs down and t to the right */
 };
 
-/* Draws one by the unit of a material, without perspective and shade, of its tiles the first level.
-   In copy mode the frame has 2 bytes a pixel, which are the texels as they are. s and t, up to
-   where right and bottom begin, are as those of a polygon. POLYGON_REFUSED: unit->result says
-   why. */
+/* Draws a rectangle with a material's unit: the tiles' first level, without perspective and shade.
+   In copy mode the frame must have 2 bytes a pixel, and the texels are its pixels. s and t, up to
+   the right and bottom edge, have the range of a polygon's. If it returns POLYGON_REFUSED,
+   unit->result has the reason. */
 enum polygon_result n64_rectangle_draw(const struct frame *frame,
                                        const struct n64_rectangle *rectangle,
                                        const struct material *material,
