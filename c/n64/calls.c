@@ -185,7 +185,7 @@ static uint32 line_of(uint32 format, uint32 size, uint32 texels)
     return (texels * (size == N64_8 || format == N64_YUV ? 1u : 2u) + 7) >> 3;
 }
 
-/* Returns what each word of 64 bits adds to the row, rounded up: 11 fraction bits. */
+/* Returns the row's increment for a word of 64 bits, rounded up: 11 fraction bits. */
 static uint32 dxt_of(uint32 size, uint32 width)
 {
     uint32 words = (width << size) >> 4;
@@ -195,7 +195,7 @@ static uint32 dxt_of(uint32 size, uint32 width)
     return (2047 + words) / words;
 }
 
-/* Parameters of a load: what the image and the load tile are set to, and the render tile. */
+/* Parameters of a load: settings of the image and the load tile, and those of the render tile. */
 struct plan {
     uint32 load_size, size;
     uint32 image_width, load_line, line;

@@ -48,7 +48,7 @@ enum n64_operation {
     N64_OP_IMAGE = 0x3d
 };
 
-/* Result of a command or a check. With any other than N64_DONE nothing was changed. */
+/* Result of a command or a check. Unless it is N64_DONE, nothing was changed. */
 enum n64_result {
     N64_DONE,
     N64_UNKNOWN_COMMAND,

@@ -123,8 +123,8 @@ static const uint32 *row_below(const struct making *m, int32 j, int32 next)
     return work->below;
 }
 
-/* Makes a row's quads. Those whose neighbour in s is `reach` columns on are made at once, the others
-   one by one. */
+/* Makes a row's quads. Those whose neighbour in s is `reach` columns on are made at once, the
+   others one by one. */
 static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads)
 {
     const uint32 *here = m->to + j * m->width, *below;

@@ -36,7 +36,7 @@ struct n64_places {
 void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
                        struct n64_wide *results, int32 count);
 
-/* Runs all cycles of the combiner over pixels. Ignores at->combined. results: room for two lines. */
+/* Runs all cycles of the combiner over pixels; ignores at->combined. results: room for two lines. */
 void n64_combine_line(const struct n64 *n64, const struct n64_places *at,
                       struct n64_wide (*results)[N64_LINE_PIXELS], uint32 *colours, int32 count);
 

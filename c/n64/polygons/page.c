@@ -55,7 +55,7 @@ struct making {
     const struct n64_axis *s, *t;
     struct n64_window columns, rows;
     int32 from, count;          /* columns to draw; the others repeat these or the edges */
-    struct frame frame;         /* the page's row 0; rows from 128 on are before it, as in MAP_PAGE */
+    struct frame frame;         /* the page, row 0; rows 128 on precede it, as in MAP_PAGE */
     struct n64_planes planes;
     struct n64_plan plan;
     int32 has_plan;

@@ -1,5 +1,5 @@
-/* A tile as the plain mappers read it: a page of 256x256 combined pixels in the frame's format. Only
-   rows that polygons need are made. */
+/* A tile as the plain mappers read it: a page of 256x256 combined pixels in the frame's format.
+   Only rows that polygons need are made. */
 #ifndef N64_PAGE_H
 #define N64_PAGE_H
 

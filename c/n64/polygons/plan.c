@@ -72,7 +72,7 @@ static int32 find_samplings(struct n64_plan *plan, uint32 inputs)
     return 1;
 }
 
-/* Returns the reciprocals, made once for all units when first needed; null if there is no memory. */
+/* Returns the reciprocals, made once for all units when first needed; null: no memory. */
 static const uint32 *find_reciprocals(void)
 {
     static uint32 *reciprocals;
@@ -82,7 +82,7 @@ static const uint32 *find_reciprocals(void)
     return reciprocals;
 }
 
-/* Returns the blendings of levels, made again when the modes change; null if there is no memory. */
+/* Returns the blendings of levels, made again when the modes change; null: no memory. */
 static const struct n64_levels *find_levels(struct n64_unit *unit)
 {
     const struct n64 *n64 = &unit->n64;

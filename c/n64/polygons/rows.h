@@ -17,7 +17,7 @@ struct n64_rows {
 void n64_rows_find(struct n64_rows *rows, const struct n64 *n64, const struct n64_tile *tile);
 
 /* Decodes texels 0 to count - 1 (1,024 at most) of a row (0 to 256), and perhaps one more: R G B A
-   as n64_fetch gives them, from the first copies of TLUT entries. YUV has U + 128, V + 128, Y, Y. */
+   as n64_fetch gives them, from the first copies of TLUT entries. YUV is U + 128, V + 128, Y, Y. */
 void n64_rows_decode(const struct n64_rows *rows, int32 row, uint32 *texels, int32 count);
 
 /* Returns any one texel; s and row as n64_fetch has them. */
