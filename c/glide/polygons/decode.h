@@ -1,4 +1,4 @@
-/* Levels decoded ahead: what the passes over a line's pixels read instead of texture memory. */
+/* Levels decoded ahead: the passes over a line's pixels read them instead of texture memory. */
 #ifndef GLIDE_DECODE_H
 #define GLIDE_DECODE_H
 
@@ -7,17 +7,18 @@
 
 enum { GLIDE_LEVEL_KEY = 5 };
 
-/* A decoded level that is kept. All 0 before the first use. */
+/* A cached decoded level. All 0 before the first use. */
 struct glide_kept {
     struct glide_decoded decoded;
-    uint32 key[GLIDE_LEVEL_KEY];  /* what it was made from */
+    uint32 key[GLIDE_LEVEL_KEY];  /* cache key */
     uint32 *texels;
     void *quads;                /* as decoded.quads */
     uint32 texels_room, quads_room;     /* elements */
 };
 
-/* Makes *kept fit a unit's level, with quads for its weights or at least its texels, unless it does
-   already; 0: memory is short. Memory is the system's and kept for the next time. */
+/* Decodes a unit's level into *kept, with quads for its weights if quads is 1, unless it is there
+   already. Returns 0 if there is no memory; without memory for quads *kept has the texels. Memory
+   is the system's and is reused. */
 int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept);
 
 #endif
