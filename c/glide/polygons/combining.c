@@ -1,6 +1,6 @@
 #include "glide/polygons/combining.h"
 
-/* Half of the combine unit (colour or alpha), and what its term depends on. */
+/* Half of the combine unit (colour or alpha), reduced to the values that choose its term. */
 struct half {
     const struct glide_combination *by;
     int32 is_alpha;

@@ -1,14 +1,15 @@
 /* From a polygon to its lines, and line by line to pixels.
 
-   All that decides a pixel is what is iterated, planes over the polygon, and the units' state.
-   What draws it is chosen by lower.c and makes no difference to the picture. */
+   A pixel depends only on the iterated values, which are planes over the polygon, and on the units'
+   state. lower.c chooses the routines that draw it; the choice makes no difference to the
+   picture. */
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
 #include "glide/polygons/tiles.h"
 #include "polygon/counts.h"
 
-/* What is iterated for a unit's points. */
+/* The iteration of a unit's points. */
 struct iteration {
     int32 first;                /* plane */
     int32 divided;              /* a unit divides by w */
@@ -23,8 +24,8 @@ static enum polygon_result refuse(struct glide_pipe *pipe, enum glide_result res
     return POLYGON_REFUSED;
 }
 
-/* The vertices of a unit's points. divided: 1 where a unit that has no points of its own divides
-   by them. */
+/* Finds the iteration of a unit's points, given by the vertices v. divided is 1 if any unit that uses
+   these points divides by w. */
 static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const struct vertex *v,
                            struct iteration *of)
 {
@@ -60,7 +61,7 @@ static int32 lod_base(const struct plane *of)
                           (int32)of[GLIDE_T].dy);
 }
 
-/* W of 1.0: a divide changes nothing. */
+/* Returns non-zero if W is 1.0 everywhere: division by it changes nothing. */
 static int32 is_constant(const struct plane *w)
 {
     return w->at == (uint32)scale.one && !w->dx && !w->dy;
@@ -71,8 +72,8 @@ static int32 least_of(int32 a, int32 b)
     return a < b ? a : b;
 }
 
-/* W of the box's pixels. No pixel of the polygon has more than 2^30, but for what steps are rounded
-   by, so that a change by less than that wraps nowhere. */
+/* Finds the range of W over the box's pixels. Apart from the rounding of steps no pixel of the
+   polygon has more than 2^30, so a change by less than that wraps nowhere. */
 static void find_range(struct glide_range *range, const struct glide_iterations *at,
                        const struct setup *s, const struct plane *w)
 {
@@ -106,8 +107,8 @@ static int32 find_planes(struct glide_iterations *at, const struct setup *s,
     return 1;
 }
 
-/* Draws lines by passes, or, where there are none (plan is 0, or memory is short), pixel by pixel;
-   returns how many of those. */
+/* Draws lines by passes, or pixel by pixel if there are none (plan is null, or no memory). Returns
+   how many pixels were drawn one by one. */
 static uint32 draw_lines(const struct glide_pipe *pipe, struct glide_plan *plan,
                          struct glide_iterations *at, const struct setup *s)
 {
@@ -155,7 +156,7 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
     return POLYGON_DRAWN;
 }
 
-/* Whether what units iterate lies on planes. */
+/* Returns non-zero if the iterated values are on planes. */
 static int32 is_planar(const struct iteration *of, const struct vertex *vertices, int32 count,
                        const struct drawing *drawing)
 {
@@ -163,7 +164,7 @@ static int32 is_planar(const struct iteration *of, const struct vertex *vertices
                      of->divided ? PLANAR_DEPTHS : PLANAR_TEXELS);
 }
 
-/* polygon_fan, and the triangles' own points with them. */
+/* Like polygon_fan, but also splits the separate points into triangles. */
 static enum polygon_result draw_fan(const struct frame *frame, const struct vertex *vertices,
                                     int32 count, const struct material *material,
                                     const struct drawing *drawing)

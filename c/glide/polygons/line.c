@@ -1,14 +1,14 @@
-/* A line of a polygon: run by run of each unit, pass by pass. */
+/* Draws a line of a polygon: each unit run by run, each run pass by pass. */
 #include "glide/polygons/plan.h"
 #include "system/system.h"
 
-/* What stands between the passes of a line. */
+/* Data between the passes of a line. */
 struct work {
     uint32 coordinates[FRAME_SIDE_MAX];
     uint32 texels[FRAME_SIDE_MAX], other[FRAME_SIDE_MAX], colours[FRAME_SIDE_MAX];
 };
 
-/* The same where pixels' LODs are asked for. */
+/* The same, used only if pixels' LODs are needed. */
 struct lod_work {
     uint16 lods[FRAME_SIDE_MAX];
     uint8 details[FRAME_SIDE_MAX];
@@ -32,7 +32,7 @@ int32 glide_line_ready(int32 lods)
     return work && lod_work;
 }
 
-/* LODs of a run's pixels; x: the first one's. */
+/* Finds LODs of a run's pixels. x: the first pixel's. */
 static void find_lods(const struct glide_runs *runs, const struct glide_row *row, int32 x, int32 count)
 {
     const struct glide_modes *modes = &runs->part->glide->modes;
@@ -54,7 +54,7 @@ static void find_lods(const struct glide_runs *runs, const struct glide_row *row
     glide_lod(&at, lod_work->lods, &lods, count);
 }
 
-/* What of a run's factors comes from LODs. */
+/* Finds a run's factors that depend on LODs. */
 static void find_factors(struct glide_factors *factors, const struct glide_runs *runs,
                          const struct glide_row *row, int32 x)
 {
@@ -85,7 +85,7 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
     }
 }
 
-/* Coordinates of a run whose s and t are divided at the ends of pieces. */
+/* Finds coordinates of a run that divides s and t only at the ends of pieces. */
 static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps)
 {
     const uint32 place = (uint32)(runs->end - runs->left);
@@ -103,7 +103,6 @@ static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps
     glide_pieces(&at, work->coordinates, steps, runs->count);
 }
 
-/* Coordinates of any run. */
 static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
 {
     static const struct glide_iterators none = {0, 0, 0};
@@ -119,7 +118,7 @@ static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
     runs->part->coordinates(is_none ? &none : &runs->at, work->coordinates, steps, runs->count);
 }
 
-/* How a run's texels are found, with its coordinates; 0: they are not. */
+/* Finds a run's coordinates and returns the passes to its texels; null if there are none. */
 static const struct glide_sampling *find_sampling(struct glide_runs *runs)
 {
     struct glide_sampling *from = &runs->part->samplings[runs->band];
@@ -130,8 +129,8 @@ static const struct glide_sampling *find_sampling(struct glide_runs *runs)
     return from;
 }
 
-/* A run by its own unit; x: its first pixel. other: what comes from upstream; 0: nothing, or nobody
-   asks. */
+/* Draws a run by one unit; returns 0 if it has no passes. x: the first pixel. other: the colours
+   from upstream, or null if there are none or they are not used. */
 static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int32 x,
                       const uint32 *other, uint32 *to)
 {
@@ -155,8 +154,8 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
     return 1;
 }
 
-/* A row's pixels `first` to `first` + count - 1 by a unit and those upstream. What comes from there
-   is drawn before, if all runs need it, or run by run. */
+/* Draws a row's pixels `first` to `first` + count - 1 by a unit and those upstream. Upstream colours
+   are drawn for the whole row first if all runs need them, else run by run. */
 static int32 draw_part(struct glide_part *part, const struct glide_row *row, int32 first, int32 count,
                        uint32 *to)
 {
@@ -188,7 +187,7 @@ static int32 draw_part(struct glide_part *part, const struct glide_row *row, int
     return 1;
 }
 
-/* As four lines of each fourth pixel: dithering is the same all along them. */
+/* Draws four lines of every fourth pixel, in each of which dithering is constant. */
 static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32 count, uint32 *to)
 {
     const int32 x = row->x;
@@ -205,7 +204,7 @@ static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32
     return 1;
 }
 
-/* Texels as pixels, the filter's of 16 bits without a store of their own. */
+/* Draws texels directly as pixels. Filtered 16-bit pixels need no separate store pass. */
 static int32 draw_direct(struct glide_part *part, const struct glide_row *row, uint8 *pixels,
                          int32 pixel_bytes, int32 count)
 {
@@ -267,7 +266,8 @@ int32 glide_plan_draw(struct glide_plan *plan, const struct frame *frame, int32 
     }
 }
 
-/* All colours of the line are found first: what has no passes is added once, by others. */
+/* Finds all colours of the line first: if some have no passes, nothing is added yet, and the caller
+   adds the whole line once. */
 int32 glide_plan_add(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                      int32 count)
 {

@@ -1,4 +1,4 @@
-/* The tiles that there are, of all pipes. */
+/* The store of tiles, shared by all pipes. */
 #include "glide/polygons/tiles.h"
 #include "system/system.h"
 
@@ -6,7 +6,7 @@ enum { SETS = 8, PIXELS = MAP_PAGE_SIDE * MAP_PAGE_SIDE };
 
 static struct {
     struct glide_tile tiles[GLIDE_TILES_MAX];
-    struct glide_tile_set sets[SETS], *last;    /* last: that was asked for */
+    struct glide_tile_set sets[SETS], *last;    /* last: found last */
     int32 count;                /* tiles with memory */
     uint32 bytes;               /* of all */
     int32 is_full;              /* there was no memory for one more */
@@ -27,7 +27,7 @@ uint32 glide_tiles_now(void)
     return ++store.now;
 }
 
-/* Whether the LOD itself, not its level alone, makes a difference. */
+/* Returns non-zero if the result depends on the LOD itself, not only on its level. */
 static int32 counts_lod(const struct glide_combination *by)
 {
     return by->mselect == GLIDE_FACTOR_DETAIL || by->mselect == GLIDE_FACTOR_LOD_FRACTION;
@@ -48,8 +48,8 @@ static uint32 *add_unit(uint32 *key, const struct glide *glide, const struct gli
     return key;
 }
 
-/* What tiles are made from: not the modes' generation, so that a unit may draw from one map and
-   another by turns. */
+/* Makes the cache key of tiles. It has the modes, not their generation, so that tiles remain valid
+   if a unit alternates between maps. */
 static int32 find_key(uint32 *key, const struct glide_tiling *tiling)
 {
     const struct glide_part *part = tiling->plan->parts;
@@ -75,7 +75,7 @@ static int32 is_of(const struct glide_tile_set *set, const uint32 *key, int32 wo
     return 1;
 }
 
-/* Nothing is made from it any more. */
+/* Empties a set and its tiles. */
 static void clear(struct glide_tile_set *set)
 {
     for (int32 i = 0; i < store.count; i++)
@@ -139,7 +139,7 @@ static struct glide_tile *make(const struct glide_pipe *pipe, int32 bytes)
     return tile;
 }
 
-/* One that shows nothing, or was not drawn from for longest. */
+/* Returns an empty tile, else the least recently used one; null if all are too small or in use. */
 static struct glide_tile *give_up(uint32 now, int32 bytes)
 {
     struct glide_tile *found = 0, *tile = store.tiles;

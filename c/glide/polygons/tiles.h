@@ -72,7 +72,7 @@ struct glide_tiling {
 };
 
 /* Returns non-zero if a polygon, its lines found, is drawn from tiles: if the chain's pixels drawn
-   without tiles so far, plus its own, are as many as must be made first. So the total cost is at
+   without tiles so far, plus its own, are at least those to make first. So the total cost is at
    most twice that of the cheaper choice: never making tiles, or making them at once. */
 int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, struct glide_plan *plan,
                       struct glide_iterations *iterations, const struct setup *s);
