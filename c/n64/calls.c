@@ -223,7 +223,7 @@ enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
 
 static enum n64_result block(struct n64_list *list, const struct n64_texture *texture, uint32 size)
 {
-    const uint32 shift = size < N64_16 ? N64_16 - size : 0;    /* texels in one of 16 bits */
+    const uint32 shift = size < N64_16 ? N64_16 - size : 0;    /* log2 of the texels in 16 bits */
     const uint32 texels = texture->width * texture->height + (1u << shift) - 1;
     struct plan plan;
 

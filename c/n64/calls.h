@@ -13,7 +13,7 @@ struct n64_list {
 };
 
 /* One axis of a tile, as in the manual's parameters. */
-enum n64_wrap { N64_WRAP = 0, N64_MIRROR = 1, N64_CLAMP = 2 };  /* the last two may be added */
+enum n64_wrap { N64_WRAP = 0, N64_MIRROR = 1, N64_CLAMP = 2 };  /* the last two may be combined */
 
 struct n64_addressing {
     uint32 wrap, mask, shift;   /* enum n64_wrap; 0-15; 0-15 */
@@ -29,10 +29,10 @@ enum n64_conversion { N64_CONVERSION_CONVERT = 0, N64_CONVERSION_FILTER_CONVERT 
    forms; its `multi` forms name both. */
 struct n64_texture {
     uint32 image;               /* multiple of 8 */
-    uint32 format, size;        /* the 4-bit calls do not look at size */
+    uint32 format, size;        /* the 4-bit calls ignore size */
     uint32 width;               /* texels of the image's rows, */
-    uint32 height;              /* and how many; only blocks look at it */
-    uint32 sl, tl, sh, th;      /* of the part to be loaded, texels; blocks do not look at it */
+    uint32 height;              /* and their number; only blocks use it */
+    uint32 sl, tl, sh, th;      /* the part to load, in texels; blocks ignore it */
     uint32 palette;             /* of CI 4 */
     struct n64_addressing s, t;
     uint32 tmem, tile;

@@ -144,7 +144,7 @@ struct n64 {
     uint8 primitive_tile;       /* 0-7: T0, or the first of a mipmap */
     uint32 other_modes;         /* bits 23:0 of the last set other modes */
     uint32 inputs;              /* enum n64_inputs, of this combine mode and cycle type */
-    const uint8 *dram;          /* what addresses of images count into, */
+    const uint8 *dram;          /* the memory that image addresses refer to, */
     uint32 dram_bytes;          /* multiple of 8 */
     /* Generation counters for cache invalidation: TMEM's counts loads, the others count only
        words that changed something. */

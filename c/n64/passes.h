@@ -49,10 +49,10 @@ struct n64_decoded {
 
 /* Converts coordinates to relative ones, for one axis. */
 struct n64_axis_range {
-    int16 shift;                /* bits to the right; to the left where it is negative */
+    int16 shift;                /* bits to the right; negative: to the left */
     uint16 clamp;               /* 0: only low is used, and coordinates wrap */
-    int16 low, high;            /* s10.5: the origin; where the last texel is shown from on */
-    int16 last;                 /* that texel's relative coordinate, a whole one */
+    int16 low, high;            /* s10.5: the origin; the last texel is shown from here on */
+    int16 last;                 /* that texel's relative coordinate, without a fraction */
 };
 
 struct n64_axes {
@@ -106,7 +106,7 @@ struct n64_matrix {
 struct n64_yuv_conversion {
     const uint32 *chroma;       /* texels: U + 128, V + 128, any, any */
     const struct n64_matrix *matrix;
-    const uint32 *colours;      /* R G B A by the low 9 bits of each: 512; n64_convert */
+    const uint32 *colours;      /* for n64_convert: 512 R G B A, by a channel's low 9 bits */
 };
 
 /* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
@@ -125,8 +125,8 @@ struct n64_blending {
 /* The blending of each level of detail, calculated once for a mode. A level's long has the two
    tiles, the shift that gives the fraction, and 255 if the fraction is always that, else 0. */
 struct n64_levels {
-    uint32 magnified[32];       /* n64_blending, by the longest change between pixels */
-    uint32 levels[512];         /* by a 32nd of it, from 1 on */
+    uint32 magnified[32];       /* n64_blending, by the LOD: the longest change between pixels */
+    uint32 levels[512];         /* by LOD / 32, from 1 on */
     uint32 far;                 /* n64_blending */
 };
 

@@ -5,8 +5,8 @@
 #include "glide/polygons/combining.h"
 
 enum glide_bands_room {
-    GLIDE_BANDS = 13,           /* they begin at 0.0 to 8.0, above the least LOD, at the greatest and
-                                   where the detail factor leaves its maximum and reaches 0 */
+    GLIDE_BANDS = 13,           /* begin at 0.0 to 8.0, above the least LOD, at the greatest, and
+                                   where detail factors leave their maximum or reach 0 */
     GLIDE_BANDS_KEY = 3
 };
 

@@ -4,7 +4,7 @@
 struct half {
     const struct glide_combination *by;
     int32 is_alpha;
-    int32 other;                /* is not 0 */
+    int32 other;                /* 1: other is not 0 */
     uint32 factor;              /* the selected one: 1 to 5, 0 none */
     int32 is_whole;             /* m is 256 everywhere */
 };
@@ -38,7 +38,7 @@ static void open_half(struct half *half, const struct glide_combination *by,
         half->factor = own;
     value = factor_of(half, known);
     half->is_whole = value == 255;
-    if (!value && !by->sub_local)       /* other / 256 */
+    if (!value && !by->sub_local)       /* other * 1 / 256 is 0 */
         half->other = 0;
 }
 

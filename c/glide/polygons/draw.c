@@ -24,8 +24,8 @@ static enum polygon_result refuse(struct glide_pipe *pipe, enum glide_result res
     return POLYGON_REFUSED;
 }
 
-/* Finds the iteration of a unit's points, given by the vertices v. divided is 1 if any unit that uses
-   these points divides by w. */
+/* Finds the iteration of a unit's points, given by the vertices v. divided is 1 if any unit that
+   uses these points divides by w. */
 static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const struct vertex *v,
                            struct iteration *of)
 {

@@ -1,5 +1,5 @@
-/* The bilinear filter over a line from texels, used if a level's quads, eight times as large, do not
-   fit into memory. Results equal those of glide_bilinear and glide_bilinear_8. */
+/* The bilinear filter over a line from texels, used if a level's quads, eight times as large, do
+   not fit into memory. Results equal those of glide_bilinear and glide_bilinear_8. */
 #include "glide/passes.h"
 
 enum { FIELD = 0x00ff00ff };    /* every second channel of a texel */

@@ -154,8 +154,8 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
     return 1;
 }
 
-/* Draws a row's pixels `first` to `first` + count - 1 by a unit and those upstream. Upstream colours
-   are drawn for the whole row first if all runs need them, else run by run. */
+/* Draws a row's pixels `first` to `first` + count - 1 by a unit and those upstream. Upstream
+   colours are drawn for the whole row first if all runs need them, else run by run. */
 static int32 draw_part(struct glide_part *part, const struct glide_row *row, int32 first, int32 count,
                        uint32 *to)
 {

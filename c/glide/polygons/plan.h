@@ -20,7 +20,7 @@ struct glide_iterations {
     struct glide_point points[GLIDE_UNITS];     /* lod is the polygon's, the rest each pixel's */
     int32 divided[GLIDE_UNITS];  /* w changes, and a unit divides by it */
     struct glide_range {
-        int32 least, most;      /* of W over the polygon's box; least 0: it may be below that */
+        int32 least, most;      /* of W over the polygon's box; least 0: it may be lower */
     } ranges[GLIDE_UNITS];
 };
 
@@ -28,7 +28,7 @@ typedef void glide_pass(const void *in, void *out, const void *constants, int32 
 
 /* Passes to a band's texels, found at its first use. */
 struct glide_sampling {
-    const struct glide_decoded *level;  /* 0 before that */
+    const struct glide_decoded *level;  /* null before that */
     glide_pass *sample;
     struct glide_steps steps;   /* s, t and w are each run's */
 };
@@ -144,8 +144,8 @@ int32 glide_line_ready(int32 lods);
 typedef int32 glide_plan_routine(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                                  int32 count);
 
-/* line.c. Draws pixels x to x + count - 1 of line y. Returns 0 if some have no passes or there is no
-   memory: the caller must then draw them all. */
+/* line.c. Draws pixels x to x + count - 1 of line y. Returns 0 if some have no passes or there is
+   no memory: the caller must then draw them all. */
 glide_plan_routine glide_plan_draw;
 
 /* line.c. Adds the pixels to the frame (glide_pipe_adds). If it returns 0, nothing was added. */

@@ -1,7 +1,7 @@
 /* Finds where along a line a unit's pixels leave a band.
 
-   A pixel's LOD is the polygon's + bias + dither + 30 * 256 - 256 log2 |w|, the logarithm rounded to
-   the nearest. So it reaches a band if |w| is below the first number whose logarithm is too
+   A pixel's LOD is the polygon's + bias + dither + 30 * 256 - 256 log2 |w|, the logarithm rounded
+   to the nearest. So it reaches a band if |w| is below the first number whose logarithm is too
    large. */
 #include "glide/polygons/plan.h"
 

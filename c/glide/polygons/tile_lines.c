@@ -160,8 +160,8 @@ static int32 draw_line(struct glide_tiling *tiling, const struct frame *frame,
     }
 }
 
-/* Returns non-zero if both ends of a line are on the made part of the tile last used. A line changes
-   by less than 2^31. */
+/* Returns non-zero if both ends of a line are on the made part of the tile last used. A line
+   changes by less than 2^31. */
 static int32 is_on(const struct glide_tiling_axis *axis, int32 at, int32 steps)
 {
     const uint32 from = (uint32)at - axis->origin;

@@ -89,8 +89,8 @@ static uint32 vertices_range(const struct setup *s, const fix16 *value, int32 *l
     return (uint32)range << 2;
 }
 
-/* Returns the range of a plane within the polygon's box and finds the least, if that is smaller than
-   range; else returns range. */
+/* Returns the range of a plane within the polygon's box and finds the least, if that is smaller
+   than range; else returns range. */
 static uint32 box_range(const struct setup *s, const struct planes *planes, int32 which,
                         uint32 range, int32 *least)
 {
@@ -217,8 +217,8 @@ static int32 claim(const struct glide_tiling *tiling)
     return 1;
 }
 
-/* Returns non-zero if the pixels drawn directly are enough to buy those needed. Otherwise the polygon
-   is drawn directly too, and its pixels are added to them. */
+/* Returns non-zero if the pixels drawn directly are enough to buy those needed. Otherwise the
+   polygon is drawn directly too, and its pixels are added to them. */
 static int32 is_bought(struct glide_tiling *tiling, uint32 needed, const struct setup *s)
 {
     const uint32 own = lines_pixels(s->edges.lines, s->box.bottom - s->box.top);

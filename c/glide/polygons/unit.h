@@ -45,23 +45,24 @@ enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *
    same. */
 void glide_pipe_prefilter(struct glide_pipe *pipe, uint32 bytes);
 
-/* Sets Glide's blend ONE, ONE. 1: polygons are added to the frame; 0, as in a new pipe: they replace
-   its pixels; any other number: returns GLIDE_BAD_FLAG and changes nothing. Each of R, G, B and A
-   becomes the sum of the frame's and the polygon's, 255 at most. A 5/6/5 pixel counts as 8 bits a
-   channel (r << 3 | r >> 2, g << 2 | g >> 4, b as r), and the sum's upper 5, 6, 5 bits are stored. */
+/* Sets Glide's blend ONE, ONE. 1: polygons are added to the frame; 0, as in a new pipe: they
+   replace its pixels; any other number: returns GLIDE_BAD_FLAG and changes nothing. Each of R, G, B
+   and A becomes the sum of the frame's and the polygon's, 255 at most. A 5/6/5 pixel counts as 8
+   bits a channel (r << 3 | r >> 2, g << 2 | g >> 4, b as r), and the sum's upper 5, 6, 5 bits are
+   stored. */
 enum glide_result glide_pipe_adds(struct glide_pipe *pipe, uint32 adds);
 
 /* Draws a convex polygon with the units of a material's pipe into a frame of 2 (5/6/5) or 4 bytes
    (R G B A) a pixel. The material's edges (subpixel or exact) and clip are used too. s and t of
-   vertices are 0 to 256 along the longer side of a map, whatever its size, and less than GLIDE_REACH
-   apart. If a unit divides, w must not be 0 and is W_MAX at most. Like polygon_draw it splits a
-   polygon of more than three vertices into triangles if their values, or their separate points',
-   are not on a plane. If it returns POLYGON_REFUSED, pipe->result has the reason. */
+   vertices are 0 to 256 along the longer side of a map, whatever its size, and less than
+   GLIDE_REACH apart. If a unit divides, w must not be 0 and is W_MAX at most. Like polygon_draw it
+   splits a polygon of more than three vertices into triangles if their values, or their separate
+   points', are not on a plane. If it returns POLYGON_REFUSED, pipe->result has the reason. */
 polygon_routine glide_polygon_draw;
 
 /* lower.c. Returns non-zero if the plain mappers can draw the polygon from a page that shows the
-   level. Makes the page, sets *plain to the material for them and *vertices to the vertices relative
-   to the page.
+   level. Makes the page, sets *plain to the material for them and *vertices to the vertices
+   relative to the page.
 
    MAPPER_DITHERED is used, whichever rules are off, if all of this is true: the unit's mode
    `dithered` is 1, it filters one level bilinearly, there is no other unit, no division (w is above

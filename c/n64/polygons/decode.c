@@ -27,7 +27,7 @@ struct making {
     const struct n64_axis *t;
     int32 width, height;
     int32 reach;                /* columns to the neighbour in quads */
-    int32 texels;               /* of a row, that columns show */
+    int32 texels;               /* of a row, up to the last that columns show */
     int32 in_order;             /* column k shows texel k */
     uint32 *to;
 };

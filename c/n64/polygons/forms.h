@@ -17,9 +17,9 @@ enum n64_second {
 struct n64_form {
     uint8 any;                  /* 1: no special form: run the combiner's cycles */
     uint8 first, second;
-    uint8 cycle;                /* whose codes the second part is */
+    uint8 cycle;                /* the second part is this cycle's */
     uint8 swapped;              /* texel 1 alone, or a blend from it to texel 0 */
-    int16 fraction;             /* a blend by a constant; -1: by the level's */
+    int16 fraction;             /* of a blend by a constant; -1: by the level's */
 };
 
 void n64_form_find(struct n64_form *form, const struct n64 *n64);
@@ -36,7 +36,8 @@ struct n64_places {
 void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
                        struct n64_wide *results, int32 count);
 
-/* Runs all cycles of the combiner over pixels; ignores at->combined. results: room for two lines. */
+/* Runs all cycles of the combiner over pixels; ignores at->combined. results: room for two
+   lines. */
 void n64_combine_line(const struct n64 *n64, const struct n64_places *at,
                       struct n64_wide (*results)[N64_LINE_PIXELS], uint32 *colours, int32 count);
 
