@@ -152,7 +152,7 @@ struct glide {
     uint32 memory_bytes;        /* a power of two; addresses wrap at it */
     uint32 palette[GLIDE_ENTRIES];      /* 00RRGGBB */
     struct glide_ncc ncc[GLIDE_NCC_TABLES];
-    /* Generation counters for cache invalidation. */
+    /* Generation counters: a cache that was made from a part is stale when its counter differs. */
     uint32 memory_generation, table_generation, mode_generation;
     uint8 largest, smallest;    /* levels of the map that is drawn from */
     uint8 mipmap;               /* enum glide_mipmapping */
@@ -179,10 +179,9 @@ enum glide_result glide_memory_required(uint32 levels, const struct glide_textur
 enum glide_result glide_source(struct glide *glide, uint32 start, uint32 levels,
                                const struct glide_texture *texture);
 
-/* Copy texels to memory. glide_download: texels are those of all levels from the largest to the
-   smallest, one after the other; the levels named by levels are copied. The others: texels are
-   those of one level or of some of its rows. Texels are uint8 or uint16, row by row, without
-   gaps. */
+/* Copy texels to memory. glide_download takes the texels of all levels from the largest to the
+   smallest, one after the other, and copies the levels that `levels` names. The others take those
+   of one level, or of some of its rows. Texels are uint8 or uint16, row by row, without gaps. */
 enum glide_result glide_download(struct glide *glide, uint32 start, uint32 levels,
                                  const struct glide_texture *texture, const void *texels);
 enum glide_result glide_download_level(struct glide *glide, uint32 start, uint32 levels,
