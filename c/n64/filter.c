@@ -55,7 +55,7 @@ static void filter_taps(const struct taps *taps, const struct fractions *at,
     out->a = filter(taps->c00.a, taps->c10.a, taps->c01.a, taps->c11.a, at->s, at);
 }
 
-/* Returns the corner that a filter would start from; used for quads with the filter off. */
+/* Finds the corner that a filter would start from; used for quads with the filter off. */
 static void nearest_corner(const struct taps *taps, const struct fractions *at,
                            struct n64_colour *out)
 {

@@ -146,8 +146,8 @@ struct n64 {
     uint32 inputs;              /* enum n64_inputs, of this combine mode and cycle type */
     const uint8 *dram;          /* the memory that image addresses refer to, */
     uint32 dram_bytes;          /* multiple of 8 */
-    /* Generation counters for cache invalidation: TMEM's counts loads, the others count only
-       words that changed something. */
+    /* Generation counters for cache invalidation: TMEM's counts loads, the others only real
+       changes. */
     uint32 tmem_generation, tile_generation[N64_TILES], mode_generation;
     uint8 checked;              /* 1: illegal uses are refused; 0: they do what the hardware
                                    does, except those that hang it */
