@@ -1,10 +1,10 @@
-/* The unit's colour and the one from upstream become one. */
+/* Combines the unit's colour and the one from upstream. */
 #include "glide/pixel.h"
 
-/* What all four channels can choose of. */
+/* Factors and alphas that all four channels can use. */
 struct sources {
     int32 local_alpha, other_alpha, detail, fraction;
-    int32 flip;                 /* 255 where odd levels turn factors round */
+    int32 flip;                 /* 255 if the level is odd and inverts factors */
 };
 
 int32 glide_detail_factor(const struct glide_modes *modes, int32 lod)

@@ -1,8 +1,8 @@
 #include "glide/pixel.h"
 #include "glide/product.h"
 
-/* 2^32 / w where bit 31 of w is set: 23 bits, on the line between two of the entries
-   2^31 / (512 + i), rounded down, i = 0 to 512. */
+/* Returns 2^32 / w in 23 bits; bit 31 of w must be set. Interpolates linearly between two of the
+   entries 2^31 / (512 + i), rounded down, i = 0 to 512. */
 static uint32 reciprocal(uint32 w)
 {
     const uint32 i = w >> 22 & 511, part = w >> 14 & 255;
@@ -11,7 +11,8 @@ static uint32 reciprocal(uint32 w)
     return ((from << 8) - (from - to) * part) >> 8;
 }
 
-/* The number shifted right, negative: left; rounded up where that is the wanted sign's down. */
+/* Shifts a magnitude right, or left if shift is negative, gives it its sign and clamps it to 32
+   bits. The result is rounded down: a negative number's magnitude is rounded up. */
 static int32 cut(struct number64 number, int32 shift, int32 negative)
 {
     const struct number64 below = {0, shift > 0 && negative ? (1u << shift) - 1 : 0};
@@ -42,7 +43,7 @@ int32 glide_table_quotient(int32 s, int32 w)
     return cut(glide_product(fix_magnitude(s), reciprocal(normal)), shift, (s < 0) != (w < 0));
 }
 
-/* hi * 2^32 + lo by w, hi below w: the quotient, rounded up where there is a rest and up is 1. */
+/* Returns hi * 2^32 + lo divided by w, rounded up if up is 1, else down; hi must be below w. */
 static uint32 divided(uint32 hi, uint32 lo, uint32 w, uint32 up)
 {
     for (int32 bit = 0; bit < 32; bit++) {

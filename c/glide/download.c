@@ -1,4 +1,4 @@
-/* Where a map lies in memory, and its texels' way there. */
+/* Places a map in memory and copies its texels there. */
 #include "glide/pixel.h"
 
 static enum glide_result check(uint32 levels, const struct glide_texture *texture)
@@ -14,13 +14,13 @@ static enum glide_result check(uint32 levels, const struct glide_texture *textur
         return GLIDE_BAD_FORMAT;
     if (!levels || levels > GLIDE_BOTH)
         return GLIDE_BAD_LEVELS;
-    /* One level alone may be of the other kind. */
+    /* A map of a single level may have none of the named parity. */
     if (texture->largest == texture->smallest && !(levels >> (texture->largest & 1) & 1))
         return GLIDE_NO_LEVEL;
     return GLIDE_DONE;
 }
 
-/* The modes of a map that begins at 0 with level 0; texture and levels are checked. */
+/* Sets the modes for a map that begins at 0 with level 0; texture and levels are checked. */
 static void shape(struct glide_modes *modes, uint32 levels, const struct glide_texture *texture)
 {
     modes->format = (uint8)texture->format;
@@ -31,8 +31,8 @@ static void shape(struct glide_modes *modes, uint32 levels, const struct glide_t
     modes->base = 0;
 }
 
-/* Bytes between the start and the first level: base addresses count 8 bytes, and the levels that
-   are not there may take 4 more. */
+/* Returns the bytes between the start and the first level. The base address must be a multiple of
+   8, but the missing larger levels may take 4 bytes more than a multiple. */
 static uint32 gap(const struct glide_modes *modes, const struct glide_texture *texture)
 {
     return (0 - glide_level_offset(modes, texture->largest)) & (GLIDE_START_ALIGN - 1);
@@ -59,7 +59,7 @@ enum glide_result glide_memory_required(uint32 levels, const struct glide_textur
     return result;
 }
 
-/* The modes become those of a map from start on; all is checked. */
+/* Checks everything and sets the modes for a map from start on. */
 static enum glide_result place(const struct glide *glide, struct glide_modes *modes, uint32 start,
                                uint32 levels, const struct glide_texture *texture)
 {
@@ -93,7 +93,7 @@ enum glide_result glide_source(struct glide *glide, uint32 start, uint32 levels,
     return glide_mipmap(glide, glide->mipmap, modes.trilinear);
 }
 
-/* Rows of a level, whose texels are these. */
+/* Copies texels to rows first to last of a level. */
 static void copy(struct glide *glide, const struct glide_modes *modes, uint32 level, uint32 first,
                  uint32 last, const uint8 *texels)
 {
@@ -137,7 +137,7 @@ enum glide_result glide_download(struct glide *glide, uint32 start, uint32 level
     return GLIDE_DONE;
 }
 
-/* As place; the level too. */
+/* Like place; also checks the level and finds it. */
 static enum glide_result place_level(const struct glide *glide, struct glide_modes *modes, uint32 start,
                                      uint32 levels, const struct glide_texture *texture, uint32 level,
                                      struct glide_level *to)

@@ -1,7 +1,7 @@
-/* Points and bilinear filtering of a level. */
+/* Point sampling and bilinear filtering of a level. */
 #include "glide/pixel.h"
 
-/* Texels i and i + 1 of a side. */
+/* Wraps or clamps texels i and i + 1 of a side. */
 static void wrap(int32 i, uint32 size, int32 clamp, uint32 *pair)
 {
     for (int32 n = 0; n < 2; n++, i++) {
@@ -12,7 +12,7 @@ static void wrap(int32 i, uint32 size, int32 clamp, uint32 *pair)
     }
 }
 
-/* The level's texels lie 2^(18 + level) apart. */
+/* The level's texels are 2^(18 + level) apart. */
 uint32 glide_sample(const struct glide *glide, const struct glide_lod *lod, int32 s, int32 t)
 {
     const struct glide_modes *modes = &glide->modes;

@@ -1,11 +1,11 @@
 /* Glide's texture unit (GLIDE): its state, and the calls and registers that change it.
 
-   A unit is a value with a texture memory of its own; a program may have as many as it likes.
+   A program may have any number of units, each with its own texture memory.
    Coordinates s and t run from 0 to 256 along a map's longer side. Formats: 14.18 and 2.30 are
    signed, 32 bits; LOD is 8.8, signed: 0.0 is one texel of level 0 a pixel, 1.0 two.
    Levels: n = 0 is 256 texels long, each of the next half as long, 8 a single texel.
-   Memory holds what the PC's bus sees: texels of 16 bits are little-endian there. Whoever calls
-   keeps them in the 68020's own order. */
+   Texels of 16 bits are little-endian in texture memory, as on the PC's bus. Callers pass them in
+   the 68020's byte order. */
 #ifndef GLIDE_H
 #define GLIDE_H
 
@@ -30,7 +30,7 @@ enum glide_filtering { GLIDE_POINT, GLIDE_BILINEAR };
 enum glide_wrapping { GLIDE_WRAP, GLIDE_CLAMP };
 enum glide_mipmapping { GLIDE_MIPMAP_OFF, GLIDE_NEAREST, GLIDE_NEAREST_DITHER };
 
-/* What a unit makes of other, the colour from upstream, and local, its own; m is the factor. */
+/* Functions of other, the colour from upstream, and local, the unit's own; m is the factor. */
 enum glide_function {
     GLIDE_ZERO,
     GLIDE_LOCAL,
@@ -53,7 +53,7 @@ enum glide_factor {
     GLIDE_FACTOR_LOCAL_ALPHA,
     GLIDE_FACTOR_DETAIL,
     GLIDE_FACTOR_LOD_FRACTION,
-    GLIDE_FACTOR_ONE = 8,                       /* one minus what is 8 less, from here on */
+    GLIDE_FACTOR_ONE = 8,                       /* from here on: one minus the factor 8 less */
     GLIDE_FACTOR_ONE_MINUS_LOCAL,
     GLIDE_FACTOR_ONE_MINUS_OTHER_ALPHA,
     GLIDE_FACTOR_ONE_MINUS_LOCAL_ALPHA,
@@ -68,12 +68,12 @@ enum glide_constants {
     GLIDE_ENTRIES = 256,        /* of the palette */
     GLIDE_NCC_TABLES = 2,
     GLIDE_NCC_REGISTERS = 12,   /* of a table */
-    GLIDE_LOD_LEAST = -32768,   /* of gradients that are all 0: below whatever can be added */
-    GLIDE_LOD_MOST = 32767,     /* of 1/w = 0, which is infinitely far away */
+    GLIDE_LOD_LEAST = -32768,   /* for gradients of 0: low enough for all that is added */
+    GLIDE_LOD_MOST = 32767,     /* for 1/w = 0, which is infinitely far away */
     GLIDE_UNITS = 2             /* in a row */
 };
 
-/* What came of a call. All but GLIDE_DONE: nothing was changed. */
+/* Result of a call. Unless it is GLIDE_DONE, nothing was changed. */
 enum glide_result {
     GLIDE_DONE,
     GLIDE_BAD_MEMORY,           /* its size is no power of two of at least 8 */
@@ -102,11 +102,11 @@ enum glide_result {
     GLIDE_BAD_FLAG,             /* neither 0 nor 1 */
     GLIDE_BAD_FRACTION_BITS,    /* neither 4 nor 8 */
     GLIDE_BAD_SUBDIVISION,      /* neither 0 nor 8 nor 16 */
-    GLIDE_BAD_REGISTER,         /* bits that are set stand for nothing a unit has */
-    GLIDE_BAD_UNITS,            /* none, or more than there can be */
+    GLIDE_BAD_REGISTER,         /* bits are set that have no meaning for a unit */
+    GLIDE_BAD_UNITS,            /* none, or too many */
     GLIDE_BAD_COORDINATE,       /* s or t of a polygon: see glide_polygon_draw */
     GLIDE_BAD_W,                /* 0, or above W_MAX */
-    GLIDE_NO_COORDINATES,       /* of a unit that has its own */
+    GLIDE_NO_COORDINATES,       /* for a unit that has separate ones */
     GLIDE_RESULTS
 };
 
@@ -132,15 +132,15 @@ struct glide_modes {
     int8 detail_bias;
     uint8 detail_scale;
     uint8 fraction_bits;        /* of filter weights: 4, or 8 as in Voodoo 2 */
-    uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as hardware; 0: exact */
-    uint8 dithered;             /* 1: moved points stand in for the bilinear filter where they can
+    uint8 table_quotients;      /* 1: s / w by a table of reciprocals, as in hardware; 0: exact */
+    uint8 dithered;             /* 1: moved points replace the bilinear filter where possible
                                    (unit.h); 0: it is exact */
     uint8 subdivision;          /* glide_subdivision: 0, 8 or 16 pixels */
     uint8 spare[2];
     uint32 base;                /* bytes: where level 0 would start */
 };
 
-/* A byte yyyyiiqq stands for y[yyyy] + i[ii] + q[qq], each channel cut to 0 to 255. */
+/* A byte yyyyiiqq means y[yyyy] + i[ii] + q[qq], each channel clamped to 0 to 255. */
 struct glide_ncc {
     uint8 y[16];
     int16 i[4][3], q[4][3];     /* R G B: -256 to 255 */
@@ -149,7 +149,7 @@ struct glide_ncc {
 struct glide {
     struct glide_modes modes;
     uint8 *memory;
-    uint32 memory_bytes;        /* a power of two; addresses count modulo it */
+    uint32 memory_bytes;        /* a power of two; addresses wrap at it */
     uint32 palette[GLIDE_ENTRIES];      /* 00RRGGBB */
     struct glide_ncc ncc[GLIDE_NCC_TABLES];
     /* Generation counters: a cache that was made from a part is stale when its counter differs. */
@@ -165,22 +165,23 @@ struct glide_texture {
     uint32 aspect, format;      /* enum glide_aspect, enum glide_format */
 };
 
-/* All 0 but: magnified and minified to points, the unit's colour is its texel, mipmaps are on,
-   weights have 4 bits. The memory is left as it is. */
+/* Sets everything to 0, so both filters are point sampling, except: the unit's colour is its texel,
+   mipmaps are on, s is the longer side and weights have 4 bits. Does not change the memory. */
 enum glide_result glide_init(struct glide *glide, uint8 *memory, uint32 bytes);
 
-/* Bytes that a map's levels take from a start address on, a multiple of GLIDE_START_ALIGN. */
+/* Sets *bytes to the bytes that a map's levels take from a start address on, a multiple of
+   GLIDE_START_ALIGN. */
 enum glide_result glide_memory_required(uint32 levels, const struct glide_texture *texture,
                                         uint32 *bytes);
 
-/* The map to draw from. levels: which of its levels lie in memory from start on. A unit that
-   does not hold a level draws from the next smaller one, so that has to be there too. */
+/* Sets the map to draw from. levels: the levels that are in memory from start on. A unit that does
+   not hold a level draws from the next smaller one, so the map must have that too. */
 enum glide_result glide_source(struct glide *glide, uint32 start, uint32 levels,
                                const struct glide_texture *texture);
 
-/* Copies texels to memory: all levels that levels names, out of all from the largest to the
-   smallest, one behind the other; one level; some of its rows, of which the texels are. Texels
-   are uint8 or uint16, row by row, without gaps. */
+/* Copy texels to memory. glide_download takes the texels of all levels from the largest to the
+   smallest, one after the other, and copies the levels that `levels` names. The others take those
+   of one level, or of some of its rows. Texels are uint8 or uint16, row by row, without gaps. */
 enum glide_result glide_download(struct glide *glide, uint32 start, uint32 levels,
                                  const struct glide_texture *texture, const void *texels);
 enum glide_result glide_download_level(struct glide *glide, uint32 start, uint32 levels,
@@ -190,11 +191,11 @@ enum glide_result glide_download_rows(struct glide *glide, uint32 start, uint32 
                                       const struct glide_texture *texture, uint32 level,
                                       uint32 first, uint32 last, const void *texels);
 
-/* Entries 00RRGGBB, the first to the last of them. */
+/* Sets palette entries first to last: 00RRGGBB. */
 enum glide_result glide_palette(struct glide *glide, uint32 first, uint32 last, const uint32 *entries);
 
-/* One of the two tables, as values or as its 12 registers: 4 of Y, each 4 bytes, lowest first;
-   4 of I and 4 of Q: R 26:18, G 17:9, B 8:0. glide_ncc_select: the table that texels go by. */
+/* Set one of the two tables, as values or as its 12 registers: 4 of Y, each 4 bytes, lowest first;
+   4 of I and 4 of Q: R 26:18, G 17:9, B 8:0. glide_ncc_select: selects the table to use. */
 enum glide_result glide_ncc(struct glide *glide, uint32 table, const struct glide_ncc *values);
 enum glide_result glide_ncc_registers(struct glide *glide, uint32 table, const uint32 *registers);
 enum glide_result glide_ncc_select(struct glide *glide, uint32 table);
@@ -202,59 +203,60 @@ enum glide_result glide_ncc_select(struct glide *glide, uint32 table);
 enum glide_result glide_filter(struct glide *glide, uint32 minify, uint32 magnify);
 enum glide_result glide_fraction_bits(struct glide *glide, uint32 bits);
 
-/* by_table: 0 or 1. Exact quotients are the faster ones in polygons. */
+/* by_table: 0 or 1. In polygons exact quotients are faster. */
 enum glide_result glide_quotients(struct glide *glide, uint32 by_table);
 
-/* dithered: 0 or 1. The polygons that it changes are in unit.h. */
+/* dithered: 0 or 1. unit.h describes the polygons that it changes. */
 enum glide_result glide_bilinear_by(struct glide *glide, uint32 dithered);
 
-/* How often the s and t of polygons are divided by w: 0, at each pixel, or only each 8 or 16
-   pixels. A line's pixels, as the frame cuts it, are counted from its first one on, and pieces
-   begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the one where the next
-   piece begins, or for the line's last piece at its last pixel, s and t are the exact quotients
-   of 32 bits by all rules for w; pixel i of the piece has first + i * step, step = (next - first)
-   over the pixels between them, rounded down, all modulo 2^32. So w is not looked at outside the
-   line. A pixel's level goes by its own w as ever. Units whose quotients go by the table, and all
-   units in a row of which one dithers its level, do not follow this: they divide each pixel; and
-   nothing is divided where all corners' w are the same.
+/* Sets how often s and t of polygons are divided by w: 0, at each pixel, or only every 8 or 16
+   pixels. A line's pixels, as clipped by the frame, are counted from its first one, and pieces
+   begin at 0, `pixels`, 2 `pixels`, ... At a piece's first pixel and at the next piece's, or in the
+   line's last piece at its last pixel, s and t are the exact quotients of 32 bits by all rules for
+   w. Pixel i of the piece has first + i * step, step = (next - first) over the pixels between them,
+   rounded down, all modulo 2^32. So w outside the line is not used. A pixel's level still depends
+   on its own w. Units with quotients by the table divide at each pixel, and so do all units in a
+   row if one of them dithers its level. Nothing is divided if w is the same at all corners.
 
-   With w and W, of one sign, at a piece's ends, r = sqrt(W / w) and no quotient cut to 32 bits, s
-   is off the true one by up to |next - first| * |r - 1| / (r + 1), which is how far
-   u r^2 / (1 + u (r^2 - 1)) lies from u at u = 1 / (r + 1); and because quotients and steps are
-   rounded down, by up to `pixels` * 2^-18 more downwards. */
+   Error: let w and W at a piece's ends have the same sign, r = sqrt(W / w), and no quotient be
+   clamped to 32 bits. Then s is off by up to |next - first| * |r - 1| / (r + 1), the distance of
+   u r^2 / (1 + u (r^2 - 1)) from u at u = 1 / (r + 1). Rounding down quotients and steps adds up to
+   `pixels` * 2^-18 downwards. */
 enum glide_result glide_subdivision(struct glide *glide, uint32 pixels);
 enum glide_result glide_clamp(struct glide *glide, uint32 s, uint32 t);
 
-/* Without mipmaps the map's largest level is drawn alone. lod_blend: for trilinear filtering. */
+/* Without mipmaps only the map's largest level is drawn. lod_blend: for trilinear filtering. */
 enum glide_result glide_mipmap(struct glide *glide, uint32 mode, uint32 lod_blend);
 
-/* Which levels of a whole map trilinear filtering draws: even or odd ones, for a pass each. */
+/* Sets which levels of a whole map trilinear filtering draws: even or odd ones, for a pass each. */
 enum glide_result glide_blend_levels(struct glide *glide, uint32 levels);
 
-/* 16.16, -8.0 to 7.75. As Glide stores it: an eighth more, then cut to quarters towards 0. */
+/* bias: 16.16, -8.0 to 7.75. As in Glide, an eighth is added, then it is cut to quarters towards
+   0. */
 enum glide_result glide_lod_bias(struct glide *glide, fix16 bias);
 
-/* The detail factor: (bias - LOD) << scale, from 0 to max / 256. */
+/* Sets the detail factor: (bias - LOD) << scale, clamped to 0 to max / 256. */
 enum glide_result glide_detail(struct glide *glide, int32 bias, uint32 scale, uint32 max);
 
-/* Functions and factors of colour and alpha; inverted if the flag is 1. */
+/* Sets functions and factors of colour and alpha. Results are inverted if their flag is 1. */
 enum glide_result glide_combine(struct glide *glide, uint32 rgb_function, uint32 rgb_factor,
                                 uint32 alpha_function, uint32 alpha_factor, uint32 invert_rgb,
                                 uint32 invert_alpha);
 
-/* Whether s and t are divided by w; and whether both are 0 where w is negative. */
+/* on: 1 to divide s and t by w. clamp_negative_w: 1 to set both to 0 if w is negative. */
 enum glide_result glide_perspective(struct glide *glide, uint32 on, uint32 clamp_negative_w);
 
-/* The modes by their registers: textureMode, tLOD, tDetail, texBaseAddr. Bit 31 of textureMode,
-   about downloads alone, is left out. glide_mipmap still goes by the last glide_source. */
+/* Set or get the modes as registers: textureMode, tLOD, tDetail, texBaseAddr. Bit 31 of
+   textureMode concerns only downloads and is ignored. glide_mipmap still uses the levels of the
+   last glide_source. */
 enum glide_result glide_registers(struct glide *glide, uint32 mode, uint32 lod, uint32 detail,
                                   uint32 base);
 void glide_registers_of(const struct glide *glide, uint32 *registers);
 
-/* A line's text for a result, as "no such format". */
+/* Returns a short text for a result, such as "no such format". */
 const char *glide_result_text(enum glide_result result);
 
-/* modes.c: the unit's modes become these; what grew tells whether any is new. */
+/* modes.c: copies modes to the unit; increments mode_generation if they differed. */
 void glide_set_modes(struct glide *glide, const struct glide_modes *modes);
 
 #endif

@@ -1,6 +1,6 @@
 #include "glide/pixel.h"
 
-/* The level's texels; fills *to, and its sides, if not null. */
+/* Returns how many texels a level has; sets the sides of *to if to is not null. */
 static uint32 measure(const struct glide_modes *modes, uint32 level, struct glide_level *to)
 {
     const uint32 longer = 256u >> level, other = longer >> modes->aspect;

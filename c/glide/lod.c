@@ -3,7 +3,7 @@
 
 #define LOD_ONE 256             /* 1.0 */
 
-/* 1/16 LOD each. */
+/* In 1/16 LOD. */
 static const uint8 pattern[4][4] = {
     {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}
 };
@@ -22,8 +22,8 @@ int32 glide_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy)
         most = y;
     if (!most.hi && !most.lo)
         return GLIDE_LOD_LEAST;
-    /* The sum has 36 fraction bits. Its logarithm is rounded first, then halved towards 0: so
-       the reference data have it. */
+    /* The sum has 36 fraction bits. Its logarithm is rounded first, then halved towards 0, as in
+       the reference data. */
     return (glide_logarithm(most.hi, most.lo) - 36 * LOD_ONE) / 2;
 }
 
@@ -32,13 +32,13 @@ int32 glide_dither(int32 x, int32 y)
     return pattern[y & 3][x & 3] * (LOD_ONE / 16);
 }
 
-/* Before it is clamped. */
+/* Returns a pixel's LOD before it is clamped. */
 static int32 unclamped(const struct glide *glide, const struct glide_point *point)
 {
     int32 lod = point->lod;
 
     if (glide->modes.perspective) {
-        /* A negative w counts as the positive one does: so the reference data have it. */
+        /* A negative w counts like the positive one, as in the reference data. */
         if (!point->w)
             return GLIDE_LOD_MOST;
         lod -= glide_logarithm(0, fix_magnitude(point->w)) - 30 * LOD_ONE;
@@ -49,8 +49,8 @@ static int32 unclamped(const struct glide *glide, const struct glide_point *poin
     return lod;
 }
 
-/* Of levels that are blended in by another unit, or in another pass, the next smaller one is
-   drawn. */
+/* Returns 0 for a level that another unit or another pass blends in: the next smaller one is drawn
+   instead. */
 static int32 is_drawn(const struct glide_modes *modes, int32 level)
 {
     return !(modes->split || modes->trilinear) || (level & 1) == modes->odd;

@@ -1,4 +1,4 @@
-/* A unit's modes: their change, and the calls that set them one by one. */
+/* Calls that set a unit's modes one by one. */
 #include "glide/glide.h"
 
 enum glide_result glide_init(struct glide *glide, uint8 *memory, uint32 bytes)
@@ -31,7 +31,7 @@ void glide_set_modes(struct glide *glide, const struct glide_modes *modes)
         glide->mode_generation++;
 }
 
-/* One field of them becomes a value, which fits. */
+/* Sets a byte of the modes; increments mode_generation if it differed. */
 static void set_mode(struct glide *glide, void *field, uint32 value)
 {
     uint8 *to = field;

@@ -1,5 +1,5 @@
-/* The passes over a line's pixels for Glide's texture unit: each a routine of src68k/glide
-   (contracts there) that takes what the pass before it left. count is 1 or more. */
+/* The passes over a line's pixels for Glide's texture unit. Each is a routine of src68k/glide
+   (contracts there) that reads the output of the pass before it. count is 1 or more. */
 #ifndef GLIDE_PASSES_H
 #define GLIDE_PASSES_H
 
@@ -11,24 +11,24 @@ struct glide_iterators {
 };
 
 /* A coordinate pair: s in the upper, t in the lower word, in texels of one level: 12.4 modulo
-   2^16, 8.8 where weights have 8 bits. */
+   2^16, or 8.8 if weights have 8 bits. */
 typedef uint32 glide_coordinates;
 
-/* From iterators to one level's coordinates. */
+/* Converts iterators to one level's coordinates. */
 struct glide_steps {
-    int32 s, t, w;              /* what the iterators change by */
+    int32 s, t, w;              /* steps of the iterators */
     uint16 shift;               /* from 14.18 to coordinates: 14 + level, or 10 + level */
     uint16 half;                /* half a texel, in coordinates; 0 for point sampling */
-    uint16 last_s, last_t;      /* the last texel's coordinate, where clamped; 0xffff: wrapped */
+    uint16 last_s, last_t;      /* the last texel's coordinate if clamped; 0xffff: wrapped */
     uint16 behind;              /* 1: s and t are 0 where w is negative */
     uint16 bits;                /* of glide_pieces: a piece has 2^bits pixels; */
-    uint16 skip, spare;         /* how many of the first one's the run leaves out, */
-    int32 left;                 /* how many the line has from that piece on */
+    uint16 skip, spare;         /* pixels of the first piece before the run, */
+    int32 left;                 /* the line's pixels from that piece on */
 };
 
 /* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +
    fs * ft * st has 256 times the channel in each word. The words of a difference are added as one
-   signed 32-bit number, so that a negative lower one borrows. */
+   signed 32-bit number, so a negative lower word borrows from the upper one. */
 struct glide_pair {
     uint32 st, s, t, corner;
 };
@@ -48,7 +48,7 @@ struct glide_quad_8 {
 };
 
 /* A level as texels of four bytes. A coordinate's texel is texels[row << columns_bits | column]:
-   column = s >> 4 (or 8, where weights have 8 bits) modulo 2^columns_bits, row alike. */
+   column = s >> 4 (or 8, if weights have 8 bits) modulo 2^columns_bits, row likewise. */
 struct glide_decoded {
     const uint32 *texels;       /* R G B A */
     const void *quads;          /* struct glide_quad, or glide_quad_8, in the same order; 0 without a
@@ -57,8 +57,8 @@ struct glide_decoded {
     uint16 columns_bits, rows_bits;
 };
 
-/* Of the numbers from 2^31 to 2^32 - 1 that share bits 22 to 30: 256 log2(number / 2^31), rounded
-   to the nearest, of those up to the limit; of the others it is one more. */
+/* 256 log2(number / 2^31), rounded to the nearest, for the numbers from 2^31 to 2^32 - 1 that share
+   bits 22 to 30: value for those up to the limit, value + 1 for the others. */
 struct glide_logarithm {
     uint32 limit;
     uint16 value, spare;
@@ -68,67 +68,67 @@ struct glide_logarithm {
 
 /* A line's levels of detail. */
 struct glide_lods {
-    int16 lods[4];              /* 8.8, -32,000 at least, of pixel 0 and each fourth from there, of
-                                   pixel 1, ...: the polygon's, bias, dither, - 1.0 */
+    int16 lods[4];              /* 8.8, -32,000 at least: the polygon's + bias + dither - 1.0, for
+                                   pixels 0, 4, 8, ..., for pixels 1, 5, ... and so on */
     int16 least, most;          /* 0.0 to 8.0 */
-    int32 w;                    /* what w changes by */
+    int32 w;                    /* step of w */
     const struct glide_logarithm *logarithms;
 };
 
-/* From LODs to detail factors. */
+/* Converts LODs to detail factors. */
 struct glide_nearness {
-    int16 end;                  /* 8.8: the LOD from which on they are 0 */
-    uint16 shift;               /* 1 to 8: of what LODs lie below it */
+    int16 end;                  /* 8.8: the least LOD with factor 0 */
+    uint16 shift;               /* 1 to 8: bits to shift end - LOD right by */
 };
 
-/* Arrays of each fourth texel of a line, from its first one, its second one, ... on. */
+/* Four arrays of every fourth texel of a line, from its first, second, third or fourth on. */
 struct glide_quarters {
     int32 bytes;                /* from array to array */
 };
 
-/* A page of the frame's pixels, and how a line goes over it. pixels: those of row 0 of 256, each
-   256 of them; rows 128 to 255 lie before it. s and t of the iterators and of their steps, times
-   2^left, are 8.24: column and row. left: 6 to 10. */
+/* A page of 256x256 of the frame's pixels, and a line's steps over it. pixels: row 0; rows 128 to
+   255 are before it in memory. s and t of the iterators and of their steps, times 2^left, are
+   8.24: column and row. left: 6 to 10. */
 struct glide_paging {
     int32 s, t;                 /* steps */
     uint16 left, spare;
     const void *pixels;
 };
 
-/* Texels that others are mixed with, and the factor of each pixel. Steps are bytes from pixel to
-   pixel: 4, of LODs 2, or 0 for the same everywhere. */
+/* Texels to mix with, and the factor of each pixel. Steps are bytes from pixel to pixel: 4, in LODs
+   2, in detail factors 1, or 0 for a constant. */
 struct glide_mix {
     const uint32 *other;
     const uint8 *factors;
     int32 other_step, factor_step;
-    uint32 flip;                /* the factor's bits that are inverted; in each byte alike */
-    uint32 one;                 /* 1: factor 255 stands for all; 0: 256 would */
+    uint32 flip;                /* the factor's bits to invert, the same in each byte */
+    uint32 one;                 /* 1: factor 255 counts as 1.0; 0: 256 would be 1.0 */
 };
 
-/* One channel of the combine unit: the channel's byte of each, alpha's, or a zero. Steps as in
-   glide_mix. */
+/* Inputs of one channel of the combine unit: each points to the channel's byte, to alpha's, or to a
+   zero. Steps as in glide_mix. */
 struct glide_inputs {
     const uint8 *other, *local, *factor, *added;
     int32 other_step, local_step, factor_step, added_step;
     uint16 flip, invert;        /* 255, or 0 */
 };
 
-/* A byte for each texel's alpha, `step` bytes from pixel to pixel, and the bits of the texels,
-   R G B A, that are inverted then. */
+/* New alphas of the texels, `step` bytes from pixel to pixel, and the bits of the texels, R G B A,
+   to invert then. */
 struct glide_alphas {
     const uint8 *alphas;
     int32 step;
     uint32 inverted;
 };
 
-/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. tools/tmap/build/glide_logarithms.py works them out. */
+/* Entry k: 2^(31 + (k + 1/2) / 256) rounded down. Made by tools/tmap/build/glide_logarithms.py. */
 extern const uint32 glide_logarithms[256];
 
-/* limits: as in glide_logarithms. */
+/* Makes GLIDE_LOGARITHMS entries from limits as in glide_logarithms. */
 void glide_logarithms_make(struct glide_logarithm *logarithms, const uint32 *limits);
 
-/* The quads of a row of texels R G B A and the row below; the texel behind a row's last is its first.
-   Of each: (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
+/* Make the quads of a row of texels R G B A and the row below. A row's last texel is followed by
+   its first. Each quad has (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1). */
 void glide_quads_make(struct glide_quad *quad, const uint32 *upper, const uint32 *lower, uint32 columns);
 void glide_quads_8_make(struct glide_quad_8 *quad, const uint32 *upper, const uint32 *lower,
                         uint32 columns);
@@ -145,7 +145,7 @@ void glide_bilinear(const void *coordinates, void *texels, const void *decoded, 
 void glide_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
 void glide_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
 
-/* filter_line.c: the same two by C, without quads. */
+/* filter_line.c: C versions of glide_bilinear and glide_bilinear_8, without quads. */
 void glide_filter_line(const void *coordinates, void *texels, const void *decoded, int32 count);
 void glide_filter_line_8(const void *coordinates, void *texels, const void *decoded, int32 count);
 

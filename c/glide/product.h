@@ -4,7 +4,6 @@
 
 #include "math/math.h"
 
-/* a * b. */
 static inline struct number64 glide_product(uint32 a, uint32 b)
 {
     const uint32 low = (a & 0xffff) * (b & 0xffff);
@@ -17,7 +16,7 @@ static inline struct number64 glide_product(uint32 a, uint32 b)
     return product;
 }
 
-/* a + b, modulo 2^64. */
+/* Returns a + b modulo 2^64. */
 static inline struct number64 glide_sum(struct number64 a, struct number64 b)
 {
     a.lo += b.lo;

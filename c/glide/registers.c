@@ -1,4 +1,4 @@
-/* The modes as registers: a field of theirs for each byte of struct glide_modes. */
+/* The modes as registers: each byte of struct glide_modes has a field. */
 #include "glide/glide.h"
 
 enum register_index { MODE, LOD, DETAIL, BASE };

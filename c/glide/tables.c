@@ -22,7 +22,7 @@ enum glide_result glide_ncc(struct glide *glide, uint32 table, const struct glid
             if (values->i[n][c] < -256 || values->i[n][c] > 255
                 || values->q[n][c] < -256 || values->q[n][c] > 255)
                 return GLIDE_BAD_NCC_VALUE;
-    /* Struct by struct, a compiler would call memcpy. */
+    /* For a struct assignment the compiler would call memcpy. */
     for (int32 n = 0; n < 16; n++)
         to->y[n] = values->y[n];
     for (int32 n = 0; n < 4; n++)

@@ -6,7 +6,7 @@ static uint32 pack(uint32 a, uint32 r, uint32 g, uint32 b)
     return a << 24 | r << 16 | g << 8 | b;
 }
 
-/* Bits high to low of a texel as 8 bits: repeated from the top. */
+/* Returns `bits` bits of a texel from bit low on, widened to 8 by repeating them from the top. */
 static uint32 widen(uint32 texel, uint32 low, uint32 bits)
 {
     uint32 value = (texel >> low & ((1u << bits) - 1)) << (8 - bits);

@@ -3,7 +3,7 @@
 /* The manual's words have these two bits set. */
 #define OPERATION(code) (3u << 30 | (uint32)(code) << 24)
 
-/* A value in a word's bits from shift on; what does not fit is cut. */
+/* Returns a value cut to bits, shifted to its place in a word. */
 static uint32 field(uint32 value, uint32 shift, uint32 bits)
 {
     return (value & ((1u << bits) - 1)) << shift;
@@ -58,7 +58,7 @@ enum n64_result n64_set_tile_size(struct n64_list *list, uint32 tile, uint32 sl,
 enum n64_result n64_load_block(struct n64_list *list, uint32 tile, uint32 sl, uint32 tl, uint32 sh,
                                uint32 dxt)
 {
-    /* Cut to its bits, a number that is too large could pass for one that is not. */
+    /* A number that is too large, cut to its bits, could look like a valid one. */
     return edges(list, N64_OP_LOAD_BLOCK, tile, sl, tl, sh < 0xfff ? sh : 0xfff, dxt);
 }
 
@@ -75,7 +75,7 @@ enum n64_result n64_load_tlut(struct n64_list *list, uint32 tile, uint32 last)
 
 enum n64_result n64_texture(struct n64_list *list, uint32 max_level, uint32 tile)
 {
-    /* "on", and 1.0 as the scale of s and t, which a texture engine does not look at. */
+    /* "on", and a scale of 1.0 for s and t; texture engines ignore both. */
     return append(list, OPERATION(N64_OP_TEXTURE) | field(max_level, 11, 3) | field(tile, 8, 3)
                   | 2, 0xffffffff);
 }
@@ -176,7 +176,8 @@ enum n64_result n64_full_sync(struct n64_list *list)
     return append(list, OPERATION(N64_OP_FULL_SYNC), 0);
 }
 
-/* TMEM words of a row; of 32 bits and YUV half of the bytes are in each half of TMEM. */
+/* Returns the TMEM words of a row. 32-bit and YUV texels have half of their bytes in each half of
+   TMEM. */
 static uint32 line_of(uint32 format, uint32 size, uint32 texels)
 {
     if (size == N64_4)
@@ -184,7 +185,7 @@ static uint32 line_of(uint32 format, uint32 size, uint32 texels)
     return (texels * (size == N64_8 || format == N64_YUV ? 1u : 2u) + 7) >> 3;
 }
 
-/* 11 fraction bits: what a word of 64 bits adds to the row, rounded up. */
+/* Returns the row's increment for a word of 64 bits, rounded up: 11 fraction bits. */
 static uint32 dxt_of(uint32 size, uint32 width)
 {
     uint32 words = (width << size) >> 4;
@@ -194,7 +195,7 @@ static uint32 dxt_of(uint32 size, uint32 width)
     return (2047 + words) / words;
 }
 
-/* How the load calls go: what the image and the load tile pretend to be, and the render tile. */
+/* Parameters of a load: settings of the image and the load tile, and those of the render tile. */
 struct plan {
     uint32 load_size, size;
     uint32 image_width, load_line, line;
@@ -222,7 +223,7 @@ enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
 
 static enum n64_result block(struct n64_list *list, const struct n64_texture *texture, uint32 size)
 {
-    const uint32 shift = size < N64_16 ? N64_16 - size : 0;    /* texels in one of 16 bits */
+    const uint32 shift = size < N64_16 ? N64_16 - size : 0;    /* log2 of the texels in 16 bits */
     const uint32 texels = texture->width * texture->height + (1u << shift) - 1;
     struct plan plan;
 
@@ -267,7 +268,7 @@ enum n64_result n64_load_texture_tile(struct n64_list *list, const struct n64_te
     return N64_DONE;
 }
 
-/* Two texels pass for one of 8 bits: columns, in 10.2, are halved. */
+/* Two texels are loaded as one of 8 bits: columns, in 10.2, are halved. */
 enum n64_result n64_load_texture_tile_4b(struct n64_list *list, const struct n64_texture *texture)
 {
     struct plan plan;

@@ -1,4 +1,4 @@
-/* What a state is fit for, and what drawing leaves pending. */
+/* Checks whether a state can be drawn with, and notes the syncs due after drawing. */
 #include "n64/n64.h"
 
 void n64_init(struct n64 *n64, const uint8 *dram, uint32 dram_bytes)
@@ -50,7 +50,7 @@ static int32 clamps(const struct n64_axis *axis)
     return axis->clamp || !axis->mask;
 }
 
-/* How many columns or rows an axis can show. */
+/* Returns how many columns or rows an axis can show. */
 static uint32 shown(const struct n64_axis *axis)
 {
     const uint32 inside = ((uint32)axis->high >> 2) - ((uint32)axis->low >> 2) + 1;
@@ -61,7 +61,7 @@ static uint32 shown(const struct n64_axis *axis)
     return clamps(axis) && inside < masked ? inside : masked;
 }
 
-/* TMEM words of a row of so many texels; of split ones, in the low half. */
+/* Returns the TMEM words of a row of texels; of split ones, those in the low half. */
 static uint32 row_words(const struct n64_tile *tile, uint32 texels)
 {
     if (tile->size == N64_4)
@@ -71,7 +71,7 @@ static uint32 row_words(const struct n64_tile *tile, uint32 texels)
     return (texels + 3) >> 2;
 }
 
-/* Where the texels that a tile can show lie. */
+/* Checks that all texels which the tile can show are where its format allows. */
 static enum n64_result check_place(const struct n64_tile *tile, int32 low_only)
 {
     const uint32 columns = shown(&tile->s), rows = shown(&tile->t);

@@ -1,4 +1,4 @@
-/* The combiner's codes: what its inputs are called in a set-combine word. */
+/* Codes of the combiner's inputs in a set-combine word. */
 #ifndef N64_CODES_H
 #define N64_CODES_H
 

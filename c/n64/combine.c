@@ -3,7 +3,7 @@
 #include "n64/codes.h"
 #include "n64/pixel.h"
 
-/* What a cycle's codes stand for; channel 0-3: R G B A. */
+/* Values of the codes of a cycle; channel 0-3: R G B A. */
 struct inputs {
     int32 colours[6][4];        /* N64_CODE_COMBINED to N64_CODE_ENVIRONMENT */
     int32 fraction, primitive_fraction, k4, k5;
@@ -42,7 +42,7 @@ static int32 alpha_c(const struct inputs *in, uint32 code)
         : code < N64_CODE_ONE ? in->colours[code][3] : 0;
 }
 
-/* A, B and D: a quarter of the range is negative. */
+/* Extends A, B or D: a quarter of the range is negative. */
 static int32 extend(int32 value)
 {
     value &= 0x1ff;
@@ -78,7 +78,7 @@ static void put(struct inputs *in, int32 code, const struct n64_colour *colour)
     in->colours[code][3] = colour->a;
 }
 
-/* 9 bits to 0-255. */
+/* Clamps 9 bits to 0-255. */
 static int32 clamp_9(int32 value)
 {
     value &= 0x1ff;
@@ -122,7 +122,7 @@ enum n64_result n64_check_combine(const struct n64_combine *combine)
     return N64_DONE;
 }
 
-/* enum n64_inputs of one of the codes that mean the same in all places. */
+/* Returns the enum n64_inputs bit of a code that means the same for A, B, C and D. */
 static uint32 input_of(uint32 code)
 {
     return code == N64_CODE_TEXEL0 ? N64_INPUT_TEXEL0 : code == N64_CODE_TEXEL1 ? N64_INPUT_TEXEL1
@@ -143,7 +143,7 @@ static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
 }
 
 /* In one-cycle mode texel 1 is texel 0; in the second of two cycles they change places. Copy mode
-   knows no combiner. */
+   has no combiner. */
 void n64_find_inputs(struct n64 *n64)
 {
     const uint32 both = N64_INPUT_TEXEL0 | N64_INPUT_TEXEL1;

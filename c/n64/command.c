@@ -1,8 +1,9 @@
-/* Command words to state. */
+/* Changes the state by command words. */
 #include "n64/bits.h"
 #include "n64/n64.h"
 
-/* A part of the state becomes another; whether that changes it: its generation grows then. */
+/* Copies other to a part of the state. If they differed, increments its generation and returns
+   non-zero. */
 static int32 change(void *part, const void *other, uint32 bytes, uint32 *generation)
 {
     const uint8 *from = other;
@@ -18,7 +19,7 @@ static int32 change(void *part, const void *other, uint32 bytes, uint32 *generat
     return changed != 0;
 }
 
-/* Strict: what a change of this kind may not find pending. */
+/* Returns the result for a missing sync if strict and the sync is pending, else N64_DONE. */
 static enum n64_result due(const struct n64 *n64, uint32 pending, enum n64_result missing)
 {
     return n64->strict && n64->pending & pending ? missing : N64_DONE;
@@ -119,7 +120,7 @@ static enum n64_result set_modes(struct n64 *n64, uint32 hi)
     return N64_DONE;
 }
 
-/* Some bits of the modes' upper word; the others stay. */
+/* Changes only some bits of the modes' upper word. */
 static enum n64_result set_some_modes(struct n64 *n64, uint32 hi, uint32 lo)
 {
     const uint32 count = n64_bits(hi, 7, 0) + 1, unshift = n64_bits(hi, 15, 8);
@@ -188,13 +189,13 @@ static void set_byte(struct n64 *n64, uint8 *byte, uint32 value)
     change(byte, &other, 1, &n64->mode_generation);
 }
 
-/* R G B A lie in memory as in the word. */
+/* R G B A have the same order in memory as in the word. */
 static void set_colour(struct n64 *n64, uint8 *colour, uint32 word)
 {
     change(colour, &word, sizeof word, &n64->mode_generation);
 }
 
-/* Not of the modes that pending primitives were given with: no sync is due. */
+/* No sync is due: these are not modes that pending primitives depend on. */
 static enum n64_result set_primitive(struct n64 *n64, uint32 hi, uint32 lo)
 {
     set_byte(n64, &n64->min_level, n64_bits(hi, 12, 8));

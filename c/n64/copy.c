@@ -1,14 +1,14 @@
-/* Copy mode: four 16-bit texels at once, as they are. Of other texels without a TLUT, which no
-   manual allows, the first long is four bytes of red or intensity. */
+/* Copy mode: four 16-bit texels at once, unconverted. If texels of other sizes are read without a
+   TLUT, which no manual allows, the first long is four bytes of red or intensity. */
 #include "n64/texel.h"
 
-/* Shift and origin only: copy mode does not clamp. */
+/* Only shifts and subtracts the origin: copy mode does not clamp. */
 static int32 first_index(const struct n64_axis *axis, int32 c)
 {
     return (n64_shifted(axis, c) - 8 * axis->low) >> 5;
 }
 
-/* The 16 bits that hold a texel; of 32 bits those in the low half. */
+/* Returns the 16 bits that hold a texel; of a 32-bit texel those in TMEM's low half. */
 static uint32 unit(const struct n64 *n64, const struct n64_tile *tile, int32 s, int32 row)
 {
     const uint32 address = n64_texel_address(tile, tile->size, s, row)

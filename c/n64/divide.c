@@ -2,16 +2,16 @@
 
 #define HALF (N64_RECIPROCALS / 2)
 
-/* 2^20 / (64 + i), the hardware's: all are the rounded ones but one. */
+/* Returns 2^20 / (64 + i), rounded except for one entry, as in the hardware. */
 static int32 inverse(int32 i)
 {
     return i == 6 ? 14979 : ((2 << 20) / (64 + i) + 1) >> 1;
 }
 
-/* s * r >> (13 - shifts) is the upper half of (s << 16) * (r << (3 + shifts)), where shifts bring
-   w's highest bit to bit 14. Those of w and 2 w differ by one, and r is the same: only the upper
-   half of the table is worked out, 256 entries of it along a line. Of w = 1 it is one less, to
-   be a signed number: the quotients differ where they are clamped alone. */
+/* s * r >> (13 - shift) is the upper half of (s << 16) * (r << (3 + shift)), where shift brings
+   w's highest bit to bit 14. For w and 2 w r is the same and the shift differs by one, so only
+   the upper half of the table is calculated, in straight lines of 256 entries. The entry of w = 1
+   is one less, to be a signed number: only quotients that are clamped differ. */
 void n64_divide_table_make(uint32 *reciprocals)
 {
     uint32 *to = reciprocals + HALF;

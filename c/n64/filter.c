@@ -2,7 +2,7 @@
 #include "n64/bits.h"
 #include "n64/texel.h"
 
-/* One channel; fs, ft: 0 to 31. */
+/* Filters one channel; fs, ft: 0 to 31. */
 static int32 three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, int32 ft)
 {
     if (fs + ft < 32)
@@ -10,9 +10,9 @@ static int32 three_points(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs, 
     return c11 + (((32 - fs) * (c01 - c11) + (32 - ft) * (c10 - c11) + 16) >> 5);
 }
 
-/* Cycle 1 while it both filters and converts one: the texels' differences are weighed by the
-   first two channels of what cycle 0 made, and its third is what they are added to; in the
-   middle a quarter of the fourth texel's difference too. */
+/* Cycle 1 with both filtering and convert_one on: the texels' differences are weighted by the
+   first two channels of cycle 0's sample and added to its third. In the middle a quarter of the
+   fourth texel's difference is added too. */
 static int32 weigh(int32 c00, int32 c10, int32 c01, int32 c11, int32 upper, int32 mid,
                    const struct n64_colour *by)
 {
@@ -22,11 +22,11 @@ static int32 weigh(int32 c00, int32 c10, int32 c01, int32 c11, int32 upper, int3
     return by->b + ((by->r * ds + by->g * dt + (mid ? 64 * (c00 - from) : 0) + 0x80) >> 8);
 }
 
-/* Where a filter looks: fractions for luma or colour, and for chroma. */
+/* A filter's fractions, for luma or colour and for chroma, and its modes. */
 struct fractions {
     int32 s, chroma_s, t;
     int32 mid;                  /* the mode */
-    const struct n64_colour *by; /* of weigh, or 0 */
+    const struct n64_colour *by; /* for weigh, or 0 */
 };
 
 static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
@@ -41,7 +41,7 @@ static int16 filter(int32 c00, int32 c10, int32 c01, int32 c11, int32 fs,
     return (int16)n64_signed_9(three_points(c00, c10, c01, c11, fs, at->t));
 }
 
-/* The four texels of a quad. Of YUV, chroma's second column may be another than luma's. */
+/* The four texels of a quad. In YUV, chroma's second column may differ from luma's. */
 struct taps {
     struct n64_colour c00, c10, c01, c11;
 };
@@ -55,7 +55,7 @@ static void filter_taps(const struct taps *taps, const struct fractions *at,
     out->a = filter(taps->c00.a, taps->c10.a, taps->c01.a, taps->c11.a, at->s, at);
 }
 
-/* The corner that a filter would start from: what is left of one where it is off. */
+/* Finds the corner that a filter would start from; used for quads with the filter off. */
 static void nearest_corner(const struct taps *taps, const struct fractions *at,
                            struct n64_colour *out)
 {

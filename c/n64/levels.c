@@ -37,7 +37,7 @@ void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
         int32 distant;
 
         if (!(i & 255))
-            level = 0;          /* again from the start: the logarithm is of 8 bits */
+            level = 0;          /* start again: the logarithm is that of 8 bits */
         if ((i & 255) >> (level + 1))
             level++;
         distant = i >= 256 || m->max_level == 0 || level >= m->max_level;

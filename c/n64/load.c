@@ -2,7 +2,6 @@
 #include "n64/bits.h"
 #include "n64/n64.h"
 
-/* Two bytes to a 16-bit unit of TMEM. */
 static void put_unit(struct n64 *n64, uint32 unit, uint32 first, uint32 second)
 {
     uint8 *to = n64->tmem + 2 * unit;
@@ -16,7 +15,7 @@ static int32 is_split(const struct n64_tile *tile)
     return tile->format == N64_YUV || (tile->format == N64_RGBA && tile->size == N64_32);
 }
 
-/* The 16-bit unit, from the row's beginning on, that texel s of a tile is in. */
+/* Returns the 16-bit unit of texel s, counted from the beginning of the tile's row. */
 static uint32 column_of(const struct n64_tile *tile, uint32 s)
 {
     if (tile->size == N64_8 || tile->format == N64_YUV)
@@ -24,8 +23,8 @@ static uint32 column_of(const struct n64_tile *tile, uint32 s)
     return tile->size == N64_4 ? s >> 2 : s;
 }
 
-/* 8 bytes for a row, at texel s: 16-bit units in order, the long halves of odd rows swapped;
-   of RGBA 32 and YUV two units into each half of TMEM. */
+/* Puts 8 bytes into a row at texel s: 16-bit units in order, the two longs swapped in odd rows.
+   RGBA 32 and YUV put two units into each half of TMEM. */
 static void put_chunk(struct n64 *n64, const struct n64_tile *tile, uint32 row, uint32 s,
                       const uint8 *d)
 {
@@ -53,13 +52,13 @@ static void put_chunk(struct n64 *n64, const struct n64_tile *tile, uint32 row, 
     }
 }
 
-/* Whether bytes of DRAM are there, without a sum that could wrap. */
+/* Returns non-zero if the bytes are within DRAM, without a sum that could wrap. */
 static int32 inside(const struct n64 *n64, uint32 from, uint32 bytes)
 {
     return n64->dram && bytes <= n64->dram_bytes && from <= n64->dram_bytes - bytes;
 }
 
-/* What both texel loads want of image and tile. */
+/* Checks image and tile for both texel loads. */
 static enum n64_result check_image(const struct n64 *n64, const struct n64_tile *tile)
 {
     if (n64->image.size == N64_4)
@@ -74,8 +73,8 @@ static enum n64_result check_image(const struct n64 *n64, const struct n64_tile 
     return N64_DONE;
 }
 
-/* Whether words of 64 bits, `end` the one behind the last, stay where the tile's texels
-   belong. */
+/* Checks that a load stays in the part of TMEM that the tile's texels may use. end: the TMEM word
+   behind the last one. */
 static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *tile, uint32 end)
 {
     if (!n64->checked)
@@ -90,7 +89,7 @@ static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *
     return end > N64_TMEM_WORDS ? N64_LOAD_TOO_LARGE : N64_DONE;
 }
 
-/* TMEM words that chunks take from the beginning of a row on: split ones take half. */
+/* Returns the TMEM words that chunks take up from the beginning of a row: split ones take half. */
 static uint32 words_of(const struct n64_tile *tile, uint32 chunks)
 {
     return is_split(tile) ? (chunks + 1) >> 1 : chunks;
@@ -186,7 +185,7 @@ static enum n64_result check_tlut(const struct n64 *n64, const struct n64_tile *
     return N64_DONE;
 }
 
-/* One word of TMEM an entry, which is in it four times. */
+/* Each entry takes one word of TMEM and is in it four times. */
 enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo)
 {
     const struct n64_tile *tile = &n64->tiles[n64_bits(lo, 26, 24)];

@@ -1,7 +1,7 @@
-/* Level of detail: how far a pixel's neighbours are in the texture, and which tiles it shows. */
+/* Level of detail: a pixel's distance to its neighbours in the texture, and the tiles it shows. */
 #include "n64/pixel.h"
 
-/* As the hardware has it: one off below 0. */
+/* Returns the distance as the hardware does: one less if to - from is negative. */
 static int32 distance(int32 from, int32 to)
 {
     return to - from < 0 ? ~(to - from) : to - from;
@@ -17,7 +17,7 @@ static int32 overflows(const struct n64_divided *at)
     return at->overflow_s || at->overflow_t;
 }
 
-/* lod: s10.5, 32 is one texel a pixel; far: beyond reckoning. */
+/* lod: s10.5, 32 is one texel a pixel. far: lod is out of range. */
 static void find_level(const struct n64 *n64, int32 lod, int32 far, struct n64_level *level)
 {
     const struct n64_modes *modes = &n64->modes;
@@ -54,7 +54,7 @@ static void find_level(const struct n64 *n64, int32 lod, int32 far, struct n64_l
     level->tile1 &= 7;
 }
 
-/* The lower bits of a gradient do not count. */
+/* mask: clears a gradient's lower bits, which the hardware ignores. */
 static void neighbour(const struct n64_iterators *at, const struct n64_iterators *by, uint32 mask,
                       struct n64_iterators *out)
 {

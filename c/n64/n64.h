@@ -1,7 +1,7 @@
 /* The N64's texture engine: its state and the words that change it.
 
-   A texture engine is a value: a program may have as many as it likes, each with its own
-   TMEM. Words are the one way into the state (calls.h writes them); pixel.h draws from it.
+   A program may have any number of texture engines, each with its own TMEM. Command words
+   (written by calls.h) are the only way to change the state; pixel.h draws from it.
    Formats: 10.2 is unsigned with 2 fraction bits; s10.5 signed, 16 bits, 5 of them fraction;
    TMEM words have 64 bits. Memory is big-endian throughout. */
 #ifndef N64_H
@@ -24,9 +24,9 @@ enum n64_constants {
     N64_ROWS_MAX = 256
 };
 
-/* Operations: bits 29:24 of a pair's upper word. The upper two bits are not looked at.
-   N64_OP_TEXTURE and N64_OP_MODES are no words of the drawing processor: they are what is left
-   of the manual's words for the geometry processor, with the fields it gives them. */
+/* Operations: bits 29:24 of a pair's upper word, whose bits 31:30 are ignored. N64_OP_TEXTURE
+   and N64_OP_MODES are words of the geometry processor, not of the drawing processor. They have
+   the fields that the manual gives them. */
 enum n64_operation {
     N64_OP_NOTHING = 0x00,
     N64_OP_TEXTURE = 0x17,      /* hi: max_level 13:11, first tile 10:8 */
@@ -48,7 +48,7 @@ enum n64_operation {
     N64_OP_IMAGE = 0x3d
 };
 
-/* What came of a command or a check. All but N64_DONE: nothing was changed. */
+/* Result of a command or a check. Unless it is N64_DONE, nothing was changed. */
 enum n64_result {
     N64_DONE,
     N64_UNKNOWN_COMMAND,
@@ -120,7 +120,7 @@ struct n64_image {
     uint16 width;               /* texels */
 };
 
-/* Bits of n64.inputs: what a pixel's colour depends on. */
+/* Bits of n64.inputs: the inputs that a pixel's colour depends on. */
 enum n64_inputs {
     N64_INPUT_TEXEL0 = 1,       /* tile T0's sample, */
     N64_INPUT_TEXEL1 = 2,       /* T1's */
@@ -144,14 +144,14 @@ struct n64 {
     uint8 primitive_tile;       /* 0-7: T0, or the first of a mipmap */
     uint32 other_modes;         /* bits 23:0 of the last set other modes */
     uint32 inputs;              /* enum n64_inputs, of this combine mode and cycle type */
-    const uint8 *dram;          /* what addresses of images count into, */
+    const uint8 *dram;          /* the memory that image addresses refer to, */
     uint32 dram_bytes;          /* multiple of 8 */
-    /* Each grows when what it stands for really changes: who keeps something that was made
-       from it compares. */
+    /* Generation counters for cache invalidation: TMEM's counts loads, the others only real
+       changes. */
     uint32 tmem_generation, tile_generation[N64_TILES], mode_generation;
-    uint8 checked;              /* 1: illegal uses are results of their own; 0: they do what
-                                   the hardware does, but those that hang it */
-    uint8 strict;               /* 1: a change without its sync is a result of its own */
+    uint8 checked;              /* 1: illegal uses are refused; 0: they do what the hardware
+                                   does, except those that hang it */
+    uint8 strict;               /* 1: a change without its sync is refused */
     uint8 pending;              /* strict: enum n64_pending, set by n64_drawn */
     uint8 pending_tiles;        /* bit n: the primitives that are pending read tile n */
     uint32 command;             /* number in the list of the command being run, from 0 on */
@@ -161,48 +161,54 @@ struct n64_word {
     uint32 hi, lo;
 };
 
-/* Everything 0 but: checked, both cycles filter, the colour is texel 0. dram: may be 0. */
+/* Sets everything to 0, except: checked is 1, both cycles filter, the colour is texel 0. dram may
+   be 0. */
 void n64_init(struct n64 *n64, const uint8 *dram, uint32 dram_bytes);
 
 /* Runs one pair of words. */
 enum n64_result n64_command(struct n64 *n64, uint32 hi, uint32 lo);
 
-/* Runs a display list to its end or to the first pair that is refused: n64->command. */
+/* Runs a display list to its end, or to the first pair that is refused: its number is then in
+   n64->command. */
 enum n64_result n64_list_run(struct n64 *n64, const struct n64_word *words, uint32 count);
 
-/* Drawing calls this after each primitive: syncs are due from now on (strict). Tiles that
-   the primitive read: from primitive_tile on, as many as the modes can choose. A pipe sync
-   waits for all that a tile sync waits for, so it stands for one too (the manual's load calls
-   rely on that). */
+/* Drawing code calls this after each primitive: from then on syncs are due (strict). The
+   primitive is assumed to read all tiles that the modes can choose, from primitive_tile on. A
+   pipe sync also counts as a tile sync, because it waits for all that a tile sync waits for (the
+   manual's load calls rely on that). */
 void n64_drawn(struct n64 *n64);
 
-/* Whether a tile can be drawn from as it is (only where checked). */
+/* Returns N64_DONE if tile n can be drawn from, or if n64->checked is 0. */
 enum n64_result n64_check_tile(const struct n64 *n64, int32 n);
 
-/* Whether all that a primitive needs is fit for drawing: tiles in use, combine mode. */
+/* Returns N64_DONE if a primitive can be drawn with the cycle type, the tiles in use and the
+   combine mode, or if n64->checked is 0. */
 enum n64_result n64_check_drawing(const struct n64 *n64);
 
-/* Whether a vertex's s and t (s15.16, in texels) can be drawn (only where checked). */
+/* Returns N64_DONE if a vertex's s and t (s15.16, in texels) can be drawn, or if n64->checked
+   is 0. */
 enum n64_result n64_check_coordinates(const struct n64 *n64, fix16 s, fix16 t);
 
-/* The tiles a primitive can read: bit n. */
+/* Returns the tiles that a primitive can read: bit n for tile n. */
 uint32 n64_tiles_used(const struct n64 *n64);
 
-/* A line's text for a result, as "no load sync". */
+/* Returns a short text for a result, such as "no load sync". */
 const char *n64_result_text(enum n64_result result);
 
-/* load.c: what the load commands do; the tile is n64->tiles[n], whose edges they also set. */
+/* load.c: the load commands. They load through n64->tiles[n] and also set that tile's edges. */
 enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo);
 
-/* command.c: the edges of a tile as set tile size and the loads give them. */
+/* command.c: sets a tile's edges from the words of set tile size or of a load. */
 void n64_set_edges(struct n64 *n64, uint32 hi, uint32 lo);
 
-/* check.c: whether a format exists in this size for loads: as for drawing, and views of 16 bits. */
+/* check.c: returns non-zero if a load may use the format in this size: all that can be drawn
+   except 4 bits, and every format as 16 bits. */
 int32 n64_loadable_pair(uint32 format, uint32 size);
 
-/* combine.c: n64->inputs anew; whether all codes that count are supported. */
+/* combine.c: n64_find_inputs recalculates n64->inputs. n64_check_combine returns N64_DONE if all
+   codes are supported. */
 void n64_find_inputs(struct n64 *n64);
 enum n64_result n64_check_combine(const struct n64_combine *combine);
 

@@ -1,12 +1,12 @@
-/* The passes over a line's pixels: each a routine of src68k/n64 (contracts there) that takes
-   what the pass before it left. count is 1 or more. */
+/* The passes over a line's pixels. Each is a routine of src68k/n64 (contracts there) that reads
+   the output of the pass before it. count is 1 or more. */
 #ifndef N64_PASSES_H
 #define N64_PASSES_H
 
 #include "compiler.h"
 
-/* Iterators at a line's first pixel, or what they change by: s15.16. The upper 16 bits are s and t
-   (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
+/* Iterators at a line's first pixel, or their steps: s15.16. The upper 16 bits are s and t (s10.5)
+   or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
 struct n64_iterators {
     int32 s, t, w;
 };
@@ -14,31 +14,32 @@ struct n64_iterators {
 /* A coordinate pair: s in the upper, t in the lower word, both s10.5. */
 typedef uint32 n64_coordinates;
 
-/* One triangle of a 2x2 quad: a corner, and what the texels beside it in s and t differ by.
+/* One triangle of a 2x2 quad: a corner, and the differences of its neighbours in s and t.
    Each long has two channels: R and B, or G and A, the first one in the upper word. The corner
-   is 8 * (32 * channel + 16), a difference 8 * (channel - corner's channel); the words of a
-   difference are added as one signed 32-bit number, so that a negative lower one borrows. */
+   is 8 * (32 * channel + 16), a difference 8 * (channel - corner's channel). The words of a
+   difference are added as one signed 32-bit number, so a negative lower word borrows from the
+   upper one. */
 struct n64_triangle {
     uint32 rb_s, rb_t, rb, ga_s, ga_t, ga;
 };
 
-/* What the three-point filter needs of texel c00 and its neighbours: the corner of lower is
-   c00, that of upper c11, whose differences are those of c01 in s and of c10 in t. */
+/* Texel c00 and its neighbours, prepared for the filters. The corner of lower is c00. The corner
+   of upper is c11; its neighbour in s is c01, in t c10. */
 struct n64_quad {
     struct n64_triangle lower, upper;
     uint32 mean_rb, mean_ga;    /* as rb and ga: 8 * (8 * (c00 + c10 + c01 + c11) + 16) */
     uint32 spare[2];
 };
 
-/* What quads are made of beside a row of texels: the row below it. Of the texels, and the quads,
-   every step-th one counts, and is the next one's neighbour. */
+/* The row below a row of texels, for making quads. Texels are read and quads written step apart;
+   a texel's neighbour in s is step texels on. */
 struct n64_quad_row {
     const uint32 *below;
     int32 step;
 };
 
 /* A tile as texels of four bytes. A relative coordinate's texel is texels[row << columns_bits |
-   column]: column = s >> 5 modulo 2^columns_bits, row alike. */
+   column]: column = s >> 5 modulo 2^columns_bits, row likewise. */
 struct n64_decoded {
     const uint32 *texels;       /* R G B A */
     const struct n64_quad *quads;       /* the same order; 0 without a filter */
@@ -46,12 +47,12 @@ struct n64_decoded {
     uint16 columns_bits, rows_bits;
 };
 
-/* From coordinates to relative ones, one axis. */
+/* Converts coordinates to relative ones, for one axis. */
 struct n64_axis_range {
-    int16 shift;                /* bits to the right; to the left where it is negative */
-    uint16 clamp;               /* 0: low alone counts, and wraps */
-    int16 low, high;            /* s10.5: the origin; where the last texel is shown from on */
-    int16 last;                 /* that texel's relative coordinate, a whole one */
+    int16 shift;                /* bits to the right; negative: to the left */
+    uint16 clamp;               /* 0: only low is used, and coordinates wrap */
+    int16 low, high;            /* s10.5: the origin; the last texel is shown from here on */
+    int16 last;                 /* that texel's relative coordinate, without a fraction */
 };
 
 struct n64_axes {
@@ -60,25 +61,25 @@ struct n64_axes {
 
 #define N64_RECIPROCALS 32768   /* longs: 128 KB */
 
-/* What the iterators change by, and the reciprocal of each w. */
+/* Steps of the iterators, and the reciprocal of each w. */
 struct n64_division {
     int32 s, t, w;
     const uint32 *reciprocals;
 };
 
-/* Texels 1 and by how much they count: 9 bits signed, 256 is all. */
+/* Texels 1 and their weights: 9 bits signed, 256 is 1.0. */
 struct n64_blend {
     const uint32 *other;
     const int16 *fractions;
     int32 fraction_step;        /* bytes: 2, or 0 for the same everywhere */
 };
 
-/* Colours at a line's first pixel, or what they change by: 16.16. */
+/* Colours at a line's first pixel, or their steps: 16.16. */
 struct n64_shades {
     int32 r, g, b, a;
 };
 
-/* What texels are multiplied with: texels from pixel to pixel, or one. */
+/* Factors of a multiplication: one texel a pixel, or one for all pixels. */
 struct n64_modulation {
     const uint32 *other;
     int32 step;                 /* bytes: 4, or 0 for the same everywhere */
@@ -89,14 +90,14 @@ struct n64_wide {
     int16 channels[4];
 };
 
-/* What U or V add to Y: green in 1/65536, as the two are added before that is rounded; blue or
-   red, rounded. */
+/* The addends of U or V to Y: green in 1/65536, because those of U and V are added before
+   rounding; blue or red, rounded. */
 struct n64_addend {
     int32 green;
     int16 spare, other;
 };
 
-/* By U + 128 and V + 128; of K0 to K3. */
+/* Indexed by U + 128 and V + 128; made from K0 to K3. */
 struct n64_matrix {
     struct n64_addend u[256], v[256];
 };
@@ -105,37 +106,37 @@ struct n64_matrix {
 struct n64_yuv_conversion {
     const uint32 *chroma;       /* texels: U + 128, V + 128, any, any */
     const struct n64_matrix *matrix;
-    const uint32 *colours;      /* R G B A by the low 9 bits of each: 512; n64_convert */
+    const uint32 *colours;      /* for n64_convert: 512 R G B A, by a channel's low 9 bits */
 };
 
 /* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
-   constant. Each is the channel's own word of a n64_wide, alpha's, or a single word. */
+   constant. Each points to the channel's word of an n64_wide, to its alpha, or to a single word. */
 struct n64_combination {
     const int16 *a, *b, *c, *d;
     int32 a_step, b_step, c_step, d_step;
 };
 
-/* Two tiles and what the second one counts: 9 bits signed, 256 is all. */
+/* Two tiles and the weight of the second: 9 bits signed, 256 is 1.0. */
 struct n64_blending {
     uint8 tile0, tile1;
     int16 fraction;
 };
 
-/* The blending of each level of detail, worked out once for a mode. A level's long has the two
-   tiles, bits to shift the fraction by, and 255 where that is the fraction. */
+/* The blending of each level of detail, calculated once for a mode. A level's long has the two
+   tiles, the shift that gives the fraction, and 255 if the fraction is always that, else 0. */
 struct n64_levels {
-    uint32 magnified[32];       /* n64_blending, by the longest change between pixels */
-    uint32 levels[512];         /* by a 32nd of it, from 1 on */
+    uint32 magnified[32];       /* n64_blending, by the LOD: the longest change between pixels */
+    uint32 levels[512];         /* by LOD / 32, from 1 on */
     uint32 far;                 /* n64_blending */
 };
 
-/* What the levels depend on. */
+/* The modes that n64_levels depends on. */
 struct n64_level_modes {
     uint8 lod, sharpen, detail; /* 0 or 1 */
     uint8 max_level, min_level, tile;
 };
 
-/* What the iterators change by; their gradients; and where the blendings go. */
+/* Steps of the iterators, their gradients in x and y, tables, and where blendings are written. */
 struct n64_lod_steps {
     int32 s, t, w;
     int32 x_s, x_t, x_w;
@@ -145,7 +146,7 @@ struct n64_lod_steps {
     struct n64_blending *blendings;
 };
 
-/* Of a page: longs, a multiple of 32. */
+/* Copies a page's row; longs is a multiple of 32. */
 void n64_copy_row(const uint32 *row, uint32 *to, int32 longs);
 
 /* k: K0 to K3. */

@@ -2,7 +2,7 @@
 #include "n64/bits.h"
 #include "n64/pixel.h"
 
-/* 2^20 / (64 + i), rounded; entry 6 is one less, as the hardware has it. */
+/* 2^20 / (64 + i), rounded; entry 6 is one less, as in the hardware. */
 static const uint16 reciprocals[65] = {
     16384, 16132, 15888, 15650, 15420, 15197, 14979, 14769, 14564, 14364, 14170, 13981, 13797,
     13618, 13443, 13273, 13107, 12945, 12788, 12633, 12483, 12336, 12193, 12053, 11916, 11782,

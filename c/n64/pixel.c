@@ -27,7 +27,7 @@ uint32 n64_draw_pixel(const struct n64 *n64, const struct n64_point *point,
     sources.shade = shade ? *shade : none;
     sources.fraction = level.fraction;
     sources.texel0 = none;
-    /* Cycle 1 may convert what cycle 0 sampled. */
+    /* Cycle 1 may convert cycle 0's sample. */
     if (n64->inputs & (N64_INPUT_TEXEL0 | N64_INPUT_TEXEL1))
         n64_sample(n64, level.tile0, at.s, at.t, 0, 0, &sources.texel0);
     sources.texel1 = sources.texel0;

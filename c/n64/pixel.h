@@ -1,12 +1,12 @@
-/* One pixel, from iterators to a colour: the arithmetic that every quicker way must equal. */
+/* One pixel, from iterators to a colour: the reference that all faster code must equal. */
 #ifndef N64_PIXEL_H
 #define N64_PIXEL_H
 
 #include "n64/passes.h"
 #include "n64/texel.h"
 
-/* A pixel's iterators, and what they grow by to the right and downwards. Their upper 16 bits
-   are s and t (s10.5) or, with perspective, s * w, t * w and w (0x7fff is 1.0). */
+/* A pixel's iterators and their gradients in x and y. Their upper 16 bits are s and t (s10.5) or,
+   with perspective, s * w, t * w and w (0x7fff is 1.0). */
 struct n64_point {
     struct n64_iterators at, dx, dy;
 };
@@ -20,11 +20,11 @@ struct n64_divided {
 
 void n64_quotients(int32 s, int32 t, int32 w, struct n64_divided *out);
 
-/* perspective.c. The same for iterators: with or without perspective. */
+/* perspective.c. Calculates a pixel's coordinates from iterators, with or without perspective. */
 void n64_project(const struct n64 *n64, const struct n64_iterators *at, struct n64_divided *out);
 
-/* lod.c. Which tiles a pixel shows, and between them: 9 bits, of which the highest makes it
-   negative (0x1c0 is -64). */
+/* lod.c. The two tiles that a pixel shows and the fraction between them: 9 bits signed (0x1c0 is
+   -64). */
 struct n64_level {
     int32 tile0, tile1, fraction;
 };
@@ -34,18 +34,18 @@ struct n64_level {
 void n64_level_of_point(const struct n64 *n64, const struct n64_point *point,
                         const struct n64_divided *at, struct n64_level *level);
 
-/* What the combiner chooses from. */
+/* Inputs of the combiner. */
 struct n64_sources {
     struct n64_colour texel0, texel1, shade;
     int32 fraction;             /* of the level: 9 bits as n64_level has it */
 };
 
-/* combine.c. A pixel's colour: 0 to 255 each, R G B A from the highest byte on. In the second
-   of two cycles texel 0 is tile T1's sample and texel 1 this pixel's T0 (the hardware has the
-   next pixel's there); in one-cycle mode texel 1 is texel 0. */
+/* combine.c. Returns a pixel's colour: 0 to 255 each, R G B A from the highest byte on. In the
+   second of two cycles texel 0 is tile T1's sample and texel 1 this pixel's T0 (the hardware has
+   the next pixel's there); in one-cycle mode texel 1 is texel 0. */
 uint32 n64_combine_pixel(const struct n64 *n64, const struct n64_sources *sources);
 
-/* pixel.c. Tiles and their two samples, as in two-cycle mode. */
+/* pixel.c. A pixel's coordinates, tiles and their two samples, as in two-cycle mode. */
 struct n64_pixel {
     struct n64_divided at;
     struct n64_level level;
@@ -54,7 +54,8 @@ struct n64_pixel {
 
 void n64_sample_pixel(const struct n64 *n64, const struct n64_point *point, struct n64_pixel *pixel);
 
-/* pixel.c. The whole way in one- and two-cycle mode; shade may be 0 where inputs lacks it. */
+/* pixel.c. Returns a pixel's colour in one- or two-cycle mode; shade may be 0 if n64->inputs has
+   no N64_INPUT_SHADE. */
 uint32 n64_draw_pixel(const struct n64 *n64, const struct n64_point *point,
                       const struct n64_colour *shade);
 

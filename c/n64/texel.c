@@ -1,4 +1,4 @@
-/* Texels out of TMEM. */
+/* Reads texels from TMEM. */
 #include "n64/texel.h"
 
 uint32 n64_texel_address(const struct n64_tile *tile, uint32 size, int32 s, int32 row)
@@ -85,7 +85,7 @@ static void fetch_rgba32(const uint8 *at, struct n64_colour *texel)
     texel->a = at[0x801];
 }
 
-/* U and V stand in the low half, one of each for two texels; Y in the high one. */
+/* U and V are in TMEM's low half, one of each for two texels; Y is in the high half. */
 static void fetch_yuv(const struct n64 *n64, const struct n64_tile *tile, int32 s, int32 row,
                       struct n64_colour *texel)
 {

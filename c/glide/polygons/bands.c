@@ -3,12 +3,12 @@
 
 #define LOD_ONE 256             /* 1.0 */
 
-/* What others leave and ask for. */
+/* As in glide_bands_find. */
 struct glide_wanted {
     int32 has_other, has_alpha;
 };
 
-/* Whether a half of the combine unit multiplies anything. */
+/* Returns non-zero if a half of the combine unit uses its factor. */
 static int32 multiplies(const struct glide_combination *by)
 {
     return !by->zero_other || by->sub_local;
@@ -37,7 +37,7 @@ static uint32 bits_of(const struct glide_combining *combining)
     return bits;
 }
 
-/* A band from one LOD to another. */
+/* Sets a band of the LODs from .. to. */
 static void set_band(struct glide_band *band, const struct glide_modes *modes, int32 from, int32 to,
                      const struct glide_wanted *wanted)
 {
@@ -65,13 +65,13 @@ static void set_band(struct glide_band *band, const struct glide_modes *modes, i
     band->flip = (uint8)known.flip;
 }
 
-/* The nearest of two that lies beyond a LOD. */
+/* Returns other if it is above lod and below found, else found. */
 static int32 nearer(int32 found, int32 other, int32 lod)
 {
     return other > lod && other < found ? other : found;
 }
 
-/* Where the next band begins, the most at the latest. */
+/* Returns where the next band begins, at the latest at the greatest LOD. */
 static int32 next_break(const struct glide_modes *modes, int32 lod)
 {
     const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;

@@ -1,7 +1,7 @@
-/* The combine unit over a line: by the passes that do just what is asked. */
+/* The combine unit over a line, by passes chosen for the terms. */
 #include "glide/polygons/plan.h"
 
-/* The bytes of a channel, texels from pixel to pixel, or one for all. */
+/* The bytes of a channel: one from each texel, or one for all pixels. */
 struct bytes {
     const uint8 *at;
     int32 step;
@@ -65,7 +65,7 @@ static void set_added(struct bytes *bytes, const struct glide_combination *by, c
         set_constant(bytes, &none);
 }
 
-/* A channel, whatever the function. */
+/* Combines a channel by any function. */
 static void combine_channel(const struct line *line, const struct glide_combination *by,
                             int32 number)
 {
@@ -107,7 +107,7 @@ static void open_mix(struct glide_mix *mix, const struct line *line)
     mix->one = 1;
 }
 
-/* All channels, as colour asks; gives the texels that it comes to. */
+/* Combines all channels by colour's term; returns the resulting texels. */
 static const uint32 *combine_texels(const struct line *line)
 {
     const enum glide_term term = line->combining->rgb;
@@ -146,7 +146,7 @@ static const uint32 *combine_texels(const struct line *line)
     return line->to;
 }
 
-/* The result from texels that have its colour, but for channels that are inverted. */
+/* Makes the result from combined texels: copies or replaces alpha and inverts channels. */
 static void finish(const struct line *line, const uint32 *texels)
 {
     const struct glide_combining *combining = line->combining;

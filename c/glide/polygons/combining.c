@@ -1,15 +1,15 @@
 #include "glide/polygons/combining.h"
 
-/* Half of the combine unit, with what its terms hang on. */
+/* Half of the combine unit (colour or alpha), reduced to the values that choose its term. */
 struct half {
     const struct glide_combination *by;
     int32 is_alpha;
-    int32 other;                /* is not 0 */
-    uint32 factor;              /* that is selected: 1 to 5, 0 none */
+    int32 other;                /* 1: other is not 0 */
+    uint32 factor;              /* the selected one: 1 to 5, 0 none */
     int32 is_whole;             /* m is 256 everywhere */
 };
 
-/* The factor of all pixels; -1: it differs. */
+/* Returns the factor of all pixels, or -1 if it differs. */
 static int32 factor_of(const struct half *half, const struct glide_known *known)
 {
     int32 m = 0;
@@ -23,7 +23,7 @@ static int32 factor_of(const struct half *half, const struct glide_known *known)
     return m < 0 || known->flip < 0 ? -1 : m ^ known->flip ^ (half->by->reverse ? 0 : 255);
 }
 
-/* Alpha's own channel has two names: `own` is the one to go by. */
+/* In the alpha half two factors mean local alpha; `own` is the one to use. */
 static void open_half(struct half *half, const struct glide_combination *by,
                       const struct glide_known *known, int32 has_other, int32 is_alpha, uint32 own)
 {
@@ -38,11 +38,11 @@ static void open_half(struct half *half, const struct glide_combination *by,
         half->factor = own;
     value = factor_of(half, known);
     half->is_whole = value == 255;
-    if (!value && !by->sub_local)       /* other / 256 */
+    if (!value && !by->sub_local)       /* other * 1 / 256 is 0 */
         half->other = 0;
 }
 
-/* Of (other - local) m + local, or without the last. */
+/* Returns the term of (other - local) m + local, or without + local if adds is 0. */
 static enum glide_term difference(const struct half *half, int32 adds)
 {
     if (!adds)

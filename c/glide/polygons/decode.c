@@ -97,7 +97,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
     glide_find_level(&glide->modes, level, &at);
     count = at.columns * at.rows;
     if (!fresh) {
-        kept->key[0] = 0;               /* of no use until it is made */
+        kept->key[0] = 0;               /* not valid until it is made */
         kept->decoded.quads = 0;
         if (!room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
             return 0;

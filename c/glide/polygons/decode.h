@@ -1,4 +1,4 @@
-/* Levels decoded ahead: what the passes over a line's pixels read instead of texture memory. */
+/* Levels decoded ahead: the passes over a line's pixels read them instead of texture memory. */
 #ifndef GLIDE_DECODE_H
 #define GLIDE_DECODE_H
 
@@ -8,10 +8,10 @@
 
 enum { GLIDE_LEVEL_KEY = 5 };
 
-/* A decoded level that is kept. All 0 before the first use. */
+/* A cached decoded level. All 0 before the first use. */
 struct glide_kept {
     struct glide_decoded decoded;
-    uint32 key[GLIDE_LEVEL_KEY];  /* what it was made from */
+    uint32 key[GLIDE_LEVEL_KEY];  /* cache key */
     uint32 *texels;
     void *quads;                /* as decoded.quads */
     uint32 texels_room, quads_room;     /* elements */

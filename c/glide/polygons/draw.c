@@ -1,14 +1,15 @@
 /* From a polygon to its lines, and line by line to pixels.
 
-   All that decides a pixel is what is iterated, planes over the polygon, and the units' state.
-   What draws it is chosen by lower.c and makes no difference to the picture. */
+   A pixel depends only on the iterated values, which are planes over the polygon, and on the units'
+   state. lower.c chooses the routines that draw it; the choice makes no difference to the
+   picture. */
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
 #include "glide/polygons/tiles.h"
 #include "polygon/counts.h"
 
-/* What is iterated for a unit's points. */
+/* The iteration of a unit's points. */
 struct iteration {
     int32 first;                /* plane */
     int32 divided;              /* a unit divides by w */
@@ -23,8 +24,8 @@ static enum polygon_result refuse(struct glide_pipe *pipe, enum glide_result res
     return POLYGON_REFUSED;
 }
 
-/* The vertices of a unit's points. divided: 1 where a unit that has no points of its own divides
-   by them. */
+/* Finds the iteration of a unit's points, given by the vertices v. divided is 1 if any unit that
+   uses these points divides by w. */
 static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const struct vertex *v,
                            struct iteration *of)
 {
@@ -60,7 +61,7 @@ static int32 lod_base(const struct plane *of)
                           (int32)of[GLIDE_T].dy);
 }
 
-/* W of 1.0: a divide changes nothing. */
+/* Returns non-zero if W is 1.0 everywhere: division by it changes nothing. */
 static int32 is_constant(const struct plane *w)
 {
     return w->at == (uint32)scale.one && !w->dx && !w->dy;
@@ -71,8 +72,8 @@ static int32 least_of(int32 a, int32 b)
     return a < b ? a : b;
 }
 
-/* W of the box's pixels. No pixel of the polygon has more than 2^30, but for what steps are rounded
-   by, so that a change by less than that wraps nowhere. */
+/* Finds the range of W over the box's pixels. Apart from the rounding of steps no pixel of the
+   polygon has more than 2^30, so a change by less than that wraps nowhere. */
 static void find_range(struct glide_range *range, const struct glide_iterations *at,
                        const struct setup *s, const struct plane *w)
 {

@@ -1,8 +1,8 @@
-/* The bilinear filter over a line from texels alone: where a level's quads, eight times as large,
-   do not fit into memory. The same results as glide_bilinear and glide_bilinear_8. */
+/* The bilinear filter over a line from texels, used if a level's quads, eight times as large, do
+   not fit into memory. Results equal those of glide_bilinear and glide_bilinear_8. */
 #include "glide/passes.h"
 
-enum { FIELD = 0x00ff00ff };    /* each second channel of a texel */
+enum { FIELD = 0x00ff00ff };    /* every second channel of a texel */
 
 /* The four texels around a place, R G B A. */
 struct around {
@@ -22,7 +22,7 @@ static void find_texels(struct around *around, const struct glide_decoded *level
     around->c11 = lower[(s + 1) & last_s];
 }
 
-/* Two channels in 16 bits each: no sum leaves its half, so that differences may borrow. */
+/* Filters two channels in 16 bits each. No sum leaves its half, so differences may borrow. */
 static uint32 pair(const struct around *c, int32 shift, uint32 fs, uint32 ft)
 {
     const uint32 c00 = c->c00 >> shift & FIELD, c10 = c->c10 >> shift & FIELD;

@@ -1,7 +1,7 @@
-/* A line of a polygon: run by run of each unit, pass by pass. */
+/* Draws a line of a polygon: each unit run by run, each run pass by pass. */
 #include "glide/polygons/plan.h"
 
-/* LODs of a run's pixels; x: the first one's. */
+/* Finds LODs of a run's pixels. x: the first pixel's. */
 static void find_lods(const struct glide_runs *runs, const struct glide_row *row, int32 x, int32 count)
 {
     const struct glide_modes *modes = &runs->part->glide->modes;
@@ -23,7 +23,7 @@ static void find_lods(const struct glide_runs *runs, const struct glide_row *row
     glide_lod(&at, runs->part->scratch->lods, &lods, count);
 }
 
-/* What of a run's factors comes from LODs. */
+/* Finds a run's factors that depend on LODs. */
 static void find_factors(struct glide_factors *factors, const struct glide_runs *runs,
                          const struct glide_row *row, int32 x)
 {
@@ -55,7 +55,7 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
     }
 }
 
-/* Coordinates of a run whose s and t are divided at the ends of pieces. */
+/* Finds coordinates of a run that divides s and t only at the ends of pieces. */
 static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps)
 {
     const uint32 place = (uint32)(runs->end - runs->left);
@@ -73,7 +73,6 @@ static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps
     glide_pieces(&at, runs->part->scratch->coordinates, steps, runs->count);
 }
 
-/* Coordinates of any run. */
 static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
 {
     static const struct glide_iterators none = {0, 0, 0};
@@ -90,7 +89,7 @@ static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
                             runs->count);
 }
 
-/* How a run's texels are found, with its coordinates; 0: they are not. */
+/* Finds a run's coordinates and returns the passes to its texels; null if there are none. */
 static const struct glide_sampling *find_sampling(struct glide_runs *runs)
 {
     struct glide_sampling *from = &runs->part->samplings[runs->band];
@@ -101,8 +100,8 @@ static const struct glide_sampling *find_sampling(struct glide_runs *runs)
     return from;
 }
 
-/* A run by its own unit; x: its first pixel. other: what comes from upstream; 0: nothing, or nobody
-   asks. */
+/* Draws a run by one unit; returns 0 if it has no passes. x: the first pixel. other: the colours
+   from upstream, or null if there are none or they are not used. */
 static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int32 x,
                       const uint32 *other, uint32 *to)
 {
@@ -127,8 +126,8 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
     return 1;
 }
 
-/* A row's pixels `first` to `first` + count - 1 by a unit and those upstream. What comes from there
-   is drawn before, if all runs need it, or run by run. */
+/* Draws a row's pixels `first` to `first` + count - 1 by a unit and those upstream. Upstream
+   colours are drawn for the whole row first if all runs need them, else run by run. */
 static int32 draw_part(struct glide_part *part, const struct glide_row *row, int32 first, int32 count,
                        uint32 *to)
 {
@@ -161,7 +160,7 @@ static int32 draw_part(struct glide_part *part, const struct glide_row *row, int
     return 1;
 }
 
-/* As four lines of each fourth pixel: dithering is the same all along them. */
+/* Draws four lines of every fourth pixel, in each of which dithering is constant. */
 static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32 count, uint32 *to)
 {
     struct glide_line_scratch *work = plan->scratch;
@@ -179,7 +178,7 @@ static int32 draw_quarters(struct glide_plan *plan, struct glide_row *row, int32
     return 1;
 }
 
-/* Texels as pixels, the filter's of 16 bits without a store of their own. */
+/* Draws texels directly as pixels. Filtered 16-bit pixels need no separate store pass. */
 static int32 draw_direct(struct glide_part *part, const struct glide_row *row, uint8 *pixels,
                          int32 pixel_bytes, int32 count)
 {
@@ -242,7 +241,8 @@ int32 glide_plan_draw(struct glide_plan *plan, const struct frame *frame, int32 
     }
 }
 
-/* All colours of the line are found first: what has no passes is added once, by others. */
+/* Finds all colours of the line first: if some have no passes, nothing is added yet, and the caller
+   adds the whole line once. */
 int32 glide_plan_add(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                      int32 count)
 {

@@ -1,19 +1,19 @@
-/* The least that gives a polygon the same picture. */
+/* Finds the cheapest way to draw a polygon with the same picture. */
 #include "drawing/lower.h"
 #include "glide/polygons/plan.h"
 #include "polygon/counts.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
 
-/* bits: a texel is 2^bits of the page's wide. */
+/* bits: a texel is 2^bits pixels of the page wide. */
 static void find_window(uint32 texels, uint32 bits, struct page_window *window)
 {
     window->origin = 0;
-    window->least = PAGE_LEAST_ROW;     /* of columns too: they repeat */
+    window->least = PAGE_LEAST_ROW;     /* for columns too: they repeat */
     window->period = (fix16)(texels << bits << 16);
 }
 
-/* Whether no texel is clamped. */
+/* Returns non-zero if no texel is clamped: values stay margin texels inside the window. */
 static int32 is_inside(const struct setup *s, const fix16 *value, const struct page_window *window,
                        int32 margin)
 {
@@ -27,7 +27,7 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
     return 1;
 }
 
-/* What a page's rows are made with. */
+/* Data for making a page's rows. */
 struct making {
     const struct page *page;
     const struct glide *glide;
@@ -71,7 +71,7 @@ static void make_row_32(uint32 *row, const struct making *m, uint32 v)
     }
 }
 
-/* Which row shows the same and is made, or end. */
+/* Returns a row that equals row v and is made, or end. */
 static int32 find_same(const struct making *m, int32 v, int32 from, int32 end)
 {
     const int32 period = (int32)m->level->rows << m->bits;
@@ -102,12 +102,12 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
     }
 }
 
-/* What of a unit's level a page shows, and how. */
+/* The level that a page shows, and how. */
 struct showing {
     struct glide_lod lod;
     struct glide_level level;
     struct page_window columns, rows;
-    uint32 bits;                /* as struct making has it */
+    uint32 bits;                /* as in struct making */
 };
 
 static int32 find_page(struct glide_pipe *pipe, const struct showing *shown, int32 pixel_bytes,
@@ -137,7 +137,7 @@ static int32 find_page(struct glide_pipe *pipe, const struct showing *shown, int
     return 1;
 }
 
-/* Whether a page shows what the unit does, by a filter. */
+/* Finds how a page shows the unit's level; returns 0 if texels would be clamped. */
 static int32 find_showing(const struct setup *s, const struct glide_modes *modes, uint32 bits,
                           int32 margin, struct showing *to)
 {
@@ -149,7 +149,7 @@ static int32 find_showing(const struct setup *s, const struct glide_modes *modes
         && (!modes->clamp_t || is_inside(s, &s->given->t, &to->rows, margin));
 }
 
-/* One unit's points of one level, not divided. */
+/* Returns non-zero if the polygon needs only point samples of one unit's only level, unclamped. */
 static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, struct showing *to)
 {
     const struct glide *glide = pipe->chain.units[0];
@@ -158,7 +158,7 @@ static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, stru
         && find_showing(s, &glide->modes, to->lod.level, PAGE_MARGIN, to);
 }
 
-/* s and t in texels of a level. */
+/* Returns the vertices with s and t in texels of a level. */
 static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
 {
     struct vertex *scaled = (struct vertex *)s->scratch->room;
@@ -180,7 +180,8 @@ static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, const st
     return 1;
 }
 
-/* Points are moved by less than a row beyond those that page_vertices finds. */
+/* Adds a row on either side: dithering moves points by less than a row beyond page_vertices'
+   rows. */
 static void add_rows(struct page_rows *rows)
 {
     if (--rows->first < PAGE_LEAST_ROW || ++rows->last >= PAGE_LEAST_ROW + SIDE) {

@@ -1,4 +1,4 @@
-/* A pipe of units, and what is said about all its polygons. */
+/* A pipe of units, and settings for all its polygons. */
 #include "glide/polygons/unit.h"
 
 enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *units, uint32 count,

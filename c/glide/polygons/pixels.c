@@ -1,9 +1,9 @@
-/* A line pixel by pixel: whatever the modes are. */
+/* Draws a line pixel by pixel, in all modes. */
 #include "glide/polygons/plan.h"
 
-/* A unit's piece of the line: s and t of the pixel (14.18), and what they change by. */
+/* A unit's piece of the line: s and t of the pixel (14.18) and their steps. */
 struct piece {
-    int32 bits;                 /* 2^bits pixels; 0: each pixel by itself */
+    int32 bits;                 /* 2^bits pixels; 0: no pieces */
     int32 s, t, ds, dt;
 };
 
@@ -26,7 +26,7 @@ int32 glide_piece_bits(const struct glide_chain *chain, uint32 unit)
     return modes->subdivision == 8 ? 3 : 4;
 }
 
-/* Before a line's first pixel; count: its pixels. */
+/* Prepares a line of count pixels. */
 static void open_line(struct line *line, const struct glide_chain *chain,
                       const struct glide_iterations *at, int32 count)
 {
@@ -39,8 +39,8 @@ static void open_line(struct line *line, const struct glide_chain *chain,
             ? glide_piece_bits(chain, n) : 0;
 }
 
-/* The change of a value from pixel to pixel that takes it from one number to another, rounded
-   down. */
+/* Returns the step from pixel to pixel that takes a value from one number to another, rounded down;
+   0 if pixels is 0. */
 static int32 step_between(int32 from, int32 to, int32 pixels)
 {
     const int32 way = (int32)((uint32)to - (uint32)from), step = pixels ? way / pixels : 0;
@@ -53,7 +53,7 @@ static int32 moved(int32 from, uint32 step, int32 pixels)
     return (int32)((uint32)from + step * (uint32)pixels);
 }
 
-/* The piece that begins at a point. */
+/* Begins a unit's piece at a point. */
 static void begin_piece(struct line *line, uint32 unit, const struct glide_point *point,
                         const struct plane *by)
 {
@@ -73,7 +73,7 @@ static void begin_piece(struct line *line, uint32 unit, const struct glide_point
     piece->dt = step_between(piece->t, t, pixels);
 }
 
-/* A R G B of the line's next pixel. */
+/* Returns the A R G B of the line's next pixel. */
 static uint32 next_pixel(struct line *line)
 {
     const struct glide_chain *chain = line->chain;
@@ -110,7 +110,7 @@ static void set_point(struct glide_iterations *at, uint32 unit, int32 x, int32 y
     point->y = y;
 }
 
-/* The next pixel of a line. */
+/* Moves a unit's point to the line's next pixel. */
 static void step_point(struct glide_iterations *at, uint32 unit)
 {
     const struct plane *of = &at->planes.of[unit ? GLIDE_OWN : GLIDE_S];
@@ -122,7 +122,7 @@ static void step_point(struct glide_iterations *at, uint32 unit)
     point->x++;
 }
 
-/* What the frame's pixel becomes where a colour is added: see glide_pipe_adds. */
+/* Returns the frame's pixel with a colour added: see glide_pipe_adds. */
 static uint32 added_pixel(const uint8 *to, uint32 argb, int32 pixel_bytes)
 {
     const uint32 there = pixel_bytes == 4 ? *(const uint32 *)to

@@ -10,7 +10,8 @@ int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod)
     return least >= most;
 }
 
-/* A level's texels, with what filters them; 0: memory is short even for the texels. */
+/* Decodes a level and returns the pass that samples it; null if there is no memory even for the
+   texels. */
 static glide_pass *find_sample(struct glide_part *part, const struct glide_lod *lod)
 {
     const int32 is_fine = part->glide->modes.fraction_bits == 8;
@@ -46,7 +47,7 @@ struct glide_sampling *glide_sampling_find(struct glide_part *part, uint32 band)
     return to;
 }
 
-/* Which bands there may be over the polygon. */
+/* Finds the bands that pixels of the polygon may have. */
 static void find_bands(struct glide_part *part, const struct glide_range *range)
 {
     static const struct glide_range one = {1 << 30, 1 << 30};

@@ -7,28 +7,28 @@
 #include "limits.h"
 #include "polygon/planes.h"
 
-/* Numbers of planes. */
+/* Indices of planes. */
 enum glide_iterated {
     GLIDE_S, GLIDE_T, GLIDE_W,
-    GLIDE_OWN = 4,              /* the first of the unit with points of its own */
+    GLIDE_OWN = 4,              /* the first of the unit with separate points */
     GLIDE_DITHERS = 16
 };
 
-/* What is iterated over a polygon. */
+/* Values iterated over a polygon. */
 struct glide_iterations {
     struct planes planes;
-    struct glide_point points[GLIDE_UNITS];     /* their LOD; pixels differ in the rest */
+    struct glide_point points[GLIDE_UNITS];     /* lod is the polygon's, the rest each pixel's */
     int32 divided[GLIDE_UNITS];  /* w changes, and a unit divides by it */
     struct glide_range {
-        int32 least, most;      /* of W over the polygon's box; least 0: it may be below that */
+        int32 least, most;      /* of W over the polygon's box; least 0: it may be lower */
     } ranges[GLIDE_UNITS];
 };
 
 typedef void glide_pass(const void *in, void *out, const void *constants, int32 count);
 
-/* How a band's texels are found, from its first use on. */
+/* Passes to a band's texels, found at its first use. */
 struct glide_sampling {
-    const struct glide_decoded *level;  /* 0 before that */
+    const struct glide_decoded *level;  /* null before that */
     glide_pass *sample;
     struct glide_steps steps;   /* s, t and w are each run's */
 };
@@ -44,16 +44,16 @@ struct glide_part {
     const struct glide_iterations *iterations;
     int32 first;                /* plane */
     int32 lod;                  /* the polygon's and the bias */
-    int32 by_w;                 /* pixels' LODs go by their w */
-    int32 looks_behind;         /* does not divide; where w is negative its coordinates are 0 */
+    int32 by_w;                 /* pixels' LODs depend on their w */
+    int32 looks_behind;         /* not divided; coordinates are 0 where w is negative */
     int32 is_one;               /* all its pixels are of one band */
-    uint32 band;                /* the first that there may be */
-    uint32 bits, every;         /* those of any band that there may be, and of all */
+    uint32 band;                /* the first that pixels may have */
+    uint32 bits, every;         /* bits of any, and of all, bands that pixels may have */
     glide_pass *coordinates;
     int32 piece_bits;           /* of glide_pieces; 0: every pixel is divided, or none */
-    uint32 ready;               /* bit n: limits[n] are there */
-    /* Of pixels whose dither is n / 16: a band has those whose |w| is below its limit, but not
-       below the next one's. */
+    uint32 ready;               /* bit n: limits[n] are made */
+    /* For pixels whose dither is n / 16: |w| of a band's pixels is below its limit, but not below
+       the next band's. */
     uint32 limits[GLIDE_DITHERS][GLIDE_BANDS];
     struct glide_sampling samplings[GLIDE_BANDS];
 };
@@ -65,13 +65,13 @@ struct glide_plan {
     int32 is_direct;            /* texels are pixels */
 };
 
-/* Pixels of one line: from x on each, or each fourth, for which dithering is the same. */
+/* Pixels of one line, from x on: all of them, or every fourth, which have the same dither. */
 struct glide_row {
     int32 x, y, step_bits;      /* 0 or 2 */
-    int32 count;                /* of the line's pixels; of no account where step_bits is 2 */
+    int32 count;                /* of the line's pixels; not used if step_bits is 2 */
 };
 
-/* Pieces of a row in which all that chooses a unit's passes is the same. */
+/* Runs of a row's pixels that a unit draws by the same passes. */
 struct glide_runs {
     struct glide_part *part;
     struct glide_iterators at, by;      /* the first pixel's, and its steps */
@@ -80,8 +80,7 @@ struct glide_runs {
     int32 end, line;            /* the row's pixel behind the last one; row->count */
 };
 
-/* The LOD of all pixels where the limits of a unit's levels leave one only; 0: they leave
-   several. */
+/* Returns non-zero if the limits of a unit's levels allow only one LOD, which is then in *lod. */
 int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod);
 
 /* Finds the passes for a polygon; 0: there are none for these modes, or memory is short.
@@ -89,20 +88,20 @@ int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod);
 int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
                       const struct glide_iterations *iterations, int32 pixel_bytes);
 
-/* Passes to a band's texels; 0: there are none, or memory is short. */
+/* Finds the passes to a band's texels; returns null if there is no memory. */
 struct glide_sampling *glide_sampling_find(struct glide_part *part, uint32 band);
 
-/* runs.c. The band of pixels of a size of w, dither / 16 added to their LODs. */
+/* runs.c. Returns the band of pixels with |w| = size and dither / 16 added to their LODs. */
 uint32 glide_runs_band(struct glide_part *part, int32 dither, int32 size);
 
-/* runs.c. Before the first run of a unit's pixels `first` to `first` + count - 1 of a row. */
+/* runs.c. Prepares the runs of a unit's pixels `first` to `first` + count - 1 of a row. */
 void glide_runs_open(struct glide_runs *runs, struct glide_part *part, const struct glide_row *row,
                      int32 first, int32 count);
 
-/* runs.c. The run behind this one. */
+/* runs.c. Finds the run behind this one. */
 void glide_runs_find(struct glide_runs *runs);
 
-/* The next run; 0: there is none. Where w passes 0 or wraps a new one begins. */
+/* Finds the next run; returns 0 if there is none. A new run begins where w passes 0 or wraps. */
 static inline int32 glide_runs_next(struct glide_runs *runs)
 {
     runs->left -= runs->count;
@@ -115,40 +114,40 @@ static inline int32 glide_runs_next(struct glide_runs *runs)
     return 1;
 }
 
-/* runs.c. How many of `count` pixels of a line are alike in this: dithering moves some to other
-   bands (*mixed = 1), or none. */
+/* runs.c. Sets *mixed to 1 if dithering moves some of a line's next pixels to other bands, else to
+   0; returns for how many of `count` pixels this is the same. */
 int32 glide_runs_alike(struct glide_plan *plan, int32 x, int32 y, int32 count, int32 *mixed);
 
-/* Factors that come from the level of detail: bytes, `step` from pixel to pixel (0: one for all);
-   flip: 255 where odd levels turn them round. */
+/* Factors from the level of detail: bytes, `step` from pixel to pixel (0: one for all). flip: 255
+   if the level is odd and inverts factors. */
 struct glide_factors {
     const uint8 *details, *fractions;
     int32 detail_step, fraction_step;
     uint16 flip, spare;
 };
 
-/* combine_line.c. Makes a line of local and other texels, R G B A; other: 0 where there is nothing
-   upstream. `to` is neither. */
+/* combine_line.c. Combines a line of local and other texels, R G B A; other: null if nothing is
+   upstream. `to` must differ from both. */
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count);
 
-/* pixels.c. By how many pixels, 2^bits, a unit in a row divides where it divides: glide_subdivision.
-   0: each. */
+/* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
+   divides each pixel or none. */
 int32 glide_piece_bits(const struct glide_chain *chain, uint32 unit);
 
-/* pixels.c. Draws pixels x to end - 1 of line y, one by one; at->points are theirs. */
+/* pixels.c. Draws pixels x to end - 1 of line y one by one; at->points holds each one's values. */
 void glide_pixels_draw(const struct glide_pipe *pipe, struct glide_iterations *at,
                        const struct frame *frame, int32 x, int32 end, int32 y);
 
 typedef int32 glide_plan_routine(struct glide_plan *plan, const struct frame *frame, int32 x, int32 y,
                                  int32 count);
 
-/* line.c. Draws pixels x to x + count - 1 of line y. 0: some have no passes, or memory is short:
-   whoever calls draws them all. */
+/* line.c. Draws pixels x to x + count - 1 of line y. Returns 0 if some have no passes or there is
+   no memory: the caller must then draw them all. */
 glide_plan_routine glide_plan_draw;
 
-/* line.c. The same, added to the frame (glide_pipe_adds). 0: nothing is added. */
+/* line.c. Adds the pixels to the frame (glide_pipe_adds). If it returns 0, nothing was added. */
 glide_plan_routine glide_plan_add;
 
 #endif

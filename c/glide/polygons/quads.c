@@ -1,11 +1,11 @@
 #include "glide/passes.h"
 
-/* Each loop lies in one function, calls nothing and fits the instruction cache: its cycles do not
-   depend on where the linker puts others. */
+/* Each loop is in one function, calls nothing and fits the instruction cache, so its cycles do not
+   depend on where the linker puts other functions. */
 
 #define FIELD 0x00ff00ffu
 
-/* Two channels of the four texels, in the lower bytes of words. */
+/* Makes a pair from two channels of the four texels, in the lower bytes of words. */
 static void pair_make(struct glide_pair *pair, uint32 c00, uint32 c10, uint32 c01, uint32 c11)
 {
     c00 &= FIELD;

@@ -1,14 +1,15 @@
-/* Where along a line a unit's pixels leave a band.
+/* Finds where along a line a unit's pixels leave a band.
 
-   A LOD is the polygon's, bias, dither and 30 * 256, less 256 log2 |w|, rounded to the nearest. So
-   it reaches a band where |w| is below the first number whose logarithm is too large. */
+   A pixel's LOD is the polygon's + bias + dither + 30 * 256 - 256 log2 |w|, the logarithm rounded
+   to the nearest. So it reaches a band if |w| is below the first number whose logarithm is too
+   large. */
 #include "glide/polygons/plan.h"
 
 #define LOD_ONE 256             /* 1.0 */
 #define LOGARITHM_MOST (31 * LOD_ONE)   /* of |w| */
 
-/* The first number whose 256 log2, rounded, is `value` or more; a greater one than any |w|, where
-   none is. */
+/* Returns the first number whose 256 log2, rounded, is `value` or more. If there is none, returns a
+   number above any |w|. */
 static uint32 first_with(int32 value)
 {
     const uint32 before = (uint32)value - 1;
@@ -20,7 +21,7 @@ static uint32 first_with(int32 value)
     return (glide_logarithms[before & 255] >> (31 - (before >> 8))) + 1;
 }
 
-/* The bands' limits where so many sixteenths are added to LODs. */
+/* Returns the bands' limits with dither / 16 added to LODs. */
 static const uint32 *limits_of(struct glide_part *part, int32 dither)
 {
     uint32 *limits = part->limits[dither];
@@ -35,7 +36,7 @@ static const uint32 *limits_of(struct glide_part *part, int32 dither)
     return limits;
 }
 
-/* How many pixels from w on have sizes from low to high - 1 and w's sign, `left` at most. */
+/* Returns how many pixels from w on have w's sign and |w| from low to high - 1, `left` at most. */
 static int32 pixels_between(int32 w, int32 step, uint32 low, uint32 high, int32 left)
 {
     const uint32 size = fix_magnitude(w), by = fix_magnitude(step);
@@ -50,12 +51,12 @@ static int32 pixels_between(int32 w, int32 step, uint32 low, uint32 high, int32 
     return count < (uint32)left ? (int32)count : left;
 }
 
-/* Sizes from the lower limit on, below the upper one. */
+/* Limits of |w|: low included, high excluded. */
 struct limits {
     uint32 low, high;
 };
 
-/* The band of pixels of a size of w. */
+/* Returns the band of pixels with |w| = size, and its limits. */
 static uint32 band_of(struct glide_part *part, int32 dither, uint32 size, struct limits *between)
 {
     const uint32 *limits = limits_of(part, dither);
@@ -76,7 +77,7 @@ uint32 glide_runs_band(struct glide_part *part, int32 dither, int32 size)
     return part->bands->count == 1 ? 0 : band_of(part, dither, (uint32)size, &between);
 }
 
-/* The band of the first of `left` pixels, and how many there are of it. */
+/* Finds the band of the first of `left` pixels; returns how many pixels from there on are in it. */
 static int32 pixels_of_band(struct glide_part *part, int32 dither, int32 w, int32 step, int32 left,
                             uint32 *band)
 {
@@ -129,7 +130,8 @@ void glide_runs_find(struct glide_runs *runs)
                                  &runs->band);
 }
 
-/* As glide_runs_alike, by the line's least and greatest dither. */
+/* Like glide_runs_alike for one unit, by the line's least and greatest dither; sets *mixed only to
+   1. */
 static int32 part_alike(struct glide_part *part, int32 x, int32 y, int32 count, int32 *mixed)
 {
     const int32 w = (int32)planes_at(&part->iterations->planes, part->first + GLIDE_W, x, y);
@@ -149,7 +151,7 @@ static int32 part_alike(struct glide_part *part, int32 x, int32 y, int32 count, 
     return other < count ? other : count;
 }
 
-/* The same for all units, until any of them changes. */
+/* The same for all units, up to the first change in any of them. */
 static int32 plan_alike(struct glide_plan *plan, int32 x, int32 y, int32 count, int32 *mixed)
 {
     *mixed = 0;

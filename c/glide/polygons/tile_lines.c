@@ -1,9 +1,9 @@
-/* Lines from tiles, whose rows are made where they are first shown. */
+/* Draws lines from tiles, whose rows are made when they are first shown. */
 #include "glide/polygons/tiles.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
 
-/* The passes for rows of tiles: lines of one 256th of a tile a pixel. */
+/* Finds the passes for rows of tiles: lines with a step of a 256th of a tile a pixel. */
 static int32 find_making(struct glide_tiling *tiling)
 {
     struct glide_iterations *made = &tiling->made;
@@ -22,7 +22,7 @@ static int32 find_making(struct glide_tiling *tiling)
     return tiling->makes;
 }
 
-/* 0: memory is short. */
+/* Makes row v of a tile; returns 0 if there is no memory. */
 static int32 make_row(struct glide_tiling *tiling, struct glide_tile *tile, int32 v)
 {
     struct plane *of = tiling->made.planes.of;
@@ -38,7 +38,7 @@ static int32 make_row(struct glide_tiling *tiling, struct glide_tile *tile, int3
     return glide_plan_draw(&tiling->making, &row, 0, 0, SIDE);
 }
 
-/* Rows low to high; 0: memory is short. */
+/* Makes rows low to high of a tile; returns 0 if there is no memory. */
 static int32 make_rows(struct glide_tiling *tiling, struct glide_tile *tile, int32 low, int32 high)
 {
     if (tile->from < tile->end && low >= tile->from && high < tile->end)
@@ -56,13 +56,14 @@ static int32 make_rows(struct glide_tiling *tiling, struct glide_tile *tile, int
     return 1;
 }
 
-/* A tile that is a whole period needs no cutting. */
+/* Returns non-zero if a tile is a whole period: lines need not be cut at its edges. */
 static int32 repeats(const struct glide_tiling *tiling, const struct glide_tiling_axis *axis)
 {
     return tiling->period == 1 && axis->kind == GLIDE_TILING_WRAPPED;
 }
 
-/* Shows where lines are drawn without looking for a tile: `at` is on it. */
+/* Sets the made part of a tile, where lines are drawn without a search for tiles. at: a point on
+   it. */
 static void open_window(struct glide_tiling *tiling, const struct glide_tile *tile,
                         const struct glide_iterators *at)
 {
@@ -83,7 +84,7 @@ static int32 leaves(const struct glide_tiling *tiling, int32 from, int32 to)
     return (from ^ to) >> (tiling->shift + GLIDE_TILE_BITS) != 0;
 }
 
-/* How many pixels from `at` on lie on one tile. */
+/* Returns how many of count pixels from `at` on are on one tile. */
 static int32 reach(const struct glide_tiling *tiling, const struct glide_tiling_axis *axis, int32 at,
                    int32 count)
 {
@@ -97,7 +98,7 @@ static int32 reach(const struct glide_tiling *tiling, const struct glide_tiling_
         : (int32)(inside / (uint32)-axis->step) + 1;
 }
 
-/* Makes the rows of count pixels that lie on one tile; 0: there is none for them. */
+/* Makes the rows for count pixels on one tile; returns 0 if there is no tile for them. */
 static int32 prepare(struct glide_tiling *tiling, const struct glide_iterators *at, int32 count)
 {
     const int32 bits = tiling->shift + GLIDE_TILE_BITS;
@@ -125,7 +126,7 @@ static int32 prepare(struct glide_tiling *tiling, const struct glide_iterators *
     return 1;
 }
 
-/* Pixels without tiles; returns how many were drawn one by one. */
+/* Draws pixels without tiles; returns how many were drawn one by one. */
 static int32 draw_untiled(const struct glide_tiling *tiling, const struct frame *frame, int32 x,
                           int32 y, int32 count)
 {
@@ -135,7 +136,7 @@ static int32 draw_untiled(const struct glide_tiling *tiling, const struct frame 
     return count;
 }
 
-/* A line piece by piece; returns how many pixels were drawn one by one. */
+/* Draws a line tile by tile; returns how many pixels were drawn one by one. */
 static int32 draw_line(struct glide_tiling *tiling, const struct frame *frame,
                       struct glide_iterators *at, int32 x, int32 y, int32 count)
 {
@@ -160,7 +161,8 @@ static int32 draw_line(struct glide_tiling *tiling, const struct frame *frame,
     }
 }
 
-/* Whether both ends lie on what is made of the last tile; a line's way is shorter than 2^31. */
+/* Returns non-zero if both ends of a line are on the made part of the tile last used. A line
+   changes by less than 2^31. */
 static int32 is_on(const struct glide_tiling_axis *axis, int32 at, int32 steps)
 {
     const uint32 from = (uint32)at - axis->origin;

@@ -1,4 +1,4 @@
-/* The tiles that there are, of all pipes. */
+/* The store of tiles, shared by all pipes. */
 #include "glide/polygons/tiles.h"
 #include "system/system.h"
 
@@ -30,7 +30,7 @@ uint32 glide_tiles_now(struct glide_tile_store *store)
     return ++store->now;
 }
 
-/* Whether the LOD itself, not its level alone, makes a difference. */
+/* Returns non-zero if the result depends on the LOD itself, not only on its level. */
 static int32 counts_lod(const struct glide_combination *by)
 {
     return by->mselect == GLIDE_FACTOR_DETAIL || by->mselect == GLIDE_FACTOR_LOD_FRACTION;
@@ -51,8 +51,8 @@ static uint32 *add_unit(uint32 *key, const struct glide *glide, const struct gli
     return key;
 }
 
-/* What tiles are made from: not the modes' generation, so that a unit may draw from one map and
-   another by turns. */
+/* Makes the cache key of tiles. It has the modes, not their generation, so that tiles remain valid
+   if a unit alternates between maps. */
 static int32 find_key(uint32 *key, const struct glide_tiling *tiling)
 {
     const struct glide_part *part = tiling->plan->parts;

@@ -1,9 +1,10 @@
-/* Whether a polygon is drawn from tiles, and from which. */
+/* Decides if a polygon is drawn from tiles, and finds them. */
 #include "glide/polygons/tiles.h"
 
 enum { SIDE = MAP_PAGE_SIDE, SHIFT_LEAST = 14, SHIFT_MOST = 18 };
 
-/* From 14.18 to what makes a difference to any unit that counts: coordinates, of points texels. */
+/* Returns the shift from 14.18 to the finest steps that any used unit distinguishes: coordinates if
+   it filters, texels if it samples points. */
 static int32 find_shift(const struct glide_tiling *tiling)
 {
     const struct glide_lod *lod = tiling->lods;
@@ -19,14 +20,14 @@ static int32 find_shift(const struct glide_tiling *tiling)
     return shift;
 }
 
-/* Whether its way along a line, and along a column, has 31 bits at most. */
+/* Returns non-zero if a plane's change along a line, and along a column, has 31 bits at most. */
 static int32 is_short(const struct plane *plane, const struct rectangle *box)
 {
     return fix_magnitude((int32)plane->dx) <= 0x7fffffffu / (uint32)(box->right - box->left)
         && fix_magnitude((int32)plane->dy) <= 0x7fffffffu / (uint32)(box->bottom - box->top);
 }
 
-/* Finds each unit's LOD; 0: pixels differ in it. */
+/* Finds each unit's LOD; returns 0 if one changes from pixel to pixel or has separate points. */
 static int32 find_lods(struct glide_tiling *tiling, const struct glide_plan *plan,
                        const struct glide_iterations *iterations)
 {
@@ -48,7 +49,7 @@ static int32 find_lods(struct glide_tiling *tiling, const struct glide_plan *pla
     return 1;
 }
 
-/* All units have the same s and t, none divides, and each has one LOD. */
+/* Returns non-zero if all units have the same s and t, none divides, and each has one LOD. */
 static int32 is_map(struct glide_tiling *tiling, const struct glide_plan *plan,
                     const struct glide_iterations *iterations, const struct rectangle *box)
 {
@@ -78,7 +79,7 @@ static void find_kinds(struct glide_tiling *tiling)
     tiling->t.kind = kind_of(units, t);
 }
 
-/* How far the vertices' values (16.16) are apart, and the least of them, both in 14.18. */
+/* Returns the range of the vertices' values (16.16) and finds the least; both are 14.18. */
 static uint32 vertices_range(const struct setup *s, const fix16 *value, int32 *least)
 {
     fix16 low;
@@ -88,7 +89,8 @@ static uint32 vertices_range(const struct setup *s, const fix16 *value, int32 *l
     return (uint32)range << 2;
 }
 
-/* The same of a plane within the polygon's box, if that is less. */
+/* Returns the range of a plane within the polygon's box and finds the least, if that is smaller
+   than range; else returns range. */
 static uint32 box_range(const struct setup *s, const struct planes *planes, int32 which,
                         uint32 range, int32 *least)
 {
@@ -150,7 +152,8 @@ static void find_axes(struct glide_tiling *tiling, const struct planes *planes,
     find_axis(tiling, &tiling->t, least, range);
 }
 
-/* Rows of a tile that are not paid for, those between others included. */
+/* Returns how many rows must be paid for so that the tile's paid rows include low to high without a
+   gap. */
 static uint32 missing(const struct glide_tile *tile, int32 low, int32 high)
 {
     if (!tile || tile->low > tile->high)
@@ -159,14 +162,14 @@ static uint32 missing(const struct glide_tile *tile, int32 low, int32 high)
                     + (high > tile->high ? high - tile->high : 0));
 }
 
-/* The rows of the polygon's tiles from the row-th on downwards. */
+/* Finds the rows that the polygon may show of its tiles in the row-th row of tiles. */
 static void rows_of(const struct glide_tiling_axis *t, int32 row, int32 *low, int32 *high)
 {
     *low = row ? 0 : t->low;
     *high = row < t->tiles - 1 ? SIDE - 1 : t->high;
 }
 
-/* Pixels that have to be paid for. */
+/* Returns how many pixels must be paid for. */
 static uint32 price(const struct glide_tiling *tiling)
 {
     const struct glide_tiling_axis *s = &tiling->s, *t = &tiling->t;
@@ -189,7 +192,7 @@ static uint32 price(const struct glide_tiling *tiling)
     return rows * SIDE;
 }
 
-/* Whether there is memory for all tiles, whose rows are paid for then. */
+/* Takes memory for all tiles and marks their rows as paid for; returns 0 if there is too little. */
 static int32 claim(const struct glide_tiling *tiling)
 {
     const struct glide_tiling_axis *s = &tiling->s, *t = &tiling->t;
@@ -214,7 +217,8 @@ static int32 claim(const struct glide_tiling *tiling)
     return 1;
 }
 
-/* Pixels drawn so far pay for what is needed; or else the polygon's are drawn directly too. */
+/* Returns non-zero if the pixels drawn directly are enough to buy those needed. Otherwise the
+   polygon is drawn directly too, and its pixels are added to them. */
 static int32 is_bought(struct glide_tiling *tiling, uint32 needed, const struct setup *s)
 {
     const uint32 own = lines_pixels(s->edges.lines, s->box.bottom - s->box.top);

@@ -8,13 +8,13 @@ struct making {
     struct n64_rows rows;
     const struct n64_axis *t;
     int32 width, height;
-    int32 reach;                /* columns to the texel beside */
-    int32 texels;               /* of a row, that columns show */
+    int32 reach;                /* columns to the neighbour in quads */
+    int32 texels;               /* of a row, up to the last that columns show */
     int32 in_order;             /* column k shows texel k */
     uint32 *to;
 };
 
-/* log2 of how many columns or rows the relative coordinates can tell apart. */
+/* Returns log2 of the number of columns or rows that relative coordinates can distinguish. */
 static uint32 bits_of(const struct n64_axis *axis)
 {
     const uint32 mask = axis->mask < 10 ? axis->mask : 10;
@@ -51,7 +51,7 @@ static void list_columns(struct making *m, const struct n64_axis *axis)
     }
 }
 
-/* A row's texels and the next one's. */
+/* Finds the rows of TMEM that row j and its neighbour show. */
 static void place_row(const struct making *m, int32 j, int32 *index, int32 *next)
 {
     struct n64_place row;
@@ -61,7 +61,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
     *next = *index + row.step;
 }
 
-/* The columns of a row of TMEM. */
+/* Decodes a row of TMEM in the order of the columns. */
 static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
     const struct n64_column *column = m->scratch->columns;
@@ -75,7 +75,7 @@ static void decode_row(const struct making *m, int32 row, uint32 *to)
         *to++ = m->scratch->line[column->index];
 }
 
-/* Each row of TMEM once: another that shows it is copied. */
+/* Decodes each row of TMEM once; other rows that show it are copies. */
 static void decode_texels(const struct making *m)
 {
     const uint32 **shown = m->scratch->shown;
@@ -95,7 +95,7 @@ static void decode_texels(const struct making *m)
     }
 }
 
-/* The texels of the row below: a decoded row's where that shows it. */
+/* Returns the texels of TMEM row next, below row j: from the decoded row if that shows it. */
 static const uint32 *row_below(const struct making *m, int32 j, int32 next)
 {
     const int32 below = j + 1 < m->height ? j + 1 : 0;
@@ -108,7 +108,8 @@ static const uint32 *row_below(const struct making *m, int32 j, int32 next)
     return m->scratch->below;
 }
 
-/* Quads of a row: those whose texels stand one behind the other, or every other one, at once. */
+/* Makes a row's quads. Those whose neighbour in s is `reach` columns on are made at once, the
+   others one by one. */
 static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads)
 {
     const struct n64_column *columns = m->scratch->columns;
@@ -163,7 +164,7 @@ static int32 holds(const struct n64 *n64, const struct n64_tile_key *key, enum n
         && (quads == N64_QUADS_NONE || kept->kind == quads);
 }
 
-/* Memory for so many texels and quads: *kept holds nothing until they are made. */
+/* Takes memory for the texels and quads and empties *kept; returns 0 if there is none. */
 static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
 {
     kept->n64 = 0;

@@ -1,4 +1,4 @@
-/* Tiles decoded ahead: what the passes over a line's pixels read instead of TMEM. */
+/* Tiles decoded ahead: the passes over a line's pixels read them instead of TMEM. */
 #ifndef N64_DECODE_H
 #define N64_DECODE_H
 
@@ -10,19 +10,19 @@ enum n64_decode_constants {
                                    mirrored; 128 KB of texels, 2 MB of quads */
 };
 
-/* Which texels a decoded tile's quads hold beside each one: none are made, the next ones, or in s
-   those after the next ones: chroma of YUV, of which two texels have the same. */
+/* The neighbours in a decoded tile's quads: no quads; the next texels; or in s the ones after the
+   next, for YUV's chroma, which two texels share. */
 enum n64_quads { N64_QUADS_NONE, N64_QUADS_NEXT, N64_QUADS_CHROMA };
 
-/* What a tile's texels depend on beside TMEM and TLUT modes. Where it begins is no part of it,
-   unless it clamps: relative coordinates know that. */
+/* Cache key of a tile's texels, apart from TMEM and TLUT modes. An axis' edges are part of it only
+   if it clamps: relative coordinates allow for the origin. */
 struct n64_tile_key {
     uint32 tile, s, t;
 };
 
 void n64_tile_key_find(struct n64_tile_key *key, const struct n64_tile *tile);
 
-/* A decoded tile that is kept, with what it was made from. All 0 before the first use. */
+/* A cached decoded tile and its cache key. All 0 before the first use. */
 struct n64_kept {
     struct n64_decoded decoded;
     const struct n64 *n64;

@@ -1,8 +1,8 @@
 /* From a polygon to its lines, and line by line to pixels.
 
-   All that decides a pixel is its iterators, planes over the polygon (planes.h), and the
-   engine's state. What draws it, the plain mappers, passes over a line's pixels or pixel.h
-   itself, is chosen by lower.h and makes no difference to the picture. */
+   A pixel depends only on its iterators, which are planes over the polygon (planes.h), and on
+   the engine's state. It is drawn by the plain mappers, by passes over a line's pixels or by
+   pixel.h itself; lower.h chooses, and the choice makes no difference to the picture. */
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
@@ -46,7 +46,7 @@ void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,
     }
 }
 
-/* plan: 0 where there is none. */
+/* plan: null if there are no passes. */
 static void draw_lines(const struct setup *s, const struct n64 *n64,
                        const struct n64_planes *planes, const struct n64_colour *shade,
                        const struct n64_plan *plan)
@@ -99,7 +99,7 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     struct n64_plan plan;
     int32 passes;
 
-    if (unit->n64.modes.cycle == N64_COPY)      /* not by a page */
+    if (unit->n64.modes.cycle == N64_COPY)      /* no page can be drawn from */
         return n64_refused(unit, N64_CYCLE_TYPE);
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
@@ -118,7 +118,7 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     return POLYGON_DRAWN;
 }
 
-/* Whether state and vertices can be drawn; the state is looked at when it has changed. */
+/* Returns N64_DONE if state and vertices can be drawn. Checks the state only if it has changed. */
 static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int32 count)
 {
     enum n64_result result = N64_DONE;
@@ -135,7 +135,7 @@ static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int3
     return result;
 }
 
-/* What is drawn as planes through three corners. */
+/* Returns the values of vertices that are drawn as planes through three corners. */
 static uint32 planes_asked(const struct n64 *n64, const uint32 *colours)
 {
     const uint32 shades = colours ? PLANAR_COLOURS : PLANAR_SHADES;

@@ -3,9 +3,9 @@
 #include "limits.h"
 #include "n64/codes.h"
 
-#define ZERO_C 16               /* from this code on C of R G B is 0 */
+#define ZERO_C 16               /* C of R G B is 0 for this code and higher ones */
 
-/* Whether a cycle's result is one of its inputs, as it is. */
+/* Returns non-zero if a cycle's result is the input of this code, unchanged. */
 static int32 is_input(const struct n64_combine *combine, int32 cycle, uint32 code)
 {
     const struct n64_input *rgb = &combine->rgb[cycle], *alpha = &combine->alpha[cycle];
@@ -14,7 +14,7 @@ static int32 is_input(const struct n64_combine *combine, int32 cycle, uint32 cod
         && (alpha->a == alpha->b || alpha->c == N64_CODE_ZERO) && alpha->d == code;
 }
 
-/* Of A and B of R G B; COMBINED is 0 in the first cycle. */
+/* Returns non-zero if the code of A or B of R G B gives 0; COMBINED is 0 in the first cycle. */
 static int32 is_zero(const struct n64 *n64, uint32 code)
 {
     return code > N64_CODE_ZERO
@@ -30,14 +30,14 @@ static int32 is_product(const struct n64 *n64, int32 cycle, uint32 code)
         && alpha->c == N64_CODE_SHADE && alpha->d == N64_CODE_ZERO;
 }
 
-/* A constant, or the one input that is known. */
+/* Returns non-zero if a code is a constant or the one known input. */
 static int32 allowed(uint32 code, uint32 known)
 {
     return code == known || (code != N64_CODE_COMBINED && code != N64_CODE_TEXEL0
                              && code != N64_CODE_TEXEL1 && code != N64_CODE_SHADE);
 }
 
-/* Whether each channel depends on its own of one input alone. */
+/* Returns non-zero if each channel depends only on the same channel of the input of this code. */
 static int32 has_tables(const struct n64 *n64, int32 cycle, uint32 code)
 {
     const struct n64_input *rgb = &n64->combine.rgb[cycle], *alpha = &n64->combine.alpha[cycle];
@@ -52,7 +52,7 @@ static int32 has_tables(const struct n64 *n64, int32 cycle, uint32 code)
         && alpha->c != N64_CODE_ALPHA_FRACTION && allowed(alpha->c, code);
 }
 
-/* What a cycle makes of one input. */
+/* Finds the second part of a form: the cycle's operation on the input of this code. */
 static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycle, uint32 code)
 {
     form->cycle = (uint8)cycle;
@@ -66,7 +66,7 @@ static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycl
         form->any = 1;
 }
 
-/* The constant a blend goes by; -1: the level's fraction, -2: neither. */
+/* Returns a blend's C if it is constant; -1 if it is the level's fraction, -2 if neither. */
 static int32 blend_fraction(const struct n64 *n64, const struct n64_input *rgb,
                             const struct n64_input *alpha)
 {
@@ -81,7 +81,7 @@ static int32 blend_fraction(const struct n64 *n64, const struct n64_input *rgb,
     return -2;
 }
 
-/* The first cycle as a blend of both texels; 0: it is none. */
+/* Finds the first cycle as a blend of both texels; returns 0 if it is none. */
 static int32 find_blend(struct n64_form *form, const struct n64 *n64)
 {
     const struct n64_input *rgb = n64->combine.rgb, *alpha = n64->combine.alpha;
@@ -135,7 +135,7 @@ struct inputs {
     struct constants constants;
 };
 
-/* As A, B and D take 9 bits. */
+/* Extends 9 bits as A, B and D do. */
 static int16 extended(int32 value)
 {
     value &= 0x1ff;
@@ -155,7 +155,7 @@ static void set_constants(struct constants *to, const struct n64 *n64)
     to->k5 = n64->k[5];
 }
 
-/* Where a cycle's input lies, and bytes from pixel to pixel. */
+/* Where a cycle's input is, and bytes from pixel to pixel. */
 struct place {
     const int16 *at;
     int32 step;

@@ -1,8 +1,8 @@
-/* A line of a polygon, pass by pass. */
+/* Draws a line of a polygon, pass by pass. */
 #include "n64/polygons/pixels.h"
 #include "n64/polygons/plan.h"
 
-/* A run of pixels of the same tiles. */
+/* A run of pixels with the same tiles. */
 struct run {
     int32 first, count, tile0, tile1;
 };
@@ -40,7 +40,7 @@ static const int16 *fractions_of(const struct n64_plan *plan, int32 first)
                                    : &plan->form.fraction;
 }
 
-/* Texels of one tile; where the blend is of that and itself it is left out. */
+/* Finds a run's texels, blended if the form blends. A blend of a tile with itself is skipped. */
 static void sample_run(const struct n64_plan *plan, const struct run *run, uint32 *texels)
 {
     struct n64_line_scratch *work = &plan->scratch->line;
@@ -62,7 +62,7 @@ static void sample_run(const struct n64_plan *plan, const struct run *run, uint3
     n64_lerp(texels, texels, &blend, run->count);
 }
 
-/* The next pixels that have the same tiles. */
+/* Finds how many pixels from run->first on have the same tiles, and which. */
 static void find_run(const struct n64_plan *plan, struct run *run, int32 end)
 {
     const struct n64_blending *from = &plan->scratch->line.blendings[run->first];
@@ -105,7 +105,7 @@ static void find_yuv(const struct n64_plan *plan, int32 count)
     }
 }
 
-/* Texels that are pixels. */
+/* Draws texels directly as 16-bit pixels. */
 static void draw_direct(const struct n64_plan *plan, uint16 *pixels, int32 count)
 {
     struct n64_line_scratch *work = &plan->scratch->line;
@@ -149,7 +149,6 @@ static void modulate(const struct n64_plan *plan, const uint32 *texels, uint32 *
     n64_modulate(texels, colours, &by, count);
 }
 
-/* The combiner's cycles as they stand. */
 static void combine(const struct n64_plan *plan, const uint32 *texels, uint32 *colours,
                     int32 count)
 {

@@ -57,7 +57,7 @@ static void set_window(const struct n64_axis *axis, const struct n64_window *fro
     to->period = from->period * 65536;
 }
 
-/* Whether a page can stand for the tile. */
+/* Finds the windows of the tile's page; returns 0 if no page can show the tile. */
 static int32 find_windows(const struct n64_tile *tile, int32 copy, struct page_window *columns,
                           struct page_window *rows)
 {
@@ -70,7 +70,8 @@ static int32 find_windows(const struct n64_tile *tile, int32 copy, struct page_w
     return 1;
 }
 
-/* Point sampling of one tile without levels, the rest constants. */
+/* Returns non-zero if the polygon can be drawn from a page: point sampling of one tile without
+   levels, combined with constants, or copy mode into 16-bit pixels. */
 static int32 is_plain(const struct n64_needs *needs, const struct setup *s, const struct n64 *n64,
                       struct page_window *columns, struct page_window *rows)
 {

@@ -12,7 +12,8 @@ static int32 period(const struct n64_axis *axis)
     return 1 << (bits + (axis->mirror ? 1 : 0));
 }
 
-/* Copy mode does not clamp; an axis without a mask goes on beyond the tile's edges then. */
+/* Returns non-zero if an axis repeats. Copy mode does not clamp; without a mask the axis then
+   continues beyond the tile's edges. */
 static int32 repeats(const struct n64_axis *axis, int32 copy)
 {
     return axis->mask && (copy || !axis->clamp);
@@ -23,8 +24,8 @@ static int32 last_index(const struct n64_axis *axis)
     return (axis->high >> 2) - (axis->low >> 2);
 }
 
-/* An axis that does not repeat has its texels in the middle of the page. If its first edge lies
-   further within its texel than its last one, it clamps in the middle of one. */
+/* An axis that does not repeat has its texels in the middle of the page. No page can show it if
+   its low edge has a larger fraction than its high edge: it clamps in the middle of a texel. */
 static int32 find_window(const struct n64_axis *axis, int32 copy, struct n64_window *window)
 {
     if (axis->shift)
@@ -47,27 +48,27 @@ int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct n64_windo
     return find_window(&tile->s, copy, columns) && find_window(&tile->t, copy, rows);
 }
 
-/* What a page's rows are made with. */
+/* Data for making a page's rows. */
 struct making {
     uint32 *room;
     struct n64_unit *unit;
     const struct n64_needs *needs;
     const struct n64_axis *s, *t;
     struct n64_window columns, rows;
-    int32 from, count;          /* columns that are drawn; the others repeat them or the edges */
-    struct frame frame;         /* the page, row 0; rows 128 on lie before it, as in MAP_PAGE */
+    int32 from, count;          /* columns to draw; the others repeat these or the edges */
+    struct frame frame;         /* the page, row 0; rows 128 on precede it, as in MAP_PAGE */
     struct n64_planes planes;
     struct n64_plan plan;
     int32 has_plan;
 };
 
-/* s10.5, of column or row k. */
+/* Returns the coordinate of column or row k: s10.5. */
 static int32 coordinate(const struct n64_axis *axis, const struct n64_window *window, int32 k)
 {
     return (int16)((window->first + k) * 32 + axis->low * 8);
 }
 
-/* Whether what lies beyond the edges of an axis shows its first and its last texel. */
+/* Returns non-zero if the page shows the axis' first and last texel beyond its edges. */
 static int32 clamps(const struct making *m, const struct n64_axis *axis,
                     const struct n64_window *window)
 {
@@ -77,7 +78,7 @@ static int32 clamps(const struct making *m, const struct n64_axis *axis,
 
 static void find_columns(struct making *m)
 {
-    int32 least = 128 / m->frame.pixel_bytes;   /* what n64_copy_row takes */
+    int32 least = 128 / m->frame.pixel_bytes;   /* n64_copy_row's least */
 
     m->from = 0;
     m->count = SIDE;
@@ -89,7 +90,7 @@ static void find_columns(struct making *m)
     }
 }
 
-/* A texel a pixel; each row has its own t. */
+/* One texel a pixel; draw_texels sets t for each row. */
 static void find_planes(struct making *m)
 {
     struct plane *of = m->planes.all.of;
@@ -112,7 +113,8 @@ static void copy_texels(const struct making *m, uint16 *row, int32 t)
     }
 }
 
-/* Whether the four copies of all TLUT entries are: of four pixels each reads its own. */
+/* Returns non-zero if the four copies of each TLUT entry are equal: each of copy mode's four
+   pixels reads another copy. */
 static int32 copies_are_equal(const struct n64 *n64)
 {
     const uint8 *entry = &n64->tmem[N64_TMEM_BYTES / 2];
@@ -124,7 +126,7 @@ static int32 copies_are_equal(const struct n64 *n64)
     return 1;
 }
 
-/* Whether copy mode's four pixels are four of a page's. */
+/* Returns non-zero if copy mode's four pixels equal four pixels of a page. */
 static int32 are_alike(const struct n64 *n64)
 {
     return n64->modes.tlut ? copies_are_equal(n64)
@@ -142,7 +144,7 @@ static void draw_texels(struct making *m, int32 v, int32 t)
                       m->from + m->count, v);
 }
 
-/* Pixels from first to end - 1 as another one. */
+/* Copies pixel from to pixels first to end - 1. */
 static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 from)
 {
     if (pixel_bytes == 4)
@@ -170,7 +172,7 @@ static void make_row(struct making *m, int32 v)
         fill(row, bytes, m->from + m->count, SIDE, m->from + m->count - 1);
 }
 
-/* One of those that are made may be the same. */
+/* Makes row v, by copying if an equal row is made already. */
 static void find_row(void *context, int32 v, int32 from, int32 end)
 {
     struct making *m = context;
@@ -207,7 +209,6 @@ static void make_rows(struct making *m, const struct page_rows *rows)
     page_grow(page, rows, find_row, m);
 }
 
-/* Everything that the page depends on. */
 static uint32 packed(const uint8 *colour)
 {
     return (uint32)colour[0] << 24 | (uint32)colour[1] << 16 | (uint32)colour[2] << 8 | colour[3];

@@ -4,11 +4,11 @@
 
 #include "compiler.h"
 
-/* A colour (R G B A from the highest byte on) as the pixel of a frame of 4 bytes, itself, or of
-   2: 5/5/5/1, the lower bits cut off. */
+/* Returns the pixel of a colour (R G B A from the highest byte on): in a frame of 4 bytes a pixel
+   the colour itself, in one of 2 5/5/5/1, the lower bits cut off. */
 uint32 n64_pixel_of(uint32 colour, int32 pixel_bytes);
 
-/* Of a row of 2 or 4 bytes a pixel. */
+/* Writes pixel x of a row of 2 or 4 bytes a pixel. */
 void n64_pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pixel);
 
 #endif

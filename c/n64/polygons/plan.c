@@ -44,7 +44,8 @@ static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit,
     return 1;
 }
 
-/* Which of both texels are needed; 0: their modes, or YUV among others, have no passes. */
+/* Finds whether the second texel is needed. Returns 0 if there are no passes: for the texels'
+   modes, or because a used tile is YUV though the first is not. */
 static int32 find_rgb(struct n64_plan *plan, uint32 used, uint32 inputs)
 {
     const struct n64 *n64 = &plan->unit->n64;
@@ -78,7 +79,7 @@ static int32 find_samplings(struct n64_plan *plan, uint32 inputs)
     return 1;
 }
 
-/* Made once for all units, when they are first needed; 0: no memory. */
+/* Returns the reciprocals, made once for all units when first needed; null: no memory. */
 static const uint32 *find_reciprocals(void)
 {
     static uint32 *reciprocals;
@@ -88,7 +89,7 @@ static const uint32 *find_reciprocals(void)
     return reciprocals;
 }
 
-/* Blendings of levels, made again when the modes change; 0: no memory. */
+/* Returns the blendings of levels, made again when the modes change; null: no memory. */
 static const struct n64_levels *find_levels(struct n64_unit *unit)
 {
     const struct n64 *n64 = &unit->n64;
@@ -109,8 +110,8 @@ static const struct n64_levels *find_levels(struct n64_unit *unit)
     return unit->levels;
 }
 
-/* Without perspective w stays 0x7fff, by which a divide changes nothing. In one-cycle mode the
-   pixel below does not count. */
+/* Without perspective w stays 0x7fff, and division by it changes nothing. In one-cycle mode the
+   level does not depend on the pixel below. */
 static int32 find_lod(struct n64_plan *plan)
 {
     const struct plane *of = plan->planes->all.of;
@@ -146,7 +147,7 @@ static int32 find_coordinates(struct n64_plan *plan)
     return !plan->planes->divided || division->reciprocals;
 }
 
-/* Tables of what the form's second part makes of each value: a line that has them all. */
+/* Makes the tables of the form's second part, by combining a line that has every value once. */
 static int32 find_tables(struct n64_plan *plan)
 {
     struct n64_wide *values = plan->scratch->tables.values;

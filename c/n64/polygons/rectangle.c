@@ -1,11 +1,11 @@
-/* A rectangle is a polygon of four vertices whose plane is exact: its gradients are whole
-   multiples of 1/65536 texel. Copy mode steps four pixels at a time, which is the same where
-   four pixels are four texels. */
+/* Texture rectangles are drawn as polygons of four vertices. Their planes are exact: the gradients
+   are whole multiples of 1/65536 texel. Copy mode steps four pixels at a time, which gives the same
+   pixels if four pixels are four texels. */
 #include "n64/polygons/rectangle.h"
 
 #define FOUR_TEXELS (4 * 1024)
 
-/* s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
+/* Returns s or t at a corner, 16.16 texels, from s10.5 and a step of s5.10. */
 static fix16 corner(int32 start, int32 step, int32 pixels)
 {
     return start * 2048 + step * pixels * 64;
@@ -26,7 +26,7 @@ static void find_corners(struct vertex *v, const struct n64_rectangle *r, int32 
     }
 }
 
-/* Four pixels of a line, as many of them as the frame has. */
+/* Writes four pixels of a line, or those of them that are within the frame. */
 static void copy_four(const struct frame *frame, int32 x, int32 y, int32 end,
                       const uint32 *texels)
 {
@@ -141,7 +141,7 @@ static int32 is_far(int32 pixels)
     return pixels < -POLYGON_FAR || pixels >= POLYGON_FAR;
 }
 
-/* Whether a coordinate stays where polygons' may be. */
+/* Returns non-zero if a coordinate stays within the range of polygons'. */
 static int32 is_in_range(int32 start, int32 step, int32 steps)
 {
     const int32 most = 1024 * 1024;             /* texels in s5.10 */

@@ -14,7 +14,7 @@ static inline uint32 ia16_colour(uint32 bits)
     return (bits >> 8) * 0x01010100u | (bits & 255);
 }
 
-/* What a texel of 4 or 8 bits would be in IA 16. */
+/* Returns the IA 16 texel that equals a texel of 4 or 8 bits. */
 static uint32 ia16_of(const struct n64_tile *tile, uint32 bits)
 {
     if (tile->size == N64_8)
@@ -42,8 +42,9 @@ static void make_colours(struct n64_colours *colours, const struct n64 *n64,
     }
 }
 
-/* Bytes of TMEM, or of its low or high half, from address at on (a multiple of 8), which wrap in
-   it: in order where they are, or copied to room. Odd rows have the longs of each word swapped. */
+/* Returns bytes of TMEM, or of one half of it, in order. They begin at address at (a multiple of 8)
+   and wrap by mask. They are copied to room if they wrap or if the row is odd: odd rows have the
+   longs of each word swapped. */
 static const void *in_order(const uint8 *part, uint32 at, uint32 mask, int32 odd, int32 bytes,
                             uint32 *room)
 {

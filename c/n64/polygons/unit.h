@@ -1,4 +1,4 @@
-/* A texture engine that draws polygons, with what was made ready of its state. */
+/* A texture engine that draws polygons, and data cached from its state. */
 #ifndef N64_UNIT_H
 #define N64_UNIT_H
 
@@ -11,10 +11,10 @@ enum { N64_PAGE_KEY = 10 };
 /* A tile as the plain mappers read it: see page.h. */
 struct n64_page {
     struct page page;
-    uint32 key[N64_PAGE_KEY];   /* what it was made from */
+    uint32 key[N64_PAGE_KEY];   /* cache key */
 };
 
-/* What YUV texels become: see n64_yuv_conversion. */
+/* Tables for converting YUV texels: see n64_yuv_conversion. */
 struct n64_yuv_tables {
     struct n64_matrix matrix;
     uint32 colours[512];
@@ -23,13 +23,13 @@ struct n64_yuv_tables {
 struct n64_unit {
     struct n64 n64;
     enum n64_result result;     /* why the last polygon was refused */
-    int32 memory;               /* enum memory_kind, of what is made ready */
-    struct n64_levels *levels;  /* of levels_made, a mode_generation; or 0 */
+    int32 memory;               /* enum memory_kind, of cached data */
+    struct n64_levels *levels;  /* made at mode_generation levels_made; or null */
     uint32 levels_made;
-    uint8 *tables;              /* of tables_made, another; or 0 */
+    uint8 *tables;              /* made at mode_generation tables_made; or null */
     uint32 tables_made;
-    uint32 judged;              /* generations of tiles and modes that can be drawn with */
-    struct n64_yuv_tables *yuv;  /* of yuv_made, another; or 0 */
+    uint32 judged;              /* sum of generations of the last state found valid */
+    struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */
     uint32 yuv_made;
     struct n64_page page;
     struct n64_colours colours;
@@ -37,25 +37,25 @@ struct n64_unit {
     struct n64_kept chroma[N64_TILES];  /* the same with quads for YUV's chroma */
 };
 
-/* A unit with its engine as n64_init leaves it. */
+/* Initialises a unit and its engine (n64_init). */
 void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory);
 
-/* POLYGON_REFUSED, for a reason that the unit keeps. */
+/* Sets unit->result and returns POLYGON_REFUSED. */
 enum polygon_result n64_refused(struct n64_unit *unit, enum n64_result result);
 
-/* Draws a convex polygon by the unit of a material, into a frame of 2 (5/5/5/1) or 4 bytes
-   (R G B A) a pixel. Of the material edges (subpixel or exact) and clip count besides; of the
-   vertices s and t are texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart.
-   As polygon_draw it makes triangles of more than three vertices on no plane.
-   POLYGON_REFUSED: unit->result says why. */
+/* Draws a convex polygon with a material's unit into a frame of 2 (5/5/5/1) or 4 bytes (R G B A) a
+   pixel. The material's edges (subpixel or exact) and clip are used too. s and t of vertices are
+   texels before a tile's shift, -1,024 to 1,024, less than 1,024 apart. Like polygon_draw it splits
+   a polygon of more than three vertices into triangles if their values are not on a plane. If it
+   returns POLYGON_REFUSED, unit->result has the reason. */
 polygon_routine n64_polygon_draw;
 
-/* The same, with colours for the combiner's shade: the shade of each vertex is its R G B A.
-   Above it is a grey, 16.16, whose alpha is 255. */
+/* Draws the same with colours for the combiner's shade: the shade of each vertex is its R G B A. In
+   n64_polygon_draw it is a grey, 16.16, whose alpha is 255. */
 polygon_routine n64_polygon_draw_coloured;
 
-/* A rectangle's corners in copy mode, where the plain mappers draw it: a texel a pixel. Otherwise
-   it is refused with N64_CYCLE_TYPE, as polygons are. */
+/* Draws a rectangle's corners in copy mode if the plain mappers can: a texel a pixel. Otherwise it
+   is refused with N64_CYCLE_TYPE, as polygons are. */
 polygon_routine n64_polygon_copy;
 
 #endif

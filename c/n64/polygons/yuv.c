@@ -1,10 +1,10 @@
-/* YUV tiles by passes. Luma and chroma are sampled apart where a filter weighs them apart, and
-   converted after that.
+/* Passes for YUV tiles. Luma and chroma are sampled separately if a filter is on, because their
+   fractions differ, and are then converted.
 
-   Chroma under a filter: a pair of texels shares it, so that its fraction is half of luma's, and
-   another half in odd columns; the texels beside it are those of the next pair. Both hold for
-   every column that is shown, wrapped ones too; of mirrored ones odd and even change places,
-   which the pass over coordinates does not know. */
+   A pair of texels shares its chroma. Chroma's fraction is therefore half of luma's, plus a half
+   in odd columns, and its neighbours in s are those of the next pair. This is true of all columns,
+   wrapped ones too. In mirrored ones odd and even change places, which the pass over coordinates
+   does not allow for. */
 #include "n64/polygons/plan.h"
 #include "system/system.h"
 
@@ -13,9 +13,9 @@ static int32 tile_allows(const struct n64 *n64, const struct n64_tile *tile)
     return tile->format == N64_YUV && !(n64->modes.quad && tile->s.mirror && tile->s.mask);
 }
 
-/* Cycle 1 may convert cycle 0's texel. Left to others: converting what is converted already,
-   both filtering and converting that texel, and the corner of a quad that is left where a filter
-   is off. */
+/* Finds how both texels are made; cycle 1 may convert cycle 0's texel. Returns 0 for cases without
+   passes: a texel that is converted twice, one that is filtered and converted in cycle 1, and quads
+   with the filter off. */
 static int32 find_texels(struct n64_yuv *yuv, const struct n64_modes *modes, uint32 inputs)
 {
     const int32 again = modes->convert_one && !modes->filter1;
@@ -34,7 +34,7 @@ static int32 find_texels(struct n64_yuv *yuv, const struct n64_modes *modes, uin
                             && (!yuv->sampled[1] || modes->filter1));
 }
 
-/* Colours of a converted channel's 9 bits, what the form's second part makes of it. */
+/* Makes the colours of a converted channel's 9 bits, after the form's second part. */
 static void make_colours(const struct n64_plan *plan, uint32 *colours)
 {
     struct n64_wide *const values = plan->scratch->tables.values;
@@ -79,7 +79,7 @@ int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs)
             return 0;
     if (!find_texels(yuv, &n64->modes, inputs))
         return 0;
-    /* Texels may leave 0 to 255: what multiplies or blends them has to have their 9 bits. */
+    /* Texels may leave 0 to 255, so a multiplication or blend needs all 9 bits. */
     if (form->first != N64_FIRST_TEXEL || form->second == N64_SECOND_MODULATE
         || !yuv->converted[form->swapped])
         form->any = 1;
@@ -90,7 +90,6 @@ int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs)
     return find_tables(plan);
 }
 
-/* Of one texel. */
 static struct n64_yuv_conversion conversion_of(const struct n64_plan *plan,
                                                const struct n64_yuv_line *from)
 {
