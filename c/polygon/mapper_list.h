@@ -2,6 +2,8 @@
 #ifndef MAPPER_LIST_H
 #define MAPPER_LIST_H
 
+#include "compiler.h"
+
 /* MAPPER(kind, name, layout, bytes, is, span, span_16, span_32):
    layout of its map, MAP_LAYOUTS: it has none;
    bytes of the pixels it draws, 1 + 2 + 4;

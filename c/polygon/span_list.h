@@ -3,6 +3,8 @@
 #ifndef SPAN_LIST_H
 #define SPAN_LIST_H
 
+#include "compiler.h"
+
 /* SPAN(kind, name, lines): span_<name> draws the table of lines that LINES_<lines> describes.
    OTHER(kind, name): something else draws, and counts, it. Flat ones come first. */
 #define SPAN_LIST(SPAN, OTHER) \

@@ -41,6 +41,7 @@ struct scene {
     const uint16 *reciprocals;  /* where a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
     uint8 tried_reciprocals, tried_logarithms;  /* 1: not made again where memory was short */
+    uint8 spare[2];
     struct n64_unit *engines;   /* one a unit */
     struct glide *glide;        /* one each of glide_units */
     struct glide_pipe *pipe;    /* one each of pipes */

@@ -2,6 +2,7 @@
 #ifndef GLIDE_SCRATCH_H
 #define GLIDE_SCRATCH_H
 
+#include "compiler.h"
 #include "limits.h"
 
 /* A texel is its bytes' entries, exclusive-ored: no bit of its colour comes from both. */

@@ -16,6 +16,7 @@ import tarfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from tmap.base import c_lists
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.build import contracts, elf_object, hunk, hunk_object
@@ -106,8 +107,9 @@ def headers() -> list[Path]:
 
 def declared() -> set[str]:
     """Returns the names of the routines that public headers declare."""
-    return {name for path in offered(".h")
-            for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
+    spans = {f"span_{name}" for _, name, _ in c_lists.rows("polygon/span_list.h", "SPAN")}
+    return spans | {name for path in offered(".h")
+                    for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
 
 
 def public() -> list[contracts.Contract]:
