@@ -36,7 +36,9 @@ HEADERS := $(sort $(shell find c -name '*.h'))
 C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
 # Not c/programs/scene.c: tools/tmap/product/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
-ASM_FILES := $(sort $(wildcard $(foreach room,amiga math mesh polygon edge span n64 glide screen,src68k/$(room)/*.s)))
+# Texture units last, beside their generated tables: passes and tables share lines of the cache by place.
+ASM_ROOMS := amiga edge math mesh polygon screen span glide n64
+ASM_FILES := $(foreach room,$(ASM_ROOMS),$(sort $(wildcard src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.
 C_OUT := build/obj/$(CC68K)
