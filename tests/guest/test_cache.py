@@ -136,3 +136,8 @@ def test_scene_files_are_those_it_names() -> None:
     assert {path.name for path in cache.scene_files(SCENES / "mappers.toml")} == {
         "mappers.toml", "checker.png"}
     assert "knot.obj" in {path.name for path in cache.scene_files(SCENES / "shaded.toml")}
+
+
+def test_a_module_that_does_not_exist_has_no_key() -> None:
+    with pytest.raises(FileNotFoundError):
+        cache.sources("showcase")

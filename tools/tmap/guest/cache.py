@@ -50,7 +50,8 @@ def imports(text: str) -> list[str]:
 
 def sources(module: str) -> list[Path]:
     """Returns the tools' source files that a module, as "tmap/bench/bench", needs: its own, and
-    those of direct and indirect imports."""
+    those of direct and indirect imports. FileNotFoundError: there is no such module."""
+    (ROOT / "tools" / f"{module}.py").stat()
     found, names = {}, [module]
     while names:
         name = names.pop()

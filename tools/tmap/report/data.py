@@ -67,7 +67,7 @@ def of_scene(name: str, machine: str) -> Entry:
         return {name: value for name, value in about.items() if name != "palette"} | {
             "errors": asdict(showcase.errors_of(compile_scene(path)))}
 
-    identity = key("showcase", cache.scene_files(path), machine)
+    identity = key("tmap/accuracy/showcase", cache.scene_files(path), machine)
     return cache.kept(f"scene_{name}", identity, make)
 
 
