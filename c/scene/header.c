@@ -8,25 +8,11 @@ static const struct {
     uint32 size;
     const char *wrong;
 } tables[] = {
-    {sizeof(struct scene_texture), "textures or textures_at"},
-    {sizeof(struct scene_material), "materials or materials_at"},
-    {sizeof(struct scene_object), "objects or objects_at"},
-    {sizeof(struct vertex), "vertices or vertices_at"},
-    {sizeof(struct scene_pose), "poses or poses_at"},
-    {sizeof(struct scene_point), "points or points_at"},
-    {sizeof(struct scene_normal), "normals or normals_at"},
-    {sizeof(struct scene_corner), "corners or corners_at"},
-    {sizeof(struct scene_face), "faces or faces_at"},
-    {sizeof(struct scene_mesh), "meshes or meshes_at"},
-    {sizeof(struct scene_instance), "instances or instances_at"},
-    {sizeof(struct scene_view), "views or views_at"},
-    {sizeof(struct scene_unit), "units or units_at"},
-    {sizeof(struct scene_list), "lists or lists_at"},
-    {sizeof(struct n64_word), "words or words_at"},
-    {1, "dram or dram_at"},
-    {sizeof(struct scene_glide_unit), "glide_units or glide_units_at"},
-    {sizeof(struct scene_pipe), "pipes or pipes_at"},
-    {1, "glide_memory or glide_memory_at"}
+#define TABLE(name, type) {sizeof(struct type), #name " or " #name "_at"},
+#define BLOCK(name) {1, #name " or " #name "_at"},
+    TABLE_LIST(TABLE, BLOCK)
+#undef TABLE
+#undef BLOCK
 };
 
 /* Behind the header, inside the file, and not too long; of bytes a multiple of 8. */

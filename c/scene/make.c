@@ -18,23 +18,11 @@ void scene_place(struct scene *scene, const uint8 *data)
     const struct scene_header *header = (const struct scene_header *)data;
 
     scene->header = header;
-    scene->textures = (const struct scene_texture *)(data + header->textures_at);
-    scene->materials = (const struct scene_material *)(data + header->materials_at);
-    scene->objects = (const struct scene_object *)(data + header->objects_at);
-    scene->vertices = (const struct vertex *)(data + header->vertices_at);
-    scene->poses = (const struct scene_pose *)(data + header->poses_at);
-    scene->points = (const struct scene_point *)(data + header->points_at);
-    scene->normals = (const struct scene_normal *)(data + header->normals_at);
-    scene->corners = (const struct scene_corner *)(data + header->corners_at);
-    scene->faces = (const struct scene_face *)(data + header->faces_at);
-    scene->meshes = (const struct scene_mesh *)(data + header->meshes_at);
-    scene->instances = (const struct scene_instance *)(data + header->instances_at);
-    scene->views = (const struct scene_view *)(data + header->views_at);
-    scene->units = (const struct scene_unit *)(data + header->units_at);
-    scene->lists = (const struct scene_list *)(data + header->lists_at);
-    scene->words = (const struct n64_word *)(data + header->words_at);
-    scene->glide_units = (const struct scene_glide_unit *)(data + header->glide_units_at);
-    scene->pipes = (const struct scene_pipe *)(data + header->pipes_at);
+#define TABLE(name, type) scene->name = (const struct type *)(data + header->name##_at);
+#define BLOCK(name)
+    TABLE_LIST(TABLE, BLOCK)
+#undef TABLE
+#undef BLOCK
 }
 
 static polygon_routine *routine_of(const struct scene *scene,

@@ -17,23 +17,11 @@ struct scene_scratch {
 
 struct scene {
     const struct scene_header *header;
-    const struct scene_texture *textures;
-    const struct scene_material *materials;
-    const struct scene_object *objects;
-    const struct vertex *vertices;
-    const struct scene_pose *poses;
-    const struct scene_point *points;
-    const struct scene_normal *normals;
-    const struct scene_corner *corners;
-    const struct scene_face *faces;
-    const struct scene_mesh *meshes;
-    const struct scene_instance *instances;
-    const struct scene_view *views;
-    const struct scene_unit *units;
-    const struct scene_list *lists;
-    const struct n64_word *words;
-    const struct scene_glide_unit *glide_units;
-    const struct scene_pipe *pipes;
+#define TABLE(name, type) const struct type *name;
+#define BLOCK(name)
+    TABLE_LIST(TABLE, BLOCK)
+#undef TABLE
+#undef BLOCK
     struct mesh_work work;
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */

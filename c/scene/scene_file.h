@@ -11,6 +11,7 @@
 #include "mesh/records.h"
 #include "n64/n64.h"
 #include "polygon/vertex.h"
+#include "scene/table_list.h"
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
@@ -36,16 +37,18 @@ struct scene_header {
     fix16 near_plane;           /* depth, from W_MIN on; counts where instances are */
     uint32 guard;               /* log2 of how far right and down of the frame's middle
                                    camera x and y of the size of the depth lie, pixels */
-    /* Counts, and below in the same order where each table is. */
-    uint32 textures, materials, objects, vertices, poses;
-    uint32 points, normals, corners, faces, meshes, instances, views;
-    uint32 units, lists, words, dram;           /* dram: bytes, a multiple of 8 */
-    uint32 glide_units, pipes, glide_memory;    /* glide_memory: bytes, the same */
+    /* Entries of each table, bytes of each block. */
+#define TABLE(name, type) uint32 name;
+#define BLOCK(name) uint32 name;
+    TABLE_LIST(TABLE, BLOCK)
+#undef TABLE
+#undef BLOCK
     uint32 palette_at;          /* 256 entries of 4 bytes: 0, red, green, blue */
-    uint32 textures_at, materials_at, objects_at, vertices_at, poses_at;
-    uint32 points_at, normals_at, corners_at, faces_at, meshes_at, instances_at, views_at;
-    uint32 units_at, lists_at, words_at, dram_at;
-    uint32 glide_units_at, pipes_at, glide_memory_at;
+#define TABLE(name, type) uint32 name##_at;
+#define BLOCK(name) uint32 name##_at;
+    TABLE_LIST(TABLE, BLOCK)
+#undef TABLE
+#undef BLOCK
 };
 
 /* A map, width x height texels in the order of its layout; MAP_PAGE and MAP_MARGINS

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tmap.base import c_lists
 from tmap.base.errors import UserError, require
 from tmap.base.fixed import ONE
 from tmap.base.pixel_formats import FORMATS, PixelFormat
@@ -23,13 +24,9 @@ __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE",
 
 #: Tables in file order: name, which is also the count and offset field, and struct of an entry.
 #: Texels follow. The palette has no count: it is always whole.
-TABLES = {"textures": "scene_texture", "materials": "scene_material",
-          "objects": "scene_object", "vertices": "vertex", "poses": "scene_pose",
-          "points": "scene_point", "normals": "scene_normal", "corners": "scene_corner",
-          "faces": "scene_face", "meshes": "scene_mesh", "instances": "scene_instance",
-          "views": "scene_view", "units": "scene_unit", "lists": "scene_list",
-          "words": "n64_word", "glide_units": "scene_glide_unit", "pipes": "scene_pipe"}
-BYTES = ("dram", "glide_memory")  # after the tables, without a structure
+TABLES = dict(c_lists.rows("scene/table_list.h", "TABLE"))
+#: After the tables, without a structure.
+BYTES = tuple(name for name, in c_lists.rows("scene/table_list.h", "BLOCK", "TABLE"))
 HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
