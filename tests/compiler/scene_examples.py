@@ -1,8 +1,7 @@
-"""Small scenes of random numbers, and their files."""
+"""Small scenes of random numbers."""
 
 import numpy as np
 
-from tmap.scene_file import scene_file
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
 LIGHT = Texture(np.arange(64 * 256, dtype=np.uint32).reshape(64, 256).astype(np.uint8), "light")
@@ -28,7 +27,3 @@ def example(seed: int = 1, textures: int = 1) -> Scene:
         objects=[Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)],
         vertices=vertices(random, 6),
         poses=random.integers(-2**31, 2**31, (4, 6)))
-
-
-WRITTEN = scene_file.write(example(textures=0))
-TEXTURED = scene_file.write(example(textures=1))

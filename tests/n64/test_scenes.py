@@ -84,8 +84,7 @@ def test_every_format_shows_its_picture(folder, texels, load):
             f'load = "{load}"')
     more = 'convert = "convert", combine = "convert", ' if texels == "yuv16" else ""
     scene = make(folder, f"{more}tiles = [{{ {tile} }}]")
-    written = scene_file.write(scene)
-    assert scene_file.write(scene_file.read(written, "x")) == written
+    scene_file.write(scene)
     picture = images.read("noise.png", folder, "x", side, side)
     expected = images.decode(images.encode(picture, *TEXELS[texels]))
     found = scene.pixel.colours(model.render(scene, 0)[:side, :side])

@@ -37,12 +37,6 @@ class Material:
     primitive: str = "polygons"  # kind of an engine's objects: of PRIMITIVES
 
 
-def name_of(kind: str, number: int, name: str, where: str) -> str:
-    """Returns the setting with this number."""
-    require(name, where, number, 0, len(SETTINGS[kind]) - 1)
-    return SETTINGS[kind][number]
-
-
 def number_of(kind: str, value: str, name: str, where: str) -> int:
     """Returns the number of a setting."""
     if value not in SETTINGS[kind]:

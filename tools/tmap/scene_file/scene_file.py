@@ -12,15 +12,15 @@ from tmap.base.pixel_formats import FORMATS, PixelFormat
 from tmap.build import layout
 from tmap.scene_file import (materials as scene_materials, meshes as scene_meshes,
                              pipes as scene_pipes, units as scene_units)
-from tmap.scene_file.materials import SETTINGS, Material, name_of
+from tmap.scene_file.materials import SETTINGS, Material
 from tmap.scene_file.meshes import Instance, Mesh
 from tmap.scene_file.textures import (LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
-                                      check_on_map, check_texture, linear, ordered, size_fault)
+                                      check_on_map, check_texture, ordered, size_fault)
 from tmap.setup.planarity import ALL
 from tmap.setup.shading import LIT
 
 __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE", "SETTINGS",
-           "UNITS", "Material", "Object", "Scene", "Texture", "read", "records", "vertices_at", "write"]
+           "UNITS", "Material", "Object", "Scene", "Texture", "records", "size_fault", "vertices_at", "write"]
 
 #: Tables in file order: name, which is also the count and offset field, and struct of an entry.
 #: Texels follow. The palette has no count: it is always whole.
@@ -223,82 +223,3 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     summed = header.fields["width"]["offset"]
     checksum = zlib.crc32(header.pack(**values, checksum=0)[summed:] + body)
     return header.pack(**values, checksum=checksum) + body
-
-
-class Contents:
-    """The parts of a scene file; ``name`` begins every message."""
-
-    def __init__(self, data: bytes, name: str) -> None:
-        built = layout.load()
-        self.data, self.name, self.header = data, name, built.struct("scene_header")
-        if len(data) < self.header.size:
-            raise UserError(f"{name}: {len(data)} bytes is too short for a scene file")
-        self.values = self.header.unpack(data)
-        summed = self.header.fields["width"]["offset"]
-        for part, expected in (("magic", built.constants["SCENE_MAGIC"]),
-                               ("version", built.constants["SCENE_VERSION"]),
-                               ("size", len(data)), ("checksum", zlib.crc32(data[summed:]))):
-            if self.values[part] != expected:
-                raise UserError(f"{name}: {part}: {self.values[part]:#x} where {expected:#x} is "
-                                "right")
-
-    def part(self, where: str, at: int, size: int) -> bytes:
-        """Returns bytes after the header; ``where``: the field with their offset."""
-        require(self.name, where, at, self.header.size, len(self.data) - size)
-        if at % 4:
-            raise UserError(f"{self.name}: {where}: {at} is not a multiple of 4")
-        return self.data[at:at + size]
-
-    def block(self, name: str, size: int) -> bytes:
-        """Returns bytes whose offset is in the header."""
-        return self.part(f"{name}_at", self.values[f"{name}_at"], size)
-
-    def rows(self, table: str) -> np.ndarray:
-        """Returns a table, int64 [n, fields]."""
-        built = layout.load()
-        struct, count = built.struct(TABLES[table]), self.values[table]
-        require(self.name, table, count, 0, built.constants["SCENE_COUNT_MAX"], " entries")
-        found = np.frombuffer(self.block(table, count * struct.size), struct.dtype)
-        return np.stack([found[name].astype(np.int64) for name in struct.fields], axis=1)
-
-    def texture(self, row: list[int], pixel: PixelFormat, where: str) -> Texture:
-        """Returns a texture from its row of the table."""
-        width, height, kind, texel_bytes, at = row
-        require(self.name, f"{where}.layout", kind, 0, len(LAYOUTS) - 1)
-        require(self.name, f"{where}.texel_bytes", texel_bytes, pixel.bytes, pixel.bytes)
-        needs = size_fault(LAYOUTS[kind], width, height)
-        if needs:
-            raise UserError(f"{self.name}: {where}.width or height: {width}x{height} is not "
-                            f"{needs}")
-        texels = self.part(f"{where}.at", at, width * height * texel_bytes)
-        return linear(texels, width, height, LAYOUTS[kind], pixel.dtype)
-
-    def material(self, row: list[int], where: str) -> Material:
-        """Returns a material from its row of the table."""
-        *row, primitive = row
-        settings = [name_of(kind, number, self.name, f"{where}.{kind}")
-                    for kind, number in zip(SETTINGS, row)]
-        require(self.name, f"{where}.primitive", primitive, 0, len(scene_units.PRIMITIVES) - 1)
-        return Material(*settings, *row[len(SETTINGS):], scene_units.PRIMITIVES[primitive])
-
-
-def read(data: bytes, name: str) -> Scene:
-    """Reads the scene from a scene file's bytes; ``name`` is for messages only."""
-    contents = Contents(data, name)
-    values = contents.values
-    rows = {table: contents.rows(table) for table in TABLES}
-    require(name, "format", values["format"], 0, len(FORMATS) - 1)
-    pixel = list(FORMATS.values())[values["format"]]
-    rows["textures"] = [contents.texture(row, pixel, f"textures[{i}]")
-                        for i, row in enumerate(rows["textures"].tolist())]
-    rows["materials"] = [contents.material(row, f"materials[{i}]")
-                         for i, row in enumerate(rows["materials"].tolist())]
-    palette = np.frombuffer(contents.block("palette", PALETTE_BYTES), np.uint8)
-    for table, kind in RECORDS.items():
-        rows[table] = [kind(*row) for row in rows[table].tolist()]
-    for block in BYTES:
-        rows[block] = contents.block(block, values[block])
-    scene = Scene(**{field_name: values[field_name] for field_name in HEADER}, format=pixel.name,
-                  **rows, palette=palette.reshape(256, 4)[:, 1:].copy())
-    check(scene, name)
-    return scene

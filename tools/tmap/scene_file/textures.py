@@ -95,13 +95,3 @@ def ordered(texture: Texture) -> bytes:
     elif texture.layout == "columns":
         texels = maps.to_columns(texels)
     return texels.tobytes()
-
-
-def linear(data: bytes, width: int, height: int, kind: str, texel: np.dtype) -> Texture:
-    """The inverse of ``ordered``."""
-    texels = np.frombuffer(data, texel.newbyteorder(">")).astype(texel)
-    if kind == "tiled":
-        return Texture(maps.from_tiled(texels, width, height), kind)
-    if kind == "columns":
-        return Texture(maps.from_columns(texels, width, height), kind)
-    return Texture(texels.reshape(height, width), kind)
