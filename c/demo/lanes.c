@@ -192,7 +192,7 @@ void lanes_convert(struct player *player)
             lane->stale &= ~hidden;
             if (player->whole) {
                 convert_rows(player, i, 0, lane->frame.height);
-                player->aside += player_lap(player);
+                player->excluded += player_lap(player);
             }
         }
         if (lane->unlabelled & hidden) {

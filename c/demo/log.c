@@ -36,7 +36,7 @@ void log_part(const struct player *player, int32 number, int32 full)
         field(" step ", worked->step + 1);
         field(" fields ", worked->fields);
         field(" work ", worked->work);
-        field(" aside ", worked->aside);
+        field(" excluded ", worked->excluded);
         field(" lines ", worked->lines);
         text_print();
     }

@@ -8,7 +8,7 @@
    were recorded, a line for each frame:
      part N frames N fields N late N step N TITLE
      pane N pictures N ticks N used N       colour clocks of pictures not counted, of all pictures
-     frame N step N fields N work N aside N lines N     work, aside: colour clocks */
+     frame N step N fields N work N excluded N lines N     work, excluded: colour clocks */
 void log_part(const struct player *player, int32 number, int32 full);
 
 #endif

@@ -68,7 +68,7 @@ static void begin(struct player *player)
     }
     screen_swap(player->screen);        /* returns at the start of a field */
     clock_start(CLOCK_LIMIT);
-    player->work = player->aside = 0;
+    player->work = player->excluded = 0;
     player->began = player->shown = player->figured = screen_wait(player->screen);
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
@@ -114,7 +114,7 @@ static void post(struct player *player)
     player->due = player->part->kind == PART_FREE ? screen_fields(player->screen) + 1
                 : player->shown + FRAME_FIELDS;
     screen_post(player->screen, player->due);
-    player->work = player->aside = 0;
+    player->work = player->excluded = 0;
     player->frames++;
 }
 
@@ -133,7 +133,7 @@ static void govern(struct player *player, uint32 frames)
     const uint32 share = fields * (uint32)steps / fields_of(player, frames);
 
     if (player->part->kind != PART_FREE)
-        governor_next(&player->governor, player->work - player->aside);
+        governor_next(&player->governor, player->work - player->excluded);
     else if (before < (int32)share && before < steps - 1) {
         player->governor.step++;
         figures_again(player);
@@ -151,7 +151,7 @@ static void note(struct player *player)
         return;
     to->step = (uint32)player->governor.step;
     to->work = player->work;
-    to->aside = player->aside;
+    to->excluded = player->excluded;
     to->lines = display_age();
 }
 

@@ -18,9 +18,9 @@
 #include "system/text.h"
 
 /* Bytes before and after the frame that must not be written. */
-#define GUARD 4096
-#define GUARD_BYTE 0xa5
-#define GUARD_LONGWORD 0xa5a5a5a5u
+#define CANARY 4096
+#define CANARY_BYTE 0xa5
+#define CANARY_LONGWORD 0xa5a5a5a5u
 
 /* For a wrong argument. */
 static int32 refuse(const char *why)
@@ -38,24 +38,24 @@ static int32 make_frame(struct frame *frame, const struct scene *scene, int32 ki
     frame->pixel_bytes = scene_pixel_bytes(scene->header->format);
     frame->pitch = frame->width * frame->pixel_bytes;
     frame->height = scene->header->height;
-    bytes = frame->pitch * frame->height + 2 * GUARD;
+    bytes = frame->pitch * frame->height + 2 * CANARY;
     if (!mem_alloc(&memory, bytes, kind))
         return 0;
     for (int32 i = 0; i < bytes; i++)
-        memory[i] = GUARD_BYTE;
-    frame->pixels = memory + GUARD;
+        memory[i] = CANARY_BYTE;
+    frame->pixels = memory + CANARY;
     return 1;
 }
 
-/* Returns the bits that have changed in the guards before and after the frame. */
-static uint32 guards_broken(const struct frame *frame)
+/* Returns the bits that have changed in the canaries before and after the frame. */
+static uint32 canaries_broken(const struct frame *frame)
 {
-    const uint32 *before = (const uint32 *)(frame->pixels - GUARD);
+    const uint32 *before = (const uint32 *)(frame->pixels - CANARY);
     const uint32 *behind = (const uint32 *)(frame->pixels + frame->pitch * frame->height);
     uint32 broken = 0;
 
-    for (int32 i = GUARD / 4; i > 0; i--)
-        broken |= (*before++ ^ GUARD_LONGWORD) | (*behind++ ^ GUARD_LONGWORD);
+    for (int32 i = CANARY / 4; i > 0; i--)
+        broken |= (*before++ ^ CANARY_LONGWORD) | (*behind++ ^ CANARY_LONGWORD);
     return broken;
 }
 
@@ -69,11 +69,11 @@ struct run {
 
 static struct scratch scratch;
 
-/* Draws a frame and looks at the guard bands. */
+/* Draws a frame and looks at the canaries. */
 static int32 draw(struct scene *scene, int32 number, struct run *run, struct frame_digest *drawn)
 {
     drawn->result = scene_time(&run->renderer, scene, number, &drawn->ticks);
-    if (guards_broken(run->renderer.frame)) {
+    if (canaries_broken(run->renderer.frame)) {
         text_add("frame ");
         text_number(number);
         text_add(": bytes outside the frame were written");

@@ -37,7 +37,7 @@ AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, 
 KEY_FIELDS = 30  # one each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
 PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) aside (\d+) lines (\d+)")
+FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) excluded (\d+) lines (\d+)")
 
 
 class Played:
@@ -46,7 +46,7 @@ class Played:
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
         self.panes = []  # pictures, ticks, used
-        self.each = []  # step from 1, fields, work, aside, lines
+        self.each = []  # step from 1, fields, work, excluded, lines
 
 
 def read(output: str) -> dict[int, Played]:
@@ -128,9 +128,9 @@ def test_governor_is_the_models(played, data):
     for number in (EDGES, POSTER, MIRROR):
         script = data[demo.SCRIPT].decode().split("\npart ")[number]
         model = Governor(script.count("\nstep "), budget)
-        for frame, (step, _, work, aside, _) in enumerate(parts[number].each):
+        for frame, (step, _, work, excluded, _) in enumerate(parts[number].each):
             assert step == model.step + 1, f"{machine}, part {number}, frame {frame}"
-            model.next(work - aside)
+            model.next(work - excluded)
 
 
 def test_fast_ram_reaches_better_steps(played):
