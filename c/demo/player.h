@@ -56,7 +56,7 @@ struct lane {
 
 /* A frame's figures for LOG. */
 struct worked {
-    uint32 work, excluded;         /* as the player's */
+    uint32 work, excluded;      /* as the player's */
     uint32 lines;               /* raster lines since the previous frame was shown, when ready */
     uint32 step, fields;        /* fields from the previous frame on the screen to this one */
 };
@@ -78,7 +78,7 @@ struct player {
     uint32 figured, figured_frames;     /* field and frames at the last status line */
     int32 whole;                /* frames for which whole panes are converted: the step changed */
     uint32 work;                /* colour clocks of the next frame without waits, */
-    uint32 excluded;               /* and those among them that the governor does not count */
+    uint32 excluded;            /* and those among them that the governor does not count */
     struct worked *worked;      /* one a frame, or 0 */
     uint32 ink, ground;         /* pixels */
 };
