@@ -60,7 +60,7 @@ hold    macro
 .held\@
         endm
 
-; Limits the step \1 (memory) so that d7 steps cover no more than the range from \2 to \3
+; Limits the step \1 (memory) so that d7 steps cover at most the range from \2 to \3
 ; (memory). \4: mask for the lowest byte of the limit, if given. Uses d0-d2.
 limit   macro
         move.l  \3,d0
