@@ -8,7 +8,7 @@
 ;==============================================================================
 ; break_asked - checks for Ctrl-C, or the command Break
 ;
-; out:     d0  int32  1: the program shall end, which is printed as AmigaDOS's commands do; 0: not
+; out:     d0  int32  1: end the program, which is printed as AmigaDOS's commands do; 0: go on
 ; reads:   the task's signals
 ; writes:  clears the break signal
 ;==============================================================================

@@ -62,7 +62,7 @@ transfer macro
 ; file_read - reads from an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  where to
+;          d1  void*  destination
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes read, or -1
 ; writes:  memory at d1
@@ -75,7 +75,7 @@ transfer macro
 ; file_write - writes to an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  what
+;          d1  void*  data
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes written, or -1
 ; reads:   memory at d1

@@ -53,8 +53,8 @@ remove_watchdog:
         move.l  old_level_6,VECTOR_LEVEL_6(a0)
         rte
 
-; Level 6 has other sources besides CIA-B's timers. An interrupt of theirs stays pending
-; until quiet_leave: level 6 is masked, and the watchdog with it.
+; Level 6 has sources other than CIA-B. An interrupt of theirs stays pending until
+; quiet_leave: level 6 is masked, and the watchdog with it.
 watchdog:
         move.b  ciab+ciaicr,flags
         btst    #ICRB_TB,flags

@@ -18,7 +18,7 @@ scale_c equ     38
 scale_far equ   40
 row_sizeof equ  42
 
-TWO     equ     $40000000               ; q below this needs another factor
+TWO     equ     $40000000               ; q below this gets another factor
 THREE   equ     $aaaa0000               ; q below this fits 32 bits after * 3/2
 LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16

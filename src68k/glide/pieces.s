@@ -28,7 +28,7 @@
 piece   equ     0                       ; the steps of s, t and w over a whole piece
 whole   equ     12                      ; pieces to do
 bits    equ     16
-scale   equ     20                      ; 16 - shift; -1 where an axis is clamped
+scale   equ     20                      ; 16 - shift; -1 if an axis is clamped
 count   equ     24                      ; pixels to do, from the piece on
 left    equ     28                      ; of the line
 skip    equ     32

@@ -4,7 +4,7 @@
 ; A coordinate pair lives in three registers, S, Q and P:
 ;       S   uu..        Q   v--U        P   ..Vv
 ; One step is add.l S, addx.l Q, addx.w P: u's fraction carries into U, v's low
-; fraction byte into Vv. The bytes marked -- catch what U overflows.
+; fraction byte into Vv. The bytes marked -- catch U's overflow.
 
 ; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
 ; lower word; its upper word is left over).
@@ -133,7 +133,8 @@ pixel_apart macro
         draw
         endm
 
-; Steps u alone, in a chain of one register: u in d0, its step in d2. 8 bytes.
+; Draws a pixel and steps u alone, in a chain of one register: u in d0, its step in d2.
+; 8 bytes.
 pixel_row macro
         move.b  d0,d4                   ; mmVU
         addx.l  d2,d0

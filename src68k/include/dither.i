@@ -105,8 +105,8 @@ dither_place macro
         endm
 
 ; Draws lines with the chain, 16 pixels a round; \1 \2 draws a pixel. Steps are exchanged so that
-; position n of a round uses the step of its pixel's x. \3: *2 or *4; \4: what .pixels is addressed
-; by, a3 or pc. The code for lines is last: if it does not fit the cache beside the pixels, it
+; position n of a round uses the step of its pixel's x. \3: *2 or *4; \4: the base of .pixels'
+; address, a3 or pc. The code for lines is last: if it does not fit the cache with the pixels, it
 ; evicts only the first pixels of a round, which only long lines run.
 dither_chain_lines macro
         bra     .line

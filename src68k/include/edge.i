@@ -53,8 +53,8 @@ edge_step_exact macro
         sub.l   d3,d0
         endm
 
-; Corrects the error d0 after a carry. An exact one counts modulo the height a6 below
-; 2^32, so the height is subtracted.
+; Corrects the error d0 after a carry: an exact one counts the height a6 up to 2^32, so
+; the height is subtracted.
 error_rounded macro
         endm
 

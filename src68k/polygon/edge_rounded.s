@@ -11,8 +11,8 @@
 ; trashes: d0-d7
 ; reads:   x, y of both ends
 ; writes:  edge: x, whole, error, part, height
-; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 where the edge has one
-;          line only; x = x0 + W * prestep / H, to the nearest 1/65536, at the given line,
+; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 if the edge has one line
+;          only; x = x0 + W * prestep / H, to the nearest 1/65536, at the given line,
 ;          prestep being the distance down to it; whole and part are the slope's halves,
 ;          x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
 ; error:   of x, n lines below the given one: (n + 1) / 2^17 pixels

@@ -21,8 +21,8 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ;          texel shows too early if it is 2 B away, but never late.
 ;          Pixel n is fetched 256 floor(B + n dvdx) + floor(B + n dudx) bytes, modulo
 ;          65536, from the first one's texel: if u leaves 0 to 255 inside a line, the
-;          following texels are from the next row. polygon_draw draws polygons with such
-;          lines by the affine spans (c/drawing/generated.c)
+;          texels after that are from a neighbouring row. polygon_draw draws polygons with
+;          such lines by the affine spans (c/drawing/generated.c)
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
 ;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
 ;          of code a pixel: the instruction cache does not hold lines above 64 pixels

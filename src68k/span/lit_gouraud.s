@@ -24,7 +24,7 @@
 ; addx D. D's c is one step ahead. D's spare byte catches V's overflow: it is 00 if v
 ; rises, and FF if v falls: then D's lower part always carries, and the step of c is
 ; one less. Either fails once in 65,536 texels, at most twice in a line: the two bits
-; below c are reserved for that, as 0 and as 3.
+; below c are reserved for that, 0 if v rises and 3 if it falls.
 
         routine span_lit_gouraud,a0
         span_open

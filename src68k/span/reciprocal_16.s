@@ -11,7 +11,7 @@
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.24, both wrap at 256; 8-bit texels and pixels. A piece's steps are C
 ;          times the growth of r in it; the last piece ends with the line's r
-; error:   of u half a unit of 2^-16 a pixel and one where v wraps, of v none; errors of
+; error:   of u half a unit of 2^-16 a pixel and one if v wraps, of v none; errors of
 ;          C and r: see reciprocal_lines
 ; cost:    bench row persp_every16
 ;==============================================================================
