@@ -1,12 +1,12 @@
 ;==============================================================================
-; boot - the code in a disk's first two sectors: goes on with dos, as any bootable disk does
+; boot - the code in a disk's first two sectors: starts dos, as any bootable disk does
 ;
 ; in:      a6  struct ExecBase*  exec
 ;          a1  struct IOStdReq*  the drive's, open
-; out:     d0  int32  0: start what a0 says; -1: no dos
+; out:     d0  int32  0: start the routine a0; -1: no dos
 ;          a0  void*  dos's initial routine
 ; reads:   exec's list of resident modules
-; formats: behind 12 bytes of the sectors' own; position-independent, no data elsewhere
+; formats: after the sectors' header of 12 bytes; position-independent, no data elsewhere
 ;==============================================================================
         include "amiga.i"
 

@@ -1,4 +1,4 @@
-; Ctrl-C: a program asks between two pieces of its work.
+; Ctrl-C: a program polls it between two pieces of its work.
 
         include "amiga.i"
         include "routine.i"
@@ -6,11 +6,11 @@
         xref    _print
 
 ;==============================================================================
-; break_asked - whether the user wants the program to end: Ctrl-C, or Break
+; break_asked - checks for Ctrl-C, or the command Break
 ;
-; out:     d0  int32  1: he does; printed, as AmigaDOS's commands do. 0: he does not
+; out:     d0  int32  1: end the program, which is printed as AmigaDOS's commands do; 0: go on
 ; reads:   the task's signals
-; writes:  clears that one
+; writes:  clears the break signal
 ;==============================================================================
         routine break_asked
         move.l  a6,-(sp)

@@ -7,16 +7,16 @@
 
         mc68030
 
-CACR_DATA               equ     $3f00   ; the bits that concern it
+CACR_DATA               equ     $3f00   ; the data cache's bits
 CACR_ENABLE_DATA        equ     $100
 CACR_CLEAR_DATA         equ     $800
 CACR_BURST_DATA         equ     $1000
 CACR_ALLOCATE           equ     $2000   ; on writes, too
 
 ;==============================================================================
-; cache_data - switches the data cache on until the program's end, which leaves it as it was
+; cache_data - switches the data cache on; the program's end restores it
 ;
-; out:     d0  int32  1 it is on, 0 there is none
+; out:     d0  int32  1 if it is on, 0 if there is none
 ; writes:  CACR; bursts and write allocation are on, too
 ; error:   call it once
 ;==============================================================================

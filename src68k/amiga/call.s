@@ -1,5 +1,5 @@
-; Calls a routine with any registers and notes what it leaves in them: how the
-; bench and the tests reach every kernel by its contract.
+; Calls a routine with given registers and records them after the call. The bench
+; and the tests call every kernel this way, by its contract.
 
         include "routine.i"
         include "amiga.i"
@@ -16,7 +16,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ; writes:  the block: the registers after the call, then by how much the stack
 ;          pointer was off
 ;==============================================================================
-; The value for a0 lies on the stack too: C's first argument.
+; The value for a0 is on the stack too: C's first argument.
 
         routine call_kernel,a0,d0
         save_all
@@ -42,12 +42,12 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ;==============================================================================
 ; call_place - puts the calling loop where it and a routine share no cache line
 ;
-; in:      a0  void*   the routine that call_repeat shall call
+; in:      a0  void*   the routine that call_repeat will call
 ;==============================================================================
-; The 68020's instruction cache is direct-mapped: which of its lines two pieces of
-; code share depends on their addresses modulo 256. With the loop ending where the
-; routine begins, modulo 256, a figure depends on the routine alone, wherever the
-; linker and AmigaDOS put things; routines of up to 256 - LOOP_SIZE bytes stay cached.
+; The 68020's instruction cache is direct-mapped: the lines that two pieces of code
+; share depend on their addresses modulo 256. The loop ends where the routine begins,
+; modulo 256. So a figure depends on the routine alone, wherever the linker and
+; AmigaDOS put code; routines of up to 256 - LOOP_SIZE bytes stay cached.
 
         routine call_place,a0
         save_all

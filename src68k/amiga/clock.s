@@ -1,8 +1,7 @@
-; The clock. CIA-B's chained timers are half of it, and the watchdog of quiet mode; the other half is
-; the beam.
+; The clock: CIA-B's chained timers, which are also the watchdog of quiet mode, and the beam.
 ;
-; A colour clock, the clock's tick, is 4 cycles of the CPU, one of the E-clock, which the timers
-; count, 20 (709,379 Hz and 14.18758 MHz).
+; The clock's tick is a colour clock, 4 cycles of the CPU. The timers count E-clocks, 20 cycles
+; each (709,379 Hz and 14.18758 MHz).
 
         include "amiga.i"
         include "routine.i"
@@ -19,7 +18,7 @@ ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges 
 ;==============================================================================
 ; clock_open - takes CIA-B's two timers
 ;
-; out:     d0  int32  1 ours, 0 somebody else has them
+; out:     d0  int32  1 if they are ours, 0 if another program has them
 ;==============================================================================
         routine clock_open
         movem.l d2/a6,-(sp)
@@ -57,7 +56,7 @@ ciab_name       dc.b    'ciab.resource',0
 ;==============================================================================
 ; clock_close - gives the timers back
 ;
-; error:   does nothing where they are not ours
+; error:   does nothing if they are not ours
 ;==============================================================================
         routine clock_close
         move.l  a6,-(sp)
@@ -75,18 +74,19 @@ ciab_name       dc.b    'ciab.resource',0
         rts
 
 ;==============================================================================
-; clock_wait - empties the instruction cache and waits for one place of the raster line
-;              after the field's first, at the same time in the E-clock; on NTSC machines, where
-;              that place may not come, for line 128 at most
+; clock_wait - empties the instruction cache and waits for a fixed place of a raster line and a
+;              fixed phase of the E-clock, from the field's first line on; on NTSC machines, where
+;              that may not come, until line 128 at most
 ;
 ; reads:   CIA-B, the beam's position
 ; cost:    1 to 25 ms
 ;==============================================================================
-; Chip RAM is refreshed at fixed places of each raster line: what starts anywhere else in
-; it takes some ticks more or less. An E-clock is 5 of its 227 colour clocks, a prime, so
-; that each place meets each. Twice: the second time the loop is in the cache. Counted from
-; the field's first line, so that equal times hold equally many vertical blanks.
-; NTSC's lines have 227 and 228 by turns, two of them 91 E-clocks: a place meets few.
+; Chip RAM is refreshed at fixed places of each raster line, so code that starts at another
+; place takes some ticks more or less. A line has 227 colour clocks, a prime, and an E-clock
+; has 5, so every place of the line meets every phase. It waits twice: the second time the
+; loop is in the cache. It begins at the field's first line, so that equal times contain
+; equally many vertical blanks. NTSC's lines have 227 and 228 colour clocks by turns, two of
+; them 91 E-clocks, so a place meets few phases.
 
         routine clock_wait
         move.l  a6,-(sp)
@@ -109,8 +109,8 @@ ciab_name       dc.b    'ciab.resource',0
         rts
 
 ;==============================================================================
-; clock_start - starts the clock and the watchdog; outside quiet mode nothing bites, and
-;               interrupts count as what they interrupt
+; clock_start - starts the clock and the watchdog; outside quiet mode the watchdog does not bite,
+;               and the time of interrupts is included
 ;
 ; in:      d0  int32  limit before the watchdog bites, in 65,536 E-clocks (92 ms)
 ; reads:   the beam's position
@@ -137,11 +137,11 @@ ciab_name       dc.b    'ciab.resource',0
 ;
 ; out:     d0  uint32  colour clocks since clock_start, 4 CPU cycles each
 ; reads:   CIA-B timers A and B, the beam's position
-; error:   one colour clock; ROUGH of them where raster lines do not have LINE of them each (NTSC);
-;          the pair's own constant cost is the caller's to subtract
+; error:   one colour clock; ROUGH of them if raster lines do not have LINE of them each (NTSC);
+;          the caller must subtract the constant cost of clock_start and clock_stop
 ;==============================================================================
-; The timers count E-clocks, whose place between two instructions is not known: a time is up to
-; two of them off. The beam's place in its line shows the rest.
+; The timers count E-clocks, and their phase between two instructions is not known: a time is up
+; to two of them off. The beam's place in its line gives the exact time.
 
         routine clock_stop
         moveq   #0,d0
@@ -173,7 +173,7 @@ ciab_name       dc.b    'ciab.resource',0
         moveq   #ROUGH,d1
         add.l   d1,d0
         sub.l   a1,d0
-        divul.l #LINE,d1:d0             ; d1 = ROUGH + by how much the timers are ahead
+        divul.l #LINE,d1:d0             ; d1 = ROUGH + the lead of the timers
         move.l  a0,d0
         cmp.w   #2*ROUGH,d1
         bhi.s   .done

@@ -1,30 +1,30 @@
-; The display, taken from the system and given back: copper lists of our own, while tasks and
-; interrupts go on. What there is to be shown is a matter of the lists alone.
+; Takes the display from the system and gives it back: shows our own copper lists while tasks and
+; interrupts go on. The lists alone define the picture.
 
         include "amiga.i"
         include "routine.i"
 
         xref    at_end
 
-LAST_LINE               equ     20      ; in which a list may still be started: it must be through
-                                        ; with its colours where the picture begins
-PRIORITY                equ     5       ; behind the system's own servers
+LAST_LINE               equ     20      ; the last line in which a list may be started: it must
+                                        ; have set its colours before the picture begins
+PRIORITY                equ     5       ; after the system's own servers
 
-; What the server works with.
+; The server's data.
 FIELDS                  equ     0
-NEXT                    equ     4       ; the list that shall be shown,
-DUE                     equ     8       ; from which field on,
-SET                     equ     12      ; the one the copper takes at the next field,
-SHOWN                   equ     16      ; the one it is at,
-SINCE                   equ     20      ; and from which field on
+NEXT                    equ     4       ; the list to show next
+DUE                     equ     8       ; the field from which on to show it
+SET                     equ     12      ; the list that the copper takes at the next field
+SHOWN                   equ     16      ; the list that the copper runs
+SINCE                   equ     20      ; the first field of that list
 
 ;==============================================================================
-; display_has_aga - whether the machine has AGA
+; display_has_aga - checks for AGA
 ;
-; out:     d0  int32  1 or 0
+; out:     d0  int32  1 if the machine has it, 0 if not
 ; reads:   Denise's number
 ;==============================================================================
-; The first Denise has no number: what was last on the bus is read.
+; The first Denise has no number: a read gives the last value on the bus.
 
         routine display_has_aga
         moveq   #8-1,d1
@@ -42,7 +42,7 @@ SINCE                   equ     20      ; and from which field on
 ; in:      d0  uint16*  copper list in chip RAM
 ; out:     d0  int32    1 taken, 0 not
 ; writes:  the copper's first list, DMACON, BEAMCON0 of NTSC machines
-; error:   0 where it is taken already, or there is no graphics.library
+; error:   0 if it is taken already, or there is no graphics.library
 ; cost:    two fields or more
 ;==============================================================================
         routine display_open,d0
@@ -116,9 +116,9 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 ; display_post - shows another list from a field on; returns at once
 ;
 ; in:      d0  uint16*  copper list in chip RAM
-;          d1  uint32   field, as display_fields counts; one that is over: the next one
+;          d1  uint32   field, as display_fields counts; the next one if it is over
 ; writes:  the copper's first list, when it is time
-; error:   the display must be ours, and what was posted before be shown
+; error:   the display must be ours, and the list posted before must be shown
 ;==============================================================================
         routine display_post,d0,d1
         move.l  d1,state+DUE            ; first: until then the old list is the next one
@@ -126,20 +126,20 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         rts
 
 ;==============================================================================
-; display_since - since when the copper is at its list
+; display_since - the first field of the list that the copper runs
 ;
-; out:     d0  uint32  the first field of it, as display_fields counts
+; out:     d0  uint32  the field, as display_fields counts
 ;==============================================================================
         routine display_since
         move.l  state+SINCE,d0
         rts
 
 ;==============================================================================
-; display_age - how long the copper has been at its list
+; display_age - how long the copper has run its list
 ;
-; out:     d0  uint32  raster lines since its first field began, of fields of 312
+; out:     d0  uint32  raster lines since its first field began, 312 a field
 ; reads:   the beam's position
-; error:   a line each field where they have 313
+; error:   a line each field if they have 313
 ;==============================================================================
         routine display_age
         lea     state,a0
@@ -164,7 +164,7 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 FIELD_LINES             equ     312
 
 ;==============================================================================
-; display_wait - waits for the next field, and leaves the processor to other tasks until then
+; display_wait - waits for the next field; other tasks run until then
 ;
 ; error:   the display must be ours
 ; cost:    a field at most
@@ -177,7 +177,7 @@ FIELD_LINES             equ     312
         rts
 
 ;==============================================================================
-; display_shown - the list that the copper is at
+; display_shown - the list that the copper runs
 ;
 ; out:     d0  uint32  the list's address
 ;==============================================================================
@@ -197,8 +197,8 @@ FIELD_LINES             equ     312
 ;==============================================================================
 ; display_close - gives the display back
 ;
-; writes:  what display_open does
-; error:   does nothing where it is not ours
+; writes:  the same as display_open
+; error:   does nothing if it is not ours
 ; cost:    two fields or more
 ;==============================================================================
         routine display_close
@@ -242,11 +242,11 @@ BPLCON3_RESET           equ     $0c00
 BPLCON4_RESET           equ     $0011
 DMA_DISPLAY             equ     $01a0   ; bitplanes, copper, sprites
 
-; Each field. A list that comes too late to be started at once is shown a field later; what
-; the system may have set is set back.
+; Runs in each field. A list that comes too late to be started at once is shown a field later.
+; Sets COP1LC again, as the system may have changed it.
         section .text.display_server,code
         cnop    0,4
-serve:  lea     custom,a0               ; where exec wants it left
+serve:  lea     custom,a0               ; exec expects it there on return
         addq.l  #1,FIELDS(a1)
         move.l  SET(a1),d0
         cmp.l   SHOWN(a1),d0

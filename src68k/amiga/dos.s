@@ -1,5 +1,5 @@
-; Files, console text and arguments, through dos. What a program opens is noted
-; here and closed when it ends.
+; Files, console text and arguments, through dos. Files that a program opens are
+; noted here and closed when it ends.
 
         include "amiga.i"
         include "routine.i"
@@ -11,7 +11,7 @@
 
 FILES                   equ     8
 
-; Handle d0, address d1, a0 bytes: Read and Write differ in nothing else.
+; Calls \1, Read or Write, for the handle d0, the address d1 and a0 bytes.
 transfer macro
         movem.l d2/d3/a6,-(sp)
         move.l  d1,d2
@@ -32,7 +32,7 @@ transfer macro
 ; out:     d0  int32  handle 1 to 8, or 0: not opened
 ; reads:   name
 ; writes:  the table of open files
-; error:   0 too when 8 files are open
+; error:   also 0 if 8 files are open
 ;==============================================================================
         routine file_open,d0,d1
         movem.l d2/d3/a6,-(sp)
@@ -62,11 +62,11 @@ transfer macro
 ; file_read - reads from an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  where to
+;          d1  void*  destination
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes read, or -1
 ; writes:  memory at d1
-; error:   fewer bytes than asked at the file's end
+; error:   fewer bytes than requested at the file's end
 ;==============================================================================
         routine file_read,d0,d1,a0
         transfer Read
@@ -75,11 +75,11 @@ transfer macro
 ; file_write - writes to an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  what
+;          d1  void*  data
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes written, or -1
 ; reads:   memory at d1
-; error:   fewer bytes than asked when the volume is full
+; error:   fewer bytes than requested when the volume is full
 ;==============================================================================
         routine file_write,d0,d1,a0
         transfer Write
@@ -89,7 +89,7 @@ transfer macro
 ;
 ; in:      d0  int32  handle from file_open
 ; out:     d0  int32  bytes
-; error:   -1 where the file system cannot tell
+; error:   -1 if the file system does not know it
 ;==============================================================================
         routine file_size,d0
         movem.l d2/d3/d4/a6,-(sp)
@@ -125,11 +125,11 @@ transfer macro
         rts
 
 ;==============================================================================
-; file_delete - deletes a file that is not whole
+; file_delete - deletes an incomplete file
 ;
 ; in:      d0  char*  name, zero-terminated; closed
 ; reads:   name
-; error:   ignored: a line says already what is wrong
+; error:   ignored: the failure that led here was printed already
 ;==============================================================================
         routine file_delete,d0
         move.l  a6,-(sp)
@@ -187,7 +187,7 @@ transfer macro
         rts
 
 ;==============================================================================
-; file_close_all - closes what is open and frees the arguments
+; file_close_all - closes all open files and frees the arguments
 ;
 ; writes:  the table of open files
 ;==============================================================================

@@ -1,5 +1,5 @@
-; What is given back at a program's end beside memory, files and timers: routines that closed
-; displays, handlers and the like have put themselves in line for it.
+; The chain of routines that are called at a program's end, to close displays, handlers and the
+; like, before memory, files and timers are released.
 
         include "amiga.i"
         include "layout.i"
@@ -8,15 +8,15 @@
         xref    ends_call
 
 ;==============================================================================
-; at_end - has a routine called at the program's end, whichever way that comes
+; at_end - registers a routine to be called at the program's end, however it ends
 ;
-; in:      a0  struct end*   static; `next` as the program was loaded with it: 0
+; in:      a0  struct end*   static; `next` is 0 in the program file
 ; reads:   the chain
 ; writes:  the chain
-; error:   what is in the chain stays there once
+; error:   a struct that is in the chain already is not added again
 ;==============================================================================
-; The last one in is called first, before timers, files and memory go back. Routines keep
-; d2-d7/a2-a6 and do nothing where they have nothing to close: they stay in the chain when a
+; The last one added is called first, before timers, files and memory are released. Routines
+; keep d2-d7/a2-a6 and do nothing if there is nothing to close: they stay in the chain when a
 ; program closes something itself.
 
         routine at_end,a0
@@ -32,7 +32,8 @@
         move.l  #call_all,ends_call
         rts
 
-; Each leaves the chain before it is called: a crash in one leaves the others to be called.
+; Each is taken out of the chain before it is called: after a crash in one the others are still
+; called.
 call_all:
         move.l  ends,d0
         beq.s   .done

@@ -1,6 +1,6 @@
-; What happens when the program crashes: a report of exception, PC (as an offset
-; in the code, which the host turns into a routine's name) and registers, then
-; an orderly end with return code 20.
+; Handles a crash of the program: prints exception, PC (as an offset in the code,
+; which the host turns into a routine's name) and registers, then ends the program
+; in order with return code 20.
 
         include "amiga.i"
         include "layout.i"
@@ -48,7 +48,7 @@ fault_enter:                            ; supervisor mode, number noted already
 ; formats: "fault: exception N pc $OFFSET", then d0-d7 and a0-a7, hexadecimal
 ;==============================================================================
 fault_report:
-        lea     -64(sp),sp              ; stay clear of what was in use
+        lea     -64(sp),sp              ; stay clear of the stack in use
         jsr     quiet_leave
         lea     text,a2
         lea     .head(pc),a0

@@ -1,4 +1,4 @@
-; The letters of the ROM.
+; The characters of the ROM's font.
 
         include "amiga.i"
         include "routine.i"
@@ -15,7 +15,7 @@ ROWS                    equ     8
 ; out:     d0  int32   1, or 0: the ROM has none
 ; reads:   the font
 ; writes:  the room
-; error:   characters that the font lacks are left alone
+; error:   the room of characters that the font lacks is unchanged
 ;==============================================================================
         routine font_read,d0
         movem.l d2-d6/a2-a3/a6,-(sp)
@@ -47,7 +47,7 @@ ROWS                    equ     8
         dc.b    'graphics.library',0
         even
 
-; Font a2 to a3.
+; Copies the characters of font a2 to a3.
 copy    moveq   #FIRST,d0
 .letter move.w  d0,d1
         cmp.b   tf_LoChar(a2),d0
@@ -57,7 +57,7 @@ copy    moveq   #FIRST,d0
         sub.b   tf_LoChar(a2),d1
         movea.l tf_CharLoc(a2),a0
         moveq   #0,d2
-        move.w  (a0,d1.w*4),d2          ; bits from a row's begin
+        move.w  (a0,d1.w*4),d2          ; bits from the start of a row
         movea.l tf_CharData(a2),a0
         moveq   #ROWS-1,d3
         movea.l a3,a1

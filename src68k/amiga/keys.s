@@ -1,4 +1,4 @@
-; Keys, taken before any window gets them: a handler of input.device ahead of the system's.
+; Takes keys before any window gets them, by a handler of input.device ahead of the system's.
 
         include "amiga.i"
         include "routine.i"
@@ -13,7 +13,7 @@ C_KEY                   equ     $33
 ; keys_open - takes keys and mouse from the system, until keys_close or the end
 ;
 ; out:     d0  int32  1 taken, 0 not
-; error:   0 where memory is short, or they are taken already
+; error:   0 if memory is short, or they are taken already
 ;==============================================================================
         routine keys_open
         movem.l d2/a6,-(sp)
@@ -54,7 +54,7 @@ C_KEY                   equ     $33
 .name   dc.b    'input.device',0
         even
 
-; Command d0 to input.device; a6 = exec.
+; Sends command d0 to input.device; a6 = exec.
 tell    movea.l request,a1
         move.w  d0,io_Command(a1)
         move.l  #handler,io_Data(a1)
@@ -64,7 +64,7 @@ tell    movea.l request,a1
 ;==============================================================================
 ; keys_close - gives keys and mouse back
 ;
-; error:   does nothing where they are not ours
+; error:   does nothing if they are not ours
 ;==============================================================================
         routine keys_close
         move.l  a6,-(sp)
@@ -95,7 +95,7 @@ tell    movea.l request,a1
 ;
 ; out:     d0  uint32  its raw code, 0 to $7f, or $ffffffff: none
 ; writes:  the keys that wait
-; error:   keys are forgotten while 15 wait
+; error:   while 15 keys wait, further ones are dropped
 ;==============================================================================
         routine key_take
         moveq   #-1,d0
@@ -111,8 +111,8 @@ tell    movea.l request,a1
         move.b  d1,first
 .none   rts
 
-; Called by the task of input.device with the events in a0; returns in d0 those that others
-; shall see.
+; Called by the task of input.device with the events in a0; returns in d0 the events for the
+; next handlers.
         section .text.key_handler,code
 handle: move.l  a0,-(sp)
 .event  move.l  a0,d0
@@ -130,9 +130,9 @@ handle: move.l  a0,-(sp)
 .done   move.l  (sp)+,d0
         rts
 
-; Event a0 is of a key.
+; Handles the event a0 of a key.
 pressed move.w  ie_Code(a0),d0
-        btst    #7,d0                   ; let go
+        btst    #7,d0                   ; released
         bne.s   .done
         move.w  ie_Qualifier(a0),d1
         btst    #IEQUALIFIERB_REPEAT,d1
@@ -172,7 +172,7 @@ handler_name
 task            ds.l    1
 port            ds.l    1
 request         ds.l    1
-first           ds.b    1               ; of those that wait,
-last            ds.b    1               ; and behind the last
+first           ds.b    1               ; index of the first key that waits
+last            ds.b    1               ; index after the last one
 is_open         ds.b    1
 ring            ds.b    RING

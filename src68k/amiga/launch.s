@@ -1,4 +1,4 @@
-; Other programs, run from one that is running: loaded once, entered any number of times.
+; Runs other programs: each is loaded once and entered any number of times.
 
         include "amiga.i"
         include "routine.i"
@@ -14,7 +14,7 @@
 ;                       bytes, those of itself and the link included
 ; reads:   name
 ; formats: AmigaDOS segment list
-; error:   0 too where memory is short
+; error:   also 0 if memory is short
 ;==============================================================================
         routine program_load,d0
         move.l  a6,-(sp)
@@ -50,7 +50,7 @@
 ; out:     d0  int32   its return code, or -1: not run
 ; reads:   arguments, name
 ; writes:  whatever the program does
-; error:   -1 where the file cannot be made, or memory is short
+; error:   -1 if the file cannot be made, or memory is short
 ;==============================================================================
         routine program_run,d0,d1,a0,a1
         movem.l d2-d7/a6,-(sp)

@@ -1,4 +1,4 @@
-; What machine this is, and what dos says of a failure.
+; Facts about the machine, and dos's texts for errors.
 
         include "amiga.i"
         include "layout.i"
@@ -9,12 +9,12 @@
 AGNUS_BITS              equ     $7f
 
 ;==============================================================================
-; machine_read - reads what exec and Agnus say of the machine
+; machine_read - reads facts about the machine from exec and Agnus
 ;
-; in:      a0  struct machine*  where to
+; in:      a0  struct machine*  the struct to fill in
 ; reads:   ExecBase, VPOSR
 ; writes:  the struct
-; formats: as its fields say
+; formats: see its fields
 ;==============================================================================
         routine machine_read,a0
         movem.l a2/a6,-(sp)
@@ -40,8 +40,8 @@ AGNUS_BITS              equ     $7f
         movem.l (sp)+,a2/a6
         rts
 
-; Fast RAM that exec gives before chip RAM: its list goes by priority. Behind chip RAM is what a
-; Kickstart keeps for itself.
+; d0 = bytes of fast RAM before chip RAM in exec's memory list, which is sorted by priority. Fast
+; RAM after chip RAM is reserved by a Kickstart for itself.
 fast_bytes
         lvo     Forbid
         moveq   #0,d0
@@ -59,10 +59,10 @@ fast_bytes
 .done   jmp     _LVOPermit(a6)          ; keeps all registers
 
 ;==============================================================================
-; memory_is_chip - whether an address is in chip RAM
+; memory_is_chip - checks if an address is in chip RAM
 ;
 ; in:      a0  const void*  the address
-; out:     d0  int32        1 it is, 0 it is not
+; out:     d0  int32        1 if it is, 0 if not
 ;==============================================================================
         routine memory_is_chip,a0
         move.l  a6,-(sp)
@@ -76,10 +76,10 @@ fast_bytes
 .done   rts
 
 ;==============================================================================
-; dos_fault - why dos's last call failed, in dos's own words
+; dos_fault - dos's text for the failure of its last call
 ;
 ; in:      d0  char*  where the text goes, zero-terminated
-;          d1  int32  how many bytes there are for it
+;          d1  int32  its size in bytes
 ; writes:  the text
 ; error:   a number that dos does not know is written as a number
 ;==============================================================================
@@ -96,10 +96,10 @@ fast_bytes
         rts
 
 ;==============================================================================
-; dos_requests - where dos's requesters go
+; dos_requests - sets the window of dos's requesters
 ;
 ; in:      d0  int32  the window's address; 0 on Workbench's screen, -1 nowhere: calls just fail
-; out:     d0  int32  the same as it was before
+; out:     d0  int32  the previous value
 ; writes:  the process's pr_WindowPtr, which is the shell's too: put the old one back
 ;==============================================================================
         routine dos_requests,d0

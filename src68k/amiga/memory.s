@@ -1,4 +1,4 @@
-; Memory through exec. What a program allocates is noted here and freed when it ends.
+; Memory through exec. A program's allocations are noted here and freed when it ends.
 
         include "amiga.i"
         include "memory.i"
@@ -18,7 +18,7 @@
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
 ; writes:  *d0
-; error:   *d0 is left alone where memory is short
+; error:   *d0 is unchanged if memory is short
 ;==============================================================================
         routine mem_alloc,d0,d1,a0
         move.l  d1,asked_bytes
@@ -26,7 +26,7 @@
         jmp     mem_cleared
 
 ;==============================================================================
-; mem_asked - what mem_alloc was last asked for
+; mem_asked - bytes and kind of the last request to mem_alloc
 ;
 ; in:      a0  int32*  where the kind goes
 ; out:     d0  int32   bytes
@@ -53,14 +53,14 @@
         rts
 
 ;==============================================================================
-; mem_cleared - mem_alloc, but mem_asked knows nothing of it
+; mem_cleared - mem_alloc without a record for mem_asked
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
 ; writes:  *d0
-; error:   *d0 is left alone where memory is short
+; error:   *d0 is unchanged if memory is short
 ;==============================================================================
         section .text.mem_cleared,code
 mem_cleared:
@@ -69,7 +69,7 @@ mem_cleared:
         move.l  d1,d3
         move.l  a0,d1
         or.l    #MEMF_CLEAR,d1
-; d2 = void**, d3 = bytes, d1 = what AllocMem is asked for.
+; d2 = void**, d3 = bytes, d1 = AllocMem's flags.
 allocate:
         addq.l  #BLOCK_HEAD,d3
         move.l  d3,d0
@@ -89,14 +89,14 @@ allocate:
         rts
 
 ;==============================================================================
-; mem_uncleared - mem_take from exec alone
+; mem_uncleared - mem_take from exec only, without the memory set aside
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
 ; writes:  *d0
-; error:   *d0 is left alone where memory is short
+; error:   *d0 is unchanged if memory is short
 ;==============================================================================
         section .text.mem_uncleared,code
 mem_uncleared:
@@ -109,6 +109,6 @@ mem_uncleared:
         section .bss.memory,bss
 asked_bytes     ds.l    1
 asked_kind      ds.l    1
-mem_blocks      ds.l    1               ; the last one that was allocated
-mem_aside       ds.l    1               ; what is set aside begins there
-mem_aside_bytes ds.l    1               ; and has so many bytes
+mem_blocks      ds.l    1               ; the last block that was allocated
+mem_aside       ds.l    1               ; start of the memory set aside
+mem_aside_bytes ds.l    1               ; its bytes

@@ -1,4 +1,4 @@
-; Memory set aside, so that taking some takes always the same time.
+; Memory set aside, so that an allocation always takes the same time.
 
         include "routine.i"
 
@@ -8,9 +8,9 @@
         xref    mem_aside
         xref    mem_aside_bytes
 
-ALIGN                   equ     8       ; of what is taken, as exec does
+ALIGN                   equ     8       ; of allocations, as exec's
 
-; Returns with what is set aside, or goes on. That is of any kind.
+; Returns with memory from that set aside if kind is 0 (any) and enough is left; else goes on.
 take    macro
         move.l  a0,-(sp)
         bne.s   .exec\@
@@ -31,7 +31,7 @@ take    macro
 ;==============================================================================
 ; mem_reserve - sets memory aside for mem_take: half of the largest block
 ;
-; error:   none is set aside where there is none
+; error:   if memory is short, sets nothing aside
 ;==============================================================================
         routine mem_reserve
         moveq   #0,d0
@@ -50,31 +50,31 @@ take    macro
 .none   rts
 
 ;==============================================================================
-; mem_take - allocates memory, freed at the program's end, in a time that does not depend on
-;            what else is allocated, as long as what mem_reserve set aside lasts
+; mem_take - allocates memory, freed at the program's end, in a time that does not depend on other
+;            allocations as long as the memory set aside by mem_reserve lasts
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
 ; writes:  *d0
-; error:   *d0 is left alone where memory is short
+; error:   *d0 is unchanged if memory is short
 ;==============================================================================
         routine mem_take,d0,d1,a0
         take
         jmp     mem_uncleared
 
 ;==============================================================================
-; mem_need_take - mem_take, but ends the program with a line where memory is short
+; mem_need_take - mem_take, but ends the program with a message if memory is short
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1: it returns only then
+; out:     d0  int32   1; it returns only then
 ; writes:  *d0
-; error:   memory is short: prints so, return code 20
+; error:   if memory is short it prints so and ends with return code 20
 ;==============================================================================
-; Programs of one scene call it wherever others call mem_take.
+; Programs of one scene call it instead of mem_take.
 
         routine mem_need_take,d0,d1,a0
         take

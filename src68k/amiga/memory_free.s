@@ -1,4 +1,4 @@
-; Memory given back: from a mark on, and all of it.
+; Frees memory: from a mark on, or all of it.
 
         include "amiga.i"
         include "memory.i"
@@ -9,7 +9,7 @@
         xdef    mem_free_all
 
 ;==============================================================================
-; mem_mark - what is allocated from now on can be given back by mem_release
+; mem_mark - marks the current allocations: mem_release frees all later ones
 ;
 ; out:     d0  uint32  the mark
 ; reads:   the list of blocks
@@ -19,9 +19,9 @@
         rts
 
 ;==============================================================================
-; mem_release - frees what was allocated since mem_mark, and forgets what is set aside
+; mem_release - frees all memory allocated since mem_mark, and gives up the memory set aside
 ;
-; in:      d0  uint32  the mark; none is older that was released
+; in:      d0  uint32  the mark; no older one may have been released
 ; writes:  the list of blocks
 ;==============================================================================
         routine mem_release,d0

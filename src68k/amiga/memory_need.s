@@ -10,32 +10,32 @@
         xdef    mem_needed
 
 ;==============================================================================
-; mem_need - allocates cleared memory, or ends the program with a line
+; mem_need - allocates cleared memory, or ends the program with a message
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1: it returns only then
+; out:     d0  int32   1; it returns only then
 ; writes:  *d0
-; error:   memory is short: prints so, return code 20
+; error:   if memory is short it prints so and ends with return code 20
 ;==============================================================================
-; Programs of one scene call it wherever others call mem_alloc.
+; Programs of one scene call it instead of mem_alloc.
 
         routine mem_need,d0,d1,a0
         jsr     mem_cleared
 
 ;==============================================================================
-; mem_needed - ends the program with a line where memory is short
+; mem_needed - ends the program with a message if memory is short
 ;
-; in:      d0  int32  1 there was enough, 0 not
-; out:     d0  int32  1: it returns only then
-; error:   memory is short: prints so, return code 20
+; in:      d0  int32  1 if there was enough, 0 if not
+; out:     d0  int32  1; it returns only then
+; error:   if memory is short it prints so and ends with return code 20
 ;==============================================================================
 mem_needed
         tst.l   d0
         beq.s   .short
         rts
-.short  jsr     quiet_leave             ; some ask while they draw
+.short  jsr     quiet_leave             ; some programs allocate while they draw
         pea     .text(pc)
         jsr     _print
         moveq   #RETURN_FAIL,d0

@@ -1,5 +1,5 @@
-; The display's share of chip RAM, for measurements: eight planes fetched as c/screen has them
-; shown, without a copper list, from wherever the pointers are.
+; The display's load on chip RAM, for measurements: fetches eight planes as c/screen's display
+; does, without a copper list, from wherever the pointers are.
 
         include "amiga.i"
         include "routine.i"
@@ -8,8 +8,8 @@
 ; planes_fetch - fetches eight planes, of 256 lines a field, or stops it; in quiet mode only
 ;
 ; in:      d0  uint32  enum plan_display
-; writes:  bitplane registers, of which the system's copper list sets all but FMODE again, which
-;          is 0 when it is stopped; DMACON, as quiet_leave finds and leaves it
+; writes:  bitplane registers: the system's copper list sets all of them again except FMODE, which
+;          is 0 when it is stopped; DMACON, which quiet_leave restores then
 ;==============================================================================
         routine planes_fetch,d0
         lea     custom,a0

@@ -1,5 +1,5 @@
-; Quiet mode, in which the program has the machine to itself: no DMA, no interrupt but one,
-; the watchdog that ends a routine which never returns: CIA-B's timers, half of the clock.
+; Quiet mode, in which the program has the machine to itself: no DMA, and no interrupt except the
+; watchdog, which ends a routine that never returns. It uses CIA-B's timers, as the clock does.
 
         include "amiga.i"
         include "routine.i"
@@ -14,7 +14,7 @@ FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 VECTOR_LEVEL_6          equ     $78
 
 ;==============================================================================
-; quiet_enter - switches DMA and interrupts off, all but the watchdog
+; quiet_enter - switches DMA and interrupts off, except the watchdog
 ;
 ; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
 ; error:   calls do not nest; clock_open must have succeeded
@@ -34,7 +34,7 @@ VECTOR_LEVEL_6          equ     $78
         moveq   #ICRF_ALL,d0
         lvo     AbleICR
         move.l  d0,old_icr
-        move.b  ciab+ciaicr,old_flags   ; reading forgets them
+        move.b  ciab+ciaicr,old_flags   ; reading clears them
         move.b  #ICRF_SETCLR|ICRF_TB,ciab+ciaicr
         lea     custom,a0
         move.w  #INTF_SETCLR|INTF_INTEN|INTF_EXTER,intena(a0)
@@ -53,8 +53,8 @@ remove_watchdog:
         move.l  old_level_6,VECTOR_LEVEL_6(a0)
         rte
 
-; Level 6 has other sources than CIA-B. One of those has to wait until quiet_leave,
-; pending: it is masked, and the watchdog with it.
+; Level 6 has sources other than CIA-B. An interrupt of theirs stays pending until
+; quiet_leave: level 6 is masked, and the watchdog with it.
 watchdog:
         move.b  ciab+ciaicr,flags
         btst    #ICRB_TB,flags
@@ -89,7 +89,7 @@ watchdog:
         move.l  old_icr,d0
         or.l    #ICRF_SETCLR,d0
         lvo     AbleICR
-        moveq   #ICRF_OTHERS,d0         ; what was pending is so again
+        moveq   #ICRF_OTHERS,d0         ; makes them pending again
         and.b   old_flags,d0
         beq.s   .none_pending
         or.w    #ICRF_SETCLR,d0

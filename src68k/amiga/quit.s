@@ -1,11 +1,11 @@
 ;==============================================================================
 ; uaequit - the command that ends an FS-UAE session
 ;
-; out:     d0  int32  0, where there is no UAE
+; out:     d0  int32  0, if there is no UAE
 ; reads:   $F0FF60
-; error:   where there is no UAE ($F0FF60 reads zero) it just returns
+; error:   returns if there is no UAE ($F0FF60 reads zero)
 ;==============================================================================
-; A command of its own, so that the programs stay ordinary Amiga programs. UAE
+; A separate command, so that the programs stay ordinary Amiga programs. UAE
 ; answers at $F0FF60 to calls with a function number on the stack.
 
 UAE_TRAP                equ     $f0ff60

@@ -1,5 +1,5 @@
-; Start and end of every program: what it needs of the machine, libraries, the fault handler,
-; and the release of all that is still held, whichever way the program ends.
+; Start and end of every program: checks the machine, opens libraries, installs the fault handler,
+; and releases everything that is still held, however the program ends.
 
         include "amiga.i"
         include "layout.i"
@@ -25,7 +25,7 @@ DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand
 ;
 ; out:     d0  int32  AmigaDOS return code: 0, 5, 10 or 20
 ;==============================================================================
-; All of it is a 68000's code, and for any Kickstart.
+; All of it runs on a 68000 and with any Kickstart.
         section .text.start,code
 start:
         movem.l d2-d7/a2-a6,-(sp)
@@ -35,10 +35,10 @@ start:
         movea.l d0,a4
         tst.l   pr_CLI(a4)
         bne.s   program_begin
-        jmp     workbench               ; which comes back, if at all
+        jmp     workbench               ; goes to program_begin, if at all
 
 ;==============================================================================
-; program_begin - calls main where the machine has what every program needs
+; program_begin - calls main if the machine has what every program needs
 ;
 ; in:      a4  struct Process*   this task
 ;          a6  struct ExecBase*  exec
@@ -46,7 +46,8 @@ start:
 ; writes:  the task's trap vector
 ; error:   no 68020 or no Kickstart 2.0: prints so, returns 20
 ;==============================================================================
-; On the stack are d2-d7/a2-a6. A 68000 runs this, and what ends a program that has opened nothing.
+; On the stack are d2-d7/a2-a6. It must run on a 68000, and so must the end of a program that has
+; opened nothing.
 program_begin:
         move.l  a4,-(sp)
         move.l  tc_TrapCode(a4),-(sp)
@@ -109,4 +110,4 @@ no_kickstart    dc.b    'needs Kickstart 2.0 or later',10,0
         section .bss.startup,bss
 dos_base        ds.l    1
 initial_sp      ds.l    1
-ends_call       ds.l    1               ; what calls the routines of at_end, once there is one
+ends_call       ds.l    1               ; calls the routines of at_end; 0 before the first

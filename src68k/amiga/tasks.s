@@ -1,4 +1,4 @@
-; Other tasks: what is timed while they run includes what they do.
+; Keeps other tasks from running: a measured time includes theirs.
 
         include "amiga.i"
         include "routine.i"
@@ -6,7 +6,7 @@
 ;==============================================================================
 ; tasks_forbid - lets no other task run until tasks_permit; interrupts go on
 ;
-; Not around anything that waits: exec lets other tasks run in Wait.
+; Nothing may wait in between: exec lets other tasks run in Wait.
 ;==============================================================================
         routine tasks_forbid
         move.l  a6,-(sp)

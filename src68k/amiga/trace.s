@@ -1,5 +1,5 @@
-; Notes every instruction that a program executes: how the tools find out which parts of
-; the renderer a scene needs. Linked in for that run alone.
+; Records every instruction that a program executes, so that the tools know the parts of the
+; renderer that a scene needs. Linked in for that run only.
 
         include "amiga.i"
         include "routine.i"
@@ -11,7 +11,7 @@
         xref    quiet
 
 TRACE_WORDS             equ     131072  ; of code: 256 KB
-TRACE_LIMIT             equ     65535   ; in 92 ms: all that the timer can count
+TRACE_LIMIT             equ     65535   ; in units of 92 ms: the timer's maximum
 TRACED                  equ     0       ; bits
 TRACED_QUIET            equ     1
 TRACED_AGAIN            equ     2
@@ -24,9 +24,9 @@ SR_TRACE                equ     $8000
 ; out:     d0  int32  what main returns
 ; writes:  the trace vector, restored at the end
 ; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
-;          there and was executed, bit 1 in quiet mode, bit 2 more than once so
-; error:   code behind the first 256 KB is not noted
-; cost:    some 20 times what the program takes
+;          there and was executed, bit 1 in quiet mode, bit 2 more than once in quiet mode
+; error:   code after the first 256 KB is not recorded
+; cost:    some 20 times the program's own time
 ;==============================================================================
         routine trace_main
         movem.l d2/a5/a6,-(sp)
@@ -53,7 +53,7 @@ SR_TRACE                equ     $8000
         rte
 .off    movec   vbr,a0
         move.l  old_trace,VECTOR_TRACE(a0)
-        and.w   #SR_TRACE-1,(sp)        ; whose highest bit it is
+        and.w   #SR_TRACE-1,(sp)        ; clears the highest bit
         rte
 .name   dc.b    'trace.flags',0
         even
@@ -77,19 +77,19 @@ trace_step:                             ; the stacked PC: the next instruction
         rte
 
 ;==============================================================================
-; trace_wait - what clock_wait is while instructions are noted: nothing
+; trace_wait - replaces clock_wait while instructions are recorded; does nothing
 ;
 ; trashes: -
 ;==============================================================================
-; Its loops ask for one place of the beam; traced, each round takes lines, and can pass that
-; place by for ever.
+; clock_wait's loops wait for one place of the beam; traced, each round takes several lines and
+; could miss that place forever.
         routine trace_wait
         rts
 
 ;==============================================================================
-; trace_start - what clock_start is while instructions are noted: the longest limit
+; trace_start - replaces clock_start while instructions are recorded; sets the longest limit
 ;
-; in:      d0  int32  limit before the watchdog bites, which is not looked at
+; in:      d0  int32  limit before the watchdog bites, ignored
 ; writes:  CIA-B timers A and B
 ;==============================================================================
         routine trace_start,d0

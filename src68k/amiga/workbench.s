@@ -1,5 +1,5 @@
-; Started by a double click: no arguments, but a message to reply to, and a window for what
-; the program says.
+; Start by a double click: no arguments, but a message to reply to, and a window for the program's
+; output.
 
         include "amiga.i"
         include "layout.i"
@@ -22,10 +22,10 @@ DELAY                   equ     250     ; fiftieths of a second
 ; trashes: everything
 ; reads:   the start-up message
 ; writes:  the process's input, output and current directory
-; error:   no window: does not run, returns 20
+; error:   without a window the program does not run; returns 20
 ;==============================================================================
-; On the stack are d2-d7/a2-a6, as start saved them. The window shows with the first line.
-; Kickstart 1.3 shows it at once and knows no waiting: it stays for a while.
+; On the stack are d2-d7/a2-a6, as start saved them. The window opens with the first line of
+; output. Kickstart 1.3 opens it at once and does not wait for its closing, so it stays for DELAY.
         section .text.workbench,code
 workbench:
         lea     pr_MsgPort(a4),a0
@@ -48,7 +48,7 @@ workbench:
         move.l  d4,pr_CIS(a4)
         move.l  d4,pr_COS(a4)
         movea.l sm_ArgList(a2),a0
-        move.l  wa_Lock(a0),d1          ; the drawer it lies in
+        move.l  wa_Lock(a0),d1          ; the program's drawer
         lvo     CurrentDir
         move.l  d0,d5
         exg     a5,a6
@@ -81,9 +81,9 @@ dos_name        dc.b    'dos.library',0
                 even
 
 ;==============================================================================
-; no_arguments - for ReadArgs, which would wait for a line from the window
+; no_arguments - keeps ReadArgs from waiting for a line from the window
 ;
-; out:     d0  struct RDArgs*  an empty line of arguments, freed at the program's end; 0 where the
+; out:     d0  struct RDArgs*  an empty line of arguments, freed at the program's end; 0 if the
 ;                              program was started from a shell, or memory is short
 ;==============================================================================
         section .text.no_arguments,code
@@ -113,7 +113,7 @@ no_arguments:
 free_empty:
         movem.l d2/a6,-(sp)
         movea.l dos_base,a6
-        move.l  read_args,d1            ; before what it belongs to; it takes 0
+        move.l  read_args,d1            ; before its RDArgs; FreeArgs accepts 0
         clr.l   read_args
         lvo     FreeArgs
         moveq   #DOS_RDARGS,d1

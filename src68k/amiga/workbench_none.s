@@ -1,4 +1,4 @@
-; Of programs of one scene, which a double click does not run.
+; For programs of one scene, which a double click does not run.
 
         include "amiga.i"
         include "layout.i"
@@ -14,7 +14,7 @@
 ; trashes: everything
 ; reads:   the start-up message
 ;==============================================================================
-; On the stack are d2-d7/a2-a6, as start saved them. Such programs have it in place of workbench.
+; On the stack are d2-d7/a2-a6, as start saved them. Such programs link it in place of workbench.
         section .text.workbench_none,code
 workbench_none:
         lea     pr_MsgPort(a4),a0

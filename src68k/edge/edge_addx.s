@@ -31,7 +31,7 @@ addx_step macro
 ; edge_addx - fills a scanline table: left, last and packed u, v
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; reads:   the plan, its edges but for height
+; reads:   the plan, its edges except height
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
 ;          start2 = v--U

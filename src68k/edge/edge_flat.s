@@ -5,7 +5,7 @@
         xref    edge_right
         xref    edge_right_exact
 
-; \1: what steps x; \2: the routine for the right side.
+; \1: the macro that steps x; \2: the routine for the right side.
 steps   macro
         save_all
         movea.l a0,a6
@@ -19,7 +19,7 @@ steps   macro
         endm
 
 ;==============================================================================
-; edge_flat - fills a scanline table without u and v: all a flat polygon needs
+; edge_flat - fills a scanline table without u and v, for flat polygons
 ;
 ; in:      a0  edge_plan*  both sides and their edges
 ; reads:   the plan, of its edges lines, x, whole, error and part

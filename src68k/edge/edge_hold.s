@@ -3,15 +3,15 @@
         include "hold.i"
 
 ;==============================================================================
-; edge_hold - moves the lines of a table so that no pixel leaves a range of u and v
+; edge_hold - moves the starts of a table's lines so that no pixel leaves a range of u and v
 ;
 ; in:      a0  hold_plan*  the table, the steps, the ranges
 ; reads:   the plan, its lines
-; writes:  start0, start1, start2 of the lines (plain form); dudx, dvdx where even the
-;          longest line could not stay in the range with them
+; writes:  start0, start1, start2 of the lines (plain form); dudx, dvdx if the longest
+;          line cannot stay in the range with them
 ; formats: u, v, ranges 16.16; both ends of a range belong to it
-; error:   none: a line that was inside stays as it is; of others the start moves as
-;          little as it can. With both ends inside, so is every pixel between
+; error:   none: a line that was inside is unchanged, the start of another one moves as
+;          little as possible. With both ends inside, so is every pixel between
 ; cost:    about 130 cycles a line
 ;==============================================================================
         routine edge_hold,a0

@@ -6,7 +6,7 @@
         xref    edge_right
         xref    edge_right_exact
 
-; Parts the 16.16 number \1 into its integer (\1's lower word) and \2 = uu--.
+; Splits the 16.16 number \1 into its integer (\1's lower word) and \2 = uu--.
 fraction macro
         move.l  \1,\2
         swap    \2
@@ -45,7 +45,7 @@ plain_step macro
 ; edge_plain - fills a scanline table: left, last and u, v in 16.16
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; reads:   the plan, its edges but for height
+; reads:   the plan, its edges except height
 ; writes:  plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv

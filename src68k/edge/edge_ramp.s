@@ -8,15 +8,15 @@
 ; in:      a0  ramp_plan*  the table, both sides' ramps, where the steps go
 ; reads:   the plan, left and last of its lines
 ; writes:  start0, start1, start2 of lines with pixels and their entry of steps; the
-;          ramps, which run down
+;          ramps, which are stepped down
 ; formats: x, u, v 16.16; starts plain, or packed as the addx form has them.
 ;          truncated: u where the left side crosses the line, steps (u1 - u0) / whole
 ;          pixels. Otherwise u at the first pixel, steps (u1 - u0) / (x1 - x0); on a
-;          line under one pixel wide the steps are 0 and u lies between u0 and u1.
+;          line under one pixel wide the steps are 0 and u is between u0 and u1.
 ; error:   steps are rounded up: less than 1/65536 a pixel; products are cut
 ; cost:    bench row edge_ramp
 ;==============================================================================
-; Rounds the quotient \1 up, its remainder being d4.
+; Rounds the quotient \1 up; d4 is its remainder.
 up      macro
         tst.l   d4
         ble.s   .up\@
@@ -24,8 +24,8 @@ up      macro
 .up\@
         endm
 
-; The table is cut to the frame already: what its first pixel is beyond the left side
-; is made up by a product, as the way to a pixel's centre is.
+; The table is already cut to the frame. A product moves the start from the left side to
+; the first pixel, which includes the distance to the pixel's centre.
 
         routine edge_ramp,a0
         save_all
@@ -146,7 +146,7 @@ up      macro
 .widest move.l  #$7fffffff,d2
         bra     .wide
 
-; Moves the ramp in a1 a line down, or on to the side's next one.
+; Steps the ramp in a1 to the next line; after its last line a1 moves to the side's next ramp.
 .down   movem.l ramp_dx(a1),d0-d2
         add.l   d0,ramp_x(a1)
         add.l   d1,ramp_u(a1)

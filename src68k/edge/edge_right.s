@@ -2,7 +2,7 @@
         include "layout.i"
         include "edge.i"
 
-; \1: what steps x.
+; \1: the macro that steps x.
 steps   macro
         movea.l edge_plan_lines(a6),a0
         addq.l  #scanline_last,a0
@@ -17,7 +17,7 @@ steps   macro
 ;
 ; in:      a6  edge_plan*  the right side and its edges
 ; trashes: d0-d7/a0-a1/a4-a5
-; reads:   the plan, its right edges but for height
+; reads:   the plan, its right edges except height
 ; writes:  last of plan->lines[0 .. lines of the side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768; last = x - 1
 ; error:   none

@@ -2,7 +2,7 @@
         include "layout.i"
         include "hold.i"
 
-; d0 = the shade of the line's first pixel: a2 and \1 for each pixel of left.
+; d0 = the shade of the line's first pixel: a2 + left * \1.
 on_plane macro
         moveq   #0,d0
         move.w  scanline_left(a4),d0
@@ -20,13 +20,13 @@ packed  macro
 ;
 ; in:      a0  shade_plan*  the table, the plane, the range, where the shades go
 ; reads:   the plan, left and last of its lines
-; writes:  the shades of lines with pixels, of others where inside is said; dcdx where
-;          even the longest line could not stay in the range with it
+; writes:  the shades of lines with pixels, if inside is set of all lines; dcdx if the
+;          longest line cannot stay in the range with it
 ; formats: levels 16.16 in multiples of 4 units: shade + line dcdy + left dcdx modulo
-;          2^32. Unless the plan says that all pixels are inside the range low to high,
-;          both included, themselves 0 to 63.99: moved as little as it must be for that.
-;          Packed as c-Cc: the lower 8 of 16 bits of fraction, room, the level, its
-;          fraction's upper byte; to that comes what the plan says
+;          2^32. Unless the plan has inside set, moved as little as needed to keep all
+;          pixels in the range low to high, both included, themselves 0 to 63.99.
+;          Packed as c-Cc: the lower 8 of 16 bits of fraction, a spare byte, the level,
+;          its fraction's upper byte; then the plan's added is added
 ; error:   none
 ; cost:    bench row edge_shade; with inside, edge_shade_inside
 ;==============================================================================

@@ -4,8 +4,8 @@
         include "number.i"
         include "perspective.i"
 
-; \1 = what \2, u or v, grows by a pixel: the gradient's 64 bits over q in d3, rounded up.
-; Uses d0-d2.
+; \1 = the step of u or v a pixel: the 64-bit gradient of the plane \2 (s or t) over q in d3,
+; rounded up; 0 if it does not fit. Uses d0-d2.
 step    macro
         movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
         move.l  d3,d2
@@ -20,7 +20,7 @@ step    macro
 .positive\@
         add.l   d2,d2
         cmp.l   d3,d2
-        bhs.s   .none\@                 ; more than the map has: the line is a pixel or two
+        bhs.s   .none\@                 ; more than the map: the line has a pixel or two
         divs.l  d3,d0:d1
         bvs.s   .none\@
         tst.l   d0
@@ -34,20 +34,20 @@ step    macro
         endm
 
 ;==============================================================================
-; level_lines - lines on which depth does not change, for the affine span
+; level_lines - starts and steps of lines of constant depth, for the affine span
 ;
 ; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
-;          a1  scanline_step*     what u and v grow by a pixel: one a line
+;          a1  scanline_step*     for the steps of u and v, one entry a line
 ; reads:   the plan, left and last of its lines
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines
 ; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
-;          kept within the plan's limits; its step ds / q.hi rounded up; 16.16
-; error:   where q is the same all along the line: u a unit too low at the first pixel, a
+;          clamped to the plan's limits; its step ds / q.hi rounded up; 16.16
+; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one
 ; cost:    bench row level_lines
 ;==============================================================================
-; A floor or a ceiling before an upright camera is such a polygon.
+; Floors and ceilings seen by an upright camera are such polygons.
 
         routine level_lines,a0,a1
         save_all

@@ -4,16 +4,16 @@
         include "reciprocal_lines.i"
         include "logarithm_lines.i"
 
-; On the stack: q at the line's first possible pixel; of u and v 64 C there, a line's step of
-; it, K and half a unit of 8.8; lines left, lines not taken.
+; On the stack: q at the line's first possible pixel; for u and v each: 64 C there, its step
+; from line to line, K plus half a unit of 8.8; lines left, lines not taken.
 row_q   equ     0
 row_u   equ     8
 row_v   equ     28
 row_lines equ   48
 row_others equ  52
 row_tables equ  56
-; What holds for all lines of one scale of q, a shift and a factor in sixteenths: a pixel's
-; step, and the scale's part of log2 |C|.
+; Constants of a scale of q, which is a shift and a factor in sixteenths: q's step a pixel, and
+; the scale's part of log2 |C|.
 scale   equ     60
 scale_dq equ    62
 scale_base equ  66
@@ -22,40 +22,41 @@ row_sizeof equ  74
 
 LEAST   equ     (LOGARITHM_LOWEST+1)<<16
 ORIGIN  equ     LOGARITHM_ORIGIN<<16
-BIAS    equ     7                       ; parts lie on chords up to 11.5 below, and are cut
+BIAS    equ     7                       ; parts are on chords, up to 11.5 too low, and are cut
 
-; What the first loop leaves to the second.
+; Values that the first loop keeps for the second.
 line_base equ   logarithm_line_power_u  ; the scale's part
 line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 
 ;==============================================================================
-; logarithm_lines - what spans by logarithms need to know of each line
+; logarithm_lines - prepares each line for spans by logarithms
 ;
 ; in:      a0  reciprocal_plan*   the planes, the constants
 ;          a1  logarithm_tables*  the tables
-;          d0  logarithm_line*    where the lines go
-; out:     d0  int32              lines that are left to others
-; reads:   the plan but for what pieces need, its planes, left and last of its lines, logs
+;          d0  logarithm_line*    where to write the lines
+; out:     d0  int32              how many lines are not taken, for other routines to draw
+; reads:   the plan except the fields of pieces, its planes, left and last of its lines, logs
 ;          and parts of the tables
-; writes:  count logarithm_lines; if some are left, last of the lines that are not, so
-;          that they are empty to others
-; formats: q.hi of both ends is shifted left to 2^31 and more, at most 8 bits, and multiplied
-;          by the sixteenths, 16 to 31, that just fit: the larger index is 59,000 or more.
-;          log2 |C|, 2^-14 octave, is rounded, K taking what that is in the middle of the
-;          line; below the logarithm by which no pixel is 1/32 texel from K it is that one,
-;          K taking what that is. A line is left to others where q is below the plan's least,
-;          w differs 7 times or more, or a pixel is farther from K than keeps to 1/32 texel
+; writes:  count logarithm_lines; if some are not taken, last of the lines that are, so
+;          that other routines find these empty
+; formats: q.hi of both ends is shifted left, at most 8 bits, until the larger is 2^31 or
+;          more, and multiplied by the sixteenths, 16 to 31, that just fit: the larger index
+;          is 59,000 or more. log2 |C|, 2^-14 octave, is rounded; K is moved by that error
+;          in the middle of the line. Logarithms below the one with which no pixel is 1/32
+;          texel from K become that one, and K is moved likewise. A line is not taken if q is
+;          below the plan's least, w differs 7 times or more, or a pixel is too far from K
+;          for an error of 1/32 texel
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: E (35390 / i + 1.9), of K and powers 256, else 24; of a line that
 ;          is 1/32 texel from K at most 968 and these 280
 ; cost:    bench row logarithm_lines
 ;==============================================================================
-; Of an index: a half by its cut, 1/25 by q.hi's shift (1/128), the factor (1/2000) and 1023
-; steps (half a unit of rounding and one of overflow each). Of a logarithm: 0.505 its own
-; rounding, 0.14 a rounded C less K's move, 0.04 C's own; the move is 0.72 of what C's
-; rounding is at the farthest pixel, up to 1/16 more by a mantissa on a chord, so that what it
-; is too much elsewhere is less than what is gained there. Else: C and K by reciprocal_find
-; (19), K and its move cut. 968: 7/16 of 1/32 texel, and 72 of chords.
+; Errors of an index: 1/2 by its cut, 1/25 by q.hi's shift (1/128), the factor (1/2000) and 1023
+; steps (half a unit of rounding and one of overflow each). Errors of a logarithm: 0.505 by its
+; rounding, 0.14 by C's rounding less K's move, 0.04 by C itself. The move is 0.72 of the error
+; that C's rounding makes at the farthest pixel, up to 1/16 more by a mantissa on a chord: the
+; excess elsewhere is less than the gain there. Else: C and K by reciprocal_find (19), K and its
+; move cut. 968: 7/16 of 1/32 texel, and 72 by chords.
 
         routine logarithm_lines,a0,a1,d0
         movem.l d2-d7/a2-a6,-(sp)
@@ -88,7 +89,7 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         movea.l perspective_plan_left(a5),a4
         lea     EDGE_BIAS(a4),a4
 
-        ; Two loops, each of which fits the cache. First q:
+        ; Two loops, so that each fits the cache. First q:
         ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
         ; d6 n  d7 shift  a2 factors
 .line   ends_sorted logarithm_line,LOGARITHM_FURTHEST
@@ -156,7 +157,8 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         bne.s   .second
         bra     .empty_others
 
-; d0 = the power and d2 = K, 8.8, of the row a5, which goes on; d6 C's sign. Uses d1/d3/d7.
+; d0 = the power and d2 = K, 8.8, of the row a5, which moves to the next row; d6 = C's sign.
+; Uses d1/d3/d7.
 .constant
         step_c
         move.l  (a5)+,d2
@@ -195,12 +197,12 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         cmp.l   #LOGARITHM_LEAST,d3
         blt.s   .small
         mantissa d3,d1
-        swap    d1                      ; the farthest, 1/64 texel
+        swap    d1                      ; the farthest pixel, 1/64 texel
         eor.b   #$80,d0
-        ext.w   d0                      ; what rounding took
+        ext.w   d0                      ; the rounding error
         muls.w  d1,d0
         lsl.l   #3,d0
-        swap    d0                      ; 2^-13: 0.72 of the 1,024 ln 2 / OCTAVE / 256 units it is
+        swap    d0                      ; 2^-13: 0.72 of the exact 1,024 ln 2 / OCTAVE / 256 units
         ext.l   d0
 .move   tst.b   d6
         beq.s   .moved
@@ -263,15 +265,15 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 .scale  scale_found
         bra     .same
 
-; Sixteenths that a q whose upper 6 bits are 32 and more fits with.
+; The sixteenths with which q still fits, by its upper 6 bits, 32 to 63.
 .factors
         rept    32
         dc.b    1024/(REPTN+33)
         endr
 
-; log2 of 256 E, E being the texels from K that keep to 1/32 texel, and almost 512 at most (a
-; rounded step may lead an index, 3 units, further), by sixteenths of an octave of the higher
-; logarithm.
+; log2 of 256 E by sixteenths of an octave of the higher logarithm. E is the distance from K, in
+; texels, at which the error is 1/32 texel; almost 512 at most, as a rounded step may move an
+; index 3 units further.
         cnop    0,4
 .limits
         dc.l    278524,278524,278524,278524,278524,278524,278524,278524

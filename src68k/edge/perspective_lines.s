@@ -3,7 +3,7 @@
         include "number.i"
         include "perspective.i"
 
-; Adds 64 log2(\1), more than 0, to d2: by the table \2, above or below. Uses d0-d1/a2.
+; Adds 64 log2(\1) to d2, \1 above 0, by the table \2, which rounds up or down. Uses d0-d1/a2.
 logarithm macro
         move.l  \1,d0
         bfffo   d0{0:32},d1
@@ -18,22 +18,22 @@ logarithm macro
         endm
 
 ;==============================================================================
-; perspective_lines - what perspective spans need to know of each line
+; perspective_lines - prepares each line for perspective spans
 ;
-; in:      a0  perspective_plan*  the table, the planes, where the lines go
+; in:      a0  perspective_plan*  the table, the planes, where to write the lines
 ; reads:   the plan, left and last of its lines
-; writes:  count perspective_lines; of an empty one n alone, of one of a single pixel
+; writes:  count perspective_lines; of an empty one left and n, of one of a single pixel
 ;          left, n, u and v
 ; formats: u = base + s / q.hi, cut towards zero, 16.16, at the first and the last
-;          pixel, both kept within the plan's limits; weights: q.hi of both, shifted
+;          pixel, both clamped to the plan's limits; weights: q.hi of both, shifted
 ;          left until the larger is in 2^30 to 2^31, divided by n: the first one's is at
 ;          least 1, the last one's even. enough: 2^(x / 64), by tables that round x up
 ; error:   u, v: a unit at the ends. A weight: n + 1 in 2^30
 ; cost:    bench row perspective_lines
 ;==============================================================================
 ; A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| /
-; 15.59 at most, and u''' is 6 du q0 q1 dq^2 / (n q^4) in weights of the ends: as a sum
-; of logarithms it gives the least q for each length.
+; 15.59 at most, and u''' is 6 du q0 q1 dq^2 / (n q^4) in weights of the ends. As a sum
+; of logarithms this gives the least q for each length.
 
         routine perspective_lines,a0
         save_all

@@ -9,34 +9,35 @@ row_cu  equ     8
 row_cv  equ     16
 row_lines equ   24
 row_others equ  28
-; What holds for all lines of one scale of q, a shift and in bit 15 whether 3/2 comes on top:
-; a piece's step, the shift of C (and bit 15), and from which n on a line's step is too small.
+; Constants of a scale of q, which is a shift, with bit 15 set if q is also multiplied by 3/2:
+; q's step a piece, the shift of C (and bit 15), and the n from which on a line's step is too
+; small.
 scale   equ     32
 scale_dq equ    34
 scale_c equ     38
 scale_far equ   40
 row_sizeof equ  42
 
-TWO     equ     $40000000               ; q less than this: another factor
-THREE   equ     $aaaa0000               ; 3/2 times less than this fits 32 bits
+TWO     equ     $40000000               ; q below this gets another factor
+THREE   equ     $aaaa0000               ; q below this fits 32 bits after * 3/2
 LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
 ;==============================================================================
-; reciprocal_lines - what spans by reciprocals need to know of each line
+; reciprocal_lines - prepares each line for spans by reciprocals
 ;
-; in:      a0  reciprocal_plan*  the planes, the constants, where the lines go
-; out:     d0  int32             lines that are left to others
+; in:      a0  reciprocal_plan*  the planes, the constants, where to write the lines
+; out:     d0  int32             how many lines are not taken, for other routines to draw
 ; reads:   the plan, its planes, left and last of its lines, the table
-; writes:  count reciprocal_lines; if some are left, last of the lines that are not, so
-;          that they are empty to others
-; formats: q of both ends is shifted left to 2^31 and more, at most 8 bits, and if that
-;          leaves the smaller below 2^30 multiplied by 3/2 where it can be. C = c 2^(shift
-;          - piece + 5) / 2^26, 16.16, times 3/2 alike; rounded, K taking what that is
-;          in the middle of the line's r. A line is left to others where q is below the
+; writes:  count reciprocal_lines; if some are not taken, last of the lines that are, so
+;          that other routines find these empty
+; formats: q of both ends is shifted left, at most 8 bits, until the larger is 2^31 or more;
+;          if the smaller is below 2^30 then, both are multiplied by 3/2 if they fit. C = c
+;          2^(shift - piece + 5) / 2^26, 16.16, likewise times 3/2, rounded; K is moved by
+;          that error in the middle of the line's r. A line is not taken if q is below the
 ;          plan's least or the table's (never with w up to 4 times apart, always with 6), r
 ;          differs too much for 16 bits in less than three pieces, a piece moves q by less
-;          than 8 indices or more than 32 bits have, or |C| r exceeds the plan's limit
+;          than 8 indices or more than 32 bits hold, or |C| r exceeds the plan's limit
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
@@ -59,7 +60,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         movea.l perspective_plan_left(a5),a4
         lea     EDGE_BIAS(a4),a4
 
-        ; Two loops, each of which fits the cache. First q:
+        ; Two loops, so that each fits the cache. First q:
         ; d2, d3 q of the last and the first pixel  d4, d5 the larger and the smaller
         ; d6 n  d7 scale
 .line   ends_sorted reciprocal_line,RECIPROCAL_FURTHEST
@@ -83,7 +84,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         look_up d2,d1
         move.w  d0,reciprocal_line_first(a1)
         move.w  d1,reciprocal_line_last(a1)
-        sub.l   d0,d1                   ; what r grows
+        sub.l   d0,d1                   ; the growth of r
         move.w  d1,d2
         ext.l   d2
         cmp.l   d1,d2
@@ -94,7 +95,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         subq.l  #1,row_lines(sp)
         bne     .line
 
-        ; Then C, u and v. a0 the limit  a2 what r grows  a3, a4 256 K  a5 half of C's unit
+        ; Then C, u and v. a0 the limit  a2 the growth of r  a3, a4 256 K  a5 half of C's unit
         move.l  perspective_plan_count(a5),row_lines(sp)
         movea.l reciprocal_plan_to(a6),a1
         movem.l reciprocal_plan_ku(a6),d0-d1/a0
@@ -154,7 +155,7 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         move.w  #-1,reciprocal_line_n(a1)
         bra     .done
 
-        ; r grows more than 16 bits hold: a piece's does not, if there are three.
+        ; The growth of r exceeds 16 bits; with three pieces or more that of a piece does not.
 .steep  move.w  reciprocal_plan_piece+2(a6),d0
         lsr.w   d0,d6
         subq.w  #3,d6

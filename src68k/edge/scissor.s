@@ -2,8 +2,8 @@
         include "layout.i"
         include "chain.i"
 
-; Cuts the lines of a table to the frame's columns. \1: what moves the start of the
-; line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4-d5 free.
+; Cuts the lines of a table to the frame's columns. \1: the macro that moves the start of
+; the line d3 pixels to the right; a4 is the entry, a2 dudx, a3 dvdx, d0-d2/d4-d5 free.
 scissor macro
         save_all
         movea.l scissor_plan_lines(a0),a4
@@ -61,7 +61,7 @@ start_addx macro
         move.w  scanline_start0(a4),d0  ; -Uuu
         move.w  scanline_start1(a4),d4
         lsl.l   #8,d4
-        move.b  scanline_start2(a4),d4  ; -Vvv: the upper byte does not count
+        move.b  scanline_start2(a4),d4  ; -Vvv: the upper byte is ignored
         move.l  a2,d1
         muls.l  d3,d1
         add.l   d1,d0
@@ -89,10 +89,10 @@ start_addx macro
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
 ; reads:   the plan, its lines
-; writes:  its lines: the start moves on with the first pixel
+; writes:  its lines: the start follows the first pixel
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = Vv, start2 = v--U
 ; error:   none: u, v as at the pixel on the uncut line, modulo 256
-; cost:    about 60 cycles a line, 180 where its left end is cut
+; cost:    about 60 cycles a line, 180 if its left end is cut
 ;==============================================================================
         routine scissor_addx,a0
         scissor start_addx
@@ -102,10 +102,10 @@ start_addx macro
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
 ; reads:   the plan, its lines
-; writes:  its lines: the start moves on with the first pixel
+; writes:  its lines: the start follows the first pixel
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
-; cost:    about 60 cycles a line, 130 where its left end is cut
+; cost:    about 60 cycles a line, 130 if its left end is cut
 ;==============================================================================
         routine scissor_plain,a0
         scissor start_plain

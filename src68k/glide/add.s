@@ -2,10 +2,10 @@
         include "layout.i"
 
 ;==============================================================================
-; glide_add - texels and others
+; glide_add - texels plus others
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
+;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others
 ;          d0  int32  count
 ; reads:   both
@@ -14,8 +14,8 @@
 ; error:   none
 ; cost:    bench row glide_add
 ;==============================================================================
-; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries where both have it, or where
-; one has it and the others carry into it.
+; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries if both have it set, or if one
+; has and the lower bits carry into it.
 
         routine glide_add,a0,a1,a2,d0
         movem.l d2-d7/a2-a3,-(sp)

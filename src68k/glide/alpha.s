@@ -3,15 +3,15 @@
         include "n64.i"
 
 ;==============================================================================
-; glide_alpha - texels with an alpha from elsewhere, channels inverted
+; glide_alpha - replaces the texels' alpha, and inverts channels
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
-;          a2  const glide_alphas*  alpha, what is inverted
+;          a1  uint32*  texels; may be the same memory
+;          a2  const glide_alphas*  the alphas, the bits to invert
 ;          d0  int32  count
 ; reads:   the texels, the alphas
 ; writes:  the texels
-; formats: R G B of the texels, A a byte of the alphas; then bits are inverted
+; formats: R G B of the texels, A a byte of the alphas; then bits inverted
 ; error:   none
 ; cost:    bench row glide_alpha
 ;==============================================================================

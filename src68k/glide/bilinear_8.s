@@ -15,11 +15,12 @@
 ; error:   none
 ; cost:    bench row glide_bilinear_8
 ;==============================================================================
-; 256 U and 256 L, of 16 bits, stand on the upper and the lower side between the columns, two
-; channels a product. The sum is 65536 U + 256 ft (L - U), of which all below 256 can go first:
-; 256 U + (ft (L - U) >> 8), modulo 2^16. Where L - U borrows, ft * 65536 is too much.
+; 256 U and 256 L, 16 bits each, are the values between the columns on the upper and on the lower
+; row, two channels in a product. The sum is 65536 U + 256 ft (L - U); its part below 256 may be
+; dropped early: 256 U + (ft (L - U) >> 8), modulo 2^16. If L - U borrows, the product is ft * 65536
+; too large.
 
-; d2 = a pair's sums, in words; their upper bytes are the channels. a2 goes on to the next pair.
+; d2 = a pair's sums, in words; their upper bytes are the channels. Moves a2 to the next pair.
 ; d3 = fs, d7 = ft << 8. Uses d0, d1, d4.
 sums    macro
         move.l  (a2)+,d2

@@ -5,13 +5,13 @@
 ; glide_combiner - one channel of the combine unit, any function
 ;
 ; in:      a0  void*  not read
-;          a1  uint8*  the channel of the results, texels from pixel to pixel
-;          a2  const glide_inputs*  what goes in
+;          a1  uint8*  the channel of the results, one texel a pixel
+;          a2  const glide_inputs*  the inputs
 ;          d0  int32  count
 ; reads:   the inputs
 ; writes:  a byte of each pixel
-; formats: factor m, inverted by flip: ((other - local) * (m + 1) >> 8) + added, cut to 0 to 255,
-;          inverted by invert
+; formats: factor m, inverted by flip: ((other - local) * (m + 1) >> 8) + added, clamped to 0 to
+;          255, inverted by invert
 ; error:   none
 ; cost:    bench row glide_combiner
 ;==============================================================================

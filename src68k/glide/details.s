@@ -7,12 +7,12 @@
 ;
 ; in:      a0  const uint16*  LODs
 ;          a1  uint8*  factors
-;          a2  const glide_nearness*  where they end, how fast they grow
+;          a2  const glide_nearness*  the LOD where they end, their growth
 ;          d0  int32  count
 ; reads:   the LODs
 ; writes:  the factors
-; formats: LODs 8.8, none above end, none so far below that a factor leaves a byte: end - LOD,
-;          shifted right
+; formats: LODs 8.8, none above end, none so far below it that the factor exceeds a byte; factor =
+;          end - LOD, shifted right
 ; error:   none
 ; cost:    bench row glide_details
 ;==============================================================================

@@ -7,27 +7,27 @@
 ;
 ; in:      a0  const glide_iterators*  at the first pixel
 ;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  what they change by, the level
+;          a2  const glide_steps*  their steps, the level
 ;          d0  int32  count
 ; reads:   the iterators, the steps
 ; writes:  the coordinates
-; formats: 14.18 and 2.30 modulo 2^32 to s:t: q = s * 2^30 / w rounded down and cut to 32 bits, 0
-;          where w is 0, or negative and behind is 1; (q >> shift) - half, cut to 0 to last_s, or
-;          modulo 2^16 where that is 0xffff
+; formats: 14.18 and 2.30 modulo 2^32 to s:t: q = s * 2^30 / w rounded down, clamped to 32 bits, 0
+;          if w is 0, or negative and behind is 1; (q >> shift) - half, clamped to 0 to last_s, or
+;          modulo 2^16 if that is 0xffff
 ; error:   none
 ; cost:    bench rows glide_divide, glide_divide_clamp, glide_divide_each
 ;==============================================================================
 ; One axis, then the other. With n = s * 2^(30 - shift) the coordinate is u = n / w rounded down; r
-; is the remainder. Two pixels are divided; from then on u grows by g, and r by e, which is what
-; it changes by if u grows by g. Where r leaves 0 to w - 1, g was wrong by one or more:
+; is the remainder. Two pixels are divided; from then on u grows by g, and r by e, its change if u
+; grows by g. If r leaves 0 to w - 1, g was wrong by one or more:
 ;       u += g    r += e    w += dw
 ;       while r is outside:  u, g += 1    gg += 2 dw    r -= w    e -= w    (or the other way)
 ;       e -= gg             where gg = 2 g dw
-; All modulo 2^32. That is exact as long as the r before it is put right is known to lie between
-; -1.5 and 2.5 * 2^30, and gg decides: r leaves -w to 2 w by no more. So lines go this way if w is
-; from 1 to 2^30 at both ends, no quotient is cut, and gg + w stays below 1.5 * 2^30, gg below 4 w.
-; A slope is a constant divided by this pixel's w and by the last one's: gg is greatest where w is
-; smallest, gg + w at an end. Other lines are divided pixel by pixel.
+; All modulo 2^32. That is exact as long as r, before its correction, is known to be between -1.5
+; and 2.5 * 2^30. gg bounds it: r leaves -w to 2 w by gg at most. So a line is done this way if w is
+; from 1 to 2^30 at both ends, no quotient is clamped, gg + w stays below 1.5 * 2^30 and gg
+; below 4 w. A slope is a constant divided by this pixel's w and by the last one's: gg is greatest
+; where w is smallest, gg + w at an end. Other lines are divided pixel by pixel.
 
 FEW     equ     8                       ; pixels: shorter lines are divided
 MOST    equ     $40000000               ; w
@@ -37,7 +37,7 @@ LIMIT   equ     $60000000               ; gg + w
 left    equ     0                       ; count - 1
 w_most  equ     4                       ; of the line; 0: divide all
 w_least equ     8
-fall    equ     12                      ; 64 (first w / last w)^2, at least; 64 where w rises
+fall    equ     12                      ; 64 (first w / last w)^2, or a little more; 64 if w rises
 s       equ     16
 ds      equ     20
 w       equ     24
@@ -99,7 +99,7 @@ locals  equ     52
         divu.w  d3,d4
         cmp.w   #254,d4
         bhi.s   .s_axis
-        moveq   #2,d1                   ; for what both were cut by
+        moveq   #2,d1                   ; for the bits cut off both
         add.w   d4,d1
         exg     d0,d2
 .rises  move.l  d0,w_most(sp)
@@ -119,7 +119,7 @@ locals  equ     52
         tst.l   w_most(sp)
         beq     .each
 
-        ; By differences, if no end is cut.
+        ; By differences, if no end is clamped.
         move.l  d0,d5
         magnitude d5
         move.l  d5,d6
@@ -151,7 +151,7 @@ locals  equ     52
         move.l  d6,d1                   ; e
         move.l  d5,d4                   ; u
         sub.l   first_u(sp),d5          ; g
-        ; The most that gg can be, of g + 2, at the first pixel and at the least w
+        ; The largest possible gg, from g + 2, at the first pixel and at the least w
         move.l  d3,d6
         magnitude d6
         add.l   d6,d6
@@ -233,7 +233,7 @@ locals  equ     52
         bne.s   .pixel
 .next   subq.w  #1,axis(sp)
         bmi.s   .done
-        lea     2(a3),a1                ; of t, behind the last pixel
+        lea     2(a3),a1                ; t, after the last pixel
         move.l  left(sp),d0
         lsl.l   #2,d0
         suba.l  d0,a1

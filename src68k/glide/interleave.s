@@ -2,15 +2,15 @@
         include "layout.i"
 
 ;==============================================================================
-; glide_interleave - a line of four arrays of each fourth texel
+; glide_interleave - a line from four arrays with every fourth texel each
 ;
-; in:      a0  const uint32*  texels 0, 4, 8, ...; behind them those of the other arrays
+; in:      a0  const uint32*  texels 0, 4, 8, ...; the other arrays follow
 ;          a1  uint32*  texels
-;          a2  const glide_quarters*  how far behind
+;          a2  const glide_quarters*  the bytes from one array to the next
 ;          d0  int32  count, of the line
 ; reads:   the arrays
 ; writes:  the texels
-; formats: texels of 32 bits, as they are
+; formats: texels of 32 bits, unchanged
 ; error:   none
 ; cost:    bench row glide_interleave
 ;==============================================================================

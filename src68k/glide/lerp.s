@@ -4,11 +4,11 @@
         include "glide.i"
 
 ;==============================================================================
-; glide_lerp - texels on the way to others: between levels, the combine unit's blend
+; glide_lerp - linear interpolation to others: between levels, the combine unit's blend
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
-;          a2  const glide_mix*  the others, and how far
+;          a1  uint32*  texels; may be the same memory
+;          a2  const glide_mix*  the others, the factors
 ;          d0  int32  count
 ; reads:   both texels, the factors
 ; writes:  the texels
@@ -16,7 +16,7 @@
 ; error:   none
 ; cost:    bench row glide_lerp
 ;==============================================================================
-; Two channels in one product: none leaves its word.
+; Two channels in one product: neither overflows its word.
 
         routine glide_lerp,a0,a1,a2,d0
         save_all

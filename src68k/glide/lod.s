@@ -6,16 +6,16 @@
 ;
 ; in:      a0  const glide_iterators*  w at the first pixel
 ;          a1  uint16*  LODs
-;          a2  const glide_lods*  what w changes by, the polygon's LOD, limits, logarithms
+;          a2  const glide_lods*  the step of w, the polygon's LOD, limits, logarithms
 ;          d0  int32  count
 ; reads:   w, the LODs, the logarithms
 ; writes:  the LODs: level in the upper byte, fraction in the lower one
-; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, that rounded to the
-;          nearest, cut to least to most; most where w is 0
+; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, the logarithm rounded
+;          to the nearest, clamped to least to most; most if w is 0
 ; error:   none
 ; cost:    bench row glide_lod
 ;==============================================================================
-; w is kept shifted until bit 31 is set, and so is its step: only a clear bit 31 needs a look.
+; w is kept shifted so that bit 31 is set, its step likewise; a clear bit 31 needs a new shift.
 
         routine glide_lod,a0,a1,a2,d0
         save_all
@@ -36,7 +36,7 @@
         move.w  d7,d3
         add.w   (a2,d6.w),d3
         move.l  (a3,d4.w*8),d1
-        sub.l   d2,d1                   ; X where the logarithm is one more
+        sub.l   d2,d1                   ; X if the logarithm is one more
         move.w  glide_logarithm_value(a3,d4.w*8),d1
         subx.w  d1,d3
         cmp.w   a4,d3
@@ -70,6 +70,6 @@
         lsl.w   #8,d7
         cmp.l   d4,d3
         beq.s   .pixel
-        move.l  #$80000000,d5           ; too far: look again
+        move.l  #$80000000,d5           ; does not fit: find the shift again at the next pixel
         bra.s   .pixel
 .done   return_all

@@ -6,7 +6,7 @@
 ; glide_modulate - texels times others, channel by channel
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
+;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others; flip
 ;          d0  int32  count
 ; reads:   both

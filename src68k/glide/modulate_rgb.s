@@ -3,10 +3,10 @@
         include "glide.i"
 
 ;==============================================================================
-; glide_modulate_rgb - texels times others, channel by channel, but for alpha
+; glide_modulate_rgb - texels times others, channel by channel, except alpha
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
+;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others; flip
 ;          d0  int32  count
 ; reads:   both

@@ -8,27 +8,27 @@
 ;
 ; in:      a0  const glide_iterators*  at the first pixel of the run's first piece
 ;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  what they change by, the level, the piece
+;          a2  const glide_steps*  their steps, the level, the piece
 ;          d0  int32  count
 ; reads:   the iterators, the steps
 ; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a
 ;          piece's first pixel and at the next piece's, or at the line's last one; from the first
 ;          on, pixel by pixel, their difference modulo 2^32 over the pixels between them, rounded
-;          down; then (value >> shift) - half, cut to 0 to last_s, or modulo 2^16 where that is
+;          down; then (value >> shift) - half, clamped to 0 to last_s, or modulo 2^16 if that is
 ;          0xffff
 ; error:   none
 ; cost:    bench rows glide_pieces, glide_pieces_16, glide_pieces_clamp, glide_pieces_small
 ;==============================================================================
-; A piece ends where the next one begins, so each costs two quotients. From there on pieces go as
-; glide_walk does, also where they might be clamped but both ends are inside: with a step of 2^28 at
-; most a piece goes through less than half of what 32 bits count.
+; A piece ends where the next one begins, so each costs two quotients. Its pixels are stepped as in
+; glide_walk, also on a clamped axis if both ends are inside: with a step of 2^28 at most, a piece
+; covers less than half of the range of 32 bits.
 
 ; On the stack.
-piece   equ     0                       ; what s, t and w change by in a whole piece
+piece   equ     0                       ; the steps of s, t and w over a whole piece
 whole   equ     12                      ; pieces to do
 bits    equ     16
-scale   equ     20                      ; 16 - shift; -1 where an axis is clamped
+scale   equ     20                      ; 16 - shift; -1 if an axis is clamped
 count   equ     24                      ; pixels to do, from the piece on
 left    equ     28                      ; of the line
 skip    equ     32
@@ -106,7 +106,7 @@ locals  equ     68
         sub.l   d0,left(sp)
         bra     .piece
 
-        ; To a0, 4 pixels a round.
+        ; Writes up to a0, 4 pixels a round.
 .narrow movem.l d6-d7/a3,-(sp)
         move.l  shift+12(sp),d7
         moveq   #-16,d6
@@ -176,7 +176,7 @@ locals  equ     68
         bne     .piece
         bra     .pieces
 
-        ; Pieces that may have to be clamped, or whose coordinates have more than 16 fraction bits.
+        ; Pieces that may need clamping, or whose coordinates have more than 16 fraction bits.
 .other  tst.l   clamps(sp)
         beq     .narrow
         move.l  bits(sp),d5
@@ -195,7 +195,7 @@ locals  equ     68
         add.l   #16,d5
         bpl     .scale
 
-        ; To a0, pixel by pixel as glide_walk_clamp.
+        ; Writes up to a0, pixel by pixel as glide_walk_clamp.
 .single movem.l d6-d7/a3-a4,-(sp)
         movea.l last_s+16(sp),a3
         movea.l last_t+16(sp),a4

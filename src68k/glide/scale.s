@@ -6,7 +6,7 @@
 ; glide_scale - texels times one factor for all channels
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
+;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the factors; not the others
 ;          d0  int32  count
 ; reads:   the texels, the factors
@@ -15,7 +15,7 @@
 ; error:   none
 ; cost:    bench row glide_scale
 ;==============================================================================
-; Local - local * factor is this too: 256 - (m + 1) is m inverted, with 0 for one.
+; Also does local - local * factor: 256 - (m + 1) is m inverted, with 0 for one.
 
         routine glide_scale,a0,a1,a2,d0
         save_all

@@ -8,7 +8,7 @@
 ;
 ; in:      a0  const glide_iterators*  s and t at the first pixel
 ;          a1  uint16*  pixels
-;          a2  const glide_paging*  the page, what they change by
+;          a2  const glide_paging*  the page, their steps
 ;          d0  int32  count, 16,384 at most
 ; reads:   s and t, the steps, the page
 ; writes:  the pixels

@@ -7,7 +7,7 @@
 ;
 ; in:      a0  const glide_iterators*  s and t at the first pixel
 ;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  what they change by, the level
+;          a2  const glide_steps*  their steps, the level
 ;          d0  int32  count
 ; reads:   s and t, the steps
 ; writes:  the coordinates
@@ -15,9 +15,11 @@
 ; error:   none
 ; cost:    bench rows glide_walk, glide_walk_small
 ;==============================================================================
-; From shift 17 on s and t have more than 16 fraction bits: those are in registers of their own.
+; From shift 17 on s and t have more than 16 fraction bits; the excess bits are in separate
+; registers.
 
-; Takes \1 bits off below d0 and d1: they are the upper bits of \2 and \3. d7 is their mask.
+; Shifts d0 and d1 right by \1; the bits shifted out become the upper bits of \2 and \3. d7 is their
+; mask.
 low_bits macro
         move.l  d0,\2
         move.l  d1,\3
@@ -54,7 +56,7 @@ low_bits macro
         move.l  d0,d6
         moveq   #-1,d7
         lsr.l   d4,d7
-        not.l   d7                      ; as many bits on top
+        not.l   d7                      ; the upper d4 bits
         movem.l (a2),d0-d1
         low_bits d4,d2,d3
         movea.l d2,a3

@@ -7,20 +7,20 @@
 ;
 ; in:      a0  const glide_iterators*  s and t at the first pixel
 ;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  what they change by, the level
+;          a2  const glide_steps*  their steps, the level
 ;          d0  int32  count
 ; reads:   s and t, the steps
 ; writes:  the coordinates
-; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, cut to 0 to last_s, or modulo 2^16
-;          where that is 0xffff
+; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, clamped to 0 to last_s, or modulo 2^16
+;          if that is 0xffff
 ; error:   none
 ; cost:    bench rows glide_walk_clamp, glide_walk_inside
 ;==============================================================================
-; A line of which both ends lie inside has nothing to be clamped.
+; A line with both ends inside needs no clamping.
 
         xref    glide_walk
 
-FEW     equ     5                       ; pixels: looking at the ends takes as long
+FEW     equ     5                       ; pixels: for fewer, testing the ends takes as long
 
         routine glide_walk_clamp,a0,a1,a2,d0
         movem.l d2-d7/a3-a4,-(sp)
@@ -47,8 +47,8 @@ FEW     equ     5                       ; pixels: looking at the ends takes as l
         movem.l (sp)+,d2-d7/a3-a4
         jmp     glide_walk
 
-        ; "Higher" where an end of the iterator d1 with step d2 lies outside, or its way is
-        ; longer than 32 bits. d3 last, d0 count - 1
+        ; Returns the condition "higher" if an end of the iterator d1 with step d2 is outside, or
+        ; the last value does not fit 32 bits. In: d3 last, d0 count - 1
 .ends   move.l  d1,d4
         asr.l   d6,d4
         sub.l   d7,d4

@@ -9,13 +9,13 @@
 ;          d0  int32  count
 ; reads:   the pixels
 ; writes:  the texels
-; formats: to each channel's bits its upper ones are added below
+; formats: each channel's upper bits are repeated below its bits
 ; error:   none
 ; cost:    bench row glide_widen_565
 ;==============================================================================
-; Two pixels at a time, longwords at even addresses of longwords.
+; Two pixels at a time, by aligned longwords.
 
-; The pixels in d0: the upper one's texel to d0, the other's to d1. Uses d2-d3.
+; Widens the pixels in d0: the upper one's texel to d0, the other's to d1. Uses d2-d3.
 wide    macro
         move.l  d0,d1
         move.l  d0,d2

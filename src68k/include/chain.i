@@ -4,7 +4,7 @@
 ; A coordinate pair lives in three registers, S, Q and P:
 ;       S   uu..        Q   v--U        P   ..Vv
 ; One step is add.l S, addx.l Q, addx.w P: u's fraction carries into U, v's low
-; fraction byte into Vv. The bytes marked -- catch what U overflows.
+; fraction byte into Vv. The bytes marked -- catch U's overflow.
 
 ; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
 ; lower word; its upper word is left over).
@@ -27,10 +27,10 @@ pack_start macro
         move.l  \3,scanline_start2(\4)
         endm
 
-; Adds the number \2 (sign-extended) to the step \1 = uu--, so that one addition moves
-; both. A negative \2 borrows from uu, which the carry out of the lower half pays back;
-; with nothing to borrow from, that carry goes on into \3, u's integer: \3 is made one
-; less (\4: b, w or l, how much of \3 the integer has).
+; Adds \2 (sign-extended) to the step \1 = uu--, so that one addition steps both. A
+; negative \2 borrows from uu; the carry out of the lower half returns that. If uu is 0,
+; that carry continues into \3, u's integer, so \3 is decremented (\4: the integer's
+; size in \3, b, w or l).
 add_below macro
         tst.l   \2
         bpl.s   .forward\@
@@ -41,7 +41,7 @@ add_below macro
         add.l   \2,\1
         endm
 
-; The steps d2 (u) and d5 (v), 16.16, as those of the chain of two registers (see
+; Packs the steps d2 (u) and d5 (v), 16.16, for the chain of two registers (see
 ; span_affine_addx): d2 uuVv, d3 v--U, a4 v---. Uses d5.
 chain_steps macro
         moveq   #0,d3
@@ -56,11 +56,11 @@ chain_steps macro
         add_below d2,d5,d3,b            ; uuVv
         endm
 
-; Packs a step (\1, 16.16) that is carried into itself into ss-S, S with a byte of room
-; above it, and \3 = ss-0; \2 holds that too. A start is ss-S with \2's room, plus \3:
-; its fraction runs one step ahead, so that the carry it gave is ready when S needs it.
-; Room is 00 with a step from 0 on: S never carries into ss. With a negative one it is
-; FF: S always does, and the step of ss is one less.
+; Packs a step \1 (16.16) for a chain of one register, which carries into itself:
+; \1 = ss-S, with a spare byte above S; \2 = \3 = ss-0. A start is ss-S with \2's spare
+; byte, plus \3: its fraction is one step ahead, so that its carry is ready when S is
+; stepped. The spare byte is 00 if the step is not negative: S never carries into ss.
+; Otherwise it is FF: S always carries, and the step of ss is one less.
 pack_alone macro
         swap    \1
         ext.w   \1                      ; ss-S
@@ -70,8 +70,8 @@ pack_alone macro
         ahead   \1,\2,\3,b
         endm
 
-; A negative step: its fraction, whose lowest bit is \2, is one less; with nothing to
-; borrow from, its integer (\3: w or l) is, and the fraction always carries.
+; Decrements the fraction of a negative step \1; \2 is the fraction's lowest bit. If the
+; fraction is 0, the integer (\3: w or l) is decremented, and the fraction always carries.
 borrow  macro
         sub.l   #\2,\1
         bcc.s   .borrowed\@
@@ -79,16 +79,16 @@ borrow  macro
 .borrowed\@
         endm
 
-; \3 = the fraction of the step \1, what starts run ahead by: without the integer in its
-; lower \4, b or w. \2 holds it too.
+; \2 = \3 = the fraction of the step \1, which starts are ahead by: \1 with the integer
+; in its lower \4 (b or w) cleared.
 ahead   macro
         move.l  \1,\2
         clr.\4   \2
         movea.l \2,\3
         endm
 
-; The pixels of the spans have their map's page in d4 and go to (a1)+. texel_next makes
-; d4 the texel's address and steps the coordinates; a2 is free.
+; Pixels of spans: d4 holds the map's page in its upper word, (a1)+ is the destination.
+; texel_next makes d4 the texel's address and steps the coordinates; a2 is free.
 
 ; The chain of two registers: B in d0, A in d1, their steps in d2 and d3. 8 bytes.
 texel_next macro
@@ -114,8 +114,8 @@ draw    macro
         move.b  (a2),(a1)+
         endm
 
-; The same through a row of the light table, its address \1, the texel its lowest byte.
-; 8 bytes.
+; Draws the texel at d4 through a row of the light table; the texel becomes the lowest
+; byte of the row's address \1. 8 bytes.
 draw_lit macro
         movea.l d4,a2
         move.b  (a2),\1
@@ -133,14 +133,15 @@ pixel_apart macro
         draw
         endm
 
-; One coordinate alone, carried into itself: u in d0, its step in d2. 8 bytes.
+; Draws a pixel and steps u alone, in a chain of one register: u in d0, its step in d2.
+; 8 bytes.
 pixel_row macro
         move.b  d0,d4                   ; mmVU
         addx.l  d2,d0
         draw
         endm
 
-; The same for a shade, which is the pixel itself. 4 bytes.
+; Draws a shade as the pixel and steps it as pixel_row does u. 4 bytes.
 pixel_shade macro
         move.b  d0,(a1)+
         addx.l  d2,d0
@@ -161,7 +162,7 @@ pixel_lit macro
         move.b  (a2),(a1)+
         endm
 
-; Texels of \1 = 2 or 4 bytes: a3 is texel (0, 0) of the map, whose rows 128 to 255 lie
+; Draws a texel of \1 = 2 or 4 bytes. a3 is texel (0, 0) of the map; rows 128 to 255 are
 ; before it, as d4 = VU is signed. 4 bytes.
 draw_wide macro
         ifeq    \1-2
@@ -223,8 +224,8 @@ wide_row macro
         span_close d3
         endm
 
-; The way into a span with the chain of two registers: see span_open. \1: a field of the
-; plan that goes onto the stack besides.
+; Opens a span with the chain of two registers (see span_open). \1: another field of the
+; plan to push, if given.
 chain_open macro
         span_open
         move.l  span_plan_map(a0),d4    ; mm00
@@ -237,7 +238,7 @@ chain_open macro
         chain_steps
         endm
 
-; The same with S, Q and P apart.
+; Opens a span with S, Q and P in separate registers. \1: as in chain_open.
 apart_open macro
         span_open
         move.l  span_plan_map(a0),d4    ; mm00
@@ -250,19 +251,19 @@ apart_open macro
         apart_steps
         endm
 
-; The steps d5 (u) and d2 (v), 16.16, as those of S, Q and P.
+; Packs the steps d5 (u) and d2 (v), 16.16, for S, Q and P.
 apart_steps macro
         pack_uv d5,d2,d3                ; d5 uu--, d2 .Vv, d3 v--U
         movea.l d5,a4
         endm
 
-; S of a line from its start0:start1.
+; d5 = S of a line, from its start0:start1 in d0.
 apart_start macro
         move.l  d0,d5                   ; uu.. (Vv below it is never carried)
         clr.w   d5
         endm
 
-; The way into a span with one coordinate, whose step is \1 of the plan: in d2.
+; Opens a span with one coordinate. d2 = its step, the plan's field \1.
 alone_open macro
         span_open
         move.l  span_plan_map(a0),d4    ; mm00

@@ -1,20 +1,21 @@
-; Spans whose pixels show points that are moved by (x & 1, y & 1), x and y of the frame. After
-; chain.i and span.i.
+; Spans with dithered texture coordinates: (u, v) is offset by (x & 1, y & 1), the pixel's
+; position in the frame. Include after chain.i and span.i.
 ;
-; In eighths of a texel u and v are moved by
-;       (2, 0)  (6, 2)          in even lines, of even x and of odd x
-;       (0, 4)  (4, 6)          in odd ones
-; from starts that are 3/8 less than the pixels' own. So from a pixel of even x both step (4, 2)
-; further than without that, from one of odd x as much less, in all lines.
+; The offsets of (u, v) in eighths of a texel:
+;       (2, 0)  (6, 2)          in even lines, for even x and for odd x
+;       (0, 4)  (4, 6)          in odd lines
+; Starts are 3/8 less than the pixels' own. So in all lines the step from a pixel with even x is
+; (4, 2) more than without dithering, and from one with odd x (4, 2) less.
 
-; On the stack, for all lines: the moves as uu:Vv, in the order of 2 x + y; longwords.
-DITHER_LAST     equ     16+2            ; a word, odd where the first step is that of even x
+; On the stack, for all lines: four longwords, the offsets as uu:Vv, in the order of 2 x + y.
+DITHER_LAST     equ     16+2            ; a word: odd if a round begins with the step of even x
 DITHER_PITCH    equ     20
 DITHER_END      equ     24              ; of the table
 DITHER_BYTES    equ     28
 
-; The way in: all that the stack holds, a6 the row, d4 the map's page, d2 and d5 the steps of u
-; and v, a0 the table. Its entries have 12 bytes: bit 2 of the address behind one alternates.
+; Opens a dithered span: fills the stack; a6 = row, d4 = map's page, d2 and d5 = steps of u and v,
+; a0 = table. Its entries have 12 bytes, so bit 2 of the address after an entry alternates from
+; line to line.
 dither_open macro
         save_all
         movea.l span_plan_row(a0),a6
@@ -44,8 +45,8 @@ dither_open macro
         movea.l a5,a0
         endm
 
-; The chain of two registers: steps of even x in d2 and d3, of odd x in d5 and d6, a4 as after
-; chain_open. a5 is what DITHER_LAST is for.
+; Opens a span with the chain of two registers: steps of even x in d2 and d3, of odd x in d5 and
+; d6, a4 as after chain_open. a5 replaces DITHER_LAST.
 dither_chain_open macro
         dither_open
         movea.l d2,a1
@@ -64,8 +65,8 @@ dither_chain_open macro
         movea.w #1,a5
         endm
 
-; S, Q and P apart: steps of even x in d2 (P) and d3 (Q), of odd x in d6 and d7, and in a4 (S)
-; for both, which differ by a whole texel there.
+; Opens a span with S, Q and P in separate registers: steps of even x in d2 (P) and d3 (Q), of odd
+; x in d6 and d7. S has one step for both, in a4, as u's two steps differ by a whole texel.
 dither_apart_open macro
         dither_open
         exg     d2,d5
@@ -83,8 +84,8 @@ dither_apart_open macro
         apart_steps
         endm
 
-; Reads a table entry as span_line does, into d0, a1 and a2 = left; \1 pixels - 1, \2: *2 or *4
-; for pixels of so many bytes.
+; Reads a table entry: d0 = start0:start1, a1 = first pixel, a2 = left, \1's lower word = last.
+; \2: *2 or *4 for pixels of 2 or 4 bytes.
 dither_entry macro
         move.l  (a0)+,d0                ; start0:left
         movea.w d0,a2
@@ -94,7 +95,7 @@ dither_entry macro
         swap    \1
         endm
 
-; Where the line's moves are: d4 = 2 x + y of the first pixel, both modulo 2.
+; d4 = the index of the line's offset: 2 x + y of the first pixel, both modulo 2.
 dither_place macro
         move.w  a0,d4
         lsr.w   #3,d4
@@ -103,10 +104,10 @@ dither_place macro
         and.w   #3,d4
         endm
 
-; The lines of the chain, 16 pixels a round: what draws one is \1 \2. Position n of a round is that
-; of pixels with x = n modulo 2, after the exchange. \3: *2 or *4; \4: where .pixels is: a3 or
-; pc. The lines' part comes last, so that where it does not fit the cache beside the pixels, it is
-; in the way of those alone that only long lines have.
+; Draws lines with the chain, 16 pixels a round; \1 \2 draws a pixel. Steps are exchanged so that
+; position n of a round uses the step of its pixel's x. \3: *2 or *4; \4: the base of .pixels'
+; address, a3 or pc. The code for lines is last: if it does not fit the cache with the pixels, it
+; evicts only the first pixels of a round, which only long lines run.
 dither_chain_lines macro
         bra     .line
         cnop    0,4
@@ -153,8 +154,8 @@ dither_chain_lines macro
         return_all
         endm
 
-; The lines of S, Q and P, 8 pixels a round. \1: a pixel's bytes, \2: their logarithm, \3, \4:
-; what draws one, \5: *2 or *4.
+; Draws lines with S, Q and P, 8 pixels a round. \1: bytes a pixel, \2: log2 of that, \3 \4: draws
+; a pixel, \5: *2 or *4.
 dither_apart_lines macro
         bra     .line
         cnop    0,4
@@ -204,7 +205,7 @@ dither_apart_lines macro
         return_all
         endm
 
-; As texel_next, with the steps \1 and \2.
+; texel_next with the steps \1 and \2.
 dither_next macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU

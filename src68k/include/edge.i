@@ -1,5 +1,5 @@
-; What the scanline steppers share. A side's x is whole pixels and an error that
-; counts up to 2^32: a carry moves x one pixel further (see struct edge).
+; Parts shared by the scanline steppers. A side's x is whole pixels and an error that
+; counts up to 2^32: a carry moves x one pixel to the right (see struct edge).
 
 ; a4 = end of the table's part that the edge in a5 covers; 12 bytes an entry. Uses d0.
 edge_end macro
@@ -9,10 +9,10 @@ edge_end macro
         adda.l  d0,a4
         endm
 
-; Writes x of the edges from a5 on (d5 of them) to the table: to a0, and each line's
-; entry on. \1: what moves x (d1) and its error (d0) a line further: a1 the error's part,
-; d4 whole pixels, d7 height. \2: added to x. Two lines a round, of an odd number one
-; first. Uses d3/d6/a4.
+; Writes x of the d5 edges from a5 on to the table: at a0, and on by an entry a line.
+; \1: the macro that steps x (d1) and its error (d0) by a line; a1 the error's part,
+; d4 whole pixels, d7 height. \2: added to x. Two lines a round; an odd number begins
+; with one. Uses d3/d6/a4.
 edge_loop macro
         movea.w #2*scanline_sizeof,a4
 .edge   moveq   #\2,d1
@@ -53,7 +53,8 @@ edge_step_exact macro
         sub.l   d3,d0
         endm
 
-; After a carry of the error d0: 2^32 stands for the height a6, if x is exact.
+; Corrects the error d0 after a carry: an exact one counts the height a6 up to 2^32, so
+; the height is subtracted.
 error_rounded macro
         endm
 
@@ -61,7 +62,7 @@ error_exact macro
         sub.l   a6,d0
         endm
 
-; Writes a line's entry and steps x's error: carry where x moves a pixel more.
+; Writes a line's entry and steps x's error: carry is set if x moves one pixel more.
 left_line macro
         move.l  d1,(a0)+                ; start0:left
         move.l  d3,(a0)+                ; --:start1, where last comes later
@@ -69,13 +70,14 @@ left_line macro
         add.l   a1,d0
         endm
 
-; Fills the left side of a table whose lines begin with u and v. \1: the form, which
-; names two macros of its file: \1_steps makes a2 d5 d4 of the step du (d0), dv (d5) a
-; line with the whole pixels d1, a3 d7 d6 of du (d2), dv (d7) with one pixel more, and
-; \1_start makes d1 (upper word), d3, d2 of u (d1) and v (d3); \1_step adds such a step
-; to them. \2: error_rounded or error_exact; \3: the routine for the right side.
-; u and v move along the edge with the pixel they belong to: a line further and as
-; many pixels to the right as x, which the carry tells. So they stay on the plane
+; Fills the left side of a table whose lines begin with u and v. \1: the form, which is
+; the prefix of three macros of its file. \1_steps packs the step of a line with d1
+; whole pixels, du (d0) and dv (d5), into a2 d5 d4, and that with one pixel more, du (d2)
+; and dv (d7), into a3 d7 d6. \1_start packs u (d1) and v (d3) into d1 (upper word), d3,
+; d2; \1_step adds a packed step to them. \2: error_rounded or error_exact; \3: the
+; routine for the right side.
+; u and v are those of the line's first pixel: their step is a line down and as many
+; pixels to the right as x moves, one more after a carry. So they stay on the plane
 ; without a multiplication a line.
 edge_left macro
         save_all
@@ -104,7 +106,7 @@ edge_left macro
         movea.l edge_height(a5),a6
 
         ; d0 error  a1 its part a line  a6 height  a0 entry  a4 end
-        ; two lines a round, of an odd number one first
+        ; two lines a round; an odd number begins with one
         btst    #0,edge_lines+3(a5)
         bne.s   .second
 .first  left_line

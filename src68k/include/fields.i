@@ -1,7 +1,7 @@
-; Texels into 16-bit frames.
+; Converts texels to 16-bit pixels.
 
-; \1 = the fields of the texel \1, R and G on top of its upper word, the others on top of the
-; lower one. Uses d2.
+; Packs the fields of the texel \1: R and G at the top of its upper word, B and A at the top of
+; the lower word. d6, d7: the masks. Uses d2.
 fields  macro
         move.l  \1,d2
         and.l   d6,\1                   ; R-B-
@@ -10,7 +10,7 @@ fields  macro
         or.l    d2,\1
         endm
 
-; A pixel alone.
+; Converts one pixel.
 fields_alone macro
         move.l  (a0)+,d0
         fields  d0
@@ -21,8 +21,8 @@ fields_alone macro
         move.w  d0,(a1)+
         endm
 
-; The line of texels at a0 to a1, d0 of them. \1: masks of R and B, \2: of G and A, \3: what the
-; lower word is shifted by. Two pixels at a time, longwords at even addresses of longwords.
+; Converts d0 texels at a0 to pixels at a1. \1: mask of R and B, \2: mask of G and A, \3: right
+; shift of the lower word. Two pixels at a time, in aligned longwords.
 fields_store macro
         movem.l d2-d7,-(sp)
         move.l  #\1,d6

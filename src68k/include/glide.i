@@ -1,7 +1,8 @@
-; What the passes of Glide's texture unit share (structs: c/glide/passes.h). After n64.i; with spans'
-; rounds, after span.i.
+; Parts shared by the passes of Glide's texture unit (structs: c/glide/passes.h). Include after
+; n64.i, and after span.i if spans' rounds are used.
 
-; The texels of coordinates by the parts of glide_weights. \1: what writes a texel, \2: d7 for it.
+; Filters the texels of the d0 coordinates at a0 to a1, by the parts of glide_weights. \1: the macro
+; that writes a texel, \2: its value of d7.
 glide_filter macro
         xref    glide_weights_table
         save_all
@@ -35,8 +36,7 @@ glide_filter macro
 .done   return_all
         endm
 
-; \2 = the last coordinate \1 of the steps a2; of a wrapped axis the greatest number of 32 bits.
-; Uses \3.
+; \2 = the last coordinate, the field \1 of the steps a2; 2^32 - 1 for a wrapped axis. Uses \3.
 glide_last macro
         moveq   #0,\3
         move.w  \1(a2),\3
@@ -45,8 +45,9 @@ glide_last macro
         move.l  \3,\2
         endm
 
-; s:t of iterators d0 and d1, stepped by d2 and d3, to a1 until a0: shifted right by d6, less d7, cut
-; to 0 to a3 and a4. glide_clamp_outside stands behind what follows. Uses d4-d5.
+; Writes s:t of the iterators d0 and d1, stepped by d2 and d3, from a1 up to a0: shifted right by
+; d6, less d7, clamped to 0 to a3 (s) and 0 to a4 (t). glide_clamp_outside must follow the code
+; after the loop. Uses d4-d5.
 glide_clamp_pixels macro
 .pixel  move.l  d0,d4
         asr.l   d6,d4
@@ -82,8 +83,9 @@ glide_clamp_outside macro
         bra.s   .t_in
         endm
 
-; For texels and others: a3 = others, a4 = factors, a5 = bytes between those, a6 = the texels' end,
-; d5 = flip, d6 = bytes between the others, d7 = 00ff00ff, a2 = one. In: a0, a2, d0.
+; Opens a pass over texels and others: a3 = others, d6 = bytes from one of them to the next, a4 =
+; factors, a5 = bytes from one of them to the next, a6 = the texels' end, d5 = flip, d7 = 00ff00ff,
+; a2 = one. In: a0, a2, d0.
 glide_mix_open macro
         lea     (a0,d0.l*4),a6
         movea.l glide_mix_other(a2),a3
@@ -104,7 +106,7 @@ glide_factor macro
         add.l   a2,\1
         endm
 
-; Writes the texel: d0 = R-B- and d3 = -G-A. On to the next one, at .pixels, or the end.
+; Writes the texel from d0 = R-B- and d3 = -G-A. Goes to .pixels; returns after the last one.
 glide_mix_close macro
         eor.l   d0,d3
         and.l   d7,d3
@@ -115,8 +117,8 @@ glide_mix_close macro
         return_all
         endm
 
-; d0's lower word = the lower bytes of d0 and d1 multiplied, and the bytes above them. Uses d2-d4;
-; d6 is 255.
+; Multiplies each byte x of d0's lower word by the same byte y of d1: x (y + 1) / 256, rounded down.
+; d6 is 255. Uses d2-d4.
 glide_products macro
         move.w  d0,d2
         move.w  d1,d3
@@ -135,9 +137,9 @@ glide_products macro
         move.w  d3,d0
         endm
 
-; S, Q and P of the coordinates \1 and \2, 8.24: \1 = uuu-, \3 = vv-U, \2 = Vv, its lower word. As
-; those of 16.16 in chain.i, but v has 8 bits more; left shifts of 6 at least keep its lowest 6 bits
-; 0, so that with the byte beside U there are 14 for what U overflows.
+; Packs the coordinates \1 and \2, 8.24, into S, Q and P: \1 = uuu-, \3 = vv-U, \2's lower word =
+; Vv. As pack_uv in chain.i does for 16.16, but v has 8 bits more. Coordinates were shifted left by
+; 6 at least, so v's lowest 6 bits are 0: with the byte above U, 14 bits catch U's overflow.
 pack_fine macro
         rol.l   #8,\1                   ; uuuU
         swap    \2                      ; vvVv
@@ -147,8 +149,8 @@ pack_fine macro
         clr.b   \1
         endm
 
-; The line of pixels, \1 bytes each, at a1: 16 a round, which is entered in its middle. d0, d4, d1
-; are S, Q and P, d2, d5, d3 their steps.
+; Draws a line of d0 pixels, \1 bytes each, at a1: 16 a round, entered in its middle. d0, d4, d1 are
+; S, Q and P, d2, d5, d3 their steps.
 glide_paged macro
         movem.l d2-d7/a3,-(sp)
         move.l  d0,d7
@@ -184,7 +186,8 @@ glide_paged macro
         rts
         endm
 
-; Around what multiplies texels d0 by others d1, already inverted by flip: at .pixels, d2-d4 free.
+; Opens a loop at .pixels that multiplies texels d0 by others d1, which flip is applied to; d2-d4
+; are free. glide_modulate_close ends it.
 glide_modulate_open macro
         movem.l d2-d7/a2-a3,-(sp)
         lea     (a0,d0.l*4),a3

@@ -1,7 +1,7 @@
 ; Keeping interpolants in their ranges, line by line.
 
-; d7 = pixels of the longest line, less one, of the table a4 (d6 lines). Goes to \1 where
-; that is none. Uses d0.
+; d7 = pixels of the longest line of the table a4 (d6 lines), less one. Goes to \1 if that
+; is 0. Uses d0.
 longest_line macro
         moveq   #0,d7
 .longer move.w  scanline_last(a4),d0
@@ -17,7 +17,7 @@ longest_line macro
         beq.s   \1
         endm
 
-; d6 = pixels of the line a4, less one. Goes to \1 where it is empty.
+; d6 = pixels of the line a4, less one. Goes to \1 if it is empty.
 line_length macro
         move.w  scanline_last(a4),d6
         sub.w   scanline_left(a4),d6
@@ -25,15 +25,15 @@ line_length macro
         ext.l   d6
         endm
 
-; The start \1 held as below on a line of d6 pixels more, by steps of \2. Uses d1-d2.
+; Holds the start \1 (see hold) of a line of d6 + 1 pixels with the step \2. Uses d1-d2.
 hold_line macro
         move.l  \2,d1
         muls.l  d6,d1
         hold    \1,d1,d2,\3,\4
         endm
 
-; The start \1 within [\4, \5] less the way \2 that the line goes, both ends included.
-; \3 is free.
+; Clamps the start \1 so that it and the line's end, \1 + \2, are within [\4, \5]. Uses
+; \3.
 hold    macro
         move.l  \4,\3
         tst.l   \2
@@ -60,8 +60,8 @@ hold    macro
 .held\@
         endm
 
-; Keeps the step \1 (memory) times d7 within the room from \2 to \3 (memory); \4: the bits
-; that its lowest byte may have, if not all. Uses d0-d2.
+; Limits the step \1 (memory) so that d7 steps cover at most the range from \2 to \3
+; (memory). \4: mask for the lowest byte of the limit, if given. Uses d0-d2.
 limit   macro
         move.l  \3,d0
         sub.l   \2,d0

@@ -1,13 +1,14 @@
-; The parts of logarithm_lines: they use its registers and its stack. After reciprocal_lines.i.
+; Parts of logarithm_lines; they use its registers and its stack. Include after
+; reciprocal_lines.i.
 
-; \1, q.hi, as the scale wants it.
+; Scales \1 = q.hi: shifted left by d7 - 4, times the factor d4.
 scaled  macro
         lsl.l   d7,\1
         lsr.l   #4,\1
         mulu.l  d4,\1
         endm
 
-; \2 = 2^(\1 / OCTAVE) in 1/OCTAVE, straight between octaves. \1 loses its fraction.
+; \2 = 2^(\1 / OCTAVE) in 1/OCTAVE, linear between powers of 2. \1 loses its fraction.
 mantissa macro
         bfextu  \1{32-LOGARITHM_BITS:LOGARITHM_BITS},\2
         bset    #LOGARITHM_BITS,\2
@@ -15,7 +16,7 @@ mantissa macro
         lsl.l   \1,\2
         endm
 
-; What is left of a line that is not taken: a5 the row of u or of v.
+; d0:d1 = C of the row a5, u's or v's; steps the row to the next line and a5 to its K.
 step_c  macro
         movem.l (a5)+,d0-d3
         add.l   d1,d3
@@ -23,8 +24,8 @@ step_c  macro
         movem.l d2-d3,-16(a5)
         endm
 
-; What holds for all lines of another scale than the line's before. d7 is shift:factor, d4 the
-; factor. Uses d0-d2.
+; Finds the constants of a new scale, which the following lines share. d7 is shift:factor, d4
+; the factor. Uses d0-d2.
 scale_found macro
         move.w  d7,scale(sp)
         movem.l perspective_plan_q+screen_plane_dx(a5),d0-d1

@@ -1,7 +1,7 @@
-; What the passes over a line's pixels share (structs: c/n64/passes.h).
+; Parts shared by the passes over a line's pixels (structs: c/n64/passes.h).
 
-; The texels of relative coordinates by the parts of n64_weights that the table \1 names: see
-; n64_threepoint. \2: what writes a texel, \3: d7 for it.
+; Filters the texels of the d0 relative coordinates at a0 to a1, by the parts of n64_weights that
+; the table \1 lists (see n64_threepoint). \2: the macro that writes a texel, \3: its value of d7.
 n64_filter macro
         xref    \1
         save_all
@@ -47,7 +47,7 @@ n64_write macro
         endm
 
 n64_write_16 macro
-        lsr.l   #5,d3                   ; G and A as they are beside R and B
+        lsr.l   #5,d3                   ; G and A moved beside R and B
         eor.l   d2,d3
         and.l   d7,d3                   ; 07c00400
         eor.l   d3,d2
@@ -60,7 +60,7 @@ n64_write_16 macro
         move.w  d2,(a1)+
         endm
 
-; d2 = row << columns_bits | column of the masked s:t in d0, in their units; d2 was 0, d5
+; d2 = row << columns_bits | column of the masked s:t in d0, in their units. In: d2 = 0, d5 =
 ; columns_bits.
 n64_index macro
         move.w  d0,d2
@@ -81,8 +81,8 @@ n64_rounds macro
         lsr.l   #3,d7
         endm
 
-; The texels of s:t at a0 by point sampling, 8 a round: all of a routine. \1: the struct at a2,
-; whose texel is \3 from its first one after a shift right by \2.
+; A whole routine: point-samples the texels of the s:t at a0 to a1, 8 a round. \1: the struct at a2,
+; \2: right shift of the texel's index d2, \3: the index operand, with its scale.
 n64_texels macro
         movem.l d2-d7/a2-a3,-(sp)
         n64_rounds
@@ -106,8 +106,8 @@ n64_texels macro
         endm
 
 ; Writes s:t, the integers of d0 and d1 in 16.16, to a1, 8 pixels a round; d2, d3 their steps,
-; d6 and d7 as n64_rounds leaves them. s is SSss, t swapped, so that its word is where it is
-; wanted: ttTT. Uses d4-d5/a0.
+; d6 and d7 as n64_rounds leaves them. s is SSss; t is swapped, ttTT, so that its integer is in the
+; lower word. Uses d4-d5/a0.
 n64_step macro
         swap    d1
         move.l  d3,d5
@@ -127,15 +127,16 @@ n64_step macro
         dbra    d7,.pixels
         endm
 
-; The word of \1 that is nearest to the long.
+; \1 = the word nearest to the longword \1, which is outside a word's range.
 n64_nearest macro
         add.l   \1,\1
         subx.w  \1,\1                   ; -1 below 0
         eori.w  #$7fff,\1
         endm
 
-; Of the pixel at a0 and (chroma) a3: d0 = Y, d1-d3 = R, G, B, words; only their lower 9 bits
-; are right. In: a4, a5 the tables of U and V, d6 = 255, the upper words of d0 and d1 any.
+; Converts the pixel at a0 with the chroma at a3: d0 = Y, d1-d3 = R, G, B, words of which only the
+; lower 9 bits are right. In: a4, a5 the tables of U and V, d6 = 255. The upper words of d0 and d1
+; are ignored.
 n64_converted macro
         move.w  (a3),d1
         addq.l  #4,a3
@@ -154,9 +155,9 @@ n64_converted macro
         add.w   d0,d3
         endm
 
-; Two channels in one product, of the way to others: d3 = 256 of the texel's -G-A and d4, their
-; product, d1 = that of -R-B. In: d0 = R-B- of the texel, d1 = R G B A of the other, d2 factor,
-; d3 = -G-A, d7 = 00ff00ff. Uses d4.
+; Ends a linear interpolation to another texel, two channels in a product: d3 = d4, the product of
+; G and A, plus 256 times the texel's -G-A; d1 = the product of R and B. In: d0 = R-B- of the texel,
+; d1 = R G B A of the other, d2 factor, d3 = -G-A, d4, d7 = 00ff00ff. Uses d4.
 n64_between macro
         lsl.l   #8,d3
         lsr.l   #8,d1

@@ -1,6 +1,6 @@
 ; Numbers of 64 bits (struct number64).
 
-; The number \1 on the stack moved on by \2(\3). Uses d0-d1.
+; Adds \2(\3) to the number \1 on the stack. Uses d0-d1.
 next    macro
         move.l  \2+number64_lo(\3),d1
         add.l   d1,\1+number64_lo(sp)

@@ -7,7 +7,7 @@ row_t   equ     16
 row_lines equ   24                      ; lines left
 row_sizeof equ  28
 
-; d0:d1 = the plane \1 of the row, d7 pixels on (0 to 65,535). Uses d2.
+; d0:d1 = the row's plane \1, d7 pixels to the right (0 to 65,535). Uses d2.
 value   macro
         move.l  perspective_plan_\1+screen_plane_dx+number64_lo(a6),d1
         mulu.l  d7,d0:d1
@@ -19,9 +19,9 @@ value   macro
         addx.l  d2,d0
         endm
 
-; d1 = d0:d1 / \2, cut towards zero and kept in the range of \1, u or v. Uses d0/d2. What
-; does not fit 32 bits is seen before, but for the last bit: FS-UAE gives 0 without V from
-; 2^32 on.
+; d1 = d0:d1 / \2, cut towards zero and clamped to the range of \1, u or v. Uses d0/d2. A
+; comparison finds quotients that do not fit 32 bits, except for the last bit, which V
+; shows: FS-UAE gives 0 without V from 2^32 on.
 quotient macro
         move.l  d0,d2
         bpl.s   .positive\@
@@ -44,7 +44,7 @@ quotient macro
 .inside\@
         endm
 
-; \1 = q's upper half d0, not below its least.
+; \1 = q's upper half d0, clamped to q_low at least.
 weight  macro
         move.l  perspective_plan_q_low(a6),\1
         cmp.l   d0,\1
@@ -53,12 +53,12 @@ weight  macro
 .held\@
         endm
 
-; The plane \1 of the row a line further. Uses d0-d1.
+; Steps the row's plane \1 to the next line. Uses d0-d1.
 plane_next macro
         next    row_\1,perspective_plan_\1+screen_plane_dy,a6
         endm
 
-; Takes the plan in a0: it is in a6 then, its first row on the stack.
+; Moves the plan from a0 to a6 and pushes its first row.
 rows_open macro
         movea.l a0,a6
         move.l  perspective_plan_count(a6),-(sp)
@@ -70,7 +70,7 @@ rows_open macro
         movem.l d0-d1,-(sp)
         endm
 
-; All planes a line further.
+; Steps all planes to the next line.
 rows_next macro
         plane_next q
         plane_next s

@@ -1,7 +1,7 @@
-; The parts of glide_pieces: quotients, steps, coordinates. They use its registers and its stack.
+; Parts of glide_pieces: quotients, steps, coordinates. They use its registers and its stack.
 
-; \1 = the quotient of \1 = s by d3 = w, above 0; \2: where 32 bits are too few. d5 = 2 w, d4 = 30.
-; Uses d2.
+; \1 = 2^30 * \1 / d3, s / w, rounded down; w is above 0. Goes to \2 if that does not fit 32 bits.
+; In: d5 = 2 w, d4 = 30. Uses d2.
 quotient macro
         move.l  \1,d2
         asr.l   #1,d2
@@ -18,8 +18,8 @@ quotient macro
 .down\@
         endm
 
-; s and t at d0 and d1 and their steps d2 and d3, moved by d5, as n64_step has them: SSss, ttTT,
-; tt--, d5 = TT.
+; Shifts s and t (d0, d1) and their steps (d2, d3) left by d5, subtracts a6 from s and t, and swaps
+; as n64_step does: d0 = SSss, d1 = ttTT, d3 = tt--, d5 = TT.
 scaled  macro
         lsl.l   d5,d0
         lsl.l   d5,d1
@@ -44,7 +44,7 @@ step    macro
 .down\@
         endm
 
-; On to .single if the value d4 lies outside 0 to \1. d5 = shift. Uses d4.
+; Goes to .single if the value d4 is not in 0 to \1. d5 = shift. Uses d4.
 inside  macro
         asr.l   d5,d4
         sub.l   half(sp),d4
@@ -52,7 +52,7 @@ inside  macro
         bhi     .single
         endm
 
-; d4 = the last value of a whole piece from \1 on by \2. d5 = bits.
+; d4 = the last value of a whole piece of 2^d5 pixels that begins at \1 and steps by \2.
 at_end  macro
         move.l  \2,d4
         lsl.l   d5,d4
@@ -60,8 +60,8 @@ at_end  macro
         add.l   \1,d4
         endm
 
-; The routines .ends and .both: d0, d1 = the quotients of a3 and a4 by a5; .both also where w is not
-; above 0, or 32 bits are too few. a0 = steps. Uses d2-d5.
+; The routines .ends and .both: d0, d1 = the quotients of a3 and a4 by a5 (w). .both also handles w
+; of 0 and below, and quotients that do not fit 32 bits. a0 = steps. Uses d2-d5.
 quotients_of_ends macro
 .ends   move.l  a5,d3
         ble.s   .both
@@ -83,7 +83,7 @@ quotients_of_ends macro
         tst.w   glide_steps_behind(a0)
         bne.s   .zero
 .front  move.l  d0,d4
-        eor.l   d3,d4                   ; below 0: the quotient is
+        eor.l   d3,d4                   ; negative if the quotient is
         tst.l   d3
         bpl.s   .w
         neg.l   d3

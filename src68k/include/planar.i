@@ -1,7 +1,7 @@
-; What chunky to planar routines share.
+; Parts shared by the chunky to planar routines.
 ;
-; The 32 bits of a register are the combinations of five index bits, eight registers are told
-; apart by three more: a merge exchanges one of the five with one of the three.
+; Five index bits number the 32 bits of a register, three more number eight registers. A merge
+; exchanges one of the five with one of the three.
 
 ; Kept on the stack:
 BACK    equ     0                       ; from plane 3's next longword to plane 0's
@@ -13,7 +13,7 @@ NEXT_PLANE equ  20                      ; the same of the planes
 LOCALS  equ     24
 
 ; Takes the plan in a0; after it a0 is the pixels, a1 plane 0, a2 the plane pitch and d5-d7
-; have masks. A pixel takes 1 << \1 bytes, 1 << \2 times those of a plane.
+; have masks. A pixel has 1 << \1 bytes; a row has 1 << \2 times as many as a plane's row.
 planar_open macro
         save_all
         lea     -LOCALS(sp),sp
@@ -43,7 +43,7 @@ planar_open macro
         move.l  #$55555555,d7
         endm
 
-; A row's begin; what follows is the loop, where the instruction cache's lines begin.
+; Begins a row. The loop must follow: it is aligned to the lines of the instruction cache.
 planar_row macro
 .row    move.l  a0,d0
         add.l   ROW(sp),d0
@@ -52,7 +52,7 @@ planar_row macro
         cnop    0,4
         endm
 
-; The loop's and the row's end.
+; Ends the loop and the row.
 planar_next macro
         adda.l  BACK(sp),a1
         move.l  #$00ff00ff,d5
@@ -66,7 +66,7 @@ planar_next macro
         return_all
         endm
 
-; The bits of \1 that mask \4 has with those of \2 that lie \3 to its left. Trashes d4.
+; Exchanges the bits of \1 in the mask \4 with those of \2 that are \3 to the left. Trashes d4.
 merge   macro
         move.l  \2,d4
         lsr.l   #\3,d4
@@ -90,7 +90,7 @@ words   macro
         move.w  \3+18(a0),\2
         endm
 
-; What is kept of the first half of a group, until the other half is as far.
+; Keeps the first half of a group until the second half has been merged as far.
 keep_half macro
         movea.l d3,a3
         movea.l d1,a4
@@ -98,8 +98,9 @@ keep_half macro
         movea.l d0,a6
         endm
 
-; The last merge: of the first half's \1 and the other one's \2, d5 = $f0f0f0f0, a plane
-; and the fourth one behind it. Each store to chip RAM has work of registers behind it.
+; The last merge, of the first half's \1 and the second half's \2: writes the plane at a1
+; and the fourth plane after it. d5 = $f0f0f0f0. Register instructions follow each store,
+; so that they run while chip RAM is written.
 two_planes macro
         move.l  \1,d4
         lsl.l   #4,d4
@@ -113,7 +114,7 @@ two_planes macro
         move.l  \2,(a1,a2.l*4)
         endm
 
-; The same, of the two planes the second alone.
+; The same merge, but writes only the second of the two planes.
 upper_plane macro
         move.l  \1,d4
         lsr.l   #4,\2
@@ -123,8 +124,8 @@ upper_plane macro
         move.l  \2,(a1,a2.l*4)
         endm
 
-; Of four pixels of 16 bits the upper bytes to d0, the lower ones to d1: pixels 0, 2, 4, 6 of
-; those at a0. Trashes d4.
+; d0 = the upper bytes, d1 = the lower bytes of four 16-bit pixels: 0, 2, 4, 6 from a0 on.
+; Trashes d4.
 bytes_16 macro
         move.l  (a0),d0
         move.w  8(a0),d0                ; pixels 0, 4
@@ -133,15 +134,15 @@ bytes_16 macro
         merge   d0,d1,8,d5
         endm
 
-; The bits of \1 that mask \2 has become those of d4, which is trashed.
+; Replaces the bits of \1 in the mask \2 by those of d4. Trashes d4.
 choose  macro
         eor.l   \1,d4
         and.l   #\2,d4
         eor.l   d4,\1
         endm
 
-; Four pixels of RGB565: d0 = reds, d2 = greens, d1 = blues, the upper six bits of each byte,
-; of five bits the highest again behind them. d0, d1 are rrrrrggg, gggbbbbb.
+; Four pixels of RGB565: d0 = reds, d2 = greens, d1 = blues, in the upper six bits of each
+; byte; of five bits the highest is repeated as the sixth. d0, d1 are rrrrrggg, gggbbbbb first.
 colours_565 macro
         bytes_16
         move.l  d0,d4
@@ -158,7 +159,7 @@ colours_565 macro
         choose  d1,$04040404            ; bbbbbb--
         endm
 
-; The same of RGBA5551: d0, d1 are rrrrrggg, ggbbbbba.
+; The same for RGBA5551: d0, d1 are rrrrrggg, ggbbbbba first.
 colours_5551 macro
         bytes_16
         move.l  d0,d4
@@ -177,8 +178,8 @@ colours_5551 macro
         choose  d1,$04040404            ; bbbbbb--
         endm
 
-; The four bytes of each pixel red, green, blue and blue: exchanges pixel bit 1 and the
-; plane's bit 1 of d0 = reds, d2 = greens and d1 = blues, which come out as d1 and d3.
+; The four bytes of each pixel are red, green, blue and blue: exchanges pixel bit 1 and plane
+; bit 1 of d0 = reds, d2 = greens and d1 = blues; the two blues end in d1 and d3.
 merge_blue macro
         move.l  d1,d3
         lsr.l   #2,d3
@@ -195,7 +196,7 @@ merge_blue macro
         eor.l   d4,d1
         endm
 
-; The six upper planes of a pixel's bytes.
+; Writes the six upper planes of the pixels' bytes.
 six_planes macro
         upper_plane a3,d3
         adda.l  a2,a1
@@ -206,7 +207,8 @@ six_planes macro
         two_planes a6,d0
         endm
 
-; A frame of 16 bits a pixel to the colour planes of HAM8. \1: the macro that parts the colours.
+; Converts a frame of 16 bits a pixel to the colour planes of HAM8. \1: the macro that separates
+; the colours.
 ham8_rows_16 macro
         planar_open 1,2
         planar_row
@@ -218,7 +220,7 @@ ham8_rows_16 macro
         merge   d1,d3,1,d7
         move.w  a0,d4
         lsr.w   #2,d4
-        bcc     .keep                   ; of the even pixels
+        bcc     .keep                   ; after the even pixels
         move.l  #$f0f0f0f0,d5
         lea     14(a0),a0
         six_planes

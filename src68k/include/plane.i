@@ -1,7 +1,7 @@
 ; Gradients of a plane through three points, from two vectors.
 
-; Makes d7 the divisor of the gradients, the upper 32 bits of the area d0:d7, not 0; d6 the
-; shift that takes, d5 = 32 - d6.
+; d7 = the divisor of the gradients, the upper 32 bits of the area d0:d7, which is not 0;
+; d6 = the right shift that gives them, d5 = 32 - d6.
 divisor macro
         bfffo   d0{0:32},d5
         moveq   #32,d6

@@ -1,8 +1,8 @@
-; The parts of glide_divide: quotients by dividing, or from the last ones by differences (see there
-; for the letters). They use its registers and its stack.
+; Parts of glide_divide: quotients by division, or by differences from the last one (see there for
+; the letters). They use its registers and its stack.
 
-; d5 = u - half, d6 = r of magnitudes d5 = s, d4 = w, the quotient's sign that of a6. d7 = 30 -
-; shift, d2 = w. Uses d4.
+; d5 = u - half and d6 = r from the magnitudes d5 = s and d4 = w; a6 has the quotient's sign. In:
+; d7 = 30 - shift, d2 = w. Uses d4.
 quotient macro
         rol.l   d7,d5
         move.l  d5,d6
@@ -28,7 +28,7 @@ magnitude macro
 .plus\@
         endm
 
-; Writes \1, cut to 0 to a5, or modulo 2^16 where that is 2^32 - 1. Uses \1.
+; Writes \1, clamped to 0 to a5, or modulo 2^16 if a5 is 2^32 - 1. Uses \1.
 put     macro
         cmp.l   a5,\1
         bls.s   .put\@
@@ -41,7 +41,8 @@ put     macro
         addq.l  #4,a1
         endm
 
-; On to the next pixel by differences. \1, \2: where r is outside; where it is inside then.
+; Steps to the next pixel by differences. Goes to \1 if r is out of range; correct comes back
+; to \2.
 step    macro
         add.l   d3,d2
         add.l   d1,d0
@@ -51,9 +52,9 @@ step    macro
 \2      sub.l   d6,d1
         endm
 
-NEGATIVE equ    $a0000000               ; r, from here on
+NEGATIVE equ    $a0000000               ; r from here on is negative
 
-; At \1 r is outside: puts it right and goes on at \2.
+; At \1, where r is out of range: corrects it and goes to \2.
 correct macro
 \1      cmp.l   #NEGATIVE,d0
         bhs.s   .low\@

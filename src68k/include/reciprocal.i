@@ -1,10 +1,10 @@
-; Spans with perspective by a table of reciprocals: straight pieces of 2^\1 pixels.
+; Perspective spans by a table of reciprocals: linear pieces of 2^\1 pixels.
 ;
 ; The circular chain of two registers (see span/affine_addx.s), all bytes in use:
 ;       B  uuVv         A  vvuU
-; u's last byte only leaves A upwards, a unit of 2^-24 of v, and V's overflow enters
-; u's lowest bit. A's v runs a step ahead but at a piece's last pixel, whose addx.w
-; leaves it alone: there the next piece's steps take over.
+; The carry out of u's last byte in A goes up into vv, a unit of 2^-24 of v, and V's
+; overflow enters u's lowest bit. A's v is a step ahead, except at a piece's last pixel:
+; its addx.w does not step v, so that the next piece's steps take over there.
 
 ; On the stack.
 reciprocal_next equ     0               ; line
@@ -90,7 +90,7 @@ reciprocal_pieces macro
         addq.w  #1,d7
         bne.s   .next                   ; the last piece is drawn
 
-        ; It is shorter than others; the line's last pixel stands behind it.
+        ; The last piece is shorter; it ends at the line's last pixel.
         movea.l (sp),a2
         moveq   #(1<<\1)-1,d5
         and.w   reciprocal_line_n-reciprocal_line_sizeof(a2),d5

@@ -1,7 +1,7 @@
-; The parts of reciprocal_lines and logarithm_lines: they use their registers, labels and stack.
+; Parts of reciprocal_lines and logarithm_lines; they use their registers, labels and stack.
 
-; d3 and d2 = q of the line's first pixel, d7 from the planes' own, and of its last, d6
-; further. Uses d0-d1/d4-d5/d7.
+; d3 = q of the line's first pixel, d7 pixels from the planes' own; d2 = q of its last, d6
+; pixels further. Uses d0-d1/d4-d5/d7.
 ends_q  macro
         movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
         move.l  d5,d1
@@ -18,9 +18,9 @@ ends_q  macro
         addx.l  d3,d2
         endm
 
-; A line's left and n, into the struct \1 at a1, and q at its ends: d3 of the first pixel, d2 of
-; the last, d4 the larger, d5 the smaller, d7 the zeros above d4, d6 n. On to .next where it has no
-; pixel, to .other where an end is too near or has more than \2 zeros.
+; Writes a line's left and n to the struct \1 at a1 and finds q at its ends: d3 of the first
+; pixel, d2 of the last, d4 the larger, d5 the smaller; d7 = d4's leading zeros, d6 = n. Goes to
+; .next if the line has no pixel, to .other if d5 is below q_low or d7 above \2.
 ends_sorted macro
         moveq   #0,d7
         moveq   #0,d6
@@ -45,8 +45,8 @@ ends_sorted macro
         bhi     .other
         endm
 
-; Makes the d1 lines from a0 on that are taken, by their structs \1 at a1, empty to others. Uses
-; d2.
+; Empties those of the d1 lines from a0 on that are taken, i.e. n of their struct \1 (from a1 on)
+; is not negative, so that other routines skip them. Uses d2.
 empty_taken macro
 .empty\@
         tst.w   \1_n(a1)
@@ -60,15 +60,15 @@ empty_taken macro
         bne.s   .empty\@
         endm
 
-; \1 times 3/2, V where it does not fit. \2: lsr or asr. Uses \3.
+; \1 = \1 * 3/2; sets V if it does not fit. \2: lsr or asr. Uses \3.
 three_halves macro
         move.l  \1,\3
         \2.l   #1,\3
         add.l   \3,\1
         endm
 
-; The end \1, its q, as the table's index under its fraction; \2 = r there. \3: where the
-; line keeps the index, if it does.
+; Turns q of an end, \1, into the table's index (lower word) and its fraction (upper word);
+; \2 = r there. \3: the line's field that keeps them, if given.
 look_up macro
         sub.l   #ORIGIN,\1
         swap    \1
@@ -79,7 +79,7 @@ look_up macro
         move.w  (a3,\1.w*2),\2
         endm
 
-; What holds for all lines of the scale d7. Uses d0-d1/d4-d5.
+; Finds the constants that all lines of the scale d7 share. Uses d0-d1/d4-d5.
 scale_made macro
         move.w  d7,scale(sp)
         moveq   #15,d1
@@ -118,9 +118,9 @@ scale_made macro
 .enough move.w  d1,scale_far(sp)
         endm
 
-; The line's C and first pixel of \1, u or v. In: d3 = r of it, d4 = a quarter of the sum
-; of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of C's unit. Leaves C in d6.
-; Uses d1-d2.
+; Writes the line's C of \1, u or v, and \1 at its first pixel. In: d3 = r of that pixel,
+; d4 = a quarter of the sum of both ends' r, d7 = the shift of C, \2 = 256 K, a5 = half of
+; C's unit. Out: d6 = C. Uses d1-d2.
 constant macro
         move.l  row_c\1(sp),d1
         asl.l   d7,d1
@@ -134,7 +134,7 @@ constant macro
         swap    d6
         move.w  d6,reciprocal_line_c\1(a1)
         ext.l   d6
-        muls.w  d4,d1                   ; what rounding took, in the line's middle
+        muls.w  d4,d1                   ; C's rounding error, in the line's middle
         add.l   d1,d1
         swap    d1
         ext.l   d1
@@ -147,7 +147,7 @@ constant macro
         move.l  d1,reciprocal_line_\1(a1)
         endm
 
-; C times 3/2, behind the loop.
+; C * 3/2; placed after the loop.
 constant_more macro
 .more_\1
         three_halves d1,asr,d6
@@ -155,8 +155,8 @@ constant_more macro
         bra     .too_far
         endm
 
-; d1 = what u's steps take besides: half a unit, less the one that v borrows where it
-; falls. In: d6 = C of v, a2 = what r grows. Leaves |C| in d6. Uses d2-d3.
+; d1 = the amount added to u's steps: half a unit, less the unit that v borrows if it
+; falls. In: d6 = C of v, a2 = the growth of r. Out: d6 = |C|. Uses d2-d3.
 carry_of_u macro
         moveq   #127,d1
         addq.w  #1,d1

@@ -1,13 +1,13 @@
-; How every routine of this tree is entered.
+; The entries of every routine of this tree.
 ;
 ;       routine name[,reg1[,reg2...]]
 ;
-; opens a section of its own (so that the linker drops what nobody calls) and
-; defines two entries:
+; opens a section for the routine (so that the linker drops it if nothing calls it)
+; and defines two entries:
 ;       _name   for C: copies its stack arguments to the registers named
 ;       name    for assembly: takes them in those registers
-; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6; with a2 as the third register
-; the entry for C does so itself, and calls the other.
+; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6. If the third register is a2,
+; the entry for C saves a2 and calls the other entry.
 
 routine macro
         section .text.\1,code

@@ -1,11 +1,11 @@
 ; The frame of the spans for short lines: as many unrolled pixels as a line may have,
-; entered in their middle, and no loop around them. What reads a line stands behind the
-; pixels, so that each line runs into the next; both have to fit the instruction cache.
+; entered in their middle, and no loop around them. The code that reads a line follows
+; the pixels, so each line runs into the next; both must fit the instruction cache.
 
 SHORT_KEPT reg  d2-d7/a2-a4/a6
 
 ; Takes the plan in a0; after it a3 is the pitch, a6 the row and d7 the number of
-; lines. What follows makes a0 the lines and goes to .line.
+; lines. The code that follows must set a0 to the lines and go to .line.
 short_open macro
         movem.l SHORT_KEPT,-(sp)
         movea.l span_plan_pitch(a0),a3
@@ -13,8 +13,8 @@ short_open macro
         move.l  span_plan_count(a0),d7
         endm
 
-; The end of the pixels and the reading of a line: a1 first pixel, d0 start0:start1,
-; d6 = -(pixels - 1), a0 at start2. Only its lower word counts of d7.
+; Ends the pixels and reads a line: a1 = first pixel, d0 = start0:start1, d6 =
+; -(pixels - 1), a0 at start2. Only d7's lower word counts lines.
 short_line macro
         short_next
         move.w  (a0)+,d6
@@ -24,8 +24,8 @@ short_line macro
         move.w  (a0)+,d0
         endm
 
-; The same where start0 is not used: start1 goes to \1's lower word, which with one
-; access of memory less is quicker in chip RAM.
+; The same for lines without start0: start1 goes to \1's lower word. It is faster in
+; chip RAM by one memory access.
 short_line_alone macro
         short_next
         move.l  (a0)+,d6                ; last:start1
@@ -45,7 +45,7 @@ short_next macro
         lea     (a6,d0.w),a1
         endm
 
-; Behind the jump to the pixels. \1: bytes on the stack, if there are any.
+; Ends the span, after the jump to the pixels. \1: bytes on the stack, if any.
 short_close macro
 .empty  addq.l  #2,a0
 .empty_alone

@@ -1,6 +1,6 @@
 ; The frame of every textured span routine: the loop over the scanline table
-; around an unrolled loop over pixels that is entered in its middle. The loop has
-; to fit the instruction cache of 256 bytes.
+; around an unrolled loop over pixels that is entered in its middle. The loop must
+; fit the instruction cache of 256 bytes.
 
 ; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
@@ -11,7 +11,7 @@ span_open macro
         move.l  span_plan_count(a0),d0
         endm
 
-; After span_open and the reading of the plan: a0 = table, a5 = its end (d0 lines).
+; After span_open, once the plan is read: a0 = table, a5 = its end (d0 lines).
 span_table macro
         movea.l a5,a0
         lsl.l   #2,d0
@@ -20,8 +20,8 @@ span_table macro
         endm
 
 ; Reads a table entry: a1 first pixel, d7 pixels - 1, \1 start0:start1, \2 start2 (it
-; may be left out). Goes to .line_next where there is nothing to draw. \3: *2 for
-; pixels of two bytes. Uses a2.
+; may be left out). Goes to .line_next if the line is empty. \3: *2 for pixels of two
+; bytes. Uses a2.
 span_line macro
         bra.s   .line
 .empty  addq.l  #4,a0
@@ -41,10 +41,9 @@ span_line macro
         endc
         endm
 
-; The way into a loop of 2^\1 pixels: d7 = rounds - 1, d6 = -(pixels of the short
-; first round - 1), which the span_enter for the pixel's bytes of code turns into an
-; address, counted from a3 = .pixels_end less one pixel. What must set X stands
-; between the two. Uses a2.
+; Prepares a loop of 2^\1 pixels a round: d7 = rounds - 1, d6 = -(pixels of the short
+; first round - 1). The span_enter for the pixel's bytes of code jumps there, relative
+; to a3 = .pixels_end less one pixel. Code that sets X goes between the two. Uses a2.
 span_rounds macro
         moveq   #(1<<\1)-1,d6
         and.w   d7,d6
@@ -79,8 +78,8 @@ span_enter_18 macro
         jmp     (a2,d6.w*8)
         endm
 
-; The same way in where all address registers are taken: d6 is what the short first round
-; leaves out of 2^\1 pixels, and the address is counted from .pixels, which follows.
+; The same where all address registers are taken: d6 = the pixels that the short first
+; round leaves out of 2^\1; the jump is relative to .pixels, which must follow.
 span_rounds_out macro
         moveq   #(1<<\1)-1,d6
         or.w    d7,d6
@@ -103,15 +102,15 @@ span_enter_out_14 macro
         jmp     (a2,d6.w*8)
         endm
 
-; The end of the pixels and of the table's loop. \1: where the pitch is, (sp) or
-; a register that was spare; \2: bytes on the stack, if not the pitch alone.
+; Ends the pixels and the table's loop. \1: the pitch, (sp) or a register; \2: bytes
+; on the stack, if there are more than the pitch.
 span_close macro
 .pixels_end
         dbra    d7,.pixels
         span_next \1,\2
         endm
 
-; The end of the table's loop alone.
+; Ends only the table's loop.
 span_next macro
 .line_next
         adda.l  \1,a6

@@ -9,7 +9,7 @@
 ; out:     d0  int32  floor((a * b + floor(c / 2)) / c)
 ; formats: any; with b = 65536 the quotient a / c in 16.16
 ; error:   half a unit; the quotient must fit 32 bits
-; cost:    110 cycles with the cache warm, call and arguments besides
+; cost:    110 cycles with the cache warm, plus call and arguments
 ;==============================================================================
         routine mul_div,d0,d1,a0
         movea.l d2,a1

@@ -9,7 +9,7 @@
 ; trashes: d0-d1
 ; formats: 16.16 signed; the product must be within 16.16 to be meaningful
 ; error:   half of 1/65536
-; cost:    46 cycles with the cache warm, call and arguments besides
+; cost:    46 cycles with the cache warm, plus call and arguments
 ;==============================================================================
         routine mul_round,d0,d1
         muls.l  d0,d0:d1

@@ -9,7 +9,7 @@
 ; out:     d0  int32  floor(a * b / 2^bits), its low 32 bits
 ; formats: any
 ; error:   less than a unit too low
-; cost:    60 cycles with the cache warm, call and arguments besides
+; cost:    60 cycles with the cache warm, plus call and arguments
 ;==============================================================================
         routine mul_shift,d0,d1,a0
         movea.l d2,a1

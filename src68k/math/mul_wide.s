@@ -10,7 +10,7 @@
 ; reads:   *a0
 ; formats: the product in units, 32.0
 ; error:   half a unit
-; cost:    110 cycles, in chip RAM 130; with the cache warm, call and arguments besides
+; cost:    110 cycles, in chip RAM 130; with the cache warm, plus call and arguments
 ;==============================================================================
         routine mul_wide,a0,d0
         movem.l d2-d3,-(sp)

@@ -2,7 +2,7 @@
         include "layout.i"
 
 ;==============================================================================
-; mesh_cut - the point of an edge that a border cuts, all six values of a vertex
+; mesh_cut - the point where a border cuts an edge, all six values of a vertex
 ;
 ; in:      a0  const struct cut_plan*  part is 0 or more and less than whole
 ; reads:   the plan, both vertices

@@ -7,9 +7,9 @@
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
 ; reads:   the plan, its mesh_placed, the view's eye, count faces, their corners' points
-; writes:  so many entries at to
+; writes:  that many entries at to
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
-; error:   a face counts as seen where floor(normal * eye) is above its distance
+; error:   a face counts as seen if floor(normal * eye) is above its distance
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
 ;==============================================================================
         routine mesh_faces,a0
@@ -47,7 +47,7 @@
         add.l   d1,d0
         lea     (a5,d0.l*4),a2          ; 12 bytes a corner
         move.l  scene_face_corners(a1),d4
-        moveq   #-1,d3                  ; the borders that all are outside of
+        moveq   #-1,d3                  ; the borders that all corners are outside of
         moveq   #0,d2                   ; the greatest depth so far
 .corner moveq   #0,d0
         move.w  (a2),d0                 ; scene_corner_point

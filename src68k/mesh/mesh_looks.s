@@ -2,7 +2,7 @@
         include "layout.i"
 
 ;==============================================================================
-; mesh_looks - what a light or an environment makes of normals
+; mesh_looks - the values that a light or an environment map gives to normals
 ;
 ; in:      a0  const struct look_plan*  count is 1 at least
 ; reads:   the plan, three factors, count normals

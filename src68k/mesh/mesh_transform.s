@@ -2,19 +2,19 @@
         include "layout.i"
 
 ;==============================================================================
-; mesh_transform - points of a mesh before the camera and on the screen
+; mesh_transform - camera and screen coordinates of a mesh's points
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
 ; reads:   the plan, its view, count points
-; writes:  to: x, y, w and outside of count entries; screen_x and screen_y where
-;          outside is 0
+; writes:  to: x, y, w and outside of count entries; screen_x and screen_y if outside
+;          is 0
 ; formats: points, x, y, w and screen 16.16; the view's factors 2.30. Sums must be
-;          below 16,384, which MESH_REACH and MESH_AWAY see to
+;          below 16,384, which MESH_REACH and MESH_AWAY ensure
 ; error:   x, y, w half a unit; screen_x, screen_y half a unit of the quotient of these
 ; cost:    bench rows mesh_transform and mesh_transform_outside
 ;==============================================================================
-; One coordinate: d5-d7 the point in 14.18, a1 a row of the stack. The sum has 48 fraction
-; bits, so its upper longword d2 is the result. The loop fits the instruction cache.
+; d2 = a coordinate; d5-d7 the point in 14.18, a1 a row of the stack. The sum has 48
+; fraction bits, so its upper longword is the result. The loop fits the instruction cache.
 row     macro
         movem.l (a1)+,d2-d3
         move.l  d5,d0
@@ -31,8 +31,8 @@ row     macro
         addx.l  d1,d2
         endm
 
-; On the screen: \1 x or y, \2 the middle. d2 depth, d3 half of it, d4 0, d5 16 + guard,
-; d6 16 - guard
+; Projects \1, x or y, to the screen; \2: the middle. d2 depth, d3 half of it, d4 0, d5
+; 16 + guard, d6 16 - guard.
 screen  macro
         move.l  \1,d0
         move.l  d0,d1
@@ -49,7 +49,7 @@ screen  macro
         move.l  d0,(a2)+
         endm
 
-; On the stack: x0, y0 or z0 in 32.32 and three factors, thrice; two shifts.
+; On the stack: three times x0, y0 or z0 in 32.32 and three factors; two shifts.
 shifts  equ     60
 room    equ     shifts+8
 
@@ -72,7 +72,7 @@ room    equ     shifts+8
         moveq   #16,d1
         add.l   transform_plan_guard(a4),d0
         sub.l   transform_plan_guard(a4),d1
-        movem.l d0-d1,(a2)              ; what screen shifts by
+        movem.l d0-d1,(a2)              ; the shifts of screen
         movea.l transform_plan_from(a4),a0
         move.l  transform_plan_count(a4),d0
         move.l  d0,d1

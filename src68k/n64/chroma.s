@@ -1,16 +1,16 @@
         include "routine.i"
 
 ;==============================================================================
-; n64_chroma - relative coordinates of YUV's luma to those of its chroma
+; n64_chroma - turns relative coordinates of YUV's luma into those of its chroma
 ;
 ; in:      a0  const n64_coordinates*  relative coordinates
-;          a1  n64_coordinates*  the same, they may be the same memory
+;          a1  n64_coordinates*  those of chroma; may be the same memory
 ;          a2  void*  not read
 ;          d0  int32  count
 ; reads:   the coordinates
 ; writes:  the coordinates
-; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is half of
-;          what it was, and another half in odd columns
+; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is halved,
+;          plus another half in odd columns
 ; error:   none
 ; cost:    bench row n64_chroma
 ;==============================================================================

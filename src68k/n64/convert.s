@@ -11,7 +11,7 @@
 ;          d0  int32  count
 ; reads:   the texels, U and V, the tables
 ; writes:  the colours
-; formats: R, G, B, A = Y as 9 bits find the channels of the colours
+; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
 ; error:   none
 ; cost:    bench row n64_convert
 ;==============================================================================

@@ -4,10 +4,10 @@
 ; n64_copy_row - copies a row of a page
 ;
 ; in:      a0  const uint32*  the row
-;          a1  uint32*  where it goes
+;          a1  uint32*  the copy
 ;          d0  int32  longwords, a multiple of 32
 ; reads:   the row
-; writes:  as much
+; writes:  the copy
 ; error:   none
 ; cost:    bench row n64_copy_row
 ;==============================================================================

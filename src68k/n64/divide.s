@@ -7,12 +7,12 @@
 ;
 ; in:      a0  const n64_iterators*  at the first pixel
 ;          a1  n64_coordinates*  coordinates
-;          a2  const n64_division*  what they change by, the table of reciprocals
+;          a2  const n64_division*  their steps, the table of reciprocals
 ;          d0  int32  count
 ; reads:   the iterators, the table
 ; writes:  the coordinates
 ; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,
-;          32,767 where w is not above 0
+;          32,767 if w is not above 0
 ; error:   none
 ; cost:    bench row n64_divide
 ;==============================================================================

@@ -3,11 +3,11 @@
         include "n64.i"
 
 ;==============================================================================
-; n64_lerp - texels between others
+; n64_lerp - linear interpolation between texels
 ;
 ; in:      a0  const uint32*  texels 0, R G B A
-;          a1  uint32*  texels, they may be the same memory
-;          a2  const n64_blend*  texels 1, and by how much they count
+;          a1  uint32*  texels; may be the same memory
+;          a2  const n64_blend*  texels 1 and their fractions
 ;          d0  int32  count
 ; reads:   both texels, the fractions
 ; writes:  the texels
@@ -16,8 +16,8 @@
 ; error:   none
 ; cost:    bench row n64_lerp
 ;==============================================================================
-; Two channels in one product. Between the texels none leaves its word; with a negative
-; fraction one may, and each channel has a product of its own.
+; Two channels in one product: neither overflows its word unless the fraction is negative.
+; Then each channel is multiplied alone.
 
         routine n64_lerp,a0,a1,a2,d0
         save_all

@@ -3,20 +3,21 @@
         include "n64.i"
 
 ;==============================================================================
-; n64_lod - coordinates with perspective, and which tiles are blended how
+; n64_lod - coordinates with perspective, and the blending of tiles at each pixel
 ;
 ; in:      a0  const n64_iterators*  at the first pixel
 ;          a1  n64_coordinates*  coordinates
-;          a2  const n64_lod_steps*  what they change by, gradients, tables, the other output
+;          a2  const n64_lod_steps*  their steps, gradients, tables, the other output
 ;          d0  int32  count
 ; reads:   the iterators, the gradients, the tables
 ; writes:  the coordinates, a n64_blending of each pixel
-; formats: coordinates as n64_divide; the gradients are cut to 2^5 in x and 2^15 in y
+; formats: coordinates as n64_divide; the gradients are cut to multiples of 2^5 in x and of
+;          2^15 in y
 ; error:   none
 ; cost:    bench rows n64_lod, n64_lod_apart
 ;==============================================================================
-; Three points are divided: the pixel's, and those a pixel further in x and in y. Where the
-; one in x is the next pixel, because the steps are the gradients, it is divided once.
+; Divides three points: the pixel's and those of its neighbours in x and in y. If the steps
+; are the gradients, the neighbour in x is the next pixel and is divided only once.
 
 ; On the stack.
 iterators equ   0
@@ -25,12 +26,12 @@ in_y    equ     24
 left    equ     36
 kept    equ     40                      ; d3, d5, d6 of the point in x
 is_kept equ     52
-same    equ     54                      ; -1 where that point is the next pixel
+same    equ     54                      ; -1 if that point is the next pixel
 locals  equ     56
 
-LEVELS  equ     n64_levels_levels       ; where a6 points: behind the magnified ones
+LEVELS  equ     n64_levels_levels       ; a6 points there, after the magnified ones
 
-; The longer one of d7 and the change of \1 since \2: one's complement.
+; d7 = the larger of d7 and |\1 - \2|; of a negative difference it takes the one's complement.
 distance macro
         sub.l   \2,\1
         bpl.s   .up\@
@@ -41,7 +42,8 @@ distance macro
 .less\@
         endm
 
-; What the quotients change by to the point that the gradient \1 leads to. \2: kept.
+; Raises d7 to the change of the quotients from the pixel to its neighbour, the gradient \1
+; away. \2: keeps the neighbour's quotients, if given.
 neighbour macro
         movem.l iterators(sp),d0-d2
         add.l   \1(sp),d0
@@ -58,7 +60,7 @@ neighbour macro
         distance d6,a5
         endm
 
-; The gradient \1 of a2's struct to \2 of the stack, cut by the mask d4.
+; Copies the gradient \1 of a2's struct, cut by the mask d4, to \2 on the stack.
 cut     macro
         movem.l \1(a2),d1-d3
         and.l   d4,d1
@@ -93,7 +95,7 @@ cut     macro
         lea     LEVELS(a6),a6
         bra     .pixels
 
-        ; d5, d6 = s, t at the iterators d0-d2, d3 = -1 where one does not fit 17 bits
+        ; d5, d6 = s, t at the iterators d0-d2, d3 = -1 if one does not fit 17 bits
 .divide move.l  d2,d3
         swap    d3
         subq.w  #1,d3
@@ -169,7 +171,7 @@ cut     macro
         move.w  d7,d3
         lsr.w   #5,d3
         beq     .magnified
-        move.l  (a6,d3.w*4),d4          ; tiles, shift, 255 where all is of one tile
+        move.l  (a6,d3.w*4),d4          ; tiles, shift, 255 if only one tile is used
         move.w  d4,d5
         lsr.w   #8,d5
         lsl.l   #3,d7

@@ -4,7 +4,7 @@
 ; n64_map - texels through a table for each channel
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
+;          a1  uint32*  texels; may be the same memory
 ;          a2  const uint8*  256 bytes for each of R, G, B, A
 ;          d0  int32  count
 ; reads:   the texels, the tables
@@ -12,7 +12,7 @@
 ; error:   none
 ; cost:    bench row n64_map
 ;==============================================================================
-; What a combiner does whose only input beside constants is the texel.
+; Replaces a combiner whose only input, apart from constants, is the texel.
 
         routine n64_map,a0,a1,a2,d0
         movem.l d2-d3/a2-a6,-(sp)

@@ -5,18 +5,18 @@
 ; n64_modulate - texels times other colours
 ;
 ; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels, they may be the same memory
-;          a2  const n64_modulation*  what they are multiplied with
+;          a1  uint32*  texels; may be the same memory
+;          a2  const n64_modulation*  the other colours
 ;          d0  int32  count
 ; reads:   both
 ; writes:  the texels
-; formats: texel * other + 128 >> 8, each channel: nothing to be clamped
+; formats: texel * other + 128 >> 8, each channel: needs no clamping
 ; error:   none
 ; cost:    bench row n64_modulate
 ;==============================================================================
 
-; \1's lower word = the lower bytes of d0 and d1 multiplied, and the bytes above them.
-; Uses d3-d4.
+; Multiplies each byte x of d0's lower word by the same byte y of d1: \1's lower word =
+; (x y + 128) >> 8 of both. d6 is 128. Uses d3-d4.
 products macro
         moveq   #0,d3
         moveq   #0,d4

@@ -20,7 +20,7 @@ narrow  macro
         cmp.w   d4,\1
         bls.s   .fits\@
         tst.w   \1
-        spl     \1                      ; the word's lower byte is what counts
+        spl     \1                      ; only the word's lower byte is used
 .fits\@
         endm
 

@@ -2,22 +2,22 @@
         include "layout.i"
 
 ;==============================================================================
-; n64_quads - what the filters need of texels and their neighbours
+; n64_quads - makes the quads of the filters from texels and their neighbours
 ;
 ; in:      a0  const uint32*  a row's texels, R G B A
 ;          a1  struct n64_quad*  quads
-;          a2  const n64_quad_row*  the row below, and steps to the texel beside
+;          a2  const n64_quad_row*  the row below, and the step to the next texel
 ;          d0  int32  count
 ; reads:   count + 1 texels of both rows, each a step from the one before
-; writes:  the quads, each a step from the one before, but for what they have to spare
+; writes:  the quads, each a step from the one before, except their unused fields
 ; formats: channels of quads 8.8
 ; error:   none
 ; cost:    bench row n64_quads
 ;==============================================================================
-; Two channels at a time, each times 8: 0cc0 0cc0. Those of a quad's right texels are the next
-; one's left ones.
+; Two channels at a time, each times 8: 0cc0 0cc0. A quad's right texels are the next quad's
+; left ones.
 
-; d0, d1 = the channels of the texels in them. \1: what brings these to their places.
+; d0, d1 = two channels of the texels in them. \1: the shift that moves these to their places.
 quad_channels macro
         \1,d0
         \1,d1
@@ -25,8 +25,8 @@ quad_channels macro
         and.l   d7,d1
         endm
 
-; Half of a quad. In: d0, d1 the channels on the right; \1, \2 on the left, which become these;
-; \3: rb or ga.
+; Writes half of a quad. In: d0, d1 the channels on the right; \1, \2 those on the left, which are
+; replaced by the right ones; \3: rb or ga.
 quad_half macro
         move.l  d0,d2
         sub.l   \1,d2

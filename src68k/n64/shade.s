@@ -6,7 +6,7 @@
 ;
 ; in:      a0  const n64_shades*  at the first pixel
 ;          a1  uint32*  colours, R G B A
-;          a2  const n64_shades*  what they change by
+;          a2  const n64_shades*  their steps
 ;          d0  int32  count
 ; reads:   both
 ; writes:  the colours
@@ -15,7 +15,7 @@
 ; cost:    bench row n64_shade
 ;==============================================================================
 
-; Adds the integer of \1 below the others in d5, and steps it by \2. Uses d4; d6 is 255.
+; Shifts the integer of \1, clamped, into d5 and steps \1 by \2. Uses d4; d6 is 255.
 channel macro
         move.l  \1,d4
         swap    d4

@@ -5,7 +5,7 @@
 ; n64_tile - coordinates relative to a tile
 ;
 ; in:      a0  const n64_coordinates*  coordinates
-;          a1  n64_coordinates*  relative coordinates, they may be the same memory
+;          a1  n64_coordinates*  relative coordinates; may be the same memory
 ;          a2  const n64_axes*  the tile's axes
 ;          d0  int32  count
 ; reads:   the coordinates, the axes
@@ -14,9 +14,9 @@
 ; error:   none
 ; cost:    bench rows n64_tile, n64_tile_plain
 ;==============================================================================
-; One axis at a time, by the loop that does no more than the axis needs.
+; One axis at a time, by a loop that does only what the axis needs.
 
-; \1: what shifts d0 by d1.
+; \1: the instruction that shifts d0 by d1, if any.
 axis_loops macro
         tst.w   n64_axis_range_clamp(a2)
         bne.s   .clamped\@

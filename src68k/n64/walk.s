@@ -7,7 +7,7 @@
 ;
 ; in:      a0  const n64_iterators*  s and t at the first pixel
 ;          a1  n64_coordinates*  coordinates
-;          a2  const n64_iterators*  what they change by
+;          a2  const n64_iterators*  their steps
 ;          d0  int32  count
 ; reads:   s and t
 ; writes:  the coordinates

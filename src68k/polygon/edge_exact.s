@@ -4,7 +4,7 @@
 ;==============================================================================
 ; edge_exact - an edge by integer quotient and remainder, from any of its lines on
 ;
-; in:      a0  edge*    what is filled in
+; in:      a0  edge*    the edge to fill in
 ;          a1  vertex*  upper end, 16.16
 ;          a2  vertex*  lower end, below the upper one
 ;          d1  int32    line, between the two
@@ -17,8 +17,8 @@
 ; error:   none: every ceil is the rational one
 ; cost:    about 320 cycles
 ;==============================================================================
-; The numerator is kept in 64 bits. What it has below 1/65536 never changes from line
-; to line, so its ceil may be taken once.
+; The numerator has 64 bits. Its part below 1/65536 is the same on every line, so its
+; ceil is taken once.
 
         routine edge_exact
         swap    d1

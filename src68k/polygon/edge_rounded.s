@@ -4,26 +4,26 @@
 ;==============================================================================
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
-; in:      a0  edge*    what is filled in
+; in:      a0  edge*    the edge to fill in
 ;          a1  vertex*  upper end, 16.16
 ;          a2  vertex*  lower end, below the upper one
 ;          d1  int32    line, between the two
 ; trashes: d0-d7
 ; reads:   x, y of both ends
 ; writes:  edge: x, whole, error, part, height
-; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 where the edge has one
-;          line only; x = x0 + W * prestep / H, to the nearest 1/65536, at the line asked
-;          for, prestep being the way down to it; whole and part are the slope's halves,
+; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 if the edge has one line
+;          only; x = x0 + W * prestep / H, to the nearest 1/65536, at the given line,
+;          prestep being the distance down to it; whole and part are the slope's halves,
 ;          x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
-; error:   of x, n lines below the one asked for: (n + 1) / 2^17 pixels
+; error:   of x, n lines below the given one: (n + 1) / 2^17 pixels
 ; cost:    about 340 cycles
 ;==============================================================================
 ; The slope cannot overflow: two lines or more are more than one pixel high.
 
-; \1:\2 = \1 / d4 to the nearest, halves up: \2 = the product's lower half, d7 = H / 2.
+; \2 = \1:\2 / d4, to the nearest, halves up. d6 = 0, d7 = H / 2.
 nearest macro
         add.l   d7,\2
-        addx.l  d6,\1                   ; d6 = 0
+        addx.l  d6,\1
         divs.l  d4,\1:\2                ; towards zero
         tst.l   \1
         bpl.s   .floor\@

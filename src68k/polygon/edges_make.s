@@ -7,18 +7,18 @@
 ;==============================================================================
 ; edges_make - the edges of a polygon's sides, from its top line to its bottom one
 ;
-; in:      a0  edge_plan*  left, right: where edges go; the others are not read
+; in:      a0  edge_plan*  left, right: where to write edges; the others are not read
 ;          a1  sides*      as sides_find fills them
 ;          d0  rectangle*  the lines that the polygon covers, one at least
 ;          d1  int32       1: exact edges, 0: rounded ones
 ; reads:   *sides, its vertices, top and bottom of the rectangle
-; writes:  plan: lefts, rights; so many edges each: all but u, v, du, dv
+; writes:  plan: lefts, rights; that many edges each: all fields except u, v, du, dv
 ; formats: as edge_exact, edge_rounded
 ; error:   theirs
 ; cost:    about 2,000 cycles for a triangle, with a cold cache
 ;==============================================================================
-; Parts without a line of their own are left out, and so are those that run upwards:
-; whatever the vertices are, each line gets one left and one right edge.
+; Skips edges that cover no line and edges that run upwards: each line gets one left and
+; one right edge, whatever the vertices are.
 
 top     equ     8                       ; on the stack in .side: the polygon's lines
 bottom  equ     12
@@ -48,7 +48,7 @@ bottom  equ     12
         lea     12(sp),sp
         return_all
 
-; A side: a0 edges, a3 where their number goes, a4 sides, a5 routine, a6 step
+; Makes the edges of a side: a0 edges, a3 address of their number, a4 sides, a5 routine, a6 step
 .side   clr.l   (a3)
         movea.l sides_top(a4),a2
         move.l  top(sp),d1               ; first line

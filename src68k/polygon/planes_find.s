@@ -6,7 +6,7 @@
 rise    macro
         move.l  plane_corners_\1(a5),d0
         bpl.s   .positive\@
-        neg.l   d2                      ; the same product of two other signs
+        neg.l   d2                      ; both signs changed: the same product
         negx.l  d1
         neg.l   d0
 .positive\@
@@ -25,7 +25,7 @@ rise    macro
         move.l  d0,found_planes_\2+screen_plane_at(a0)
         endm
 
-; The plane of the value \1.
+; Finds the plane of the value \1.
 plane   macro
         move.l  plane_corners_first+plane_corner_\1(a5),d0
         swap    d0
@@ -45,14 +45,14 @@ plane   macro
 ;==============================================================================
 ; planes_find - the planes of q, s and t through three corners
 ;
-; in:      a0  found_planes*   what is filled in
-;          a1  plane_corners*  a corner, two vectors and the pixel asked for
+; in:      a0  found_planes*   the planes to fill in
+;          a1  plane_corners*  a corner, two vectors and the pixel of at
 ; reads:   *plane_corners
 ; writes:  *found_planes
 ; formats: with vectors a and b and D = xa yb - xb ya > 0:
 ;            dx = (va yb - vb ya) / D     dy = (xa vb - xb va) / D
 ;          v = q, s or t; at = v of the first corner + x dx + y dy, each product rounded
-;          down; all in 48.16 modulo 2^64: far from the corners at may be any
+;          down; all in 48.16 modulo 2^64: far from the corners at may have wrapped
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^16 units a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
 ; cost:    2,500 to 2,700 cycles, in chip RAM 3,600 to 3,750: its code exceeds the cache

@@ -1,7 +1,8 @@
         include "routine.i"
         include "layout.i"
 
-; d0:d1 = the plane \1 of the planes a5 at the pixel d6, d7 from its own. Uses d2-d3.
+; d0:d1 = the plane \1 of the plan a5, d6 pixels right of its own pixel and d7 below.
+; Uses d2-d3.
 at      macro
         movem.l perspective_plan_\1+screen_plane_at(a5),d0-d1
         part    \1,dx,d6
@@ -18,8 +19,8 @@ part    macro
         add.l   d2,d0
         endm
 
-; d0:d1 = d0:d1 - d4:d5 * d2:d3, both 32.32, rounded down but for up to 3 units. Uses
-; d2-d3/a1-a2.
+; d0:d1 = d0:d1 - d4:d5 * d2:d3, both 32.32, rounded down, with an error of up to 3 units.
+; Uses d2-d3/a1-a2.
 less_product macro
         movea.l d6,a1
         movea.l d7,a2
@@ -122,15 +123,15 @@ constant macro
         movem.l d0-d1,reciprocal_plan_c\1(a0)
         endm
 
-FLAT    equ     1<<8                    ; q grows less a pixel: no line would be taken
+FLAT    equ     1<<8                    ; if q grows less than this a pixel, no line is taken
 
 ;==============================================================================
 ; reciprocal_find - the constants of a polygon's lines by reciprocals
 ;
-; in:      a0  reciprocal_plan*  what is filled in; its planes
-;          d0  int32             a pixel of the polygon: its distance from
-;          d1  int32             that of the planes, right and down
-; out:     d0  int32             0: K of u or v is 1,024 texels or more from the base
+; in:      a0  reciprocal_plan*  the plan to fill in; its planes
+;          d0  int32             a pixel of the polygon: its distance to the right
+;          d1  int32             and down from that of the planes
+; out:     d0  int32             1; 0 if K of u or v is 1,024 texels or more from the base
 ; reads:   the plan's planes
 ; writes:  cu, cv, dcu, dcv; ku and kv, less their bases
 ; formats: K = (ds/dx) / (dq/dx), 32.32 here and 16.16 in the plan; C = s - K q,
@@ -151,7 +152,7 @@ FLAT    equ     1<<8                    ; q grows less a pixel: no line would be
 .not    moveq   #0,d0
         bra.s   .out
 
-; d0:d1 less d3 with its sign.
+; d0:d1 = d0:d1 - d3, which is sign-extended.
 .less   tst.l   d3
         smi     d7
         extb.l  d7

@@ -1,7 +1,7 @@
         include "routine.i"
         include "layout.i"
 
-; Goes to .far where \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
+; Goes to .far if \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
 ; of such a 16.16 number differ. Uses d0.
 in_range macro
         move.l  \1,d0
@@ -12,13 +12,13 @@ in_range macro
 ;==============================================================================
 ; sides_find - a polygon's top and bottom vertex, and which side is left
 ;
-; in:      a0  sides*   what is filled in
+; in:      a0  sides*   the sides to fill in
 ;          a1  vertex*  the vertices, in order
 ;          d0  int32    how many, 3 or more
 ; out:     d0  int32    POLYGON_DRAWN; POLYGON_OUTSIDE_RANGE: a coordinate is not in
 ;                       -POLYGON_FAR to POLYGON_FAR; POLYGON_EMPTY: no area
 ; reads:   x, y, s, t of the vertices
-; writes:  *sides; not all of it where the polygon is refused
+; writes:  *sides; not all of it if the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
 ; error:   none
 ; cost:    about 1,000 cycles for a triangle, with a cold cache
@@ -129,8 +129,8 @@ in_range macro
         movem.l d6-d7,sides_area(a0)
         move.l  a4,sides_apex(a0)
 
-        ; Of top < apex, apex < bottom and bottom < top two hold where the vertices come
-        ; in that order, and one where they come in the other.
+        ; Of top < apex, apex < bottom and bottom < top two are true if the vertices are in
+        ; that order, and one if they are in the other.
         cmpa.l  a4,a2
         scs     d0
         cmpa.l  a3,a4

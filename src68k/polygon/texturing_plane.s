@@ -4,8 +4,8 @@
 
         xref    texturing_wrap
 
-; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to that of the sides a1, and
-; makes \2 its address. Uses d0-d3/a2.
+; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to the vertex \1 of the sides a1;
+; \2 = its address. Uses d0-d3/a2.
 vector  macro
         movea.l sides_\1(a1),a2
         movem.l (a2),d0-d3
@@ -17,8 +17,8 @@ vector  macro
         movea.l sp,\2
         endm
 
-; \3 = the pixel in the middle of the box a0, from \1 to \2, and \5 = the way to it from
-; the coordinate \4. Uses d0.
+; \3 = the pixel in the middle of the box a0, from \1 to \2, and \5 = its distance from the
+; coordinate \4. Uses d0.
 middle  macro
         move.l  rectangle_\1(a0),d0
         add.l   rectangle_\2(a0),d0
@@ -48,7 +48,7 @@ rise    macro
         add.l   d0,texturing_\2(a6)
         endm
 
-; Pushes the ways of the box a0, for step and raise. Uses d0-d3.
+; Pushes ways_all, ways_x and ways_y of the box a0, for step and raise. Uses d0-d3.
 ways    macro
         move.l  texturing_i(a6),d2
         sub.l   rectangle_left(a0),d2
@@ -73,8 +73,8 @@ ways    macro
         endm
 
 ; Puts the gradient d1:d2 into the field \1 as a step, rounded to the nearest multiple of
-; 1 << d3 units. Adds to a0 what that takes or gives over \2 pixels, in 1/65536 unit, and
-; to a1 the gradient's whole texels. Uses d0-d2/d4.
+; 1 << d3 units. Adds to a0 the magnitude of the rounding error over \2 pixels, in 1/65536
+; unit, and to a1 that of the gradient's whole texels. Uses d0-d2/d4.
 step    macro
         move.l  d1,d0
         bpl.s   .magnitude\@
@@ -104,8 +104,8 @@ step    macro
         move.l  d2,texturing_\1(a6)
         endm
 
-; Raises \1 (u or v) by what it may fall short of the plane anywhere in the box, and to a
-; multiple of 1 << d3 units. Uses d0-d1.
+; Raises \1 (u or v) by the most that it may be below the plane anywhere in the box, and
+; to a multiple of 1 << d3 units. Uses d0-d1.
 raise   macro
         moveq   #5,d0
         add.l   a1,d0
@@ -128,7 +128,7 @@ raise   macro
 
 ; On the stack:
 ways_all        equ     0               ; twice the pixels from the first vertex to the
-                                        ; farthest pixel, x and y in all
+                                        ; farthest pixel, x and y added
 ways_x          equ     4               ; pixels from the middle to the box's sides
 ways_y          equ     8
 vectors         equ     12
@@ -136,25 +136,26 @@ box             equ     vectors+2*16
 chain           equ     box+4
 
 ;==============================================================================
-; texturing_plane - how s and t run over the plane of a polygon
+; texturing_plane - gradients of s and t on a polygon's plane, u and v in its box's middle
 ;
-; in:      a0  texturing*  what is filled in, with its cuts: 0 to 8; 0 for a chain
+; in:      a0  texturing*  to fill in; its cuts are set: 0 to 8, 0 for a chain
 ;          a1  sides*      the polygon, its area not 0
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
 ; reads:   u_cut, v_cut; *sides, top, bottom and apex vertex, the rectangle
-; writes:  *texturing but for v_cut; u_cut where the chain needs a bit
+; writes:  *texturing except v_cut; u_cut if the chain needs a bit
 ; formats: with vectors from the top vertex to the bottom (1) and the apex (2), D =
 ;          x1 y2 - x2 y1 = +-area:
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
 ;          in 32.32 modulo 2^64; rounded to the nearest multiple of 1 << cut units of
 ;          16.16 they are the steps. i, j: the box's middle; u = s + (i - x) dsdx +
 ;          (j - y) dsdy there, each product rounded to the nearest unit; then raised by
-;          what it may fall short of the plane at any pixel of the box, so that a texel's
-;          border shows the texel that begins there, and to a multiple of 1 << cut units
+;          the most that it may be below the plane at any pixel of the box, so that a
+;          texel's border shows the texel that begins there, and to a multiple of 1 << cut
+;          units
 ; error:   of a gradient g: e(g) = |g| / 2^31 + 3 / 2^32 texels a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut. In
-;          the box u is never below the plane where gradients are below 2^30 texels a
+;          the box u is never below the plane if gradients are below 2^30 texels a
 ;          pixel: raised by |step - dsdx| over half the box, by e over the way from the
 ;          first vertex to the farthest pixel, and by 1 for the two products
 ; cost:    about 2,700 cycles, with a cold cache 3,200

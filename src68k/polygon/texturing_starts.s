@@ -1,8 +1,8 @@
         include "routine.i"
         include "layout.i"
 
-; \1 (u or v) and its step where the edge begins: d2, d3 from pixel (i, j), d4 whole
-; pixels a line. Uses d0-d1/d5.
+; Finds \1 (u or v) and its step where the edge begins: d2, d3 = its distance from pixel
+; (i, j), d4 = whole pixels a line. Uses d0-d1/d5.
 start   macro
         move.l  texturing_d\1dx(a0),d0
         move.l  d0,d1
@@ -29,7 +29,7 @@ start   macro
 ;          u + x dudx + y dudy at the first pixel of line top, and
 ;          du = dudy + whole dudx
 ; error:   none
-; cost:    about 300 cycles an edge, 60 besides; with a cold cache 500 for one
+; cost:    about 300 cycles an edge, plus 60; with a cold cache 500 for one
 ;==============================================================================
         routine texturing_starts,a0,a1,d0
         movem.l d2-d7,-(sp)

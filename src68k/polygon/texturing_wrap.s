@@ -2,7 +2,7 @@
         include "layout.i"
 
 ; \4 = travel of v by step \1 over half the box, from \2 to \3, 8.8, rounded up; a
-; step of 256 texels or more goes to .may_wrap. Uses d4, leaves it 0.
+; step of 256 texels or more goes to .may_wrap. d4 = 0 after it.
 travel  macro
         move.l  texturing_\1(a0),\4
         bpl.s   .\1
@@ -22,19 +22,19 @@ travel  macro
         endm
 
 ;==============================================================================
-; texturing_wrap - how a polygon's spans live with wraps of v in the addx chain
+; texturing_wrap - how a polygon's spans deal with wraps of v in the addx chain
 ;
-; in:      a0  texturing*  v and its steps, but for CHAIN_ANYWHERE: at the box's middle
+; in:      a0  texturing*  v (at the box's middle, except for CHAIN_ANYWHERE), its steps
 ;          a1  rectangle*  the pixels that the polygon may cover
 ;          d0  int32       enum chain
 ; reads:   v, dvdx, dvdy; the rectangle
-; writes:  wraps, guard; u_cut where u's lowest bit is kept free
-; formats: a wrap of v in a span carries into the lowest bit of u. Where v stays
-;          between two multiples of 256 all over the box, or shares no chain with u,
-;          there is none. One wrap is caught by keeping that bit free (u_cut 1), with
-;          guard in it: 1 where v falls. Where there may be more, or u keeps all bits
-;          (CHAIN_WHOLE), wraps is 1
-; error:   none: where there is a doubt, it assumes a wrap
+; writes:  wraps, guard; u_cut if u's lowest bit is kept free
+; formats: a wrap of v in a span carries into the lowest bit of u. There is none if v
+;          stays between two multiples of 256 all over the box, or shares no chain with
+;          u. One wrap is caught by keeping that bit free (u_cut 1), with guard in it: 1
+;          if v falls. If there may be more, or u keeps all bits (CHAIN_WHOLE), wraps is
+;          1
+; error:   none: in doubt it assumes a wrap
 ; cost:    about 190 cycles, 170 to 380; less without a chain
 ;==============================================================================
         routine texturing_wrap,a0,a1,d0

@@ -12,12 +12,12 @@
 ; error:   none
 ; cost:    bench row c2p_8
 ;==============================================================================
-; 32 pixels are eight longwords, and so are their planes. Of a pixel's number, bits 4 to 2
-; tell the longwords apart; then the plane's number shall. Merges by 16 and 2 put bit 4 and
-; bit 1 in their places and bring out the plane's bit 1, those by 8 and 1 bits 3 and 0 and
-; the plane's bit 0, the one by 4 bit 2 and the plane's bit 2. All but the last merge need
-; only every other longword, so one piece of code does them twice: thus the loop fits the
-; instruction cache. Words are put together by reading them, which takes less than swapping.
+; 32 pixels are eight longwords, and so are their planes. At first bits 4 to 2 of a pixel's
+; number select the longword; in the end the plane's number does. Merges by 16 and 2 put the
+; pixel's bits 4 and 1 in their places and bring out the plane's bit 1, merges by 8 and 1 the
+; pixel's bits 3 and 0 and the plane's bit 0, the merge by 4 the pixel's bit 2 and the plane's
+; bit 2. All merges except the last need only every other longword, so the same code does them
+; twice and the loop fits the instruction cache. Reading words together is faster than swapping.
 
         routine c2p_8,a0
         planar_open 0,3
@@ -34,7 +34,7 @@
         merge   d1,d3,1,d7
         move.w  a0,d4
         lsr.w   #3,d4
-        bcc     .keep                   ; of the even longwords
+        bcc     .keep                   ; after the even longwords
         move.l  #$f0f0f0f0,d5
         lea     28(a0),a0
         two_planes a3,d3

@@ -12,8 +12,8 @@
 ; error:   none: 5 bits become 6 by repeating the highest
 ; cost:    bench row c2p_ham8_16
 ;==============================================================================
-; As c2p_ham8_32. Bits 0 and 1 of a colour's byte are whatever falls there: planes 0 and 1
-; are not written.
+; As c2p_ham8_32. Bits 0 and 1 of a colour's byte are undefined, as planes 0 and 1 are not
+; written.
 
         routine c2p_ham8_16,a0
         ham8_rows_16 colours_565

@@ -9,10 +9,10 @@
 ; reads:   the plan, the pixels
 ; writes:  the rows of planes 2 to 7
 ; formats: R G B A, four dots on the screen each: c/screen/planar.h
-; error:   the lower two bits of R, G and B are dropped; A does not count
+; error:   the lower two bits of R, G and B are dropped; A is ignored
 ; cost:    bench row c2p_ham8_32
 ;==============================================================================
-; c2p_8 on eight pixels, whose bytes are the values of as many dots, with B instead of A.
+; As c2p_8, on eight pixels whose four bytes are the values of four dots, with B instead of A.
 
         routine c2p_ham8_32,a0
         planar_open 2,3
@@ -31,7 +31,7 @@
         merge   d1,d3,1,d7
         move.w  a0,d4
         lsr.w   #3,d4
-        bcc     .keep                   ; of the even pixels
+        bcc     .keep                   ; after the even pixels
         move.l  #$f0f0f0f0,d5
         lea     28(a0),a0
         six_planes

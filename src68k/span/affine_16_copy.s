@@ -11,9 +11,9 @@
 ; error:   none, as span_affine_copy
 ; cost:    bench row affine_16_copy
 ;==============================================================================
-; Consecutive texels of the map's row, in parts up to the row's end: one texel where their
-; number is odd, longwords behind it. Reading at an offset, not from (a2)+, leaves the bus
-; no gap: it takes 2.6 cycles less a longword in fast RAM, 3.7 in chip RAM. (32-bit texels
+; Copies consecutive texels of the map's row, in parts up to the row's end: one texel if
+; their number is odd, then longwords. Reading at an offset, not from (a2)+, leaves no gap
+; on the bus: it takes 2.6 cycles less a longword in fast RAM, 3.7 in chip RAM. (32-bit texels
 ; gain nothing over span_affine_32_row in chip RAM, where each takes as long as two.)
 
 ROUND   equ     32              ; longwords
@@ -33,7 +33,7 @@ ROUND   equ     32              ; longwords
 
 .longwords
         move.l  (a2),(a1)+
-        nop                             ; each as long as the others
+        nop                             ; makes the first 4 bytes long, as the others
         rept    ROUND-1
         move.l  4*REPTN+4(a2),(a1)+
         endr
@@ -74,7 +74,7 @@ ROUND   equ     32              ; longwords
 .done   return_all
 
 .wraps  sub.w   #256,d0
-        move.w  d0,d3                   ; pixels behind the row's end - 1
+        move.w  d0,d3                   ; pixels after the row's end - 1
         sub.w   d0,d2
         subq.w  #1,d2
         lea     .more(pc),a5

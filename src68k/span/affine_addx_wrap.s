@@ -4,7 +4,7 @@
         include "span.i"
 
 ;==============================================================================
-; span_affine_addx_wrap - the same where v wraps more than once in a span
+; span_affine_addx_wrap - span_affine_addx if v wraps more than once in a span
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
@@ -15,7 +15,7 @@
 ;==============================================================================
 ; S, Q and P in three registers: P is stepped as a word, so V's overflow is lost
 ; instead of entering u. One addition more than the chain: it costs 2 cycles with
-; the map in fast RAM and none in chip RAM, where the bus is waited for anyway.
+; the map in fast RAM and none in chip RAM, where the loop waits for the bus anyway.
 
         routine span_affine_addx_wrap,a0
         apart_open

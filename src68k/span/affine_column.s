@@ -4,18 +4,18 @@
         include "span.i"
 
 ;==============================================================================
-; span_affine_column - span_affine_addx where u's step is 0: walls on their side
+; span_affine_column - span_affine_addx if u's step is 0: walls on their side
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
-; formats: v 8.16, U 8 bits; both wrap at 256; 8-bit texels and pixels. Of dvdx counts
-;          what is left modulo 256, -128 to 127.99: times count up to 64,000. dudx is
-;          0 modulo 256 and not read
+; formats: v 8.16, U 8 bits; both wrap at 256; 8-bit texels and pixels. dvdx is used
+;          modulo 256, as -128 to 127.99: v moves 64,000 texels a line at most. dudx
+;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u), floor(v + n dvdx))
 ; cost:    bench row affine_column
 ;==============================================================================
-; v alone, carried into itself: v-Vv, with the room and the borrowing of pack_alone.
+; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
 pixel   macro
         move.w  d1,d4                   ; mmVv
@@ -26,7 +26,7 @@ pixel   macro
 
         routine span_affine_column,a0
         alone_open dvdx
-        moveq   #0,d3                   ; the room of a line's start
+        moveq   #0,d3                   ; the spare byte of a line's start
         lsl.l   #8,d2
         asr.l   #8,d2                   ; -Vvv
         bmi.s   .falls

@@ -2,7 +2,7 @@
         include "layout.i"
 
 ;==============================================================================
-; span_affine_copy - span_affine_row where u's step is one texel a pixel
+; span_affine_copy - span_affine_row if u's step is one texel a pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
@@ -12,11 +12,11 @@
 ; error:   none: pixel n shows texel (floor(u) + n, floor(v))
 ; cost:    bench row affine_copy
 ;==============================================================================
-; A line is consecutive texels of the map's row, in parts up to the row's end: by a
-; longword at both ends of a part and longwords between, which overlap. From ALIGNED
-; pixels on their reads are aligned: chip RAM then gives back what that costs. It costs
-; more in shorter parts, and aligned writes gain less. MOVEM is quicker still, but only
-; with more registers than are free: keeping them takes what 64 pixels gain.
+; Copies consecutive texels of the map's row, in parts up to the row's end: a longword at
+; each end of a part, and longwords between, which overlap these. From ALIGNED pixels on
+; the reads between are aligned, which saves more in chip RAM than it costs. In shorter
+; parts it costs more, and aligned writes gain less. MOVEM is faster still, but needs more
+; registers than are free: saving them takes as long as 64 pixels gain.
 
 ALIGNED equ     48              ; pixels
 
@@ -91,10 +91,10 @@ ALIGNED equ     48              ; pixels
 .done   return_all
 
 .wraps  sub.w   #256,d0
-        move.w  d0,d3                   ; pixels behind the row's end - 1
+        move.w  d0,d3                   ; pixels after the row's end - 1
         sub.w   d0,d2
         subq.w  #1,d2
-        lea     1(a1,d2.w),a4           ; where they go
+        lea     1(a1,d2.w),a4           ; their address
         lea     .more(pc),a5
         bra.s   .run
 

@@ -4,7 +4,7 @@
         include "span.i"
 
 ;==============================================================================
-; span_affine_scanline - span_affine_addx_wrap with steps of each line's own
+; span_affine_scanline - span_affine_addx_wrap with separate steps for each line
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, a table of steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their

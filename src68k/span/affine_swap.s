@@ -13,8 +13,8 @@
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
 ; cost:    bench row affine_swap
 ;==============================================================================
-; The best form without addx found: v is held 8 bits higher, so that V stands above
-; U when u's lower bytes replace v's, and one swap makes an index of both.
+; The best form found without addx: v is held 8 bits higher, so that V is above U once
+; u's lower bytes have replaced v's, and one swap makes both an index.
 
 pixel   macro
         join_uv d5

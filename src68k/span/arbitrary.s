@@ -12,14 +12,14 @@
 ; formats: u, v 16.16, inside the map at every pixel; any map address; width and
 ;          height up to 1024; 8-bit texels and pixels
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row arbitrary; where dvdx is whole, bench row arbitrary_row
+; cost:    bench row arbitrary; if dvdx is whole, bench row arbitrary_row
 ;==============================================================================
 ; The texel's address moves by whole texels and rows, by 1 more when u's fraction
 ; carries, by a row more when v's does:
 ;       d0  uu--        d1  vv--        a4  texel
-; The address moves behind the fetch: behind a line's last pixel it may lie outside
-; the map, but nothing is fetched there. OR, not AND, takes the row from the carry:
-; this emulator lets OR run beside the store, and AND not.
+; The address moves after the fetch: after a line's last pixel it may be outside the
+; map, but nothing is fetched there. OR, not AND, turns the carry into a row: in the
+; emulator OR overlaps with the store, and AND does not.
 
 pixel   macro
         move.b  (a4),(a1)+
@@ -31,7 +31,7 @@ pixel   macro
         adda.l  d6,a4
         endm
 
-; Where v's step is whole: its fraction never carries.
+; For a whole step of v: its fraction never carries.
 pixel_row macro
         move.b  (a4),(a1)+
         add.l   d3,d0

@@ -7,7 +7,7 @@
 ;       B  uuuuuuuuuuuuu oooooo... VVVVVVV --
 ;       A  vvvvvvvvvvvvv o...TTTTT ------- UU
 ; The gaps of a step (A's below T, B's two last bits) are ones; after each step all
-; but fraction and integers is cleared. A's v runs one step ahead.
+; bits except fraction and integers are cleared. A's v is one step ahead.
 
 FRACTION        equ     $fff80000
 

@@ -10,7 +10,7 @@
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
-; formats: as span_dithered, but for 16-bit texels and pixels, as span_affine_16 has them
+; formats: as span_dithered, with the 16-bit texels and pixels of span_affine_16
 ; error:   none, as span_dithered
 ; cost:    bench row dithered_16
 ;==============================================================================

@@ -5,7 +5,7 @@
         include "dither.i"
 
 ;==============================================================================
-; span_dithered_wrap - the same where v wraps in a span
+; span_dithered_wrap - span_dithered if v wraps in a span
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
@@ -14,7 +14,7 @@
 ; error:   none, as span_dithered
 ; cost:    bench row dithered_wrap
 ;==============================================================================
-; All data registers are taken: the loop's end is told by the pixel's address.
+; All data registers are taken, so the loop ends by the pixel's address.
 
         routine span_dithered_wrap,a0
         dither_apart_open

@@ -1,4 +1,4 @@
-; What memory alone costs: the floor under every span.
+; The cost of memory accesses alone: the floor under every span.
 
         include "routine.i"
 
@@ -39,12 +39,12 @@ copy    macro
         accesses fetch
 
 ;==============================================================================
-; floor_store - bytes stored one behind the other
+; floor_store - bytes stored one after the other
 ;
-; in:      a1  uint8*  where to
+; in:      a1  uint8*  the first byte's address
 ;          d0  uint8   the byte
 ;          d7  int32   rounds of 16, less one
-; out:     a1  uint8*  behind the last byte
+; out:     a1  uint8*  after the last byte
 ; trashes: d7
 ; writes:  16 bytes a round
 ; error:   none
@@ -57,9 +57,9 @@ copy    macro
 ; floor_copy - a byte fetched and stored for each pixel
 ;
 ; in:      a0  uint8*  the byte
-;          a1  uint8*  where to
+;          a1  uint8*  the first copy's address
 ;          d7  int32   rounds of 16, less one
-; out:     a1  uint8*  behind the last byte
+; out:     a1  uint8*  after the last byte
 ; trashes: d7
 ; reads:   the byte
 ; writes:  16 bytes a round

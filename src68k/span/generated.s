@@ -13,25 +13,25 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; reads:   the plan, its lines (start1 = UU, start2 = VVvv), the map with its
 ;          margins (MAP_MARGINS, texel (0, 0) at a multiple of 65536)
 ; writes:  the pixels of the lines; of the code, 4 bytes for each pixel of the longest
-;          line (their number rounded up to a multiple of 8), and 2 behind them
+;          line (their number rounded up to a multiple of 8), and 2 after them
 ; formats: u, v 16.16, both wrap at 256; lines of 1024 pixels at most
 ; error:   u and v are less than 1 texel too low, as the fractions of the line's start
-;          are dropped, or too high by B = GENERATED_BIAS / 65536 at most. B is more than
-;          1023 steps, rounded to the nearest, fall short by: of a line that starts on a
-;          texel's border, a texel shows too early where it is 2 B away, but never late.
+;          are dropped, or too high by B = GENERATED_BIAS / 65536 at most. B exceeds the
+;          rounding error of 1023 steps: in a line that starts on a texel's border, a
+;          texel shows too early if it is 2 B away, but never late.
 ;          Pixel n is fetched 256 floor(B + n dvdx) + floor(B + n dudx) bytes, modulo
-;          65536, from the first one's texel: where u leaves 0 to 255 inside a line, what
-;          follows comes from the row beside. polygon_draw has polygons with such lines
-;          drawn by the affine spans (c/drawing/generated.c)
+;          65536, from the first one's texel: if u leaves 0 to 255 inside a line, the
+;          texels after that are from a neighbouring row. polygon_draw draws polygons with
+;          such lines by the affine spans (c/drawing/generated.c)
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
 ;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
 ;          of code a pixel: the instruction cache does not hold lines above 64 pixels
 ;==============================================================================
 ; The code ends with pixel 0, so that a line of n pixels is its last n instructions:
-; nothing has to be patched, and the cache is flushed once a polygon.
-; The writing: d0 uu--, d1 vv--, d4 opcode:offset. V's carry becomes 256 or 0 below
+; it needs no patch, and the cache is flushed once a polygon.
+; Writing it: d0 uu--, d1 vv--, d4 opcode:offset. V's carry becomes 256 or 0 below
 ; uu, where the step adds the integers; u's carry goes into the offset. The sum
-; below uu shall not carry: from a step of -256 on, v runs the other way (-v, -256).
+; below uu must not carry: from a step of -256 on, v runs the other way (-v, -256).
 
         routine span_generated,a0
         span_open
@@ -69,7 +69,7 @@ RETURN          equ     $4ed3           ; jmp (a3)
         neg.l   d5
         beq.s   .forward                ; v never carries: B is below 1
         not.l   d1
-        clr.w   d1                      ; of -B, less 1/65536, it is the same
+        clr.w   d1                      ; from -B less 1/65536 on v carries at the same pixels
         add.w   #256,d3
         move.w  #-257,d2
 .forward

@@ -9,13 +9,13 @@
 ; in:      a0  span_plan*  the table, the frame, the step dudx
 ; reads:   the plan, its lines (start0 = ss, start1 = SS)
 ; writes:  the pixels of the lines, nothing else
-; formats: s 16.16, pixels are its integer modulo 256; dudx shades a pixel. Of it
-;          counts what is left modulo 256, -128 to 127.99: times count up to 64,000
+; formats: s 16.16, pixels are its integer modulo 256; dudx is shades a pixel, used
+;          modulo 256, as -128 to 127.99: s changes by 64,000 a line at most
 ; error:   none: pixel n is floor(s + n dudx)
 ; cost:    bench row gouraud
 ;==============================================================================
-; One register that carries into itself, as pack_alone has it; MOVE, JMP and DBRA keep X
-; between pixels.
+; A chain of one register, as pack_alone packs it; MOVE, JMP and DBRA keep X between
+; pixels.
 
         routine span_gouraud,a0
         span_open

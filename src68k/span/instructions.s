@@ -2,18 +2,18 @@
         include "amiga.i"
 
 ;==============================================================================
-; instructions - runs code that a plan holds: how the bench prices single instructions
+; instructions - runs given code, with which the bench measures single instructions
 ;
 ; in:      d7  int32  rounds of that code, less one
 ;          a4  void*  the code: it counts d7 down and returns
-; out:     d0  uint32  what the code leaves there
+; out:     d0  uint32  the code's d0
 ; trashes: d1-d7/a0-a6
-; reads:   the code, what it reads
-; writes:  what the code writes
+; reads:   the code, as does the code itself
+; writes:  as the code does
 ; error:   none
 ; cost:    bench row instruction_none, whose code is a dbra
 ;==============================================================================
-; The code was copied to its place a moment ago.
+; The code has just been copied there, so the cache is cleared first.
 
         routine instructions
         movem.l d0-d1/a0-a1/a6,-(sp)

@@ -13,18 +13,18 @@
 ; formats: u, v 8.16, both wrap at 256 any number of times; levels 8.14, inside the
 ;          light table at every pixel; lines of 1024 pixels at most; 8-bit texels
 ; error:   none: pixel n shows light[256 floor(c + n dcdx) + the texel that
-;          span_affine_addx shows]; of dcdx the two lowest bits do not count
+;          span_affine_addx shows]; dcdx's two lowest bits are ignored
 ; cost:    bench row affine_gouraud
 ;==============================================================================
 ; One circular carry chain over three registers:
 ;       B  uuCc   u's fraction, the level, the upper byte of its fraction
-;       A  v--U   the lower byte of v's fraction, room, U
-;       D  c-Vv   six bits of the level's fraction, room, V, v's upper byte
+;       A  v--U   the lower byte of v's fraction, two spare bytes, U
+;       D  c-Vv   six bits of the level's fraction, a spare byte, V, v's upper byte
 ; addx B takes D's carry (c) and gives its own (u) to addx A, which gives A's (v) to
-; addx D. D's c runs one step ahead. The room catches what V overflows: 00 where v
-; rises, and FF where it falls: then D's lower part always carries, and the step of c is
+; addx D. D's c is one step ahead. D's spare byte catches V's overflow: it is 00 if v
+; rises, and FF if v falls: then D's lower part always carries, and the step of c is
 ; one less. Either fails once in 65,536 texels, at most twice in a line: the two bits
-; below c are kept for that, 0 and 3.
+; below c are reserved for that, 0 if v rises and 3 if it falls.
 
         routine span_lit_gouraud,a0
         span_open

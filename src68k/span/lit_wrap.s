@@ -4,7 +4,7 @@
         include "span.i"
 
 ;==============================================================================
-; span_lit_wrap - the same where v wraps more than once in a span
+; span_lit_wrap - span_lit if v wraps more than once in a span
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
 ; reads:   as span_lit

@@ -8,9 +8,9 @@
 ; reads:   the span, its lines, both tables, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.8, both wrap at 256; 8-bit texels and pixels. q's index steps in 16.16,
-;          what it overflows enters its fraction
-; error:   of a power 1/512 texel, of u's and v's way from K half a unit of logs and one part
-;          in twice the index; what q, C and K bring: see logarithm_lines
+;          its overflow enters its fraction
+; error:   of a power 1/512 texel, of u's and v's distance from K half a unit of logs and one
+;          part in twice the index; errors of q, C and K: see logarithm_lines
 ; cost:    bench row persp_pixel
 ;==============================================================================
 
@@ -21,7 +21,7 @@ powers  equ     8
 left    equ     12                      ; lines
 
 ; d0 q  d1 Ku  d2 step of q  d3 Kv  d6 page of the map  d7 0  a1 pixel  a2 logs
-; a3, a4 powers of u and v: where a logarithm of 0 leads  a6 behind the last pixel
+; a3, a4 powers of u and v, at a logarithm of 0  a6 after the last pixel
 pixel   macro
         move.w  d1,d5
         move.w  d3,d6
@@ -33,10 +33,10 @@ pixel   macro
         lsr.w   #8,d5
         move.b  d5,d6                   ; mmVU
         movea.l d6,a5
-        move.b  (a5),(a1)+              ; the bus is busy while K is taken
+        move.b  (a5),(a1)+              ; the write overlaps with the next pixel's K
         endm
 
-PIXEL   equ     28                      ; bytes of it
+PIXEL   equ     28                      ; bytes of its code
 
 ; The loop with \1 for u and \2 for v, add or sub; \3 its label.
 pixels  macro

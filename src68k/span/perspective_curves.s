@@ -75,10 +75,10 @@ bend    macro
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. A piece of 4, 8, 16 or
 ;          32 pixels is a parabola through its exact first and middle pixel and the one
-;          after it; of those whose least weight is enough the longest is taken, else the
-;          pixel alone. The last piece ends with the line and is drawn over its forerunner
-; error:   of a point 3 units, of a second difference half a unit: a square of half the
-;          piece's length in half units besides; the parabola's as perspective_lines says
+;          after it. It draws the longest piece whose least weight is enough, else a single
+;          pixel. The last piece ends with the line and overlaps the piece before it
+; error:   of a point 3 units, of a second difference half a unit, which adds the square of
+;          half the piece's length in half units; the parabola's: see perspective_lines
 ; cost:    bench rows persp_pixel_exact, persp_pixel_fine
 ;==============================================================================
 
@@ -133,7 +133,7 @@ bend    macro
         subq.w  #1,d7
         bra.s   .try
 
-        ; It would end behind the line: it begins earlier, if the line is long enough.
+        ; It would end after the line: it begins earlier if the line is long enough.
 .past_end
         move.w  perspective_line_n(a0),d1
         ext.l   d1
@@ -238,7 +238,7 @@ bend    macro
         subq.w  #1,d7
         bra     .piece
 
-        ; One pixel, by itself.
+        ; A single pixel.
 .alone  move.l  now_u(sp),d1
         move.l  now_v(sp),d2
         single  d1,d2

@@ -29,19 +29,19 @@ pack_steps macro
         endm
 
 ;==============================================================================
-; span_perspective_pieces - draws lines with perspective, by straight pieces
+; span_perspective_pieces - draws lines with perspective, by linear pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, log2 of a piece: 3 or 4
 ; reads:   the plan, its lines, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. u and v are right at the
-;          first pixel of each piece, rounded down to a multiple of its pixels in units, so
-;          that the steps are even; the last piece is as long as it must be
-; error:   at the ends of pieces 18 units, 10 with 8 pixels; at the last pixel so many
+;          first pixel of each piece, rounded down to a multiple of as many units as it has
+;          pixels, so that the steps are whole; the last piece ends with the line
+; error:   at the ends of pieces 18 units, 10 with 8 pixels; at the last pixel as many
 ;          units as the last piece has steps
 ; cost:    bench rows persp_every16_exact, persp_every8_exact
 ;==============================================================================
-; S, Q and P of a pixel_apart run on from piece to piece: what changes is their steps.
+; S, Q and P of pixel_apart continue from piece to piece; only their steps change.
 
         routine span_perspective_pieces,a0
         save_all

@@ -10,7 +10,7 @@ pixels  macro
 .round  rept    \1
         \2
         endr
-        cmpa.l  a6,a1                   ; keeps X, where dbra's register is needed
+        cmpa.l  a6,a1                   ; keeps X; dbra has no free register
         bne     .round
         rts
         endm
@@ -57,8 +57,8 @@ pixel_a3 macro
 ;          d2  uint32  dudx, UUuu
 ;          a0  uint8*  a row of texels
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0/d4
 ; reads:   the row
 ; writes:  the pixels, a multiple of 16
@@ -76,13 +76,13 @@ pixel_a3 macro
 ;          d2  uint32  dudx, uuUU
 ;          a0  uint8*  a row of texels
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0
 ; reads:   the row
 ; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
-; error:   none where u's first carry is in d0 already
+; error:   none if u's first carry is in d0 already
 ; cost:    bench row pixel_addx_1
 ;==============================================================================
         routine pixel_addx_1
@@ -99,8 +99,8 @@ pixel_a3 macro
 ;          d7  uint32  $00ffffff
 ;          a0  uint8*  256x256 map + 32,768
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4
 ; reads:   the map
 ; writes:  the pixels, a multiple of 8
@@ -120,13 +120,13 @@ pixel_a3 macro
 ;          d3  uint32  step, v--U
 ;          d4  uint32  256x256 map at a multiple of 65,536
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4/a2
 ; reads:   the map
 ; writes:  the pixels, a multiple of 16
 ; formats: u, v 8.16, both wrap, v once
-; error:   none where v's first carry is in d0 already
+; error:   none if v's first carry is in d0 already
 ; cost:    bench row pixel_addx_2
 ;==============================================================================
         routine pixel_addx_2
@@ -146,8 +146,8 @@ pixel_a3 macro
 ;          a0  uint8*  256x256 map + 32,768
 ;          a3  uint8*  table of 256 shades by 256 texels + 32,768
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4-d6
 ; reads:   the map, the table
 ; writes:  the pixels, a multiple of 8
@@ -170,13 +170,13 @@ pixel_a3 macro
 ;          d6  uint32  256x256 map at a multiple of 65,536
 ;          d7  uint32  table of shades at a multiple of 65,536
 ;          a1  uint8*  first pixel
-;          a6  uint8*  behind the last pixel
-; out:     a1  uint8*  behind the last pixel
+;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d2/d6-d7/a2
 ; reads:   the map, the table
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
-; error:   none where v's first carry is in d0 already
+; error:   none if v's first carry is in d0 already
 ; cost:    bench row pixel_addx_3
 ;==============================================================================
         routine pixel_addx_3

@@ -1,6 +1,6 @@
 ; One step of one, two and three interpolants by add and swap, by add and addx and
 ; by a circular chain of addx, with the integer part ready in a register's low word.
-; Nothing else: what the step costs before anything is drawn.
+; Nothing else: the cost of the step before anything is drawn.
 
         include "routine.i"
 
@@ -53,7 +53,7 @@ addx_3  macro
         endm
 
 ; Each register holds a fraction above the integer of the one before it in the
-; circle, so that every carry is where the next addx wants it.
+; circle, so that every carry is where the next addx needs it.
 chain_1 macro
         addx.l  d3,d0
         endm

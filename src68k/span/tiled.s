@@ -20,9 +20,9 @@
 ; them (T: column of tiles, U: texel in its tile; one letter a bit):
 ;       B  uuuuuuuuuuuuuuuu ----- VVVVVVVV ---
 ;       A  vvvvvvvvvvvvvvv- TTTTT -------- UUU
-; Ones in a step's inner gaps (A's eight, B's last three) take a carry over them;
-; after each step all gaps are cleared, with what overflowed into them. A's v runs
-; one step ahead, so that its carry is ready when B needs it.
+; Ones in a step's inner gaps (A's eight, B's last three) pass a carry on; after
+; each step all gaps are cleared, and so are overflows into them. A's v is one step
+; ahead, so that its carry is ready when B needs it.
 
 pixel   macro
         move.w  d0,d4
@@ -65,7 +65,7 @@ pack_tiled macro
         or.w    d5,d3
         lea     .pixels_end-16(pc),a3
         span_line d0,d1
-        move.w  d7,d6                   ; its upper word stays: no span_rounds
+        move.w  d7,d6                   ; not span_rounds: d6's upper word must stay
         and.w   #7,d6
         neg.w   d6
         lsr.w   #3,d7
