@@ -72,5 +72,5 @@ def wide_mul(gradient: int, offset: int) -> int:
 
 
 def step(gradient: int, cut: int) -> int:
-    """Rounds a 32.32 gradient to the nearest 16.16 step, modulo 2^32, with ``cut`` low bits of 0."""
+    """Rounds a 32.32 gradient to the nearest 16.16 step modulo 2^32 with ``cut`` low bits of 0."""
     return ((gradient + (0x8000 << cut)) >> 16 & M32) >> cut << cut

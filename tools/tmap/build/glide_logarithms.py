@@ -1,8 +1,9 @@
 """Writes the table that the texture units use to round logarithms.
 
-``python -m tmap.build.glide_logarithms OUT.s`` writes 256 longs: entry k is 2^(31 + (k + 1/2) / 256),
-rounded down. It is the 512th root of 2^(512 * 31 + 2 k + 1): nine square roots in a row. Rounding
-each of them down gives the same as rounding the exact root down, and no root is a whole number.
+``python -m tmap.build.glide_logarithms OUT.s`` writes 256 longs: entry k is 2^(31 + (k + 1/2) /
+256), rounded down. It is the 512th root of 2^(512 * 31 + 2 k + 1): nine square roots in a row.
+Rounding each of them down gives the same as rounding the exact root down, and no root is a whole
+number.
 """
 
 from math import isqrt

@@ -1,9 +1,9 @@
 """Writes the code with which the bilinear filter multiplies by fractions.
 
-``python -m tmap.build.glide_weights OUT.s`` writes one part for each pair of fractions (fs, ft), 0 to 15.
-A part computes st * fs * ft + s * fs + t * ft + corner for both pairs of channels of a struct
-glide_quad (a2), by shifts and additions, into d2 and d3, and jumps to (a3). It may use d0 and d1.
-A part runs once per pixel and is hardly ever in the instruction cache, so it must be short.
+``python -m tmap.build.glide_weights OUT.s`` writes one part for each pair of fractions (fs, ft), 0
+to 15. A part computes st * fs * ft + s * fs + t * ft + corner for both pairs of channels of a
+struct glide_quad (a2), by shifts and additions, into d2 and d3, and jumps to (a3). It may use d0
+and d1. A part runs once per pixel and is hardly ever in the instruction cache, so it must be short.
 
 ``glide_weights_table`` has a word for each [fs << 4 | ft]: its part's offset from the table.
 """
