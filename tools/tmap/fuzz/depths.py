@@ -14,7 +14,7 @@ from tmap.build import layout
 from tmap.corpus import written
 
 SPREAD = {"near_equal": (-6, -2), "4": (-1, math.log10(3)), "100": (0, 2),
-          "all": (0, math.log10(4e6))}  # log10 of the ratio of the deepest w to the nearest, minus 1
+          "all": (0, math.log10(4e6))}  # log10(deepest w / nearest w - 1)
 WRITTEN = "written"
 KINDS = ("constant", "space", "vertices", WRITTEN, *SPREAD)
 

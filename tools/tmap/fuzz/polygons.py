@@ -145,7 +145,7 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by
         settings = replace(settings, gradients="plane", start="subtexel",
                            tolerance=rng.choice(TOLERANCES))
     vertices = each.vertices
-    if settings.perspective != "none" or len(vertices) == 3:  # "none" needs s and t planar on screen
+    if settings.perspective != "none" or len(vertices) == 3:  # "none": s, t planar on screen
         kind = rng.choice(depths.KINDS)
         if by_hand and rng.random() < 0.75:
             kind = depths.WRITTEN
