@@ -1,4 +1,4 @@
-"""Bytes that a scene's texture units load from or draw with."""
+"""The bytes that a scene's texture units load or draw from."""
 
 from dataclasses import dataclass, field
 

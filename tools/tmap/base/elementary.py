@@ -71,7 +71,7 @@ def atan2(y: float, x: float) -> float:
 
 
 def exp(x: float) -> float:
-    """e to the x."""
+    """Returns e to the x."""
     return float(DIGITS.exp(Decimal(x)))
 
 

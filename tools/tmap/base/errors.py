@@ -1,4 +1,4 @@
-"""The one exception that reaches the user as a line instead of a traceback."""
+"""The one exception that is shown to the user as a line instead of a traceback."""
 
 
 class UserError(Exception):

@@ -1,7 +1,7 @@
 """Checks for the fields of TOML files, as data; refusals name the field's path.
 
 A check is a function of a value and its path (``scene.toml: objects[2].radius``)
-that returns what the program uses, or raises UserError.
+that returns the value for the program or raises UserError.
 """
 
 import re

@@ -1,4 +1,4 @@
-"""Fixed-point arithmetic as src68k does it, in integers."""
+"""Fixed-point arithmetic like that of src68k, in integers."""
 
 from typing import TypeVar
 
@@ -39,22 +39,22 @@ def step_swapped(x: int, step: int) -> int:
 
 
 def ceil16(x: int) -> int:
-    """The smallest integer not below a 16.16 number."""
+    """Returns the smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
 
 
 def mul(a: int, b: int) -> int:
-    """a * b of two 16.16 numbers, rounded down."""
+    """Returns a * b of two 16.16 numbers, rounded down."""
     return a * b >> 16
 
 
 def mul_div(a: int, b: int, c: int) -> int:
-    """a * b / c rounded to the nearest integer, c > 0."""
+    """Returns a * b / c rounded to the nearest integer, c > 0."""
     return (a * b + (c >> 1)) // c
 
 
 def cut_quotient(n: int, d: int) -> int:
-    """n / d cut towards zero, d > 0."""
+    """Returns n / d cut towards zero, d > 0."""
     return n // d if n >= 0 else -(-n // d)
 
 

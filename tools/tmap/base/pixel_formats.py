@@ -25,7 +25,7 @@ class PixelFormat:
         return np.dtype(f"u{self.bytes}")
 
     def flat(self, colours: list[tuple[int, int, int]]) -> list[int]:
-        """Opaque colours as pixels."""
+        """Converts opaque colours to pixels."""
         opaque = np.full((len(colours), len(self.channels)), 255, np.uint8)
         opaque[:, :3] = colours
         return self.numbers(opaque).tolist()

@@ -192,7 +192,7 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
 
 
 def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
-    """The contract blocks of a source file, by name."""
+    """Returns the contract blocks of a source file, by name."""
     blocks: dict[str, Contract] = {}
     bars = [number for number, line in enumerate(lines, 1) if BAR.match(line)]
     for first, last in zip(bars[::2], bars[1::2] + [None]):
@@ -206,7 +206,7 @@ def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
 
 
 def statements(lines: list[str]) -> list[Statement]:
-    """The statements of a source file, without comments and macro definitions."""
+    """Returns the statements of a source file, without comments and macro definitions."""
     found: list[Statement] = []
     in_macro = False
     for number, line in enumerate(lines, 1):
@@ -226,7 +226,7 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     """Returns the labels and routines at which a source file's code can be entered, in order."""
     exported = {name for s in file_statements if s.operation == "xdef" for name in s.operands}
     entries: list[Entry] = []
-    in_code, runs_on = True, False      # vasm begins in a code section
+    in_code, runs_on = True, False      # vasm starts in a code section
     for statement, following in zip(file_statements, file_statements[1:] + [None]):
         number, label, operation, operands = statement
         if operation == "routine":
@@ -238,7 +238,7 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
             runs_on = False
             continue
         if label and not operation and following and not following.label:
-            operation = following.operation     # a name alone on its line
+            operation = following.operation     # the label is alone on its line
         if not in_code or operation in DIRECTIVES:
             continue
         if operation in NO_CODE:
@@ -290,7 +290,7 @@ def check_registers(file: str, entry: Entry, block: Contract) -> None:
 
 
 def all_contracts(root: Path | str) -> list[Contract]:
-    """The contracts of all source files under ``root``, by file name."""
+    """Returns the contracts of all source files under ``root``, by file name."""
     return [c for path in sorted(Path(root).rglob("*.s")) for c in parse(path)]
 
 
@@ -314,7 +314,7 @@ def kernel_table(contracts: list[Contract]) -> str:
 
 
 def as_json(contracts: list[Contract]) -> str:
-    """All contracts as a list of objects, registers as sorted lists."""
+    """Returns all contracts as a JSON list of objects, registers as sorted lists."""
     rows = [asdict(c) | {"trashes": sorted(c.trashes),
                          "inputs": [a._asdict() for a in c.inputs],
                          "outputs": [a._asdict() for a in c.outputs]} for c in contracts]

@@ -26,7 +26,7 @@ PC_RELATIVE = {4, 5, 6}  # R_68K_PC32, PC16, PC8: resolved inside one section
 
 
 def longs(*values: int) -> bytes:
-    """Big-endian longwords."""
+    """Returns big-endian longwords."""
     return struct.pack(f">{len(values)}I", *values)
 
 
@@ -52,7 +52,7 @@ def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, lis
 
 
 def executable(elf: ELFFile) -> bytes:
-    """The hunk file of a linked program."""
+    """Returns the hunk file of a linked program."""
     sections = [s for s in map(elf.get_section_by_name, SECTIONS) if s and s["sh_size"]]
     hunk_of = {elf.get_section_index(s.name): i for i, s in enumerate(sections)}
     sizes = [(s["sh_size"] + 3) // 4 for s in sections]

@@ -190,7 +190,7 @@ class Struct:
             "itemsize": self.size})
 
     def pack(self, **values) -> bytes:
-        """The struct's bytes; every field must be given and fit."""
+        """Returns the struct's bytes; every field must be given and fit."""
         if values.keys() != self.fields.keys():
             raise TypeError(f"struct {self.name} has the fields {', '.join(self.fields)}")
         out = np.zeros((), self.dtype)
@@ -199,7 +199,7 @@ class Struct:
         return out.tobytes()
 
     def unpack(self, data: bytes, offset: int = 0) -> dict:
-        """Python integers by field; a list for an array field."""
+        """Returns Python integers by field; a list for an array field."""
         record = np.frombuffer(data, self.dtype, 1, offset)[0]
         return {name: record[name].tolist() for name in self.fields}
 
@@ -227,7 +227,7 @@ class Layout:
 
 
 def load() -> Layout:
-    """The layout this tree was built with."""
+    """Returns the layout that this tree was built with."""
     return read(paths.LAYOUT)
 
 

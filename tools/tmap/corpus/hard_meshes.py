@@ -277,7 +277,7 @@ def tiny_and_huge() -> Iterator[MeshCase]:
 
 
 def orders() -> Iterator[MeshCase]:
-    """Faces behind one another."""
+    """Faces that hide one another."""
     walls = [sheet((-2 - z, -2 - z, 3 + z), (4, 0, 0), (0, 4, 0), start=(32 * z, 0)) for z in (0, 1, 2)]
     yield made("walls_far_ones_first", "Three walls one behind the other, the farthest first.", walls[::-1])
     yield made("walls_near_ones_first", "The same, the nearest first.", walls)

@@ -4,7 +4,7 @@ from tmap.scene_file.scene_file import SETTINGS
 from tmap.scene_file.textures import MAPPERS, ON_PLANE
 from tmap.setup.texturing import Settings
 
-#: Combinations of the mappers other than affine: cheap, usual, exact.
+#: Combinations for all mappers except affine: cheap, usual, exact.
 USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
          ("exact", "plane", "subtexel"))
 

@@ -27,7 +27,7 @@ from tmap.run.polygon_report import explain
 from tmap.scene_file.scene_file import write
 
 MACHINE = "a1200-fast"
-#: Blocks of one boot.
+#: Blocks per boot.
 BLOCKS = 4
 #: The forms of blocks, in turn: the plain forms are for comparison only.
 FORMS = ("addx", "addx", "swap", "addx", "c")

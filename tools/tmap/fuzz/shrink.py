@@ -11,7 +11,7 @@ from tmap.fuzz.depths import limits
 from tmap.fuzz.polygons import Fuzzed
 from tmap.scene_file.scene_file import SETTINGS
 
-ROUNDS = 60  # each takes a boot
+ROUNDS = 60  # each needs a boot
 #: Settings from simple to demanding; a shrunken polygon has the simplest that still fail.
 PLAIN = {"clip": ("scissor", "vertices"), "start": ("subtexel", "truncated"),
          "gradients": ("plane", "polygon", "scanline"), "edges": ("exact", "subpixel", "integer"),

@@ -19,7 +19,7 @@ from tmap.model import model
 from tmap.setup.edges import Edge
 from tmap.setup.texturing import Settings
 
-LARGEST = 32768.0  # pixels and texels: all is modulo twice that
+LARGEST = 32768.0  # pixels and texels: values are modulo twice that
 #: The rounding of double precision when a bound is evaluated and compared.
 FLOAT = 1 + 1e-9
 

@@ -49,7 +49,7 @@ UNIT = 1 / 65536
 
 @dataclass
 class Deviation:
-    """The worst found over some polygons, each as error / bound, and in its own unit."""
+    """The largest errors over some polygons, each in its own unit and as error / bound."""
 
     edge: float = 0.0  # pixels
     edge_ratio: float = 0.0

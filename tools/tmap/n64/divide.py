@@ -6,7 +6,7 @@ import numpy as np
 
 from tmap.base.fixed import signed
 
-#: Reciprocals of 64/64 .. 128/64 of a normalised w, 2^14 / (1 + i/64); one entry is one low.
+#: Reciprocals of 64/64 .. 128/64 of a normalised w, 2^14 / (1 + i/64); one entry is low by 1.
 TABLE = np.array([((1 << 21) // (64 + i) + 1) >> 1 for i in range(65)], np.int64)
 TABLE[6] = 14979
 

@@ -38,7 +38,7 @@ class Axis:
 
 @dataclass
 class Tile:
-    """A tile descriptor. ``size``: 0 to 3 for 4 to 32 bits a texel; ``line`` and ``tmem`` in
+    """A tile descriptor. ``size``: 0 to 3 for 4 to 32 bits per texel; ``line`` and ``tmem`` in
     64-bit words."""
 
     format: int = 0

@@ -64,7 +64,7 @@ def code(where: str, names: tuple, name: str) -> int:
     if wanted in names:
         return names.index(wanted)
     if wanted is None and len(names) > 7:
-        return 31 if len(names) > 8 else 15  # beyond the named codes all are zero
+        return 31 if len(names) > 8 else 15  # all codes beyond the named ones are zero
     known = ", ".join(n for n in names if n)
     raise UserError(f"{where}: {name!r} is none of {known}, 0")
 
@@ -99,7 +99,7 @@ def line_of(form: int, size: int, width: int) -> int:
 
 @dataclass
 class List:
-    """A display list being built, and the modes as its last words set them."""
+    """A display list being built, and the modes that its words have set."""
 
     words: list[Word] = field(default_factory=list)
     modes: Modes = field(default_factory=Modes)

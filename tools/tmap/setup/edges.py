@@ -26,7 +26,7 @@ class Edge:
 
     @cached_property
     def slope(self) -> int:
-        """Pixels a line, 16.16; 0 where the edge has one line only."""
+        """Pixels per line, 16.16; 0 if the edge has only one line."""
         width, height = self.extent
         several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
         return mul_div(width, ONE, height) if several else 0
@@ -51,7 +51,7 @@ class Edge:
 
     @property
     def whole(self) -> int:
-        """Whole pixels a line."""
+        """Whole pixels per line."""
         width, height = self.extent
         return width // height if self.exact else self.slope >> 16
 

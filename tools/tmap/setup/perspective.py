@@ -20,7 +20,7 @@ from tmap.setup.texturing import gradients
 Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 4  # the least ratio of q to its error
 TOO_STEEP = 1 << 28  # Q_SURE times this is above every q except the nearest one's
-STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
+STEEP = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
 PIECES = {"every16": 16, "every8": 8}
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
@@ -93,7 +93,7 @@ class Perspective:
     t: Plane
     i: int
     j: int
-    base: tuple[int, int]  # a unit above a texel
+    base: tuple[int, int]  # a whole texel plus a unit
     scale: int  # log2 of the factor of S and T
     least: int  # of q
     low: tuple[int, int]  # of u and v, relative to their bases

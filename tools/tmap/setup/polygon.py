@@ -151,7 +151,7 @@ class Outline:
 
     @property
     def box(self) -> tuple[int, int, int, int]:
-        """Left, top, right and bottom of the pixels."""
+        """Left, top, right and bottom of the box of pixels."""
         return self.sides.box
 
     def polygon(self, width: int, exact: bool, textured: bool) -> Polygon:

@@ -25,7 +25,7 @@ class Settings:
     clip: str = "scissor"  # scissor, vertices
     perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
-    tolerance: int = 0  # 1/65536 texel that less perspective may cost
+    tolerance: int = 0  # error allowed to simpler perspective, 1/65536 texel
 
 
 def raised(value: int, cut: int) -> int:
