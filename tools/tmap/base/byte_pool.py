@@ -1,19 +1,19 @@
-"""Bytes that a scene's texture units load from or draw with."""
+"""The bytes that a scene's texture units load or draw from."""
 
 from dataclasses import dataclass, field
 
-ALIGN = 8  # of addresses: what an N64 image and Glide's registers have
+ALIGN = 8  # of addresses: an N64 image and Glide's registers need it
 
 
 @dataclass
 class BytePool:
-    """Blocks one behind the other, each at a multiple of ALIGN; the same bytes are there once."""
+    """Consecutive blocks, each at a multiple of ALIGN; equal blocks are stored once."""
 
     data: bytearray = field(default_factory=bytearray)
     known: dict[bytes, int] = field(default_factory=dict)
 
     def put(self, block: bytes) -> int:
-        """The address of a block."""
+        """Returns a block's address; appends the block if it is new."""
         if block not in self.known:
             self.known[block] = len(self.data)
             self.data += block + bytes(-len(block) % ALIGN)

@@ -1,8 +1,9 @@
-"""Sines, exponentials and their like: the same bits on every processor.
+"""Sines, exponentials and similar functions with the same bits on every processor.
 
-The C library and NumPy have several versions of these functions and take the one for the processor;
-their last bits differ, and a rounding to integers may show that. These are computed in decimal
-digits, which are integers, and each is the float nearest to the true value; but for ``log2``.
+The C library and NumPy have several versions of these functions and choose one for the processor.
+Their last bits differ, and rounding to integers may show that. The functions here compute in
+decimal digits, which are integers. Each result except ``log2``'s is the float nearest to the true
+value.
 """
 
 import math
@@ -13,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 
 #: More than twice the digits of a float: the result is the nearest float unless the true value is
-#: within 1e-20 of the middle of two.
+#: within 1e-20 of the middle between two floats.
 DIGITS = Context(prec=40)
 SMALL = Decimal("1e-40")
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899863")
@@ -21,7 +22,7 @@ TO_LOG2 = 2 / float(DIGITS.ln(Decimal(2)))
 
 
 def series(square: Decimal, first: Decimal, number: int) -> Decimal:
-    """first - first x^2 / (n + 1)(n + 2) + ... of x^2; n: ``number``."""
+    """Returns first - first x^2 / (n + 1)(n + 2) + ...; ``square`` is x^2, ``number`` is n."""
     total = term = first
     while abs(term) > SMALL:
         term = -term * square / ((number + 1) * (number + 2))
@@ -31,8 +32,8 @@ def series(square: Decimal, first: Decimal, number: int) -> Decimal:
 
 @lru_cache(1 << 12)
 def digits_of_turn(angle: float) -> tuple[Decimal, Decimal]:
-    """The cosine and the sine of an angle in radians, DIGITS."""
-    with localcontext(Context(prec=80)):  # large angles: what is left has DIGITS still
+    """Returns the cosine and the sine of an angle in radians to DIGITS."""
+    with localcontext(Context(prec=80)):  # the rest of large angles still has DIGITS
         quarters = (Decimal(angle) * 2 / PI).to_integral_value()
         rest = Decimal(angle) - quarters * PI / 2
     with localcontext(DIGITS):
@@ -43,24 +44,24 @@ def digits_of_turn(angle: float) -> tuple[Decimal, Decimal]:
 
 
 def cos(angle: float) -> float:
-    """Of radians."""
+    """Returns the cosine of an angle in radians."""
     return float(digits_of_turn(angle)[0])
 
 
 def sin(angle: float) -> float:
-    """Of radians."""
+    """Returns the sine of an angle in radians."""
     return float(digits_of_turn(angle)[1])
 
 
 def tan(angle: float) -> float:
-    """Of radians."""
+    """Returns the tangent of an angle in radians."""
     c, s = digits_of_turn(angle)
     return float(DIGITS.divide(s, c))
 
 
 def atan2(y: float, x: float) -> float:
-    """The angle of a point, -pi to pi; 0 of the origin. The library's is off by less than 1e-15,
-    of which the tangent, the square of that neglected, is found."""
+    """Returns the angle of a point, -pi to pi; 0 for the origin. The library's angle is off by less
+    than 1e-15. The tangent of that error, whose square is negligible, corrects it."""
     about = math.atan2(y, x)
     c, s = digits_of_turn(about)
     with localcontext(DIGITS):
@@ -70,18 +71,19 @@ def atan2(y: float, x: float) -> float:
 
 
 def exp(x: float) -> float:
-    """e to the x."""
+    """Returns e to the x."""
     return float(DIGITS.exp(Decimal(x)))
 
 
 def power(x: float, y: float) -> float:
-    """x to the y; x is above 0, or 0 and y above."""
+    """Returns x to the y; x is above 0, or x is 0 and y is above 0."""
     return float(DIGITS.exp(DIGITS.multiply(DIGITS.ln(Decimal(x)), Decimal(y)))) if x else 0.0
 
 
 def log2(values: np.ndarray) -> np.ndarray:
-    """Of an array's values, minus infinity of 0: by additions and products element by element, off
-    by less than 4 units of the last place of 1 or of the result."""
+    """Returns the logarithms of an array's values, minus infinity for 0. They are computed by
+    additions and products element by element, with errors below 4 units in the last place of 1 or
+    of the result."""
     part, exponent = np.frexp(values)
     low = part < math.sqrt(0.5)
     part, exponent = np.where(low, 2 * part, part), exponent - low
@@ -93,7 +95,7 @@ def log2(values: np.ndarray) -> np.ndarray:
 
 
 def each(function: Callable[..., float], values: np.ndarray, *more: float) -> np.ndarray:
-    """A function of each of an array's values; of equal ones once."""
+    """Returns a function of each of an array's values; equal values are computed once."""
     different, where = np.unique(values, return_inverse=True)
     found = np.array([function(value, *more) for value in different.tolist()], float)
     return found[where].reshape(np.shape(values))

@@ -1,4 +1,4 @@
-"""The one exception that reaches the user as a line instead of a traceback."""
+"""The one exception that is shown to the user as a line instead of a traceback."""
 
 
 class UserError(Exception):
@@ -6,6 +6,6 @@ class UserError(Exception):
 
 
 def require(name: str, where: str, value: int, low: int, high: int, unit: str = "") -> None:
-    """Refuses a value outside low..high; ``name``: of the file, ``where``: of the field."""
+    """Refuses a value outside low..high; ``name``: the file's name, ``where``: the field's."""
     if not low <= value <= high:
         raise UserError(f"{name}: {where}: {value} is not from {low} to {high}{unit}")

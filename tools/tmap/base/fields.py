@@ -1,7 +1,7 @@
-"""Checks for TOML: what a field may be, as data; refusals name the field's path.
+"""Checks for the fields of TOML files, as data; refusals name the field's path.
 
 A check is a function of a value and its path (``scene.toml: objects[2].radius``)
-that returns what the program uses, or raises UserError.
+that returns the value for the program or raises UserError.
 """
 
 import re
@@ -19,7 +19,7 @@ def fail(where: str, message: str):
 
 
 def join(where: str, key: str) -> str:
-    """The path of a field inside a table; odd keys are quoted to stay on one line."""
+    """Returns the path of a field inside a table; odd keys are quoted to stay on one line."""
     name = key if re.fullmatch(r"[\w-]+", key) else repr(key)
     return f"{where}{'' if where.endswith(': ') else '.'}{name}"
 
@@ -31,7 +31,7 @@ def expect(value, where: str, kinds: tuple, noun: str):
 
 
 def real(value, where):
-    """Any number; what it may be is another check's."""
+    """Any number; another check limits it."""
     expect(value, where, (int, float), "a number")
     return value
 
@@ -116,7 +116,7 @@ def table(fields: dict):
 
 
 def named(element):
-    """A table of any names."""
+    """A table whose keys may be any names."""
     def check(value, where):
         expect(value, where, (dict,), "a table")
         return {key: element(entry, join(where, key)) for key, entry in value.items()}
@@ -124,7 +124,7 @@ def named(element):
 
 
 def choice(alternatives: dict[str, dict], common: dict):
-    """A table with the fields of the one alternative whose key it has."""
+    """A table with the common fields and those of the one alternative whose key it has."""
     def check(value, where):
         expect(value, where, (dict,), "a table")
         chosen = [key for key in alternatives if key in value]

@@ -1,4 +1,4 @@
-"""Fixed-point arithmetic as src68k does it, in integers."""
+"""Fixed-point arithmetic like that of src68k, in integers."""
 
 from typing import TypeVar
 
@@ -11,55 +11,55 @@ ONE = 65536  # 1.0 in 16.16
 
 
 def fix(value: float) -> int:
-    """The nearest 16.16 number, the even one of two."""
+    """Returns the nearest 16.16 number; halves round to even."""
     return round(value * ONE)
 
 
 def fix_all(values) -> np.ndarray:
-    """The nearest 16.16 numbers of an array or nested lists, int64."""
+    """Returns the nearest 16.16 numbers to those of an array or nested lists, int64."""
     return np.rint(np.asarray(values) * ONE).astype(np.int64)
 
 
 def signed(value: Number, bits: int = 32) -> Number:
-    """The low ``bits`` of an integer, or of each of an int64 array, as a two's complement
+    """Returns the low ``bits`` of an integer, or of each in an int64 array, as a two's complement
     number."""
     value = value & (1 << bits) - 1
     return value - (value >> bits - 1 << bits)
 
 
 def swap(x: int) -> int:
-    """The words of a long exchanged: 16.16 as fraction:integer and back."""
+    """Exchanges the words of a long: 16.16 to fraction:integer and back."""
     return (x >> 16 | x << 16) & M32
 
 
 def step_swapped(x: int, step: int) -> int:
-    """x + step, both fraction:integer, modulo 2^32: add.l, whose carry addx.w adds."""
+    """Returns x + step, both fraction:integer, modulo 2^32: add.l, then addx.w adds its carry."""
     total = x + step
     return total & 0xFFFF0000 | (total & 0xFFFF) + (total >> 32) & 0xFFFF
 
 
 def ceil16(x: int) -> int:
-    """The smallest integer not below a 16.16 number."""
+    """Returns the smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
 
 
 def mul(a: int, b: int) -> int:
-    """a * b of two 16.16 numbers, rounded down."""
+    """Returns a * b of two 16.16 numbers, rounded down."""
     return a * b >> 16
 
 
 def mul_div(a: int, b: int, c: int) -> int:
-    """a * b / c rounded to the nearest integer, c > 0."""
+    """Returns a * b / c rounded to the nearest integer, c > 0."""
     return (a * b + (c >> 1)) // c
 
 
 def cut_quotient(n: int, d: int) -> int:
-    """n / d cut towards zero, d > 0."""
+    """Returns n / d cut towards zero, d > 0."""
     return n // d if n >= 0 else -(-n // d)
 
 
 def quotient(n: int, d: int) -> int:
-    """n / d in 32.32 modulo 2^64, as ``texturing_plane`` divides: d keeps 32 bits."""
+    """Returns n / d in 32.32 modulo 2^64 as ``texturing_plane`` divides: d is cut to 32 bits."""
     sign = -1 if (n < 0) != (d < 0) else 1
     n, d = abs(n), abs(d)
     cut = max(d.bit_length() - 32, 0)
@@ -67,10 +67,10 @@ def quotient(n: int, d: int) -> int:
 
 
 def wide_mul(gradient: int, offset: int) -> int:
-    """A 32.32 gradient times a 16.16 offset, in 16.16 modulo 2^32."""
+    """Returns a 32.32 gradient times a 16.16 offset, in 16.16 modulo 2^32."""
     return (gradient * offset + (1 << 31)) >> 32 & M32
 
 
 def step(gradient: int, cut: int) -> int:
-    """A 32.32 gradient as the nearest 16.16 step modulo 2^32 whose ``cut`` low bits are 0."""
+    """Rounds a 32.32 gradient to the nearest 16.16 step modulo 2^32 with ``cut`` low bits of 0."""
     return ((gradient + (0x8000 << cut)) >> 16 & M32) >> cut << cut

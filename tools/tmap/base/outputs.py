@@ -1,4 +1,4 @@
-"""What commands leave behind: folders that change as a whole, animations; and bars meanwhile."""
+"""The commands' output: folders that are replaced as a whole, animations, progress bars."""
 
 import os
 import shutil
@@ -16,7 +16,7 @@ from tmap.base.errors import UserError
 
 
 def check_directory(out: Path) -> None:
-    """Refuses a place where no directory can be, before the work begins."""
+    """Refuses a path where no directory can be made, before the work begins."""
     for place in (out, *out.parents):
         if os.path.lexists(place):
             if not place.is_dir():
@@ -25,7 +25,7 @@ def check_directory(out: Path) -> None:
 
 
 def bars() -> Progress:
-    """Bars on stderr that vanish at the end; none where that is no terminal."""
+    """Progress bars on stderr that vanish at the end; disabled if stderr is not a terminal."""
     return Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                     TimeElapsedColumn(), console=Console(stderr=True), transient=True,
                     disable=not sys.stderr.isatty())
@@ -33,8 +33,9 @@ def bars() -> Progress:
 
 @contextmanager
 def replaced(out: Path, old: Iterable[str], last: str) -> Iterator[Path]:
-    """A folder to write to. Its content comes into ``out`` once everything is on the disk, in place
-    of what the patterns ``old`` name there; ``last``: the file that describes the rest."""
+    """Yields a folder to write to. Once everything is on the disk, the files in ``out`` that match
+    the patterns ``old`` are deleted and the folder's content is moved there. The file ``last``,
+    which describes the rest, is moved last."""
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".tmap-", dir=out) as temporary:
@@ -49,6 +50,6 @@ def replaced(out: Path, old: Iterable[str], last: str) -> Iterator[Path]:
 
 
 def save_animation(path: Path, pictures: Iterable[Image.Image], frame_ms: int, **options) -> None:
-    """A GIF that repeats for ever. ``options``: Pillow's."""
+    """Saves a GIF that repeats without end. ``options``: Pillow's."""
     first, *others = pictures
     first.save(path, save_all=True, append_images=others, duration=frame_ms, loop=0, **options)

@@ -1,4 +1,4 @@
-"""Where things are in the project's tree."""
+"""Paths in the project's tree."""
 
 from pathlib import Path
 

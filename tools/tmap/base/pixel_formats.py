@@ -10,8 +10,8 @@ from tmap.base import maps
 
 @dataclass(frozen=True)
 class PixelFormat:
-    """What a pixel's number means. ``numbers``: colours, uint8 [...][channels], as pixels;
-    ``colours``: the inverse, None where there is a palette instead."""
+    """A pixel format. ``numbers``: converts colours, uint8 [...][channels], to pixels;
+    ``colours``: the inverse. Both are None if there is a palette instead."""
 
     name: str
     bytes: int
@@ -21,21 +21,21 @@ class PixelFormat:
 
     @property
     def dtype(self) -> np.dtype:
-        """Of pixels, in the host's byte order."""
+        """The type of pixels, in the host's byte order."""
         return np.dtype(f"u{self.bytes}")
 
     def flat(self, colours: list[tuple[int, int, int]]) -> list[int]:
-        """Opaque colours as pixels."""
+        """Converts opaque colours to pixels."""
         opaque = np.full((len(colours), len(self.channels)), 255, np.uint8)
         opaque[:, :3] = colours
         return self.numbers(opaque).tolist()
 
     def picture(self, pixels: np.ndarray) -> np.ndarray:
-        """What pixels look like, uint8 [...][3]: alpha does not count."""
+        """The colours of pixels, uint8 [...][3], without alpha."""
         return self.colours(pixels)[..., :3]
 
 
-#: In the order of their numbers.
+#: By name, in the order of enum pixel_format.
 FORMATS = {each.name: each for each in (
     PixelFormat("chunky", 1),
     PixelFormat("rgb565", 2, "RGB", maps.to_rgb565, maps.from_rgb565),

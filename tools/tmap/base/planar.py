@@ -1,7 +1,7 @@
-"""Bitplanes: which bit of memory is which bit of which dot on the screen.
+"""Bitplanes: conversion between bits in memory and dots on the screen.
 
-The leftmost of 8 dots is a byte's highest bit, a dot's lowest bit is in plane 0; a row of a
-plane is whole longwords, as struct planar_plan (c/screen/planar.h) has it.
+The leftmost of 8 dots is a byte's highest bit; a dot's lowest bit is in plane 0. A row of a plane
+has a whole number of longwords, as struct planar_plan (c/screen/planar.h) requires.
 """
 
 from collections.abc import Callable
@@ -14,8 +14,8 @@ from tmap.base import maps
 
 @dataclass(frozen=True)
 class Planes:
-    """Where bitplanes lie in a block of memory, in bytes: ``numbers`` are the planes that
-    count, ``width`` (dots) and ``rows`` their size."""
+    """The places of bitplanes in a block of memory, in bytes. ``numbers``: the planes in use;
+    ``width`` (dots) and ``rows``: their size."""
 
     width: int
     rows: int
@@ -31,7 +31,7 @@ class Planes:
 
     @property
     def first(self) -> int:
-        """Where plane 0's first row is in the block, before it where plane 0 does not count."""
+        """The offset of plane 0's first row in the block; negative if plane 0 is not in use."""
         return -int(self.lines.min())
 
     @property
@@ -41,15 +41,15 @@ class Planes:
 
     @property
     def offsets(self) -> np.ndarray:
-        """Of all bytes in the block: [plane][row][byte]."""
+        """The offsets of all bytes in the block: [plane][row][byte]."""
         return self.first + self.lines[..., None] + np.arange(self.width // 8)
 
     def encoded(self, dots: np.ndarray) -> np.ndarray:
-        """Dots, uint8 [row][x], as the planes' bytes: [plane][row][byte]."""
+        """Converts dots, uint8 [row][x], to the planes' bytes: [plane][row][byte]."""
         return np.packbits(dots >> np.array(self.numbers, np.uint8)[:, None, None] & 1, axis=2)
 
     def decoded(self, block: np.ndarray) -> np.ndarray:
-        """The dots that a block of memory shows, uint8 [row][x]; planes that do not count are 0."""
+        """Converts a block of memory to dots, uint8 [row][x]; planes that are not in use are 0."""
         bits = np.unpackbits(block[self.offsets], axis=2)
         return sum((bits[k] << number for k, number in enumerate(self.numbers)),
                    np.zeros((self.rows, self.width), np.uint8))
@@ -57,8 +57,8 @@ class Planes:
 
 @dataclass(frozen=True)
 class Form:
-    """A format of frames: bytes and dots a pixel, the planes that a frame sets, and the dots of
-    pixels, [row][x]."""
+    """A format of frames: bytes and dots per pixel, the planes that a frame sets, and the function
+    that converts pixels to dots, [row][x]."""
 
     bytes: int
     dots: int
@@ -66,27 +66,27 @@ class Form:
     convert: Callable[[np.ndarray], np.ndarray]
 
 
-#: The planes of HAM8 that say which colour a dot changes, and what they say.
+#: The planes of HAM8 that select the colour that a dot changes, and their codes.
 CONTROL = (0, 1)
 BLUE, RED, GREEN = 1, 2, 3
-#: What the four dots of a pixel change, left to right.
+#: The colours that the four dots of a pixel change, left to right.
 ORDER = (RED, GREEN, BLUE, BLUE)
 CHANNELS = {RED: 0, GREEN: 1, BLUE: 2}
 
 
 def ham8_dots(colours: np.ndarray) -> np.ndarray:
-    """Colours, uint8 [row][x][3 or more], as dots without control bits: [row][4 x]."""
+    """Converts colours, uint8 [row][x][3 or more], to dots without control bits: [row][4 x]."""
     dots = colours[..., [CHANNELS[code] for code in ORDER]] & 0xFC
     return dots.reshape(len(colours), -1)
 
 
 def ham8_control(width: int) -> np.ndarray:
-    """The control bits of a row of so many dots."""
+    """Returns the control bits of a row of ``width`` dots."""
     return np.resize(np.array(ORDER, np.uint8), width)
 
 
 def ham8_shown(dots: np.ndarray, background: tuple[int, int, int]) -> np.ndarray:
-    """What the display makes of dots with control bits, none of them 0: uint8 [row][x][3].
+    """Returns the colours displayed for dots with control bits, none of them 0: uint8 [row][x][3].
 
     Each line begins with the background; a dot changes the upper six bits of one colour.
     """
@@ -102,7 +102,7 @@ def ham8_shown(dots: np.ndarray, background: tuple[int, int, int]) -> np.ndarray
 
 
 UPPER = (2, 3, 4, 5, 6, 7)
-#: By routine.
+#: The frame format of each routine.
 FORMS = {
     "c2p_8": Form(1, 1, (*CONTROL, *UPPER), lambda pixels: pixels),
     "c2p_ham8_16": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgb565(pixels))),
@@ -111,13 +111,13 @@ FORMS = {
 
 
 def noise(name: str, rng, width: int, rows: int) -> np.ndarray:
-    """Random pixels for a routine, big-endian: [row][x]."""
+    """Returns random pixels for a routine, big-endian: [row][x]."""
     size = FORMS[name].bytes
     return np.frombuffer(rng.bytes(rows * width * size), f">u{size}").reshape(rows, width)
 
 
 def difference(expected: np.ndarray, found: np.ndarray) -> str | None:
-    """The first dot that differs, or None."""
+    """Describes the first dot that differs; None if there is none."""
     wrong = np.argwhere(expected != found)
     if not len(wrong):
         return None

@@ -1,7 +1,7 @@
-"""The rooms of the tree and what each may use.
+"""The rooms of the tree and which rooms each may use.
 
-A room uses the rooms above its own. Rooms of one line do not use each other. ROOMS.md shows these
-lists, and tests/product/test_rooms.py holds every import and include to them.
+A room may use the rooms listed above it. Rooms on one line may not use each other. ROOMS.md shows
+these lists, and tests/product/test_rooms.py checks every import and include against them.
 """
 
 import ast
@@ -12,14 +12,14 @@ from pathlib import Path
 from tmap.base.markdown import table
 from tmap.base.paths import ROOT
 
-#: tools/tmap; a room's own docstring says what it is for. The top has the command line.
+#: tools/tmap; each room's docstring gives its purpose. The top folder has the command line.
 TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "compiler", "guest",
          "vectors", "corpus", "ideal", "run", "fuzz", "bench/modes bench/examples", "bench", "accuracy",
          "report", "product assets", ".")
-#: tests, the same. The top has conftest.py.
+#: tests, in the same way. The top folder has conftest.py.
 TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon", "accuracy",
          "screen", "guest", "product", ".")
-#: c, each with a sentence.
+#: c, each with a description.
 C = {".": "integer types and the limits that all rooms keep to",
      "math system texture": "products and quotients in assembly; AmigaDOS, memory, clock; maps in memory",
      "span": "what spans and line makers in `src68k/` are called with",
@@ -32,7 +32,7 @@ C = {".": "integer types and the limits that all rooms keep to",
      "plain show": "routines in C as the bench calls them; figures below a picture",
      "bench demo": "plans and reports of the bench; the demo's parts",
      "programs": "the programs themselves"}
-#: src68k; include/ has what all use.
+#: src68k; all rooms use include/.
 SRC68K = {"math": "products and quotients", "span": "loops over a line's pixels",
           "edge": "lines of a polygon from its edges", "polygon": "edges, gradient set-up, planes",
           "mesh": "points, faces, normals", "n64": "passes of the N64's texture engine",
@@ -41,19 +41,20 @@ SRC68K = {"math": "products and quotients", "span": "loops over a line's pixels"
 
 
 def ranks(rooms: Iterable[str]) -> dict[str, int]:
-    """Each room's line."""
+    """Returns the index of each room's line."""
     return {room: line for line, some in enumerate(rooms) for room in some.split()}
 
 
 def room_of(path: Path, top: Path, rooms: Iterable[str]) -> str:
-    """The room of a file below ``top``: the longest of those that its folders begin with."""
+    """Returns the room of a file below ``top``: the longest one that its folder's path begins
+    with."""
     folder = path.parent.relative_to(top).as_posix()
     found = [room for room in ranks(rooms) if folder == room or folder.startswith(room + "/")]
     return max(found, key=len, default=".")
 
 
 def imported(path: Path, package: str, top: Path) -> Iterator[Path]:
-    """The files below ``top`` that a Python file imports from ``package``."""
+    """Yields the files below ``top`` that a Python file imports from ``package``."""
     for node in ast.walk(ast.parse(path.read_text())):
         if not isinstance(node, ast.ImportFrom) or (node.module or "").split(".")[0] != package:
             continue
@@ -64,13 +65,13 @@ def imported(path: Path, package: str, top: Path) -> Iterator[Path]:
 
 
 def included(path: Path) -> Iterator[Path]:
-    """The files of c/ that one includes."""
+    """Yields the files of c/ that a file includes."""
     for name in re.findall(r'^#include "([^"]+)"', path.read_text(), re.M):
         yield ROOT / "c" / name
 
 
 def tables() -> dict[str, str]:
-    """The lists for ROOMS.md, by title."""
+    """Returns the tables for ROOMS.md, by title."""
     def sentence(room: str) -> str:
         text = (ROOT / "tools" / "tmap" / room / "__init__.py").read_text()
         return " ".join(ast.get_docstring(ast.parse(text)).split("\n\n")[0].split())

@@ -1,9 +1,9 @@
-"""How long a process may be silent: counted in processor time that it used, so that a busy host, which
-gives it little, does not make it look hung.
+"""Limits how long a process may be silent. The limit is in processor time, so that a process on a
+busy host, which gets little of it, does not look hung.
 
-A guest that hangs keeps its emulator busy: on an idle host it is found after as many seconds. A
-process that is stopped or blocked uses no processor time. It is given up after SHARE times as many
-seconds by the clock, which is far more than one needs that waits for a processor among others.
+A guest that hangs keeps its emulator busy: on an idle host it is found after as many seconds as the
+limit. A process that is stopped or blocked uses no processor time. It is given up after SHARE times
+as many seconds of real time, far more than a process needs that competes for a processor.
 """
 
 import os
@@ -11,13 +11,13 @@ import time
 from glob import glob
 from pathlib import Path
 
-SHARE = 15  # a process that gets less than this part of a processor, 1/SHARE, does not run at all
-TICKS = os.sysconf("SC_CLK_TCK")  # a second of processor time in /proc
-LONGEST = 1.0  # seconds that count between two looks: whoever looks may have been stopped as well
+SHARE = 15  # a process that gets less than 1/SHARE of a processor counts as not running
+TICKS = os.sysconf("SC_CLK_TCK")  # in /proc, per second of processor time
+LONGEST = 1.0  # most seconds counted between two checks: the checking process may be stopped too
 
 
 def children(pid: int) -> list[int]:
-    """The processes that a process, by any of its threads, has started and not yet waited for."""
+    """Returns the processes that any thread of a process has started and not yet waited for."""
     found = []
     for path in glob(f"/proc/{pid}/task/*/children"):
         try:
@@ -28,30 +28,31 @@ def children(pid: int) -> list[int]:
 
 
 def processor_seconds(pid: int) -> float:
-    """Processor time of a process, those that it waited for and those that it has; 0 if it is gone."""
+    """Returns the processor time of a process and of its children, those it has waited for and
+    those still there; 0 if it is gone."""
     try:
         stat = Path(f"/proc/{pid}/stat").read_text()
     except OSError:
         return 0.0
-    fields = stat.rpartition(")")[2].split()  # a name in parentheses may have blanks
-    # Children last: one that ends meanwhile is left out this time, and never counted twice.
+    fields = stat.rpartition(")")[2].split()  # the name in parentheses may have blanks
+    # Children last: one that ends meanwhile is left out this time, but never counted twice.
     return sum(map(int, fields[11:15])) / TICKS + sum(map(processor_seconds, children(pid)))
 
 
 class Silence:
-    """The time since a process was heard. ``patience``: seconds of processor time that are too
-    many."""
+    """The time since a process's last sign of life. ``patience``: the limit in seconds of processor
+    time."""
 
     def __init__(self, pid: int, patience: float) -> None:
         self.pid, self.patience = pid, patience
         self.heard()
 
     def heard(self) -> None:
-        """It gave a sign of life: counts from here."""
+        """Records a sign of life: restarts the count."""
         self.from_, self.last, self.clock = processor_seconds(self.pid), time.monotonic(), 0.0
 
     def end(self) -> str:
-        """Why it lasts too long, or nothing. To be asked again and again."""
+        """Returns why the process is silent for too long, or "". Must be called repeatedly."""
         now = time.monotonic()
         self.clock += min(now - self.last, LONGEST)
         self.last = now

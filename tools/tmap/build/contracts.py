@@ -1,4 +1,4 @@
-"""Reads the contract block over each assembly routine and holds the tree to it.
+"""Reads the contract block above each assembly routine and checks the tree against it.
 
     ;==============================================================================
     ; name - summary
@@ -9,11 +9,11 @@
     ; reads: writes: formats: error: cost:    free text
     ;==============================================================================
 
-Fields are in this order; a longer one goes on indented, and one that has nothing
-to say is left out. Without ``trashes`` a routine changes what C allows, TRASHED.
-A routine is what the ``routine`` macro or an exported label of a code section begins. Other
-labels that a documented routine runs into are entries of that routine, and the
-entry ``start`` of a command may be documented under the command's name.
+Fields are in this order. A longer one continues on indented lines; an empty one is left out.
+Without ``trashes`` a routine may change the registers that C allows, TRASHED.
+A routine begins with the ``routine`` macro or with an exported label of a code section. Other
+labels that a documented routine runs into are entries of that routine. The entry ``start`` of a
+command may be documented under the command's name.
 
 ``python -m tmap.build.contracts SRC OUT`` writes OUT/contracts.json and
 OUT/kernel_table.s: names and addresses of all kernels, for the program bench.
@@ -39,10 +39,10 @@ TITLE = re.compile(r"; (\w+) - (\S.*)$")
 FIELD = re.compile(r"; (\w+):\s*(.*)$")
 UNCOMMENTED = re.compile(r"""(?:[^;'"]|'[^']*'|"[^"]*"|['"])*""")
 STATEMENT = re.compile(r"([^\s:=]+:{0,2})?\s*(=|[^\s=]+)?\s*(.*)$")
-#: Statements that leave execution where it is.
+#: Statements that generate no code.
 DIRECTIVES = {"xdef", "xref", "cnop", "even", "include", "=", "equ", "set", "reg", "rs",
               "ifd", "ifnd", "ifb", "ifnb", "ifeq", "ifne", "if", "else", "endif", "endc"}
-#: Data: a label on it is no entry, and execution does not come past it.
+#: Data directives: their labels are not entries, and execution does not run through them.
 NO_CODE = {f"{name}{size}" for name in ("dc", "dcb", "ds", "blk") for size in ("", ".b", ".w", ".l")} \
     | {"incbin"}
 #: After these, execution does not run into the next label.
@@ -50,7 +50,7 @@ NO_RETURN = {"rts", "rte", "rtd", "rtr", "jmp", "bra"}
 
 
 class Argument(NamedTuple):
-    """One line of ``in`` or ``out``: register (or pair ``d0:d1``), C type, meaning."""
+    """One entry of ``in`` or ``out``: register (or pair ``d0:d1``), C type, meaning."""
 
     register: str
     type: str
@@ -59,7 +59,7 @@ class Argument(NamedTuple):
 
 @dataclass(frozen=True)
 class Contract:
-    """One routine's block; texts are "" where the block has no such field."""
+    """One routine's block; the text of a missing field is ""."""
 
     name: str
     file: str
@@ -86,8 +86,8 @@ class Statement(NamedTuple):
 
 
 class Entry(NamedTuple):
-    """A label of code. ``registers``: where the ``routine`` macro puts C's arguments,
-    None for a plain label; ``is_reached``: the code before it runs into it."""
+    """A label of code. ``registers``: the registers to which the ``routine`` macro moves C's
+    arguments, None for a plain label; ``is_reached``: the code before it runs into it."""
 
     line: int
     name: str
@@ -97,13 +97,13 @@ class Entry(NamedTuple):
 
 
 def is_register(text: str) -> bool:
-    """Whether ``text`` names a register, the stack pointer or a pair d0:d1."""
+    """Returns true if ``text`` names a register, the stack pointer or a pair d0:d1."""
     return text == "sp" or 1 <= len(text.split(":")) <= 2 and all(
         part in REGISTERS for part in text.split(":"))
 
 
 def expand(text: str) -> frozenset[str]:
-    """The registers of a list such as "d0-d2/a0"; ValueError names a wrong part."""
+    """Returns the registers of a list such as "d0-d2/a0"; a ValueError names a wrong part."""
     if text == "-":
         return frozenset()
     if text == "everything":
@@ -119,9 +119,9 @@ def expand(text: str) -> frozenset[str]:
 
 
 def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
-    """The arguments of an ``in`` or ``out`` field, first line's text first.
+    """Returns the arguments of an ``in`` or ``out`` field from its lines.
 
-    Lines at the first one's column begin an argument, deeper ones continue it.
+    A line at the first one's column begins an argument; a deeper one continues it.
     """
     if not lines:
         return ()
@@ -144,7 +144,7 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
 
 def parse_block(file: str, first: int, lines: list[str]) -> Contract:
-    """The contract in the ``lines`` between two bars; ``first`` is their line number."""
+    """Returns the contract in the ``lines`` between two bars; ``first``: the first one's number."""
 
     def fail(number: int, text: str):
         raise UserError(f"{file}:{number}: {text}")
@@ -192,7 +192,7 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
 
 
 def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
-    """The contract blocks of a source file, by name."""
+    """Returns the contract blocks of a source file, by name."""
     blocks: dict[str, Contract] = {}
     bars = [number for number, line in enumerate(lines, 1) if BAR.match(line)]
     for first, last in zip(bars[::2], bars[1::2] + [None]):
@@ -206,7 +206,7 @@ def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
 
 
 def statements(lines: list[str]) -> list[Statement]:
-    """The statements of a source file, without comments and macro definitions."""
+    """Returns the statements of a source file, without comments and macro definitions."""
     found: list[Statement] = []
     in_macro = False
     for number, line in enumerate(lines, 1):
@@ -223,10 +223,10 @@ def statements(lines: list[str]) -> list[Statement]:
 
 
 def find_entries(file_statements: list[Statement]) -> list[Entry]:
-    """What a source file's code can be entered by, in its order."""
+    """Returns the labels and routines at which a source file's code can be entered, in order."""
     exported = {name for s in file_statements if s.operation == "xdef" for name in s.operands}
     entries: list[Entry] = []
-    in_code, runs_on = True, False      # vasm begins in a code section
+    in_code, runs_on = True, False      # vasm starts in a code section
     for statement, following in zip(file_statements, file_statements[1:] + [None]):
         number, label, operation, operands = statement
         if operation == "routine":
@@ -238,7 +238,7 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
             runs_on = False
             continue
         if label and not operation and following and not following.label:
-            operation = following.operation     # a name alone on its line
+            operation = following.operation     # the label is alone on its line
         if not in_code or operation in DIRECTIVES:
             continue
         if operation in NO_CODE:
@@ -251,13 +251,13 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
 
 
 def parse(path: Path | str) -> list[Contract]:
-    """The contracts of a source file, in its order; UserError where one is wrong,
-    a routine has none, or one describes nothing."""
+    """Returns the contracts of a source file, in its order. Raises UserError if one is wrong,
+    a routine has none, or one has no routine."""
     file = str(path)
     lines = Path(path).read_text(encoding="utf-8").splitlines()
     blocks = find_blocks(file, lines)
     described: set[str] = set()
-    is_documented = False       # the code before the entry
+    is_documented = False       # true if the code before the entry has a contract
     for entry in find_entries(statements(lines)):
         name = entry.name
         if name == "start" and name not in blocks:
@@ -279,9 +279,9 @@ def parse(path: Path | str) -> list[Contract]:
 
 
 def check_registers(file: str, entry: Entry, block: Contract) -> None:
-    """The registers C's arguments go to are those of the block, in its order.
+    """Checks that C's arguments go to the registers that the block lists, in its order.
 
-    A routine with arguments and no such registers is for assembly alone.
+    A routine whose block lists arguments but whose macro has no registers is for assembly only.
     """
     stated = tuple(r for argument in block.inputs for r in argument.register.split(":"))
     if entry.registers and entry.registers != stated:
@@ -290,19 +290,19 @@ def check_registers(file: str, entry: Entry, block: Contract) -> None:
 
 
 def all_contracts(root: Path | str) -> list[Contract]:
-    """The contracts of all source files under ``root``, by file name."""
+    """Returns the contracts of all source files under ``root``, by file name."""
     return [c for path in sorted(Path(root).rglob("*.s")) for c in parse(path)]
 
 
 def kernels(root: Path | str, contracts: list[Contract] | None = None) -> list[Contract]:
-    """The contracts of the kernels under ``root``: what the program bench calls. ``contracts``: all of
-    them, where they are read already."""
+    """Returns the contracts of the kernels under ``root``, which the program bench calls.
+    ``contracts``: those of the whole tree, if they have been read."""
     return [c for c in contracts or all_contracts(root)
             if c.is_routine and Path(c.file).relative_to(root).parts[0] in KERNELS]
 
 
 def kernel_table(contracts: list[Contract]) -> str:
-    """Assembly of ``kernel_table``: name and register entry of each, then zeros."""
+    """Returns the assembly of ``kernel_table``: each one's name and register entry, then zeros."""
     lines = ["; Generated by tools/tmap/build/contracts.py: the kernels, by name.", ""]
     lines += [f"        xref    {c.name}" for c in contracts]
     lines += ["        xdef    _kernel_table", "        section .data.kernel_table,data",
@@ -314,7 +314,7 @@ def kernel_table(contracts: list[Contract]) -> str:
 
 
 def as_json(contracts: list[Contract]) -> str:
-    """All contracts as a list of objects, registers as sorted lists."""
+    """Returns all contracts as a JSON list of objects, registers as sorted lists."""
     rows = [asdict(c) | {"trashes": sorted(c.trashes),
                          "inputs": [a._asdict() for a in c.inputs],
                          "outputs": [a._asdict() for a in c.outputs]} for c in contracts]

@@ -1,5 +1,5 @@
-"""Relocatable ELF objects as the linker of scene programs sees them: sections and what they
-refer to."""
+"""Relocatable ELF objects as the linker of scene programs reads them: sections and their
+references."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,10 +11,10 @@ from elftools.elf.enums import ENUM_ST_SHNDX
 
 from tmap.base.errors import UserError
 
-#: R_68K_32, PC32, PC16, PC8: bytes and whether relative to their own place.
+#: R_68K_32, PC32, PC16, PC8: size in bytes, and true if relative to the field's own address.
 RELOCATIONS = {1: (4, False), 4: (4, True), 5: (2, True), 6: (1, True)}
 
-COMMON = ENUM_ST_SHNDX["SHN_COMMON"]  # no section of its own
+COMMON = ENUM_ST_SHNDX["SHN_COMMON"]  # a symbol without a section
 SYMBOL = np.dtype([("name", ">u4"), ("value", ">u4"), ("size", ">u4"), ("info", "u1"),
                    ("other", "u1"), ("section", ">u2")])
 RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
@@ -22,11 +22,11 @@ RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
 
 @dataclass(eq=False)
 class Section:
-    """A section of an object: what a program holds or leaves out."""
+    """A section of an object: the unit that a program includes or leaves out."""
 
     file: str
     name: str
-    data: bytes  # empty where ``bss``
+    data: bytes  # empty if ``bss``
     size: int
     align: int
     code: bool = False
@@ -36,7 +36,7 @@ class Section:
 
     @property
     def title(self) -> str:
-        """The routine's or table's name without what compilers put before it."""
+        """The routine's or table's name without the compiler's prefixes; else the file's name."""
         if self.name in ("CODE", "DATA", "BSS"):
             return f"{Path(self.file).stem}.c"
         parts = self.name.split(".")[2:]
@@ -44,7 +44,7 @@ class Section:
 
 
 def split_strings(section: Section) -> dict[int, Section]:
-    """A section of nothing but strings as one section each, by their offsets."""
+    """Splits a section of strings into one section for each, by their offsets."""
     parts, start = {}, 0
     for text in section.data.split(b"\0")[:-1]:
         data = text + b"\0"
@@ -54,14 +54,14 @@ def split_strings(section: Section) -> dict[int, Section]:
 
 
 def part_at(parts: dict[int, Section], offset: int) -> tuple[Section, int]:
-    """The part of a section of strings that an offset lies in, and where in it."""
+    """Returns the part of a section of strings that contains an offset, and the offset in it."""
     start = max(place for place in parts if place <= offset)
     return parts[start], offset - start
 
 
 @dataclass
 class Relocation:
-    """Where a section refers to another, or to a symbol of another object."""
+    """A reference from a section to another, or to a symbol of another object."""
 
     offset: int
     size: int
@@ -71,12 +71,12 @@ class Relocation:
 
 
 def string_at(table: bytes, offset: int) -> str:
-    """A name in a table of strings that end with 0."""
+    """Returns the name at an offset in a table of zero-terminated strings."""
     return table[offset:table.index(b"\0", offset)].decode()
 
 
 def load(path: Path) -> list[Section]:
-    """The sections of an object that go into memory."""
+    """Returns the sections of an object that are loaded into memory."""
     with path.open("rb") as stream:
         elf = ELFFile(stream)
         found: dict[int, Section] = {}

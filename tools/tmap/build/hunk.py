@@ -1,9 +1,10 @@
 """Turns a linked ELF program into an AmigaDOS hunk executable.
 
-``python -m tmap.build.hunk PROGRAM.elf OUT``. The linker keeps its relocations (``ld -q``) and lays
+``python -m tmap.build.hunk PROGRAM.elf OUT``. The linker keeps its relocations (``ld -q``) and puts
 ``.text``, ``.data`` and ``.bss`` each at address 0, so that every R_68K_32 becomes one entry of a
-HUNK_RELOC32. Beside the program OUT.map lists ``offset name`` for each symbol of the code, which is
-how a crash report finds the routine's name. This file stands alone: the SDK has it as elf2hunk.py.
+HUNK_RELOC32. OUT.map, written with the program, lists ``offset name`` for each symbol of the code;
+crash reports take the routines' names from it. This file imports nothing from tmap: the SDK
+contains it as elf2hunk.py.
 
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
@@ -20,17 +21,18 @@ HUNK_CODE, HUNK_DATA, HUNK_BSS = 0x3E9, 0x3EA, 0x3EB
 HUNK_RELOC32, HUNK_END, HUNK_HEADER = 0x3EC, 0x3F2, 0x3F3
 SECTIONS = (".text", ".data", ".bss")
 R_68K_32 = 1
-COMPILER_LABEL = re.compile(r"\.|l\d+$")  # inside routines: they would hide their names
+COMPILER_LABEL = re.compile(r"\.|l\d+$")  # inside routines: would hide the routines' names
 PC_RELATIVE = {4, 5, 6}  # R_68K_PC32, PC16, PC8: resolved inside one section
 
 
 def longs(*values: int) -> bytes:
-    """Big-endian longwords."""
+    """Returns big-endian longwords."""
     return struct.pack(f">{len(values)}I", *values)
 
 
 def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, list[int]]:
-    """Offsets to relocate in ``section``, by the hunk they point into. ``hunk_of``: of sections."""
+    """Returns offsets to relocate in ``section``, by the hunk that they point into. ``hunk_of``:
+    each section's hunk."""
     table = elf.get_section_by_name(".rela" + section.name)
     found: dict[int, list[int]] = {}
     if table is None:
@@ -50,7 +52,7 @@ def relocations(elf: ELFFile, section, hunk_of: dict[int, int]) -> dict[int, lis
 
 
 def executable(elf: ELFFile) -> bytes:
-    """The hunk file of a linked program."""
+    """Returns the hunk file of a linked program."""
     sections = [s for s in map(elf.get_section_by_name, SECTIONS) if s and s["sh_size"]]
     hunk_of = {elf.get_section_index(s.name): i for i, s in enumerate(sections)}
     sizes = [(s["sh_size"] + 3) // 4 for s in sections]
@@ -66,7 +68,8 @@ def executable(elf: ELFFile) -> bytes:
 
 
 def reloc32(offsets: dict[int, list[int]]) -> bytes:
-    """The HUNK_RELOC32 of a hunk: where it has addresses, by the hunk they are in; b"" of none."""
+    """Returns a hunk's HUNK_RELOC32 from the offsets of its addresses, by the hunk that they point
+    into; b"" if there are none."""
     if not offsets:
         return b""
     return longs(HUNK_RELOC32) + b"".join(longs(len(some), hunk, *sorted(some))
@@ -74,7 +77,7 @@ def reloc32(offsets: dict[int, list[int]]) -> bytes:
 
 
 def symbol_map(elf: ELFFile) -> str:
-    """A line for each symbol of the code: offset in hexadecimal, name."""
+    """Returns a line for each symbol of the code: offset in hexadecimal, name."""
     code = elf.get_section_index(".text")
     names = sorted((symbol["st_value"], symbol.name)
                    for symbol in elf.get_section_by_name(".symtab").iter_symbols()

@@ -1,11 +1,12 @@
 """Writes relocatable objects as AmigaDOS hunk objects, for vlink and m68k-amigaos-gcc's ld.
 
-An object becomes a unit: a hunk for each of its sections, named as the linker's compilers
-name theirs, so that a program's parts of a kind are one hunk. Units one behind the other are
-a link library, of which linkers take the units that are called for.
+Each object becomes a unit with one hunk for each section. The hunks have the section names that the
+linker's compilers use, so that the linker joins a program's sections of a kind into one hunk.
+Consecutive units form a link library, from which linkers take the units that are referenced.
 
-References to other objects are addresses. Distances are refused: m68k-amigaos-gcc's ld of 2018
-expects their own place in the field, as its assembler writes it, those since and vlink do not.
+References to other objects must be addresses. Relative ones are refused: m68k-amigaos-gcc's ld of
+2018 expects the field to contain its own offset, as its assembler writes it; later versions and
+vlink do not.
 
 Source: AmigaDOS hunk format (The AmigaDOS Manual, chapter on binary files).
 """
@@ -23,7 +24,7 @@ NOP = bytes.fromhex("4e71")
 
 @dataclass(frozen=True)
 class Names:
-    """What a linker's compilers call sections."""
+    """The section names that a linker's compilers use."""
 
     code: str
     data: str
@@ -35,14 +36,15 @@ GCC = Names(".text", ".data", ".bss")
 
 
 def text(name: str, kind: int = 0) -> bytes:
-    """A name as longwords, behind their number and, in its upper byte, a kind."""
+    """Returns a name as longwords, after a longword with their count and, in the upper byte, a
+    kind."""
     data = name.encode("ascii")
     padded = data.ljust((len(data) + 3) // 4 * 4, b"\0")
     return longs(kind << 24 | len(padded) // 4) + padded
 
 
 def head(section: Section, names: Names) -> bytes:
-    """A section's name, and what kind of hunk it is."""
+    """Returns a section's name and its kind of hunk."""
     if section.bss:
         return longs(HUNK_NAME) + text(names.bss) + longs(HUNK_BSS)
     if section.code:
@@ -51,14 +53,15 @@ def head(section: Section, names: Names) -> bytes:
 
 
 def place(data: bytearray, offset: int, size: int, value: int) -> None:
-    """Stores what a linker adds an address to, or a distance that is known."""
+    """Stores an addend, to which a linker adds an address, or a known relative offset."""
     if not -1 << 8 * size - 1 <= value < 1 << 8 * size:
         raise UserError(f"{value} does not fit {size} bytes at offset {offset}")
     data[offset:offset + size] = (value & (1 << 8 * size) - 1).to_bytes(size, "big")
 
 
 def contents(section: Section) -> tuple[bytes, list[Relocation]]:
-    """A section's whole longwords, and the addresses that linkers and loaders add to them."""
+    """Returns a section's data in whole longwords, and the relocations left to linkers and
+    loaders."""
     data, addresses = bytearray(section.data), []
     for r in section.relocations:
         if r.relative and r.target is section:
@@ -76,7 +79,7 @@ def contents(section: Section) -> tuple[bytes, list[Relocation]]:
 
 
 def hunk(section: Section, names: Names, numbers: dict[Section, int]) -> bytes:
-    """A section's hunk; ``numbers``: of the object's sections."""
+    """Returns a section's hunk; ``numbers``: the hunk numbers of the object's sections."""
     data, addresses = contents(section)
     inside: dict[int, list[int]] = {}
     outside: dict[str, list[int]] = {}
@@ -97,7 +100,7 @@ def hunk(section: Section, names: Names, numbers: dict[Section, int]) -> bytes:
 
 
 def unit(name: str, sections: list[Section], names: Names) -> bytes:
-    """An object's unit."""
+    """Returns an object's unit."""
     numbers = {section: number for number, section in enumerate(sections)}
     try:
         return longs(HUNK_UNIT) + text(name) + b"".join(hunk(s, names, numbers) for s in sections)

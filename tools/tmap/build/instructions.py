@@ -1,4 +1,4 @@
-"""What executed instructions refer to, by the disassembler of the binutils."""
+"""The references of executed instructions, found by the disassembler of the binutils."""
 
 import re
 import subprocess
@@ -9,7 +9,7 @@ from tmap.build.elf_object import Section
 
 OBJDUMP = "m68k-linux-gnu-objdump"
 LINE = re.compile(r"\s*([0-9a-f]+):\t((?:[0-9a-f]{4} )+)\s*\t(\S+)\s*(.*)")
-#: A place relative to the PC: its address, and whether registers are added to it.
+#: A PC-relative operand: its address, and a comma if registers are added to it.
 PLACE = re.compile(r"%pc@\((?:0x)?([0-9a-f]+)(?: <[^>]*>)?(,?)")
 TARGET = re.compile(r"(?:^|,)(?:0x)?([0-9a-f]+)(?: <[^>]*>)?$")
 BRANCH = re.compile(r"(b(ra|sr|hi|ls|cc|cs|ne|eq|vc|vs|pl|mi|ge|lt|gt|le)|db..?)[sbwl]?$")
@@ -18,16 +18,16 @@ ENDS = re.compile(r"(bra[sbwl]?|jmp|rts|rtd|rte|rtr|illegal)$")
 
 @dataclass
 class Instruction:
-    """An instruction by its length in bytes and the offsets in its section it refers to."""
+    """An instruction: its length in bytes and the offsets in its section that it refers to."""
 
     length: int
-    goes_on: bool  # to the instruction behind it
+    goes_on: bool  # execution can continue with the next instruction
     branch: int | None = None
     data: int | None = None
 
 
 def parse(words: str, name: str, operands: str) -> Instruction:
-    """An instruction, of its words in hexadecimal and its text."""
+    """Parses an instruction from its words in hexadecimal and its text."""
     found = Instruction(len(words.split()) * 2, not ENDS.match(name))
     place = PLACE.search(operands)
     target = TARGET.search(operands)
@@ -42,7 +42,7 @@ def parse(words: str, name: str, operands: str) -> Instruction:
 
 
 def sweep(section: Section, start: int) -> dict[int, Instruction]:
-    """The instructions of a section from an offset on, by offset."""
+    """Returns the instructions of a section from an offset on, by offset."""
     done = subprocess.run(
         [OBJDUMP, "-d", "-m", "m68k:68020", "--insn-width=24", "-j", section.name,
          f"--start-address={start}", section.file], capture_output=True, text=True)
@@ -53,7 +53,8 @@ def sweep(section: Section, start: int) -> dict[int, Instruction]:
 
 
 def at(section: Section, offsets: list[int]) -> dict[int, Instruction]:
-    """The instructions at these offsets; tables between them do no harm."""
+    """Returns the instructions at these offsets. Tables between them do no harm: disassembly starts
+    again at each offset that it missed."""
     known: dict[int, Instruction] = {}
     for offset in sorted(offsets):
         if offset not in known:

@@ -1,4 +1,4 @@
-"""The C headers' structs as numbers, for the assembly and for the host.
+"""The layout of the C headers' structs, for the assembly and for the host.
 
 ``python -m tmap.build.layout OBJECT.o OUT_DIR HEADER...`` reads the debug information
 of an m68k object compiled with ``-g -fno-eliminate-unused-debug-types`` from a C
@@ -6,7 +6,7 @@ file that includes every HEADER (named as in its #include), and writes
 
 * ``layout.json``: what ``load`` returns to the rest of the host side,
 * ``layout.i``: vasm equates, ``struct_field``, ``struct_sizeof`` and enumerators,
-* ``layout_check.c``: C that compiles only where the layout is the same.
+* ``layout_check.c``: C that compiles only if the layout is the same.
 """
 
 import functools
@@ -32,10 +32,10 @@ ALIASES = ("DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type")
 
 
 def relocated(data: bytes) -> bytes:
-    """The object with the offsets between its debug sections filled in.
+    """Returns the object with the offsets between its debug sections filled in.
 
-    pyelftools knows no m68k relocations; in debug sections only R_68K_32
-    occurs, and sections of an object are at 0.
+    pyelftools does not know m68k relocations. In debug sections only R_68K_32
+    occurs, and the sections of an object are at 0.
     """
     out = bytearray(data)
     elf = ELFFile(io.BytesIO(data))
@@ -55,7 +55,7 @@ def relocated(data: bytes) -> bytes:
 
 
 def files(dwarf, unit) -> dict[int, str]:
-    """The unit's source files by their number in its declarations."""
+    """Returns the unit's source files by the numbers that its declarations use."""
     program = dwarf.line_program_for_CU(unit)
     if program is None:
         return {}
@@ -71,19 +71,19 @@ def files(dwarf, unit) -> dict[int, str]:
 
 
 def name_of(die) -> str | None:
-    """The name in a debug entry, None for an unnamed one."""
+    """Returns the name in a debug entry, None for an unnamed one."""
     return die.attributes["DW_AT_name"].value.decode() if "DW_AT_name" in die.attributes else None
 
 
 def number_of(die, attribute: str) -> int:
-    """A number in a debug entry."""
+    """Returns a number in a debug entry."""
     return die.attributes[attribute].value
 
 
 def element(die) -> tuple[int, bool, int]:
-    """Size in bytes, whether signed, and count of a member's type.
+    """Returns a member type's size in bytes, true if it is signed, and its count.
 
-    An array is its elements; a struct or union inside a struct is its bytes.
+    An array counts as its elements, a struct or union inside a struct as its bytes.
     """
     while die.tag in ALIASES:
         die = die.get_DIE_from_attribute("DW_AT_type")
@@ -101,7 +101,7 @@ def element(die) -> tuple[int, bool, int]:
 
 
 def extract(data: bytes, headers: list[str]) -> dict:
-    """What layout.json holds, from an object file's bytes."""
+    """Returns the content of layout.json from an object file's bytes."""
     dwarf = ELFFile(io.BytesIO(relocated(data))).get_dwarf_info(relocate_dwarf_sections=False)
     structs, constants = {}, {}
     for unit in dwarf.iter_CUs():
@@ -125,7 +125,7 @@ def extract(data: bytes, headers: list[str]) -> dict:
 
 
 def field(struct: str | None, member) -> dict:
-    """One field's entry in layout.json."""
+    """Returns one field's entry in layout.json."""
     if struct is None or name_of(member) is None or "DW_AT_bit_size" in member.attributes:
         raise UserError(f"struct {struct or 'without a name'}: assembly can only use fields that "
                         "have names and are not bit-fields")
@@ -135,7 +135,7 @@ def field(struct: str | None, member) -> dict:
 
 
 def equates(layout: dict) -> str:
-    """The text of layout.i."""
+    """Returns the text of layout.i."""
     lines = []
     for name, struct in layout["structs"].items():
         lines += [(f"{name}_{f}", entry["offset"]) for f, entry in struct["fields"].items()]
@@ -151,11 +151,11 @@ def equates(layout: dict) -> str:
 
 
 def check(layout: dict, headers: list[str]) -> str:
-    """The text of layout_check.c.
+    """Returns the text of layout_check.c.
 
-    A bit-field too wide for its type is what both gcc and vbcc refuse (an array
-    of negative size is only a warning in vbcc); and they share no spelling of
-    offsetof that is a constant in both without a library header.
+    Both gcc and vbcc refuse a bit-field that is too wide for its type (an array of
+    negative size is only a warning in vbcc). Without a library header, no spelling
+    of offsetof is a constant in both.
     """
     lines = ["/* Compiles only where structs are laid out as layout.i says.",
              "   Generated: do not edit. */"]
@@ -190,7 +190,7 @@ class Struct:
             "itemsize": self.size})
 
     def pack(self, **values) -> bytes:
-        """The struct's bytes; every field must be given and fit."""
+        """Returns the struct's bytes; every field must be given and fit."""
         if values.keys() != self.fields.keys():
             raise TypeError(f"struct {self.name} has the fields {', '.join(self.fields)}")
         out = np.zeros((), self.dtype)
@@ -199,7 +199,7 @@ class Struct:
         return out.tobytes()
 
     def unpack(self, data: bytes, offset: int = 0) -> dict:
-        """Python integers by field; a list for an array field."""
+        """Returns Python integers by field; a list for an array field."""
         record = np.frombuffer(data, self.dtype, 1, offset)[0]
         return {name: record[name].tolist() for name in self.fields}
 
@@ -212,7 +212,7 @@ class Layout:
     constants: dict[str, int]
 
     def names(self, prefix: str) -> list[str]:
-        """The enumerators with a prefix, without it and in small letters."""
+        """Returns the enumerators with a prefix, without it and in lower case."""
         return [name.removeprefix(prefix).lower() for name in self.constants
                 if name.startswith(prefix)]
 
@@ -222,18 +222,18 @@ class Layout:
         return {name: Struct(name, **struct) for name, struct in self.structs.items()}
 
     def struct(self, name: str) -> Struct:
-        """The struct of a name."""
+        """Returns a struct by its name."""
         return self.by_name[name]
 
 
 def load() -> Layout:
-    """The layout this tree was built with."""
+    """Returns the layout that this tree was built with."""
     return read(paths.LAYOUT)
 
 
 @functools.cache
 def read(path: Path) -> Layout:
-    """A layout's file, once: it is asked for many thousand times."""
+    """Reads a layout file. Cached, as it is needed many thousand times."""
     try:
         return Layout(**json.loads(path.read_text()))
     except FileNotFoundError:

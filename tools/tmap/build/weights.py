@@ -1,7 +1,7 @@
-"""Products with small constants as shifts and additions: what filters' generated code is made of.
+"""Products with small constants as shifts and additions, for the filters' generated code.
 
-A weight is written in digits -1, 0 and 1, the lowest power first. A sum of registers by their
-weights is then one chain of additions and shifts, from the highest power down.
+A weight is written in digits -1, 0 and 1, the lowest power first. A weighted sum of registers is
+then one chain of additions and shifts, from the highest power down.
 """
 
 from collections.abc import Sequence
@@ -13,8 +13,8 @@ Digits = tuple[int, ...]
 
 @cache
 def forms(weight: int, digits: int, more: int = 1) -> tuple[Digits, ...]:
-    """The sums of powers of two that give a weight; those with more than ``more`` digits above the
-    fewest are left out."""
+    """Returns the sums of powers of two that give a weight. Those with over ``more`` digits more
+    than the shortest are left out."""
     found = [form for form in product((-1, 0, 1), repeat=digits)
              if sum(digit << n for n, digit in enumerate(form)) == weight]
     fewest = min(sum(map(abs, form)) for form in found)
@@ -22,14 +22,14 @@ def forms(weight: int, digits: int, more: int = 1) -> tuple[Digits, ...]:
 
 
 def shifted(register: str, bits: int) -> list[str]:
-    """A register times a power of two."""
+    """Returns code that multiplies a register by 2^bits."""
     return [] if not bits else [
         f"add.l {register},{register}" if bits == 1 else f"lsl.l #{bits},{register}"]
 
 
 def horner(terms: Sequence[tuple[Digits, str]], out: str) -> list[str] | None:
-    """The instructions that make ``out`` of registers and their weights' digits; None where they
-    would begin by subtracting."""
+    """Returns code that computes ``out`` from registers and their weights' digits; None if it would
+    begin by subtracting."""
     code: list[str] = []
     due = 0
     for n in reversed(range(len(terms[0][0]))):
@@ -47,17 +47,17 @@ def horner(terms: Sequence[tuple[Digits, str]], out: str) -> list[str] | None:
 
 
 def cycles(code: list[str]) -> int:
-    """What instructions take where they are in the cache, or how long they are."""
+    """Returns a relative cost of instructions in the cache: lsl costs two, others one."""
     return sum(2 if "lsl" in line else 1 for line in code)
 
 
 def in_place(code: list[str], register: str, out: str) -> bool:
-    """Whether the code begins by copying a register to ``out`` and never reads it again."""
+    """Returns true if the code begins by copying a register to ``out`` and never reads it again."""
     return bool(code) and code[0] == f"move.l {register},{out}" and not any(
         f" {register}," in line for line in code[1:])
 
 
 def shortest(codes) -> list[str]:
-    """The shortest of some ways, of the equally short ones the fastest; None is no way."""
+    """Returns the shortest code, the fastest of equally short ones; None entries are skipped."""
     return min((code for code in codes if code is not None),
                key=lambda code: (len(code), cycles(code)))

@@ -1,9 +1,8 @@
-"""A hard polygon and what its makers share: outlines in pixels, planar textures, shades.
+"""A hard polygon and the code that its makers share: outlines in pixels, planar textures, shades.
 
-Makers write numbers as they think of them (pixels, texels: integers, fractions or
-floats that are multiples of 1/65536); ``make`` rounds them to 16.16 once. Textures are
-affine functions of the rounded x and y, in exact fractions, so they are planar to
-1/65536 texel however thin or large the polygon is.
+Makers give numbers in pixels and texels: integers, fractions or floats that are multiples of
+1/65536. ``make`` rounds them to 16.16 once. Textures are affine functions of the rounded x and y,
+in exact fractions, so they are planar to 1/65536 texel however thin or large the polygon is.
 """
 
 from collections.abc import Callable
@@ -17,10 +16,10 @@ from tmap.setup.texturing import Settings
 WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
 FAR = 16384  # pixels and texels: coordinates reach from -FAR to FAR - UNIT
-MAPPERS = textures.MAPPERS[1]  # of those who draw pixels of a byte
+MAPPERS = textures.MAPPERS[1]  # those that draw one-byte pixels
 #: Mappers whose map repeats in both directions: their coordinates may leave it.
 REPEATING = ("affine", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered")
-SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture takes
+SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture uses
 
 Points = list[tuple[Fraction, Fraction]]
 Texture = Callable[[Points], list[tuple[Fraction, Fraction]]]
@@ -31,15 +30,16 @@ class Case:
     """A named polygon. ``vertices``: (x, y, s, t, shade, w), 16.16, as struct vertex."""
 
     name: str
-    sentence: str  # what is hard about it
+    sentence: str  # why it is hard
     vertices: tuple[tuple[int, int, int, int, int, int], ...]
-    mappers: tuple[str, ...] = MAPPERS  # those it concerns
-    map_size: tuple[int, int] = (256, 256)  # width, height, where the mapper takes any
+    mappers: tuple[str, ...] = MAPPERS  # the mappers that draw it
+    map_size: tuple[int, int] = (256, 256)  # width, height, if the mapper takes any size
     depth: bool = False  # drawn with every perspective
 
 
 def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:
-    """A texture by (s, t) at the first vertex and what they grow by a pixel right and down."""
+    """Returns a texture from (s, t) at the first vertex and their growth per pixel right and
+    down."""
     def texture(points: Points) -> list[tuple[Fraction, Fraction]]:
         x0, y0 = points[0]
         return [tuple(Fraction(a) + Fraction(b) * (x - x0) + Fraction(c) * (y - y0)
@@ -48,8 +48,8 @@ def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:
 
 
 def spread(values: list[Fraction], low: Fraction, high: Fraction, steepest: int) -> list[Fraction]:
-    """Values scaled by at most ``steepest`` and moved, so that they lie around the middle of
-    a range and inside it."""
+    """Scales values by at most ``steepest`` and moves them, so that they are centred in a range and
+    inside it."""
     least, extent = min(values), max(values) - min(values)
     scale = min(Fraction(steepest), (high - low) / extent) if extent else 0
     first = (low + high - scale * extent) / 2
@@ -57,7 +57,8 @@ def spread(values: list[Fraction], low: Fraction, high: Fraction, steepest: int)
 
 
 def fitted(size: tuple[int, int] = (256, 256)) -> Texture:
-    """A turned texture of at most one texel a pixel that stays inside a map of this size."""
+    """Returns a rotated texture of at most one texel per pixel that stays inside a map of this
+    size."""
     def texture(points: Points) -> list[tuple[Fraction, Fraction]]:
         turned = ([Fraction(4 * x + 3 * y, 5) for x, y in points],
                   [Fraction(4 * y - 3 * x, 5) for x, y in points])
@@ -70,7 +71,7 @@ def fitted(size: tuple[int, int] = (256, 256)) -> Texture:
 
 def make(name: str, sentence: str, points, texture: Texture | None = None, shades=None,
          mappers: tuple[str, ...] = MAPPERS, map_size: tuple[int, int] = (256, 256)) -> Case:
-    """A case from points in pixels; its texture and shades are fitted unless given."""
+    """Returns a case from points in pixels; its texture and shades are fitted unless given."""
     corners = [(fix(x), fix(y)) for x, y in points]
     exact = [(x * UNIT, y * UNIT) for x, y in corners]
     plane = (texture or fitted(map_size))(exact)
@@ -82,7 +83,7 @@ def make(name: str, sentence: str, points, texture: Texture | None = None, shade
 
 
 def label(value) -> str:
-    """A number for a name: "3", or in units of 1/65536 where it has a fraction: "32768_units"."""
+    """Returns a number for a name: "3", or "32768_units" of 1/65536 if it has a fraction."""
     whole = Fraction(value).denominator == 1
     count = abs(value) if whole else abs(value) / UNIT
     return ("minus_" if value < 0 else "") + str(count) + (
@@ -90,6 +91,6 @@ def label(value) -> str:
 
 
 def called(case, settings: Settings) -> str:
-    """A drawing's name in messages: of a Case or a MeshCase."""
+    """Returns the name in messages of a drawing of a Case or a MeshCase."""
     ways = ", ".join(str(value) for value in vars(settings).values() if value)
     return f"{case.name}: {case.sentence} {ways}"

@@ -1,4 +1,4 @@
-"""The named corpus of hard polygons: all families of makers, and cases that were found.
+"""The named corpus of hard polygons: all families of makers, and cases that fuzzers found.
 
 ``cases`` are 16.16 and the same in every run. A case that a fuzzer found is kept in
 ``FOUND``, a JSON list of objects with the fields of ``Case``, sorted by name.
@@ -28,11 +28,11 @@ __all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combination
 FAMILIES = (*hard_outlines.FAMILIES, *hard_textures.FAMILIES, *hard_planes.FAMILIES,
             *hard_depths.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
-Drawing = tuple[Case, Settings]  # the settings say the mapper too
+Drawing = tuple[Case, Settings]  # the settings include the mapper
 
 
 def found_cases() -> list[Case]:
-    """The cases in ``FOUND``; none where it is not there."""
+    """Returns the cases in ``FOUND``; none if the file does not exist."""
     if not FOUND.exists():
         return []
     return [Case(entry["name"], entry["sentence"], tuple(map(tuple, entry["vertices"])),
@@ -46,7 +46,7 @@ def cases() -> list[Case]:
 
 
 def keep(case: Case) -> None:
-    """Adds a case to ``FOUND``; refuses a name that the corpus has."""
+    """Adds a case to ``FOUND``; refuses a name that the corpus already has."""
     if case.name in {known.name for known in cases()}:
         raise UserError(f"{FOUND}: there is a case called {case.name} already")
     kept = sorted([*found_cases(), case], key=lambda known: known.name)
@@ -55,19 +55,19 @@ def keep(case: Case) -> None:
 
 
 def map_size(case: Case, mapper: str) -> tuple[int, int]:
-    """Width and height of a mapper's map: the case's where its layout can have that size."""
+    """Returns width and height of a mapper's map: the case's if the layout can have that size."""
     return (256, 256) if size_fault(MAPPER_LAYOUT[mapper], *case.map_size) else case.map_size
 
 
 def is_clipped(case: Case) -> bool:
-    """Whether clipping the vertices changes anything."""
+    """Returns true if clipping the vertices changes anything."""
     vertices = [v[:2] for v in case.vertices]
     return clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
 
 
 def combinations(case: Case) -> Iterator[Settings]:
-    """The settings that a case is drawn with: all that differ where the mapper is affine or
-    flat, the usual ones and clipped vertices with the others; each perspective where it has
+    """Yields the settings with which a case is drawn: all different ones if the mapper is affine or
+    flat, the usual ones and clipped vertices for other mappers, and each perspective if it has
     depth."""
     clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
     for mapper in case.mappers:
@@ -87,7 +87,7 @@ def combinations(case: Case) -> Iterator[Settings]:
 
 
 def scene(drawings: list[Drawing]) -> Scene:
-    """A scene with one drawing in each frame."""
+    """Returns a scene with one drawing in each frame."""
     textures, materials, objects, vertices = {}, {}, [], []
     for number, (case, s) in enumerate(drawings):
         layout, texture = MAPPER_LAYOUT[s.mapper], -1

@@ -1,13 +1,13 @@
-"""Hard depths: one function a family. Polygons whose w differs, or is equal and not 1.
+"""Hard depths: one function per family. Polygons whose w differs, or is equal and not 1.
 
-A surface says s, t and w, exact, at any point of the screen: 1/w, s/w and t/w are affine
-there. ``deep`` rounds x and y first and takes the surface's values there, so only their
-own rounding is between a vertex and the surface.
+A surface gives exact s, t and w at any point of the screen: 1/w, s/w and t/w are affine
+there. ``deep`` rounds x and y first and takes the surface's values there, so a vertex differs
+from the surface only by the rounding of these values.
 
-How far a fourth vertex is from the planes through the three corners (tools/tmap/ideal/ideal.py takes
-them), all in units. Rounding moves s, t and w by 1/2 at most, so 1/w of a corner by
-r = 1 / (w (2 w - 1)). With b the three corners' shares in the vertex, whose sum is 1, and
-Q = sum(b / w) there:
+The distance of a fourth vertex from the planes through the three corners (chosen by
+tools/tmap/ideal/ideal.py), all in units: rounding moves s, t and w by 1/2 at most, so 1/w of a
+corner by r = 1 / (w (2 w - 1)). With b the vertex's barycentric coordinates in the three corners,
+whose sum is 1, and Q = sum(b / w) there:
 
 * 1/w is off the plane by sum(|b| r), and by the vertex's own r.
 * u is off the curve by sum(|b| (1 / (2 w) + r (|u - u_here| + 1))) / Q, and by its own 1/2:
@@ -31,11 +31,11 @@ SHARES = {"1_unit": UNIT / 1024, "1_millionth": Fraction(1, 10**6), "1_10000th":
 
 Exact = tuple[Fraction, Fraction, Fraction]
 Surface = Callable[[Fraction, Fraction], Exact]  # x, y: s, t, w
-Affine = tuple  # a value at (0, 0), and what it grows by a pixel right and down
+Affine = tuple  # a value at (0, 0), and its growth per pixel right and down
 
 
 def deep(name: str, sentence: str, points, surface: Surface) -> Case:
-    """A case from points in pixels on a surface."""
+    """Returns a case from points in pixels on a surface."""
     corners = [(fix(x), fix(y)) for x, y in points]
     values = [surface(x * UNIT, y * UNIT) for x, y in corners]
     return by_vertex(name, sentence, [(x * UNIT, y * UNIT) for x, y in corners],
@@ -43,19 +43,19 @@ def deep(name: str, sentence: str, points, surface: Surface) -> Case:
 
 
 def by_vertex(name: str, sentence: str, points, texels, depths) -> Case:
-    """A case from each vertex's numbers; for triangles, which are planar whatever they say."""
+    """Returns a case from each vertex's numbers; for triangles, which are always planar."""
     return Case(name, sentence, tuple((fix(x), fix(y), fix(s), fix(t), 0, fix(w)) for (x, y), (s, t), w
                                       in zip(points, texels, depths, strict=True)),
                 ("affine",), depth=True)
 
 
 def at(plane: Affine, x, y) -> Fraction:
-    """An affine function's value."""
+    """Returns an affine function's value."""
     return Fraction(plane[0]) + Fraction(plane[1]) * x + Fraction(plane[2]) * y
 
 
 def over(inverse: Affine, s: Affine, t: Affine) -> Surface:
-    """The surface of 1/w, s/w and t/w."""
+    """Returns the surface of 1/w, s/w and t/w."""
     def surface(x, y) -> Exact:
         w = 1 / at(inverse, x, y)
         return at(s, x, y) * w, at(t, x, y) * w, w
@@ -63,25 +63,25 @@ def over(inverse: Affine, s: Affine, t: Affine) -> Surface:
 
 
 def mixed(*parts: tuple) -> Affine:
-    """A sum of (factor, affine function)."""
+    """Returns the sum of (factor, affine function)."""
     return tuple(sum(Fraction(factor) * plane[k] for factor, plane in parts) for k in range(3))
 
 
 def across(first, last, w_first, w_last) -> Affine:
-    """1/w that depends on x alone: w at two columns."""
+    """Returns a 1/w that depends only on x, from w at two columns."""
     grow = (1 / Fraction(w_last) - 1 / Fraction(w_first)) / (Fraction(last) - Fraction(first))
     return 1 / Fraction(w_first) - grow * Fraction(first), grow, Fraction(0)
 
 
 def down(first, last, w_first, w_last) -> Affine:
-    """1/w that depends on y alone: w at two lines."""
+    """Returns a 1/w that depends only on y, from w at two lines."""
     start, grow, _ = across(first, last, w_first, w_last)
     return start, Fraction(0), grow
 
 
 def wall(points, inverse: Affine) -> Surface:
-    """A surface under a polygon, s and t up to about 100 where it is nearest; farther away more,
-    but at most 16,000."""
+    """Returns a surface under a polygon: s and t are up to about 100 where it is nearest, more
+    farther away, but at most 16,000."""
     depths = [at(inverse, *p) for p in points]
     scale = min(100 * max(depths), 16000 * min(depths)) / 8
     (x, wide), (y, high) = ((min(c), scale / Fraction(max(c) - min(c))) for c in zip(*points))
@@ -91,14 +91,15 @@ def wall(points, inverse: Affine) -> Surface:
 
 
 def determinant(a, b, c) -> Fraction:
-    """Of three vectors."""
+    """Returns the determinant of three vectors."""
     return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
             + a[2] * (b[0] * c[1] - b[1] * c[0]))
 
 
 def seen(name: str, sentence: str, origin, along_s, along_t, corners) -> Case:
-    """A flat thing in space through a pinhole: where its texel (0, 0) is, (X, Y, Z), what X, Y
-    and Z grow by a texel along s and along t, and its corners as (s, t)."""
+    """Returns a case of a flat thing in space seen through a pinhole, from the place (X, Y, Z) of
+    its texel (0, 0), the growth of X, Y and Z per texel along s and along t, and its corners as (s,
+    t)."""
     a, b, p = ([Fraction(c) for c in vector] for vector in (along_s, along_t, origin))
     points = []
     for s, t in corners:
@@ -106,7 +107,7 @@ def seen(name: str, sentence: str, origin, along_s, along_t, corners) -> Case:
         points.append((MIDDLE[0] + FOCUS * x / z, MIDDLE[1] + FOCUS * y / z))
 
     def surface(x, y) -> Exact:
-        """p + s a + t b = w ray, by Cramer's rule."""
+        """Solves p + s a + t b = w ray by Cramer's rule."""
         ray = (x - MIDDLE[0]) / FOCUS, (y - MIDDLE[1]) / FOCUS, Fraction(1)
         whole = determinant(a, b, ray)
         return (-determinant(p, b, ray) / whole, -determinant(a, p, ray) / whole,
@@ -115,8 +116,8 @@ def seen(name: str, sentence: str, origin, along_s, along_t, corners) -> Case:
 
 
 def ground(inverse: Affine, aside: Affine, deepest) -> Surface:
-    """Ground: t grows with depth from -16,000 on, s across it from 0; as fast as the range lets
-    them where w is ``deepest``."""
+    """Returns ground: t grows with depth from -16,000 on, s grows sideways from 0, as fast as the
+    range allows where w is ``deepest``."""
     return over(inverse, mixed((min(Fraction(1), Fraction(250) / deepest), aside)),
                 mixed((-16000, inverse), (min(Fraction(40), Fraction(32000) / deepest), (1, 0, 0))))
 
@@ -138,8 +139,8 @@ def horizons() -> Iterator[Case]:
 
 
 def near_planes() -> Iterator[Case]:
-    """As they come out of clipping at the nearest w: far outside the screen there, at the horizon
-    elsewhere."""
+    """Polygons as clipped at the nearest w: far outside the screen there, at the horizon at the
+    other end."""
     reach, beside = 16000, Fraction(1, 256)
     k = 1 / (NEAREST * reach)
     for way, (x, y) in {"below": (0, 1), "above": (0, -1), "right": (1, 0), "left": (-1, 0)}.items():
@@ -164,7 +165,7 @@ def near_planes() -> Iterator[Case]:
 
 
 def ratios() -> Iterator[Case]:
-    """Depth a thousand times as large at the end of a span; four million times in a polygon."""
+    """Depth a thousand times as large at a span's end, four million times in a polygon."""
     band = box(0, 20, WIDTH, 70)
     for name, (near, far) in {"from_the_nearest": (NEAREST, 1000 * NEAREST), "from_1": (1, 1000),
                               "to_the_deepest": (DEEPEST / 1000, DEEPEST)}.items():
@@ -185,7 +186,7 @@ def ratios() -> Iterator[Case]:
 
 
 def grazing() -> Iterator[Case]:
-    """Walls seen almost along themselves: all their depth within some columns."""
+    """Walls seen at grazing angles: all their depth within a few columns."""
     for aside in (Fraction(1, 32), Fraction(1, 16), Fraction(1, 4), 1):
         for far in (10, 1000):
             yield seen(f"wall_{label(aside)}_aside_{far}_deep", f"A wall {float(aside):.3g} beside the "
@@ -199,7 +200,7 @@ def grazing() -> Iterator[Case]:
 
 
 def hardly_deep() -> Iterator[Case]:
-    """Depth that hardly changes: what divides by its change breaks down."""
+    """Depth that hardly changes: divisions by its change break down."""
     texture = (10, 1, Fraction(1, 3)), (20, Fraction(-1, 4), 1)
     for name, share in SHARES.items():
         for way, inverse in (("x", across(0, WIDTH, 1024, 1024 * (1 + share))),
@@ -216,7 +217,7 @@ def hardly_deep() -> Iterator[Case]:
 
 
 def constant_depths() -> Iterator[Case]:
-    """The same depth everywhere: what affine draws, whatever the depth is."""
+    """The same depth everywhere: an affine polygon at any depth."""
     for w in (NEAREST, NEAREST + UNIT, Fraction(1, 2), 1, Fraction(3, 2), 1000 + UNIT, DEEPEST - UNIT,
               DEEPEST):
         inverse = (1 / Fraction(w), 0, 0)
@@ -236,7 +237,7 @@ def one_apart() -> Iterator[Case]:
 
 
 def deep_slivers() -> Iterator[Case]:
-    """Hardly any area: the planes' divisor is small, and their values far apart."""
+    """Hardly any area: the planes' divisor is small, and their values differ much."""
     for size in (UNIT, 256 * UNIT, Fraction(1, 2), 1):
         for far in (4, 1000):
             for way, points in (("high", [(9.25, 40), (118.5, 40), (60, 40 + size)]),
@@ -290,7 +291,7 @@ def constant_texels() -> Iterator[Case]:
 
 
 def vanishing() -> Iterator[Case]:
-    """What u tends to towards the viewer, inside the map and outside: K in u = K + C w."""
+    """The limit of u towards the viewer, inside the map and outside: K in u = K + C w."""
     for limit in (0, 128, Fraction(257, 2), 256 - UNIT, -1000, 16000, -16000):
         for way, (first, last) in (("right", (0, WIDTH)), ("left", (WIDTH, 0))):
             inverse = across(first, last, 1, 8)

@@ -1,10 +1,10 @@
-"""Hard meshes: one function a family. What only a camera brings about: faces through the near plane,
-seen along themselves, out of the guard band, up to the horizon, past the eye, tiny and huge in one
-mesh; normals where an environment and a light end.
+"""Hard meshes: one function per family. Cases that need a camera: faces through the near plane,
+edge-on, out of the guard band, up to the horizon, past the eye, tiny and huge in one mesh; normals
+at the limits of an environment and a light.
 
-The mesh's own x is right, y down, z away from the viewer, and the eye is at its origin unless a case
-says where. Points are exact in 16.16 and every face lies exactly on a plane, so the only numbers that
-are rounded are the camera's: turns are by Pythagorean triples, exact as fractions.
+In the mesh x is right, y down, z away from the viewer, and the eye is at its origin unless a case
+gives another place. Points are exact in 16.16 and every face is exactly on a plane, so only the
+camera's numbers are rounded: turns are by Pythagorean triples, exact as fractions.
 """
 
 import math
@@ -28,7 +28,7 @@ class MeshCase:
     """A named mesh before a camera. Points and texels are in units (pixels are 64 from the eye)."""
 
     name: str
-    sentence: str  # what is hard about it
+    sentence: str  # why it is hard
     points: tuple[Vector, ...]
     faces: tuple[tuple[int, ...], ...]
     texels: tuple[tuple[tuple[Fraction, Fraction], ...], ...]  # s, t of each face's corners
@@ -38,13 +38,13 @@ class MeshCase:
     focal: int = FOCAL
     two_sided: bool = False
     look: str = "uv"  # or "environment", "shade"
-    around: bool = False  # it fills the whole screen: no pixel may be left out
+    around: bool = False  # the mesh fills the whole screen: no pixel may be left out
 
 
 # Turns
 
 def about(axis: int, c, s) -> Turn:
-    """The rotation about x, y or z by an angle whose cosine and sine are given."""
+    """Returns the rotation about x, y or z by an angle with the given cosine and sine."""
     rows = [[Fraction(int(k == n)) for n in range(3)] for k in range(3)]
     a, b = (axis + 1) % 3, (axis + 2) % 3
     rows[a][a] = rows[b][b] = Fraction(c)
@@ -53,7 +53,7 @@ def about(axis: int, c, s) -> Turn:
 
 
 def then(first: Turn, second: Turn) -> Turn:
-    """One rotation after another."""
+    """Returns one rotation after another."""
     return tuple(tuple(sum(a * first[k][n] for k, a in enumerate(row)) for n in range(3))
                  for row in second)
 
@@ -67,7 +67,7 @@ ROLLED = about(2, Fraction(3, 5), Fraction(4, 5))
 # Shapes
 
 def made(name: str, sentence: str, faces, turn: Turn = STRAIGHT, **more) -> MeshCase:
-    """A case from faces: lists of (x, y, z, s, t); its name begins with mesh_."""
+    """Returns a case from faces: lists of (x, y, z, s, t); its name begins with mesh_."""
     numbers, rows, texels = {}, [], []
     for face in faces:
         row = [tuple(Fraction(c) for c in corner) for corner in face]
@@ -77,8 +77,8 @@ def made(name: str, sentence: str, faces, turn: Turn = STRAIGHT, **more) -> Mesh
 
 
 def sheet(origin, along, down, size=(1, 1), texels=(256, 256), start=(0, 0)) -> list[tuple]:
-    """A parallelogram from a corner, its sides times ``size``, with s along and t down: seen from the side
-    from which it reads like a page."""
+    """Returns a parallelogram from a corner, its sides times ``size``, with s along and t down:
+    seen from the side from which it reads like a page."""
     o, a, b = ([Fraction(c) for c in vector] for vector in (origin, along, down))
     corners = ((0, 0), (0, 1), (1, 1), (1, 0))
     return [(*(p + k * size[0] * c + n * size[1] * d for p, c, d in zip(o, a, b)),
@@ -86,13 +86,13 @@ def sheet(origin, along, down, size=(1, 1), texels=(256, 256), start=(0, 0)) -> 
 
 
 def floor(height, x, z, texels=(256, 256)) -> list[tuple]:
-    """Ground from z[0] to z[1] ahead and x[0] to x[1] aside, ``height`` below the eye: seen from
-    above; t runs towards the viewer."""
+    """Returns ground from z[0] to z[1] ahead and x[0] to x[1] sideways, ``height`` below the eye:
+    seen from above; t runs towards the viewer."""
     return sheet((x[0], height, z[1]), (x[1] - x[0], 0, 0), (0, 0, z[0] - z[1]), texels=texels)
 
 
 def box(low, high, inward: bool = False) -> list[list[tuple]]:
-    """Six faces with the whole map each, seen from outside or from inside."""
+    """Returns six faces with the whole map each, seen from outside or from inside."""
     (x0, y0, z0), (x1, y1, z1) = low, high
     w, h, d = x1 - x0, y1 - y0, z1 - z0
     faces = [sheet((x0, y0, z0), (w, 0, 0), (0, h, 0)), sheet((x1, y0, z1), (-w, 0, 0), (0, h, 0)),
@@ -102,7 +102,8 @@ def box(low, high, inward: bool = False) -> list[list[tuple]]:
 
 
 def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
-    """Ground of so many corners around a place, s and t flat on it; radius a multiple of 1/16."""
+    """Returns ground of ``count`` corners around a place, s and t flat on it; radius a multiple of
+    1/16."""
     angles = [math.tau * k / count for k in range(count)]
     corners = [(round(float(radius) * 4096 * cos(a)), round(float(radius) * 4096 * sin(a)))
                for a in angles]
@@ -111,7 +112,8 @@ def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
 
 
 def ball(radius, middle, around: int, inward: bool = False) -> list[list[tuple]]:
-    """Triangles of a globe, ``around`` of them round it; s and t are its longitude and latitude."""
+    """Returns the triangles of a globe, ``around`` of them round it; s and t are its longitude and
+    latitude."""
     down = 8
 
     def place(k: int, n: int) -> tuple:
@@ -131,7 +133,7 @@ def ball(radius, middle, around: int, inward: bool = False) -> list[list[tuple]]
 # Families
 
 def near_planes() -> Iterator[MeshCase]:
-    """Faces that begin before the near plane and end behind it, or behind the eye."""
+    """Faces that cross the near plane, or reach behind the eye."""
     ground = floor(1, (-4, 4), (-8, 9), (512, 1088))
     yield made("floor_behind_the_eye", "Ground from behind the eye on.", [ground])
     yield made("floor_behind_the_eye_askew", "The same, seen turned, tilted and rolled.", [ground], ASKEW)
@@ -164,8 +166,8 @@ def near_planes() -> Iterator[MeshCase]:
 
 
 def edge_on() -> Iterator[MeshCase]:
-    """Faces whose plane runs through the eye, or some units beside it: whether they are seen from the
-    front is a matter of rounding, and a line of pixels at stake."""
+    """Faces whose plane passes through the eye, or some units beside it. Rounding decides if they
+    are seen from the front; a line of pixels depends on it."""
     for off, where in ((-UNIT, "1_unit_above"), (0, "through"), (UNIT, "1_unit_below"),
                        (64 * UNIT, "64_units_below")):
         said = where.replace("_", " ")
@@ -189,7 +191,8 @@ def edge_on() -> Iterator[MeshCase]:
 
 
 def guard_bands() -> Iterator[MeshCase]:
-    """Faces that leave what may be projected: 128 pixels from the middle, so twice as far aside as away."""
+    """Faces that leave the range that may be projected: 128 pixels from the middle, so twice as far
+    sideways as away."""
     for name, (x, y) in {"left": (-1, 0), "right": (1, 0), "above": (0, -1), "below": (0, 1),
                          "corner": (1, 1)}.items():
         face = sheet((-1 + 7 * min(x, 0), -1 + 7 * min(y, 0), 2), (2 + 7 * abs(x), 0, 0),
@@ -274,7 +277,7 @@ def tiny_and_huge() -> Iterator[MeshCase]:
 
 
 def orders() -> Iterator[MeshCase]:
-    """Faces behind one another."""
+    """Faces that hide one another."""
     walls = [sheet((-2 - z, -2 - z, 3 + z), (4, 0, 0), (0, 4, 0), start=(32 * z, 0)) for z in (0, 1, 2)]
     yield made("walls_far_ones_first", "Three walls one behind the other, the farthest first.", walls[::-1])
     yield made("walls_near_ones_first", "The same, the nearest first.", walls)
@@ -285,7 +288,7 @@ def orders() -> Iterator[MeshCase]:
 
 
 def normals() -> Iterator[MeshCase]:
-    """Where an environment's s and t, and a light's shades, come to an end."""
+    """Normals at the limits of an environment's s and t, and of a light's shades."""
     for look in ("environment", "shade"):
         for name, turn in (("", STRAIGHT), ("_askew", ASKEW)):
             yield made(f"{look}_of_a_ball{name}", "Normals of all directions.",
@@ -302,5 +305,5 @@ FAMILIES = (near_planes, edge_on, guard_bands, horizons, grazing, tiny_and_huge,
 
 
 def cases() -> list[MeshCase]:
-    """All of them."""
+    """Returns all cases."""
     return [case for family in FAMILIES for case in family()]

@@ -1,4 +1,4 @@
-"""Hard outlines: one function a family, in pixels of a frame of WIDTH x HEIGHT."""
+"""Hard outlines: one function per family, in pixels of a frame of WIDTH x HEIGHT."""
 
 import math
 from collections.abc import Iterator
@@ -8,7 +8,7 @@ from tmap.base.elementary import cos, sin
 from tmap.corpus.hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, label, make
 
 MIDDLE = (WIDTH // 2, HEIGHT // 2)
-#: Lengths round the limits of the format: pixels.
+#: Lengths near the limits of the format: pixels.
 SMALL = (UNIT, 2 * UNIT, 256 * UNIT, Fraction(1, 2), 1 - UNIT, 1, 1 + UNIT)
 FARTHEST = FAR - UNIT
 #: The eight directions on the screen, by name.
@@ -17,26 +17,26 @@ OCTANTS = {"right": (1, 0), "right_down": (1, 1), "down": (0, 1), "left_down": (
 
 
 def box(left, top, right, bottom) -> list[tuple]:
-    """A rectangle, clockwise on the screen."""
+    """Returns a rectangle, clockwise on the screen."""
     return [(left, top), (right, top), (right, bottom), (left, bottom)]
 
 
 def ring(count: int, radius, centre=MIDDLE, turn: float = 0.3) -> list[tuple]:
-    """A regular polygon, clockwise on the screen."""
+    """Returns a regular polygon, clockwise on the screen."""
     angles = [turn + math.tau * k / count for k in range(count)]
     return [(centre[0] + float(radius) * cos(a), centre[1] + float(radius) * sin(a))
             for a in angles]
 
 
 def leaning(units: Fraction) -> Fraction:
-    """Pixels that an edge of so many units of 1/65536 pixel a line moves from the first line of all to
-    the screen's end."""
+    """Returns the pixels by which an edge of ``units`` (1/65536 pixel per line) moves from the
+    first line of the range to the screen's end."""
     return units * UNIT * (FAR + HEIGHT)
 
 
 def slivers() -> Iterator[Case]:
-    """Height or width from 1/65536 pixel up: slopes are huge or nearly none, areas tiny, and
-    whether a pixel is covered hangs on a single unit."""
+    """Height or width from 1/65536 pixel up: slopes are huge or nearly 0, areas tiny, and a single
+    unit decides if a pixel is covered."""
     for size in SMALL:
         yield make(f"sliver_{label(size)}_high", "Its flat top lies on a scanline and shows, "
                    "however low the triangle is.", [(9.25, 40), (118.5, 40), (60, 40 + size)])
@@ -52,7 +52,7 @@ def slivers() -> Iterator[Case]:
 
 
 def needles() -> Iterator[Case]:
-    """A sharp point and a long way: both sides are nearly the same edge."""
+    """Long sharp points: both sides are nearly the same edge."""
     ends = {"level": ((2, 48), (125, 48)), "shallow": ((2, 40.3), (125, 50.1)),
             "diagonal": ((2.5, 2.25), (94.5, 94)), "back": ((125, 3), (3, 91)),
             "steep": ((60.3, 1), (66.9, 94)), "upright": ((64, 1), (64, 94)),
@@ -91,7 +91,7 @@ def repeated_vertices() -> Iterator[Case]:
 
 
 def inside_one_pixel() -> Iterator[Case]:
-    """Everything happens between neighbouring centres: one pixel or none."""
+    """Polygons between neighbouring pixel centres: one pixel or none."""
     places = {"between_centres": (50.5, 50.5, 0.25), "round_a_centre": (50, 50, 0.25),
               "round_a_centre_1_unit": (50, 50, UNIT),
               "round_a_centre_half": (50, 50, Fraction(1, 2))}
@@ -106,7 +106,7 @@ def inside_one_pixel() -> Iterator[Case]:
 
 
 def collinear_vertices() -> Iterator[Case]:
-    """Vertices in the middle of an edge cut it into sections which must go on unchanged."""
+    """Vertices in the middle of an edge cut it into sections, which must continue the same edge."""
     corners = [(16, 8), (112, 24), (96, 88), (8, 72)]
     for k, place in enumerate(("top", "right", "bottom", "left")):
         (x0, y0), (x1, y1) = corners[k], corners[(k + 1) % 4]
@@ -123,7 +123,7 @@ def collinear_vertices() -> Iterator[Case]:
 
 
 def on_centres() -> Iterator[Case]:
-    """Edges and vertices exactly on pixel centres, half-way, or one unit beside."""
+    """Edges and vertices exactly on pixel centres, halfway between, or one unit beside them."""
     shapes = {"box": box(20, 20, 80, 60), "triangle": [(20, 10), (84, 42), (36, 74)],
               "diamond": [(64, 16), (96, 48), (64, 80), (32, 48)]}
     moves = {"on_centres": 0, "half_way": Fraction(1, 2), "1_unit_before_centres": -UNIT,
@@ -211,7 +211,7 @@ def off_screen() -> Iterator[Case]:
 
 
 def at_the_border() -> Iterator[Case]:
-    """Polygons that touch the screen's border: not a pixel, or just its first or last."""
+    """Polygons that touch the screen's border: no pixel, or only its first or last."""
     for over, what in ((0, "touches"), (UNIT, "crosses_1_unit"), (1, "crosses_1_pixel")):
         places = {"left": [(-40, 20), (over, 50), (-30, 80)],
                   "right": [(170, 20), (160, 80), (WIDTH - 1 + (1 - over), 50)],
@@ -251,7 +251,7 @@ def windings() -> Iterator[Case]:
 
 
 def nearly_concave() -> Iterator[Case]:
-    """A vertex a hair off the straight line between its neighbours, to either side."""
+    """A vertex slightly off the straight line between its neighbours, to either side."""
     for bulge in (UNIT, 16 * UNIT, -UNIT):
         what = "dented" if bulge < 0 else "bulging"
         size = label(abs(bulge))
@@ -265,7 +265,7 @@ def nearly_concave() -> Iterator[Case]:
 
 
 def long_edges() -> Iterator[Case]:
-    """Edges that begin 16,384 lines above the screen: every line's rounding adds up."""
+    """Edges that begin 16,384 lines above the screen: the lines' roundings add up."""
     for k, (x0, x1) in enumerate(((20, 100), (-5000, 5100), (100.3, 20.7))):
         yield make(f"long_edge_{k}", "An edge through all lines there are; the screen shows "
                    f"those in the middle, where its slope of {(x1 - x0) / 32767:.4f} has drifted.",

@@ -1,4 +1,4 @@
-"""Hard polygons by their planes: values of more than three vertices that lie on none, or hardly."""
+"""Hard planarity: polygons of more than three vertices whose values are not, or hardly, planar."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -13,14 +13,14 @@ TEXTURED = tuple(mapper for mapper in MAPPERS if mapper not in ("flat", "gouraud
 
 
 def moved(case: Case, number: int, field: int, by: int) -> Case:
-    """The case with one number of a vertex changed, in units."""
+    """Returns the case with one number of a vertex changed by some units."""
     vertex = list(case.vertices[number])
     vertex[field] += by
     return replace(case, vertices=(*case.vertices[:number], tuple(vertex), *case.vertices[number + 1:]))
 
 
 def uneven() -> Iterator[Case]:
-    """Drawn as triangles, so that every vertex shows its own."""
+    """Polygons drawn as triangles, so that every vertex has its own values."""
     for number in range(4):
         case = make(f"uneven_quad_vertex_{number}", f"Vertex {number} is 40 texels off the plane of the "
                     "others.", QUAD, mappers=TEXTURED)
@@ -50,7 +50,7 @@ def uneven() -> Iterator[Case]:
 
 
 def hardly_even() -> Iterator[Case]:
-    """As near to the limit as 16.16 has it: fan.c allows what rounding makes."""
+    """Polygons as near to the limit as 16.16 allows: fan.c accepts errors by rounding."""
     for units in (4, 16, 31, 32, 33, 64, 4096):
         yield moved(make(f"hardly_even_{units}_units", f"A vertex is {units} units off the plane of the "
                          "others, whose gradients are at most 1.", QUAD, mappers=TEXTURED), 3, 2, units)

@@ -1,4 +1,4 @@
-"""Hard textures, shades and maps: one function a family, in texels of a 256x256 map."""
+"""Hard textures, shades and maps: one function per family, in texels of a 256x256 map."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -12,18 +12,18 @@ from tmap.corpus.hard_outlines import box, leaning
 PAGE = 256  # texels
 QUAD = [(16.25, 8.5), (112, 20.75), (100.5, 88), (8, 70.25)]
 TRIANGLE = [(10.5, 6.25), (118.25, 30), (40.75, 90.5)]
-#: Map sizes of mappers that take any.
+#: Map sizes for mappers that take any size.
 MAP_SIZES = ((1, 1), (2, 2), (1, 256), (256, 1), (1, 1024), (1024, 1), (3, 1), (100, 37), (8, 8),
              (8, 1024), (64, 512), (1024, 256))
 
 
 def on_map(start, along_x, along_y=(0, 0)) -> dict:
-    """What ``make`` needs of a texture that leaves the map."""
+    """Returns the arguments of ``make`` for a texture that leaves the map."""
     return {"texture": laid(start, along_x, along_y), "mappers": REPEATING}
 
 
 def far_outside() -> Iterator[Case]:
-    """Coordinates far from the map or negative: only what is left modulo 256 may show."""
+    """Coordinates far from the map or negative: only their values modulo 256 may matter."""
     for way, (s, t) in {"s": (1, 0), "t": (0, 1), "both": (1, 1)}.items():
         for far in (-256, -16000, 16000):
             yield make(f"texture_{label(far)}_outside_{way}", f"The map is met {far} texels from "
@@ -35,7 +35,7 @@ def far_outside() -> Iterator[Case]:
 
 
 def on_texel_borders() -> Iterator[Case]:
-    """Pixel centres meet borders of texels: a unit decides which texel shows."""
+    """Pixel centres on borders of texels: a unit decides which texel is shown."""
     for step in (Fraction(1, 2), 1, 2):
         for move in (-UNIT, 0, UNIT):
             yield make(f"texel_borders_step_{label(step)}_{label(move)}_beside",
@@ -47,7 +47,8 @@ def on_texel_borders() -> Iterator[Case]:
 
 
 def gradients() -> Iterator[Case]:
-    """From 0 to 256 texels a pixel, level and upright, in triangles that cross the screen."""
+    """From 0 to 256 texels per pixel, horizontal and vertical, in triangles that cross the
+    screen."""
     for step in (0, UNIT, Fraction(1, 256), Fraction(1, 4), 1, 4, 16, 128, 255, 256):
         start = (-step * 50, -step * 40)
         mappers = {} if step > 1 else {"mappers": REPEATING + ("arbitrary",)}
@@ -98,7 +99,8 @@ def seams() -> Iterator[Case]:
 
 
 def repeats() -> Iterator[Case]:
-    """u crosses the map's seam inside lines, once or many times, or ends at it: v's row stays."""
+    """u crosses the map's seam inside lines, once or many times, or ends at it: v's row must not
+    change."""
     for count in (1, 2, 8):
         step = Fraction(PAGE * count - 6, 128)
         for way, start, along in (("up", 3, step), ("down", PAGE * count - 3, -step),
@@ -123,7 +125,7 @@ def repeats() -> Iterator[Case]:
 
 
 def up_to_the_last_texel() -> Iterator[Case]:
-    """Coordinates that end exactly with the map: a pixel beyond would read outside it."""
+    """Coordinates that end exactly at the map's end: a pixel beyond would read outside it."""
     outlines = {"box": box(0, 0, WIDTH, HEIGHT), "small_box": box(20, 20, 52, 52),
                 "one_pixel": box(50, 50, 51, 51), "offset_box": box(20.5, 20.5, 84.5, 84.5)}
     for shape, points in outlines.items():
@@ -143,7 +145,7 @@ def up_to_the_last_texel() -> Iterator[Case]:
 
 
 def shades() -> Iterator[Case]:
-    """Shades at both ends of the palette: a shade beyond would be the other end."""
+    """Shades at both ends of the palette: a shade beyond one would wrap to the other."""
     last = PAGE - UNIT
     values = {"all_0": (0, 0, 0), "all_255": (255, 255, 255), "all_last": (last, last, last),
               "0_to_255": (0, 255, 0), "255_to_0": (255, 0, 255), "0_to_last": (0, last, last),
@@ -158,7 +160,7 @@ def shades() -> Iterator[Case]:
 
 
 def long_spans() -> Iterator[Case]:
-    """Steps that are no multiple of 1/65536, over the longest way: their rounding adds up."""
+    """Steps that are no multiple of 1/65536, over the longest way: their roundings add up."""
     for k, step in enumerate((Fraction(1, 3), Fraction(2, 131), 1 + Fraction(1, 131072),
                               -Fraction(100, 7))):
         yield make(f"long_span_{k}", f"Spans of the whole screen with steps of {float(step):.6g}.",
@@ -182,7 +184,7 @@ def long_spans() -> Iterator[Case]:
 
 
 def map_sizes() -> Iterator[Case]:
-    """Maps of one texel, one column, one row, and sides far apart."""
+    """Maps of one texel, one column, one row, and very different sides."""
     for size in MAP_SIZES:
         mappers = ("arbitrary", "columns")
         name = f"map_{size[0]}x{size[1]}"

@@ -12,28 +12,28 @@ from tmap.base.fixed import fix
 from tmap.base.linear import length
 
 WIDTH, HEIGHT = 320, 256
-COUNT = 20  # polygons a set
-#: Texels a pixel along the set's polygons, in turn.
+COUNT = 20  # polygons per set
+#: Texels per pixel of the set's polygons, in turn.
 STEPS = (1 / 16, 1 / 4, 1, 4, 16)
 #: Name to (least and greatest area in pixels, least and greatest height in pixels).
 SHAPES = {"small": ((12, 40), (3, 20)), "medium": ((1800, 2200), (40, 90)),
           "large": ((15000, 40000), (150, 256)), "thin": ((60, 250), (100, 256)),
           "steep": ((60, 250), (0.3, 3))}
-#: Name of a set of medium triangles in space to how many times as deep one end is at most, at
-#: least half as many.
+#: Name of a set of medium triangles in space to the largest ratio of the depths of their ends; the
+#: least ratio is half of that.
 DEPTHS = {"depth": 4, "deep": 100}
 FOCUS = WIDTH / 2  # pixels from the viewer to the screen
-LARGEST = 8192  # texels: what s and t keep within
+LARGEST = 8192  # texels: the limit of s and t
 
 
 def area(points) -> float:
-    """A triangle's area."""
+    """Returns a triangle's area."""
     (x0, y0), (x1, y1), (x2, y2) = points
     return abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
 
 
 def corners(rng: random.Random, name: str) -> list[tuple[float, float]]:
-    """A triangle of a set, inside the frame."""
+    """Returns a triangle of a set, inside the frame."""
     areas, heights = SHAPES[name]
     while True:
         points = [(rng.uniform(0, WIDTH), rng.uniform(0, HEIGHT)) for _ in range(3)]
@@ -49,10 +49,10 @@ def corners(rng: random.Random, name: str) -> list[tuple[float, float]]:
 
 
 def texture(rng: random.Random, points, step: float, inside: float | None) -> list[tuple]:
-    """s and t of the corners: a turned map of so many texels a pixel.
+    """Returns s and t of the corners: a rotated map of ``step`` texels per pixel.
 
-    ``inside``: the side of a map that the coordinates must not leave; they are brought
-    nearer together where they would.
+    ``inside``: the side of a map that the coordinates must not leave; they are scaled
+    down if they would.
     """
     angle = rng.uniform(0, math.tau)
     c, s = step * cos(angle), step * sin(angle)
@@ -71,8 +71,8 @@ def texture(rng: random.Random, points, step: float, inside: float | None) -> li
 
 
 def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple]:
-    """s, t and w of the corners: a map on a random plane in space, so many texels a pixel on the
-    whole, one corner ``most`` / 2 to ``most`` times as deep as another."""
+    """Returns s, t and w of the corners: a map on a random plane in space, on average ``step``
+    texels per pixel, one corner ``most`` / 2 to ``most`` times as deep as another."""
     rays = [((x - WIDTH / 2) / FOCUS, (y - HEIGHT / 2) / FOCUS, 1.0) for x, y in points]
     while True:
         normal = [rng.gauss(0, 1) for _ in range(3)]
@@ -95,7 +95,7 @@ def in_space(rng: random.Random, points, step: float, most: float) -> list[tuple
 
 
 def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...]]]:
-    """The polygons of a set. ``inside``: for ``texture``; not for sets with depth."""
+    """Returns the polygons of a set. ``inside``: for ``texture``; not for sets with depth."""
     made = []
     for k in range(COUNT):
         rng = random.Random(f"{name} {k}")
@@ -111,7 +111,7 @@ def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...
 
 
 def random_triangles(count: int, seed: int = 1997) -> list[list[tuple[int, ...]]]:
-    """Triangles as fatmap2's test program draws them: x in 0 to 320, y in 0 to 200,
+    """Returns triangles like those of fatmap2's test program: x in 0 to 320, y in 0 to 200,
     s and t anywhere on a 256x256 map."""
     rng = random.Random(seed)
     return [[tuple(map(fix, (rng.uniform(0, 320), rng.uniform(0, 200), rng.uniform(0, 255),

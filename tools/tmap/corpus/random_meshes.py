@@ -1,8 +1,8 @@
 """Random meshes of triangles that share edges, and parts of convex polygons.
 
-Points are (x, y) in 16.16. Before its triangles are turned and reversed at random, every
-one of a mesh runs the same way round as its outline, none has zero area, so together they
-cover the outline and nothing twice.
+Points are (x, y) in 16.16. Before a mesh's triangles are rotated and reversed at random, all have
+the winding of its outline and none has zero area, so together they cover the outline, and no place
+twice.
 """
 
 import math
@@ -12,14 +12,14 @@ from itertools import accumulate
 
 from tmap.base.fixed import fix
 
-#: Units that points lie on: any, 1/256 pixel, half and whole pixels; and how many units
-#: they are off those: just beside a pixel's centre, rounded edges cross each other.
+#: Grids of points, in units: any unit, 1/256 pixel, half and whole pixels; and by how many units
+#: the points are off them: just beside a pixel's centre, rounded edges cross each other.
 GRIDS = ((1, 0), (1, 0), (1, 0), (0x100, 0), (0x8000, 0), (0x10000, 0), (0x10000, 2))
 
 
 @dataclass
 class Mesh:
-    """Triangles, either winding, any vertex first, and the points round them."""
+    """Triangles, with either winding and any vertex first, and the outline around them."""
 
     kind: str
     outline: list[tuple[int, int]]
@@ -28,7 +28,7 @@ class Mesh:
 
 @dataclass
 class Net:
-    """A mesh before it has a place: points as numbers of any unit, the rest as indices."""
+    """A mesh before it is placed: points in any unit, the rest as indices."""
 
     points: list[tuple[float, float]]
     outline: list[int]
@@ -36,12 +36,12 @@ class Net:
 
 
 def twice_area(points) -> int:
-    """Twice a polygon's area, its sign by the way round."""
+    """Returns twice a polygon's area, its sign by the winding."""
     return sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(points, [*points[1:], points[0]]))
 
 
 def fan(rng: random.Random) -> Net:
-    """Triangles round one point, which lies inside or on the outline."""
+    """Returns triangles around one point, which is inside or on the outline."""
     count = rng.randint(3, 12)
     closed = rng.random() < 0.5
     reach = math.tau if closed else rng.uniform(0.3, 6)
@@ -54,8 +54,8 @@ def fan(rng: random.Random) -> Net:
 
 
 def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
-    """Rows and columns of four-cornered cells, their points row by row; each is cut along either
-    diagonal."""
+    """Returns rows and columns of four-cornered cells, each cut along either diagonal. ``points``:
+    row by row."""
     def at(i: int, j: int) -> int:
         return j * (columns + 1) + i
 
@@ -70,7 +70,7 @@ def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
 
 
 def grid(rng: random.Random, rows: int, columns: int) -> Net:
-    """Shifted crossings of rows and columns."""
+    """Returns a grid with randomly moved points."""
     side = max(rows, columns)
     points = [((2 * i - columns + rng.uniform(-0.6, 0.6)) / side,
                (2 * j - rows + rng.uniform(-0.6, 0.6)) / side)
@@ -79,17 +79,17 @@ def grid(rng: random.Random, rows: int, columns: int) -> Net:
 
 
 def strip(rng: random.Random) -> Net:
-    """One row of cells."""
+    """Returns one row of cells."""
     return grid(rng, 1, rng.randint(1, 8))
 
 
 def field(rng: random.Random) -> Net:
-    """Some rows of cells."""
+    """Returns some rows of cells."""
     return grid(rng, rng.randint(2, 4), rng.randint(2, 4))
 
 
 def split_edge(net: Net, rng: random.Random) -> None:
-    """A new point on an edge, a new corner of the triangles on both its sides."""
+    """Adds a point on an edge and splits the triangles on both its sides."""
     face = rng.choice(net.faces)
     a, b = face[0], face[1]
     part, new = rng.uniform(0.1, 0.9), len(net.points)
@@ -108,7 +108,7 @@ def split_edge(net: Net, rng: random.Random) -> None:
 
 
 def split_face(net: Net, rng: random.Random) -> None:
-    """A new point inside a triangle makes three of it."""
+    """Adds a point inside a triangle and splits it into three."""
     face = net.faces.pop(rng.randrange(len(net.faces)))
     weights = [rng.uniform(0.05, 1) for _ in face]
     net.points.append(tuple(sum(w * net.points[k][axis] for w, k in zip(weights, face))
@@ -117,7 +117,7 @@ def split_face(net: Net, rng: random.Random) -> None:
 
 
 def subdivision(rng: random.Random) -> Net:
-    """A triangle whose edges and faces are split again and again."""
+    """Returns a triangle whose edges and faces are split several times."""
     start = rng.uniform(0, math.tau)
     net = Net([(math.cos(start + math.tau * k / 3), math.sin(start + math.tau * k / 3))
                for k in range(3)], [0, 1, 2], [(0, 1, 2)])
@@ -128,8 +128,8 @@ def subdivision(rng: random.Random) -> Net:
 
 
 def tiles(rng: random.Random) -> Net:
-    """Rows of rectangles as people write them, on whole numbers, equal ones or not; each is cut along
-    either diagonal."""
+    """Returns rows of handwritten rectangles, on whole numbers, of equal size or not, each cut
+    along either diagonal."""
     columns, rows = rng.randint(1, 4), rng.randint(1, 4)
     ends = []
     for count in (columns, rows):
@@ -142,7 +142,7 @@ KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision, 
 
 
 def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
-    """The points on the screen: of random size, thinness, turn, place and grid."""
+    """Returns the points on the screen, with random size, thinness, rotation, place and grid."""
     size, (unit, beside) = rng.choice((3, 20, 60, 200)), rng.choice(GRIDS)
     squeeze = rng.choice((1, 1, 10 ** rng.uniform(-3, 0)))
     turn = rng.uniform(0, math.tau)
@@ -154,21 +154,21 @@ def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[i
 
 
 def laid(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:
-    """The points on the screen, on whole or half pixels, upright."""
+    """Returns the points on the screen, on whole or half pixels, upright."""
     x0, y0 = (rng.choice((0, 8, rng.randint(-8, side), rng.randint(0, 2 * side) / 2))
               for side in (width, height))
     return [(fix(x0 + x), fix(y0 + y)) for x, y in net.points]
 
 
 def shuffled(rng: random.Random, polygon: list) -> list:
-    """Another vertex first, the other way round every second time."""
+    """Puts a random vertex first, and reverses the winding every second time."""
     first = rng.randrange(len(polygon))
     turned = polygon[first:] + polygon[:first]
     return turned[::-1] if rng.random() < 0.5 else turned
 
 
 def mesh(rng: random.Random, width: int, height: int, kind: str) -> Mesh:
-    """A mesh of a kind, at least partly in the frame as a rule."""
+    """Returns a mesh of a kind, usually at least partly in the frame."""
     while True:
         net = KINDS[kind](rng)
         points = laid(rng, net, width, height) if kind == "tiles" else place(rng, net, width, height)
@@ -179,13 +179,13 @@ def mesh(rng: random.Random, width: int, height: int, kind: str) -> Mesh:
 
 
 def subset(rng: random.Random, polygon: list) -> list:
-    """Some vertices of a polygon of more than three, in their order: three at least."""
+    """Returns at least three vertices of a polygon of more than three, in their order."""
     kept = rng.sample(range(len(polygon)), rng.randint(3, len(polygon) - 1))
     return [polygon[k] for k in sorted(kept)]
 
 
 def halves(rng: random.Random, polygon: list) -> tuple[list, list]:
-    """A polygon of more than three vertices, cut along a diagonal."""
+    """Cuts a polygon of more than three vertices along a diagonal."""
     count = len(polygon)
     a = rng.randrange(count)
     b = a + rng.randint(2, count - 2)

@@ -1,7 +1,7 @@
-"""Random convex polygons by seed, for tests: ordinary, thin, tiny, huge, off screen, and as people
-write them (tmap.corpus.written).
+"""Random convex polygons by seed, for tests: ordinary, thin, tiny, huge, off screen, and
+handwritten ones (tmap.corpus.written).
 
-Everything is 16.16; one polygon a frame, so that nothing hides behind another.
+Everything is 16.16; one polygon per frame, so that none hides another.
 """
 
 import math
@@ -19,7 +19,8 @@ from tmap.scene_file.textures import Texture
 
 
 def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
-    """Corners on an ellipse of random place, size, thinness and turn, either winding."""
+    """Returns corners on an ellipse of random place, size, thinness and rotation, either
+    winding."""
     count = rng.choice((3, 3, 4, 4, 5, 6, 7, 8))
     size = rng.choice((2, 10, 40, 100, 300))
     major, minor = size * rng.uniform(0.3, 1), size * rng.uniform(0.3, 1)
@@ -35,7 +36,7 @@ def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[in
         x, y = major * math.cos(angle), minor * math.sin(angle)
         points.append((fix(centre[0] + x * math.cos(turn) - y * math.sin(turn)),
                        fix(centre[1] + x * math.sin(turn) + y * math.cos(turn))))
-    if rng.random() < 0.15:  # onto pixel centres or half-way
+    if rng.random() < 0.15:  # onto pixel centres or halfway between
         points = [(x + 0x4000 & ~0x7FFF, y + 0x4000 & ~0x7FFF) for x, y in points]
     if rng.random() < 0.5:
         points.reverse()
@@ -44,7 +45,7 @@ def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[in
 
 
 def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """s and t of the corners from one affine map of the screen."""
+    """Returns s and t of the corners from one affine function of the screen."""
     scale = rng.choice((0, 1 / 16, 0.3, 1, 1, 1, 1.7, 4, 16))
     angle = rng.choice((0, math.pi / 2, math.pi, rng.uniform(0, math.tau), rng.uniform(0, math.tau)))
     squeeze = rng.choice((1, 1, -1, 0.2))
@@ -57,14 +58,14 @@ def texture_plane(rng: random.Random, points: list[tuple[int, int]]) -> list[tup
 
 
 def is_convex(points: list[tuple[int, int]]) -> bool:
-    """Whether all corners turn the same way: snapping can dent a thin polygon."""
+    """Returns true if all corners turn the same way: snapping can dent a thin polygon."""
     sides = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(points, points[1:] + points[:1]) if a != b]
     turns = [p[0] * q[1] - p[1] * q[0] for p, q in zip(sides, sides[1:] + sides[:1])]
     return all(t >= 0 for t in turns) or all(t <= 0 for t in turns)
 
 
 def covering_polygon(rng: random.Random, width: int, height: int):
-    """Corners and texture plane of a polygon; nine in ten cover a pixel of the frame."""
+    """Returns corners and texture plane of a polygon; nine in ten cover a pixel of the frame."""
     if rng.random() < written.SHARE:
         points = written.outline(rng, width, height)
         return points, written.texels(rng, points, (256, 256))
@@ -81,8 +82,8 @@ def covering_polygon(rng: random.Random, width: int, height: int):
 
 def scene(seed: int, count: int, width: int, height: int, first: int = 0,
           pixels: str = "chunky") -> Scene:
-    """``count`` polygons, one a frame: number k depends on seed and first + k alone. ``pixels``:
-    of FORMATS."""
+    """Returns a scene of ``count`` polygons, one per frame: number k depends only on seed and
+    first + k. ``pixels``: a name of FORMATS."""
     noise, pixel = np.random.default_rng(seed), FORMATS[pixels]
     texture = Texture(noise.integers(0, 256**pixel.bytes, (256, 256), dtype=pixel.dtype))
     palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)

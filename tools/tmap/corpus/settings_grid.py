@@ -4,19 +4,19 @@ from tmap.scene_file.scene_file import SETTINGS
 from tmap.scene_file.textures import MAPPERS, ON_PLANE
 from tmap.setup.texturing import Settings
 
-#: Combinations of the mappers other than affine: cheap, usual, exact.
+#: Combinations for all mappers except affine: cheap, usual, exact.
 USUAL = (("integer", "plane", "truncated"), ("subpixel", "plane", "subtexel"),
          ("exact", "plane", "subtexel"))
 
 
 def usual(mapper: str) -> list[Settings]:
-    """USUAL, as far as the mapper has them."""
+    """Returns those of USUAL that the mapper has."""
     return [Settings(*each, mapper=mapper) for each in USUAL
             if mapper not in ON_PLANE or each[1:] == ("plane", "subtexel")]
 
 
 def combinations() -> list[Settings]:
-    """Every sensible combination of settings and mapper."""
+    """Returns every sensible combination of settings and mapper."""
     made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
@@ -26,6 +26,6 @@ def combinations() -> list[Settings]:
 
 
 def depth_combinations() -> list[Settings]:
-    """What a set with depth is drawn with: affine, and every other perspective beside it."""
+    """Returns the settings for a set with depth: affine and every other perspective."""
     return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
             for p in SETTINGS["perspective"]]

@@ -1,9 +1,9 @@
-"""Polygons as people write them: zeros, whole numbers and halves, equal coordinates, right angles, maps
-from their first texel to their last. Noise has none of these, and they are what scenes have.
+"""Polygons like handwritten ones: zeros, whole numbers and halves, equal coordinates, right angles,
+maps from their first texel to their last. Scenes consist of these, and noise has none of them.
 
-SHARE of every fuzzer's polygons come from here: of the mapper settings, those in perspective and in
-depth among them (tmap.fuzz.polygons), of tmap.corpus.random_polygons, of the N64's engine and Glide's unit
-(tests/n64/random_scenes.py, tests/glide/random_scenes.py). Of these each family has its weight.
+SHARE of every fuzzer's polygons come from here: for the mapper settings, including perspective and
+depth (tmap.fuzz.polygons), for tmap.corpus.random_polygons, for the N64's engine and Glide's unit
+(tests/n64/random_scenes.py, tests/glide/random_scenes.py). Each family has a weight.
 """
 
 import random
@@ -13,14 +13,14 @@ from tmap.base.fixed import ONE, fix
 
 SHARE = 0.3
 Points = list[tuple[int, int]]  # 16.16
-#: Weights: rectangles and right angles with their sides along the axes, on whole pixels; the frame,
-#: as a whole or more; triangles on whole numbers, on halves, with few different numbers; diamonds.
+#: Weights: rectangles and right-angled triangles with sides along the axes, on whole pixels; the
+#: whole frame or more; triangles on whole numbers, on halves, with few different numbers; diamonds.
 OUTLINES = {"rectangle": 6, "right_angle": 4, "frame": 1, "whole": 3, "halves": 2, "shared": 3,
             "diamond": 1}
-#: Weights: the map over the polygon's box; a texel a pixel; a row or a column of it, s or t being
-#: the same at all vertices; for triangles, numbers of a list at each vertex.
+#: Weights: the map over the polygon's box; one texel per pixel; a row or a column of the map, with
+#: s or t the same at all vertices; for triangles, numbers from a list at each vertex.
 TEXTURES = {"box": 6, "texel_a_pixel": 3, "row": 2, "listed": 3}
-#: How often the map is there over the box, and where it begins, in parts of it.
+#: How often the map repeats over the box, and its start, in parts of the map.
 TIMES, STARTS = (1, 1, 1, 1, -1, 2, 3, Fraction(1, 2)), (0, 0, 0, 0, 1, Fraction(1, 2), -1)
 SIZES = (0, 0, 0, 8, 16, 32, 64, 100, 128, 255, 256, 256, 256, Fraction(1, 2))
 DEPTHS = (1, 1, 1, 2, 2, 3, 4, 8, 10, 16, 100, 1000, 16384, Fraction(1, 2), Fraction(1, 4),
@@ -28,18 +28,19 @@ DEPTHS = (1, 1, 1, 2, 2, 3, 4, 8, 10, 16, 100, 1000, 16384, Fraction(1, 2), Frac
 
 
 def by_weight(rng: random.Random, weights: dict[str, int]) -> str:
-    """A family."""
+    """Returns a random family by its weight."""
     return rng.choices(list(weights), weights.values())[0]
 
 
 def whole(rng: random.Random, side: int) -> int:
-    """A place along a side of the frame: an end, a half, a multiple of 8, any pixel, just beside."""
+    """Returns a place along a side of the frame: an end, the middle, a multiple of 8, any pixel, or
+    just outside."""
     return rng.choice((0, side, side // 2, 8 * rng.randint(0, side // 8), rng.randint(0, side),
                        rng.randint(-4, side + 4)))
 
 
 def pair(rng: random.Random, side: int) -> tuple[int, int]:
-    """Two different places, the lower one first."""
+    """Returns two different places, the lower one first."""
     while True:
         low, high = sorted((whole(rng, side), whole(rng, side)))
         if low < high:
@@ -47,7 +48,7 @@ def pair(rng: random.Random, side: int) -> tuple[int, int]:
 
 
 def corners_of(rng: random.Random, family: str, width: int, height: int) -> list[tuple]:
-    """x and y, in pixels, in order round the polygon."""
+    """Returns x and y of the corners, in pixels, in order around the polygon."""
     if family == "frame":
         more = rng.choice((0, 0, 1, 8, 1000))
         left, top, right, bottom = -more, -more, width + more, height + more
@@ -71,7 +72,7 @@ def corners_of(rng: random.Random, family: str, width: int, height: int) -> list
 
 
 def outline(rng: random.Random, width: int, height: int) -> Points:
-    """The corners of a convex polygon with area, either way round, any of them first."""
+    """Returns the corners of a convex polygon with area, with either winding, any of them first."""
     while True:
         points = corners_of(rng, by_weight(rng, OUTLINES), width, height)
         (x0, y0), (x1, y1), (x2, y2) = points[:3]
@@ -84,19 +85,19 @@ def outline(rng: random.Random, width: int, height: int) -> Points:
 
 
 def part_of(value: int, values: list[int]) -> Fraction:
-    """How far a value is between the least and the greatest."""
+    """Returns a value's place between the least and the greatest, 0 to 1."""
     low, extent = min(values), max(values) - min(values)
     return Fraction(value - low, extent) if extent else Fraction(0)
 
 
 def inside(value: Fraction, end: Fraction) -> int:
-    """A coordinate of a map that is not repeated, 16.16."""
+    """Clamps a coordinate to a map that does not repeat, 16.16."""
     return min(max(int(value * ONE), 0), int(end * ONE))
 
 
 def texels(rng: random.Random, points: Points, ends, repeats: bool = True) -> Points:
-    """s and t of the corners, on one plane; ``ends``: those of the map's far ends; ``repeats``: they
-    may lie outside the map."""
+    """Returns s and t of the corners, on one plane; ``ends``: those of the map's far ends;
+    ``repeats``: they may be outside the map."""
     family, turned = by_weight(rng, TEXTURES), rng.random() < 0.25
     axes = [[p[k] for p in points] for k in (0, 1)]
     made = []
@@ -119,8 +120,8 @@ def texels(rng: random.Random, points: Points, ends, repeats: bool = True) -> Po
 
 
 def depths(rng: random.Random, points: Points) -> list[Fraction]:
-    """w of the corners: of a triangle, numbers of a list; of others one at each of two opposite sides,
-    1/w on a plane between them."""
+    """Returns w of the corners: for a triangle, numbers from a list; for others, one number at each
+    of two opposite sides, with 1/w on a plane between them."""
     if len(points) == 3:
         some = rng.choice(DEPTHS), rng.choice(DEPTHS)
         return [Fraction(rng.choice(some)) for _ in points]

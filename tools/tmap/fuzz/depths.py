@@ -1,7 +1,8 @@
-"""Random depths for the fuzzer: w of a polygon's vertices, and s and t that stay on one plane in space.
+"""Random depths for the fuzzer: w of a polygon's vertices, and s and t that stay on one plane in
+space.
 
-w is from W_MIN to W_MAX, 16.16, of any kind, or as people write it. More than three vertices have 1/w on one plane up to the rounding
-of w (half a unit): everything before it is exact.
+w is from W_MIN to W_MAX, 16.16, of any kind, or handwritten. For more than three vertices 1/w is on
+one plane up to the rounding of w (half a unit): everything before it is exact.
 """
 
 import math
@@ -13,20 +14,20 @@ from tmap.build import layout
 from tmap.corpus import written
 
 SPREAD = {"near_equal": (-6, -2), "4": (-1, math.log10(3)), "100": (0, 2),
-          "all": (0, math.log10(4e6))}  # log10 of the deepest w over the nearest, less 1
+          "all": (0, math.log10(4e6))}  # log10(deepest w / nearest w - 1)
 WRITTEN = "written"
 KINDS = ("constant", "space", "vertices", WRITTEN, *SPREAD)
 
 
 def limits() -> tuple[int, int]:
-    """The least and the greatest w."""
+    """Returns the least and the greatest w."""
     constants = layout.load().constants
     return constants["W_MIN"], constants["W_MAX"]
 
 
 def nearness(rng: random.Random, kind: str, points, size: tuple[int, int]) -> list[Fraction]:
-    """What 1/w of points (x, y) is in proportion to, affine in x and y, above 0."""
-    if kind == "space":  # a plane by its normal; rays through a screen as far away as it is large
+    """Returns values proportional to 1/w of points (x, y), affine in x and y, above 0."""
+    if kind == "space":  # a plane by its normal; the screen is as far as its longer side
         width, height = size
         for _ in range(20):
             normal = [rng.randint(-1000, 1000) for _ in range(3)]
@@ -45,11 +46,11 @@ def nearness(rng: random.Random, kind: str, points, size: tuple[int, int]) -> li
 
 
 def depths(rng: random.Random, kind: str, points, size: tuple[int, int]) -> list[Fraction]:
-    """w of points, in units, not rounded; ``size``: of the frame."""
+    """Returns w of points, in units, not rounded; ``size``: the frame's."""
     least, most = limits()
     if kind == WRITTEN:
         return [w * ONE for w in written.depths(rng, points)]
-    if kind == "vertices" and len(points) == 3:  # a plane whatever they say
+    if kind == "vertices" and len(points) == 3:  # three are always on a plane
         return [Fraction(rng.choice((least, most, 65536, rng.randint(least, 1 << rng.randint(9, 30)))))
                 for _ in points]
     near = nearness(rng, "100" if kind == "vertices" else kind, points, size)
@@ -62,11 +63,11 @@ def depths(rng: random.Random, kind: str, points, size: tuple[int, int]) -> list
 
 
 def in_depth(rng: random.Random, kind: str, vertices, size: tuple[int, int]) -> tuple[tuple, ...]:
-    """Vertices (x, y, s, t, shade, w) with depths of a kind, s and t as flat in space as they were on
-    the screen: each times its w over the greatest. Where s and t were on a plane but for half a
-    unit, they are for a unit."""
+    """Returns vertices (x, y, s, t, shade, w) with depths of a kind. s and t, planar on the screen,
+    become planar in space: each is multiplied by its w over the greatest. If they were within half
+    a unit of a plane, they are within a unit of one afterwards."""
     found = depths(rng, kind, [v[:2] for v in vertices], size)
-    # Or as they are: three are a plane.
+    # Or they stay unchanged: three are always on a plane.
     screen = len(vertices) == 3 and (kind == WRITTEN or rng.random() < 0.5)
     return tuple((x, y, *((s, t) if screen else (round(c * w / max(found)) for c in (s, t))), shade, round(w))
                  for (x, y, s, t, shade, _), w in zip(vertices, found))

@@ -1,8 +1,8 @@
-"""``tmap fuzz``: random polygons drawn by the emulated 68020, each held to the integer model
-bit for bit and, where its exact ideal is defined, to the derived bounds.
+"""``tmap fuzz``: random polygons drawn by the emulated 68020, each compared with the integer model
+bit for bit and, if its exact ideal is defined, with the derived bounds.
 
-The guest draws blocks of polygons, one a frame, and gives back a digest of each frame. What
-fails is made smaller as long as it fails, and explained.
+The guest draws blocks of polygons, one per frame, and returns a digest of each frame. A failing
+polygon is made simpler as long as it fails, and explained.
 """
 
 import os
@@ -27,24 +27,25 @@ from tmap.run.polygon_report import explain
 from tmap.scene_file.scene_file import write
 
 MACHINE = "a1200-fast"
-#: Blocks of one boot.
+#: Blocks per boot.
 BLOCKS = 4
-#: Of a block's polygons, by turns: the plain forms are for comparison only.
+#: The forms of blocks, in turn: the plain forms are for comparison only.
 FORMS = ("addx", "addx", "swap", "addx", "c")
 
 
 @dataclass
 class Checked:
-    """What the host says of a polygon: the frame that is right, and what is wrong with it."""
+    """The host's results for a polygon: the correct frame, and the verdict on the model's
+    errors."""
 
     frame: np.ndarray
-    result: int  # enum polygon_result that the guest must give: 0, or why it is refused
+    result: int  # enum polygon_result that the guest must return: 0, or why it is refused
     judged: bool  # against the ideal
     verdict: bounds.Verdict
 
 
 def check(each: Fuzzed, seed: int, block: int) -> Checked:
-    """The model's frame, and its distance from the ideal where there is one."""
+    """Returns the model's frame and its errors against the ideal, if there is one."""
     width, height = frame_size(block)
     settings, texels, size = each.settings, None, (256, 256)
     if each.texture >= 0:
@@ -70,14 +71,14 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
 
 @dataclass
 class Fault:
-    """A polygon that did not hold. ``kind``: differs, bound, refused or crash."""
+    """A failing polygon. ``kind``: differs, bound, refused or crash."""
 
     kind: str
     text: str
 
 
 def compare(checked: Checked, digest) -> Fault | None:
-    """What is wrong with one polygon."""
+    """Returns the fault of one polygon, or None."""
     if int(digest["result"]) != checked.result:
         return Fault("refused", f"the guest's result is {digest['result']}, not {checked.result}")
     if not is_models(checked.frame, digest):
@@ -89,7 +90,7 @@ def compare(checked: Checked, digest) -> Fault | None:
 
 def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
            machine: str) -> dict[int, Fault]:
-    """Which of a block's polygons fail, by index; a crash is sought by halves."""
+    """Returns the faults of a block's polygons, by index; a crash is located by halves."""
     try:
         digests, = draw([(scene(seed, block, polygons), form)], machine)
     except UserError as error:
@@ -106,7 +107,7 @@ def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
 
 @dataclass
 class Tally:
-    """What a run has seen."""
+    """The counts of a run."""
 
     polygons: int = 0
     drawn: int = 0
@@ -131,7 +132,7 @@ class Tally:
         self.worst[settings.mapper] = max(self.worst.get(settings.mapper, 0), verdict.texel_ratio)
 
     def merge(self, other: "Tally") -> None:
-        """Adds another part's."""
+        """Adds another part's counts."""
         for name in ("polygons", "drawn", "refused", "judged", "pixels"):
             setattr(self, name, getattr(self, name) + getattr(other, name))
         for edges, count in other.coverage_errors.items():
@@ -149,16 +150,16 @@ class Tally:
 
 
 def form_of(block: int) -> str:
-    """In which form a block is drawn."""
+    """Returns the form in which a block is drawn."""
     return FORMS[block % len(FORMS)]
 
 
-interrupted = Event()  # in a part's process: no further part is begun
+interrupted = Event()  # in a part's process: if set, it begins no further part
 
 
 def end_on_interrupt() -> None:
-    """For a part's process: an interrupt ends it as an exit does, so that its emulator and files
-    go, and no traceback is printed."""
+    """Makes an interrupt end a part's process as an exit does, so that its emulator ends, its files
+    are deleted, and no traceback is printed."""
     def end(*_) -> None:
         interrupted.set()
         sys.exit(130)
@@ -167,7 +168,7 @@ def end_on_interrupt() -> None:
 
 
 def run_part(seed: int, numbers: range, machine: str) -> Tally:
-    """Polygons of several blocks in one boot."""
+    """Draws and checks polygons of several blocks in one boot."""
     if interrupted.is_set():
         sys.exit(130)
     parts: dict[int, list[int]] = {}
@@ -196,7 +197,8 @@ def run_part(seed: int, numbers: range, machine: str) -> Tally:
 
 def run(seed: int, first: int, count: int, machine: str = MACHINE,
         on_part: Callable[[Tally], None] | None = None) -> Tally:
-    """Polygons ``first`` to ``first + count - 1`` of a seed, on all of the host's processors."""
+    """Draws and checks polygons ``first`` to ``first + count - 1`` of a seed, on all of the host's
+    processors."""
     size = BLOCK * BLOCKS
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
@@ -216,7 +218,7 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
 
 
 def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
-    """Whether a scene file takes a polygon."""
+    """Returns true if a scene file can contain a polygon."""
     try:
         write(scene(seed, block, [each]))
     except UserError:
@@ -225,11 +227,11 @@ def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
 
 
 def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed, Fault]:
-    """The failing polygon made as simple as it can be and still fail in the same way."""
+    """Returns the simplest polygon that fails in the same way, and its fault."""
     block = number // BLOCK
 
     def failing(candidates: list[Fuzzed]) -> dict[int, Fault]:
-        # What no file holds would look like a crash, and be sought by halves, boot by boot.
+        # A polygon that no file can contain would look like a crash, located in many boots.
         kept = [k for k, each in enumerate(candidates) if can_be_held(each, seed, block)]
         some = [candidates[k] for k in kept]
         found = faults(some, seed, block, form_of(block), machine) if some else {}
@@ -239,7 +241,7 @@ def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed
 
 
 def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str) -> str:
-    """What a person needs to find the cause."""
+    """Returns the text that helps to find the cause."""
     block = number // BLOCK
     this = scene(seed, block, [each])
     found = None if fault.kind in ("crash", "refused") else frame_of(this, form_of(block), machine)
@@ -249,7 +251,7 @@ def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str
 
 
 def command(seed: int, first: int, count: int, machine: str, keep: str | None) -> int:
-    """``tmap fuzz``: 0 only if every polygon held."""
+    """``tmap fuzz``: returns 0 only if no polygon failed."""
     from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
     if count < 1 or first < 0 or seed < 0:

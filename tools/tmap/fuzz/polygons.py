@@ -1,8 +1,8 @@
 """Random polygons for the fuzzer: number k of a seed is the same in every run.
 
-Ordinary ones, those that people write (tmap.corpus.written) and everything that is known to break
-rasterisers, with every setting and mapper. A block of BLOCK polygons shares a frame size and maps, as
-one scene file.
+Ordinary polygons, handwritten ones (tmap.corpus.written) and kinds that are known to break
+rasterisers, with every setting and mapper. The BLOCK polygons of a block share a frame size and
+maps, as one scene file.
 """
 
 import random
@@ -23,18 +23,18 @@ from tmap.setup.shading import LIT
 from tmap.setup.texturing import Settings
 
 BLOCK = 1000
-#: Width and height of blocks' frames, by turns: small ones are quick, long ones show drift.
+#: Width and height of blocks' frames, in turn: small ones are quick, long ones show drift.
 FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
-#: Of materials with a perspective, 1/65536 texel.
+#: Tolerances of materials with a perspective, 1/65536 texel.
 TOLERANCES = (0, 0, 0, 655, 6554, ONE // 2, ONE)
-#: Of every map that takes any size.
+#: Sides of maps that can have any size.
 ODD_SIDES = (1, 2, 3, 7, 8, 37, 100, 255, 256, 257, 640)
 
 
 @dataclass(frozen=True)
 class Fuzzed:
-    """One polygon, how it is drawn, on what."""
+    """One polygon, its settings and its texture."""
 
     vertices: tuple[tuple[int, int, int, int, int, int], ...]  # x, y, s, t, shade, w; 16.16
     settings: Settings
@@ -42,13 +42,13 @@ class Fuzzed:
 
 
 def frame_size(block: int) -> tuple[int, int]:
-    """Width and height of a block's frame."""
+    """Returns width and height of a block's frame."""
     return FRAMES[block % len(FRAMES)]
 
 
 @cache
 def textures(seed: int, block: int) -> list[Texture]:
-    """The maps of a block: some of each layout, a light table last."""
+    """Returns the maps of a block: some of each layout, a light table last."""
     rng = random.Random(f"{seed} maps {block}")
     noise = np.random.default_rng([seed, block])
     sizes = [("page", (256, 256)), ("page", (rng.choice(SIDES["page"]), rng.choice(SIDES["page"]))),
@@ -62,11 +62,11 @@ def textures(seed: int, block: int) -> list[Texture]:
 
 
 def corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
-    """x and y of a polygon, 16.16."""
+    """Returns x and y of a polygon, 16.16."""
     kind = rng.random()
     if kind < 0.5:
         points = convex_polygon(rng, width, height)
-    elif kind < 0.6:  # a sliver: three points of a line, one moved a little
+    elif kind < 0.6:  # a sliver: three points on a line, one moved a little
         x, y = fix(rng.uniform(0, width)), fix(rng.uniform(0, height))
         dx, dy = (rng.randint(-ONE << 7, ONE << 7) >> rng.randrange(16) for _ in range(2))
         a, b = rng.randint(-3, 3), rng.randint(-3, 3)
@@ -95,7 +95,7 @@ def corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]
 
 
 def visible_corners(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
-    """Corners whose box covers a pixel of the frame, nine times in ten."""
+    """Returns corners whose box covers a pixel of the frame, nine times in ten."""
     for _ in range(1 if rng.random() < 0.1 else 20):
         points = corners(rng, width, height)
         ends = [(min(axis), max(axis)) for axis in zip(*points)]
@@ -106,8 +106,8 @@ def visible_corners(rng: random.Random, width: int, height: int) -> list[tuple[i
 
 
 def plane_of(rng: random.Random, points, most: int) -> list[tuple[int, int]]:
-    """s and t of the corners, from one affine function of x and y; |s|, |t| < ``most``."""
-    if len(points) == 3 and rng.random() < 0.4:  # three vertices are a plane, whatever they say
+    """Returns s and t of the corners, from one affine function of x and y; |s|, |t| < ``most``."""
+    if len(points) == 3 and rng.random() < 0.4:  # three vertices are always on a plane
         return [(rng.randint(-most, most - 1) >> rng.randrange(12),
                  rng.randint(-most, most - 1) >> rng.randrange(12)) for _ in points]
     gradients = [rng.choice((0, 1, -1, rng.uniform(-2, 2), rng.uniform(-16, 16),
@@ -125,8 +125,8 @@ def plane_of(rng: random.Random, points, most: int) -> list[tuple[int, int]]:
 
 
 def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
-    """s and t moved and shrunk into a map that does not repeat, 0 to 256 along its longer
-    side; only for three vertices, whose texture is a plane whatever they say."""
+    """Wraps s and t into a map that does not repeat, 0 to 256 along its longer side; only for
+    three vertices, whose texture is always planar."""
     longer = max(size)
     made = []
     for k, side in enumerate(size):
@@ -136,8 +136,8 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
 
 
 def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool) -> Fuzzed:
-    """A quarter of the affine ones get depths, and a perspective with what it needs; ``size``: of
-    the frame; ``by_hand``: three in four as people write them."""
+    """Gives a quarter of the affine polygons depths, and a perspective with the settings that it
+    needs; ``size``: the frame's; ``by_hand``: three in four depths are handwritten."""
     if each.settings.mapper != "affine" or rng.random() >= 0.25:
         return each
     settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
@@ -145,7 +145,7 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by
         settings = replace(settings, gradients="plane", start="subtexel",
                            tolerance=rng.choice(TOLERANCES))
     vertices = each.vertices
-    if settings.perspective != "none" or len(vertices) == 3:  # none draws s and t flat on the screen
+    if settings.perspective != "none" or len(vertices) == 3:  # "none": s, t planar on screen
         kind = rng.choice(depths.KINDS)
         if by_hand and rng.random() < 0.75:
             kind = depths.WRITTEN
@@ -154,8 +154,8 @@ def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by
 
 
 def uneven(rng: random.Random, each: Fuzzed, maps: list[Texture]) -> Fuzzed:
-    """One in eight of those with more than three vertices gets one that is off the others' planes: by
-    about what rounding makes, or by far; on the map still, where that is not repeated."""
+    """Moves one vertex off the others' planes in one of eight polygons with more than three
+    vertices: by about the rounding, or by far; it stays on a map that does not repeat."""
     if len(each.vertices) == 3 or rng.random() >= 1 / 8:
         return each
     k, field = rng.randrange(len(each.vertices)), rng.choice((2, 3, 4))
@@ -171,13 +171,13 @@ def uneven(rng: random.Random, each: Fuzzed, maps: list[Texture]) -> Fuzzed:
 
 @cache
 def polygon(seed: int, number: int) -> Fuzzed:
-    """Polygon ``number`` of a seed."""
+    """Returns polygon ``number`` of a seed."""
     return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number),
                   textures(seed, number // BLOCK))
 
 
 def even(seed: int, number: int) -> Fuzzed:
-    """The same with all vertices on planes."""
+    """Returns polygon ``number`` with all vertices on planes."""
     rng = random.Random(f"{seed} fuzz {number}")
     block = number // BLOCK
     width, height = frame_size(block)
@@ -218,7 +218,7 @@ def even(seed: int, number: int) -> Fuzzed:
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
-    """The polygons on a block's frame and maps, one a frame."""
+    """Returns a scene of the polygons with a block's frame size and maps, one per frame."""
     materials: dict[Material, int] = {}
     maps = textures(seed, block)
     objects, vertices = [], []

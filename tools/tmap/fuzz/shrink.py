@@ -1,5 +1,5 @@
 """Makes a failing polygon simpler as long as it fails: fewer vertices, rounder and smaller
-numbers, plainer settings."""
+numbers, simpler settings."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -11,8 +11,8 @@ from tmap.fuzz.depths import limits
 from tmap.fuzz.polygons import Fuzzed
 from tmap.scene_file.scene_file import SETTINGS
 
-ROUNDS = 60  # each takes a boot
-#: Settings from plain to demanding; a shrunken polygon has the plainest that still fails.
+ROUNDS = 60  # each needs a boot
+#: Settings from simple to demanding; a shrunken polygon has the simplest that still fail.
 PLAIN = {"clip": ("scissor", "vertices"), "start": ("subtexel", "truncated"),
          "gradients": ("plane", "polygon", "scanline"), "edges": ("exact", "subpixel", "integer"),
          "perspective": SETTINGS["perspective"]}
@@ -21,18 +21,18 @@ FaultT = TypeVar("FaultT")
 
 
 def away(vertices) -> list[tuple[int, ...]]:
-    """How far vertices are from the simplest."""
+    """Returns the differences of vertices from the simplest one."""
     return [tuple(c - rest for c, rest in zip(v, SIMPLEST)) for v in vertices]
 
 
 def there(vertices) -> tuple[tuple[int, ...], ...]:
-    """The vertices so far away, with a depth that the format takes."""
+    """Returns the vertices with these differences, w clamped to the format's range."""
     least, most = limits()
     return tuple((*v[:5], min(max(v[5] + ONE, least), most)) for v in vertices)
 
 
 def weight(each: Fuzzed) -> tuple:
-    """Smaller is simpler: vertices, settings, bits and size of the numbers."""
+    """Returns a sort key, smaller for simpler: vertices, settings, bits and size of the numbers."""
     numbers = [c for v in away(each.vertices) for c in v]
     bits = sum(abs(c).bit_count() for c in numbers)
     settings = sum(choices.index(getattr(each.settings, kind)) for kind, choices in PLAIN.items())
@@ -40,19 +40,19 @@ def weight(each: Fuzzed) -> tuple:
 
 
 def simpler(c: int) -> list[int]:
-    """Numbers like c, but simpler."""
+    """Returns simpler numbers near c."""
     made = [0, c // 2] + [(c + (1 << bits - 1)) >> bits << bits for bits in (16, 15, 12, 8, 4)]
     return [m for m in dict.fromkeys(made) if m != c]
 
 
 def with_column(vertices, column: int, values) -> Iterator[tuple[int, ...]]:
-    """The vertices with other values in a column."""
+    """Yields the vertices with other values in a column."""
     for vertex, value in zip(vertices, values):
         yield *vertex[:column], value, *vertex[column + 1:]
 
 
 def candidates(each: Fuzzed) -> list[Fuzzed]:
-    """Simpler polygons, the simplest first."""
+    """Returns simpler polygons, the simplest first."""
     v, made = each.vertices, []
     if len(v) > 3:
         made += [replace(each, vertices=v[:k] + v[k + 1:]) for k in range(len(v))]
@@ -74,8 +74,8 @@ def candidates(each: Fuzzed) -> list[Fuzzed]:
 
 def shrink(each: Fuzzed, fault: FaultT,
            failing: Callable[[list[Fuzzed]], dict[int, FaultT]]) -> tuple[Fuzzed, FaultT]:
-    """The simplest failing polygon found, and its fault. ``failing`` tells which of some
-    candidates fail, by index."""
+    """Returns the simplest failing polygon found, and its fault. ``failing`` returns the faults of
+    the failing candidates, by index."""
     for _ in range(ROUNDS):
         tried = candidates(each)
         found = failing(tried) if tried else {}

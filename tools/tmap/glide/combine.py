@@ -10,15 +10,15 @@ ALPHA = 3
 
 
 def detail_factor(modes: Modes, lod: np.ndarray) -> np.ndarray:
-    """How much a detail map shows, 0..detail_max: the more the nearer."""
+    """Returns the weight of a detail map, 0..detail_max; it grows with nearness."""
     near = np.maximum(modes.detail_bias * ONE - lod, 0)
     return np.minimum(near << modes.detail_scale >> 8, modes.detail_max)
 
 
 def factor(modes: Modes, half: Combination, lod: np.ndarray, own: np.ndarray,
            local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """The factor 0..255 of a half of the unit, [..., 1 or 3]; ``own``: the texel's channels of
-    that half. One of 6 and 7 is 0."""
+    """Returns the factor 0..255 of a half of the unit, [..., 1 or 3]; ``own``: the texel's channels
+    of that half. mselect 6 and 7 give 0."""
     zero = np.zeros_like(own)
     choice = {LOCAL: own, OTHER_ALPHA: other[..., ALPHA:], LOCAL_ALPHA: local[..., ALPHA:],
               DETAIL: detail_factor(modes, lod)[..., None], LOD_FRACTION: (lod & 255)[..., None]}
@@ -28,7 +28,8 @@ def factor(modes: Modes, half: Combination, lod: np.ndarray, own: np.ndarray,
 
 
 def combined(modes: Modes, lod: np.ndarray, local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Colours [..., 4] that leave the unit. ``lod``: 8.8 [...]; ``local``, ``other``: [..., 4]."""
+    """Returns the unit's output colours [..., 4]. ``lod``: 8.8 [...]; ``local``, ``other``:
+    [..., 4]."""
     parts = []
     for half, channels in ((modes.rgb, slice(0, ALPHA)), (modes.alpha, slice(ALPHA, 4))):
         own, theirs = local[..., channels], other[..., channels]

@@ -1,6 +1,6 @@
-"""Polygons for which moved points stand in for the bilinear filter: those of one unit that asks for
-it, of one level, undivided, away from where texels are clamped. s and t become texels of the level,
-rounded down, and are planes as the plain mappers step them."""
+"""Polygons that are drawn with moved points instead of the bilinear filter. They are drawn by one
+unit with this mode, from one level, without division, away from clamped texels. s and t become
+texels of the level, rounded down, on planes stepped like those of the plain mappers."""
 
 from dataclasses import replace
 
@@ -15,17 +15,17 @@ from tmap.setup.polygon import set_up
 from tmap.setup.spans import coordinates
 from tmap.setup.texturing import Line, Settings
 
-MARGIN = 2 << 16  # texels from where they are clamped
+MARGIN = 2 << 16  # texels to the place where they are clamped
 
 
 def only_lod(modes: Modes) -> int | None:
-    """The level of detail of all pixels, 8.8, where the limits leave one."""
+    """Returns the level of detail of all pixels, 8.8, if the limits allow only one, else None."""
     least, most = modes.lod_min * QUARTER, min(modes.lod_max * QUARTER, LAST_LEVEL * ONE)
     return int(within_limits(modes, np.int64(least))) if least >= most else None
 
 
 def corners_of(modes: Modes, vertices, level: int) -> list[tuple[int, int, int, int]] | None:
-    """x, y, s and t, these in texels; None where some may be clamped."""
+    """Returns x, y, and s and t in texels; None if some may be clamped."""
     corners = [(v.x, v.y, v.s >> level, v.t >> level) for v in vertices]
     for k, clamps, side in zip((2, 3), (modes.clamp_s, modes.clamp_t), level_size(modes, level)):
         if clamps and not all(MARGIN <= c[k] < (side << 16) - MARGIN for c in corners):
@@ -34,8 +34,8 @@ def corners_of(modes: Modes, vertices, level: int) -> list[tuple[int, int, int, 
 
 
 def lines(units, frame: np.ndarray, vertices, settings: Settings):
-    """(polygon, colours of its pixels, [n, 4], line by line), or None where the filter is drawn;
-    a polygon of None covers nothing."""
+    """Returns (polygon, colours of its pixels, [n, 4], line by line), or None if the filter is
+    used; a polygon of None covers no pixel."""
     modes = units[0].modes
     lod = only_lod(modes)
     if len(units) > 1 or not modes.dithered or lod is None or not filters_linearly(modes, lod):
@@ -56,7 +56,7 @@ def lines(units, frame: np.ndarray, vertices, settings: Settings):
 
 
 def colours(unit: Unit, level: int, lod: int, line: Line, y: int) -> np.ndarray:
-    """Of a line's pixels."""
+    """Returns the colours of a line's pixels."""
     u, v = (c >> 16 for c in coordinates(line, "dithered", y))
     width, height = level_size(unit.modes, level)
     texels = fetch(unit, np.full(u.shape, level), u & width - 1, v & height - 1)

@@ -1,4 +1,4 @@
-"""Samples of one level: the nearest texel, or four weighed bilinearly."""
+"""Samples of one level: the nearest texel, or four weighted bilinearly."""
 
 import numpy as np
 
@@ -9,13 +9,13 @@ from tmap.glide.texels import fetch
 
 
 def point(unit: Unit, s: np.ndarray, t: np.ndarray, level: np.ndarray) -> np.ndarray:
-    """Colours [..., 4] of the texels in which pixels lie."""
+    """Returns colours [..., 4] of the texels that contain the pixels."""
     modes = unit.modes
     return fetch(unit, level, nearest(modes, s, level, 0), nearest(modes, t, level, 1))
 
 
 def bilinear(unit: Unit, s: np.ndarray, t: np.ndarray, level: np.ndarray) -> np.ndarray:
-    """Colours [..., 4] between four texels: weights of 8 or 16 bits, the sum cut off."""
+    """Returns colours [..., 4] between four texels: weights of 8 or 16 bits, the sum cut off."""
     modes = unit.modes
     across, down = taps(modes, s, level, 0), taps(modes, t, level, 1)
     one = 1 << modes.fraction_bits
@@ -28,13 +28,14 @@ def bilinear(unit: Unit, s: np.ndarray, t: np.ndarray, level: np.ndarray) -> np.
 
 
 def filters_linearly(modes: Modes, lod: np.ndarray) -> np.ndarray:
-    """Whether pixels are filtered, bool: at the least level allowed the map is magnified."""
+    """Returns true for pixels that are filtered: at the least allowed level the map is
+    magnified."""
     magnified = lod == modes.lod_min * QUARTER
     return np.where(magnified, modes.magnify, modes.minify).astype(bool)
 
 
 def sample(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray) -> np.ndarray:
-    """Texels [..., 4] of pixels at s, t (14.18) with their level of detail (8.8)."""
+    """Returns texels [..., 4] of pixels at s, t (14.18) with their level of detail (8.8)."""
     level, linear = chosen(unit.modes, lod), filters_linearly(unit.modes, lod)
     if linear.all():
         return bilinear(unit, s, t, level)

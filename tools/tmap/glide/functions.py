@@ -1,5 +1,5 @@
-"""Combine functions and factors by the names of tmap.glide.words, and what trilinear filtering asks
-of units."""
+"""Combine functions and factors by the names of tmap.glide.words, and the modes for trilinear
+filtering."""
 
 from dataclasses import replace
 
@@ -7,12 +7,12 @@ from tmap.base.errors import UserError
 from tmap.glide.state import Combination, Modes
 from tmap.glide.words import FACTORS, FUNCTIONS as TERMS
 
-#: Name to what a function sets.
+#: Name to the combination that a function sets.
 FUNCTIONS = {name: Combination(**dict.fromkeys(terms, 1)) for name, terms in TERMS.items()}
 
 
 def combination(function: str, factor: str = "zero", invert: int = 0) -> Combination:
-    """A half of the combine unit."""
+    """Returns a half of the combine unit."""
     for kind, name, names in (("function", function, FUNCTIONS), ("factor", factor, FACTORS)):
         if name not in names:
             raise UserError(f"combine: {kind} {name!r} is none of {', '.join(names)}")
@@ -21,19 +21,19 @@ def combination(function: str, factor: str = "zero", invert: int = 0) -> Combina
 
 
 def combine(modes: Modes, function: str, factor: str = "zero", invert: int = 0) -> Modes:
-    """The modes with both halves set alike."""
+    """Returns the modes with both halves set alike."""
     half = combination(function, factor, invert)
     return replace(modes, rgb=half, alpha=half)
 
 
 def lod_factor(odd: int) -> str:
-    """The factor by which a unit of even or odd levels blends: its own part falls as the
-    pixel's level leaves it."""
+    """Returns the factor by which a unit of even or odd levels blends: the weight of its own texel
+    falls as the pixel's level moves away from its level."""
     return "one_minus_lod_fraction" if odd else "lod_fraction"
 
 
 def trilinear_pair(modes: Modes, odd_first: int = 0) -> tuple[Modes, Modes]:
-    """Modes of two units that filter trilinearly in one pass, the first nearest the frame
+    """Returns modes of two units that filter trilinearly in one pass, the first nearest the frame
     buffer; ``odd_first``: that one has the odd levels."""
     first = replace(modes, trilinear=1, split=1, odd=odd_first)
     second = replace(modes, trilinear=1, split=1, odd=1 - odd_first)
@@ -41,7 +41,7 @@ def trilinear_pair(modes: Modes, odd_first: int = 0) -> tuple[Modes, Modes]:
 
 
 def trilinear_passes(modes: Modes) -> tuple[Modes, Modes]:
-    """Modes of the passes by which one unit filters trilinearly: what they draw is to be added.
-    The map is split, or whole for both, as ``modes`` say."""
+    """Returns modes of the two passes with which one unit filters trilinearly; their colours are
+    added. The map is split, or whole for both, as in ``modes``."""
     return tuple(combine(replace(modes, trilinear=1, odd=odd), "blend_local", lod_factor(odd))
                  for odd in (0, 1))

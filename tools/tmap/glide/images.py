@@ -1,7 +1,7 @@
 """Pictures as texels of the unit's formats, and back.
 
 A picture is uint8 [height, width, 4], R, G, B, A. The levels of a map share its palette or NCC
-table. Formats of intensity take the brightness of colours; A8 takes the alpha alone.
+table. Formats of intensity use the brightness of colours; A8 uses only the alpha.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ BITS = {RGB332: (3, 3, 2), ARGB8332: (3, 3, 2), RGB565: (5, 6, 5), ARGB1555: (5,
 
 @dataclass(frozen=True)
 class Map:
-    """Levels of a format, the largest first: int64 [height, width], 8 or 16 bits a texel.
+    """Levels of a format, the largest first: int64 [height, width], 8 or 16 bits per texel.
     ``palette``: int64 [256, 3]."""
 
     form: int
@@ -34,8 +34,8 @@ class Map:
 
 
 def palette_of(pictures: Sequence[np.ndarray]) -> np.ndarray:
-    """A palette, uint8 [256, 3], for the colours of pictures: exact where there are no more;
-    what is left of it is black."""
+    """Returns a palette, uint8 [256, 3], for the colours of pictures: exact if they have at most
+    256; unused entries are black."""
     pixels = np.concatenate([picture[..., :3].reshape(-1, 3) for picture in pictures])
     colours = np.unique(pixels, axis=0)
     if len(colours) > COLOURS:
@@ -46,7 +46,7 @@ def palette_of(pictures: Sequence[np.ndarray]) -> np.ndarray:
 
 
 def alpha_bits(form: int, alpha: np.ndarray) -> np.ndarray | int:
-    """The alpha of texels, in its place."""
+    """Returns the alpha bits of texels, in their place."""
     alpha = alpha.astype(np.int64)
     if form in (ARGB8332, AYIQ8422, AI88, AP88):
         return alpha << 8
@@ -61,7 +61,7 @@ def alpha_bits(form: int, alpha: np.ndarray) -> np.ndarray | int:
 
 def colour_bits(form: int, picture: np.ndarray, palette: np.ndarray | None,
                 table: Ncc | None) -> np.ndarray | int:
-    """The colours of texels, int64 [height, width]."""
+    """Returns the colour bits of texels, int64 [height, width]."""
     if form in BITS:
         value = 0
         for channel, bits in enumerate(BITS[form]):
@@ -77,7 +77,7 @@ def colour_bits(form: int, picture: np.ndarray, palette: np.ndarray | None,
 
 
 def encode(pictures: Sequence[np.ndarray], form: int) -> Map:
-    """Pictures, the levels of a map, as texels nearest to them."""
+    """Converts pictures, the levels of a map, to the nearest texels."""
     if form not in FORMATS:
         raise UserError(f"texture: there is no format {form}")
     palette = palette_of(pictures) if form in (P8, AP88) else None
@@ -88,6 +88,6 @@ def encode(pictures: Sequence[np.ndarray], form: int) -> Map:
 
 
 def decode(made: Map) -> list[np.ndarray]:
-    """The pictures that a map shows."""
+    """Returns the pictures of a map."""
     return [decoded(made.form, level, made.palette, made.ncc).astype(np.uint8)
             for level in made.levels]

@@ -1,22 +1,22 @@
-"""Logarithms to base 2 of integers, rounded to the nearest exactly."""
+"""Logarithms to base 2 of integers, rounded exactly to the nearest."""
 
 from functools import cache
 from math import isqrt
 
 import numpy as np
 
-WORD = 64  # bits to which numbers are shifted up
-STEPS = 256  # of an octave
+WORD = 64  # bits of numbers after normalisation
+STEPS = 256  # per octave
 
 
 @cache
 def thresholds() -> np.ndarray:
-    """Of numbers from 2^63 to 2^64 the least whose logarithm, in 1/STEPS, is rounded up to
+    """Returns the least numbers from 2^63 to 2^64 whose logarithms, in 1/STEPS, are rounded up to
     63 * STEPS + 1, + 2, .., uint64 [STEPS].
 
-    They are 2^(63 + (k + 1/2) / STEPS) rounded up: a root of degree 2 * STEPS, taken by as many
-    square roots as that has bits. Floors of roots in turn are the floor of the whole root, and
-    no such power is an integer, so that rounding up is adding 1.
+    They are 2^(63 + (k + 1/2) / STEPS) rounded up: a root of degree 2 * STEPS, computed by
+    log2(2 * STEPS) square roots in a row. Rounding each root down gives the whole root rounded
+    down. No such power is an integer, so adding 1 rounds up.
     """
     found = []
     for k in range(STEPS):
@@ -28,15 +28,16 @@ def thresholds() -> np.ndarray:
 
 
 def bit_length(x: np.ndarray) -> np.ndarray:
-    """Bits of uint64 numbers, exact: floats hold 32-bit halves."""
+    """Returns the bit lengths of uint64 numbers, exact: floats hold 32-bit halves."""
     high, low = x >> np.uint64(32), x & np.uint64(0xFFFFFFFF)
     return np.where(high > 0, 32 + np.frexp(high.astype(np.float64))[1],
                     np.frexp(low.astype(np.float64))[1]).astype(np.int64)
 
 
 def log2(x: np.ndarray) -> np.ndarray:
-    """round(STEPS * log2(x)) of numbers from 1 to 2^64 - 1, int64, of which the upper 32 bits
-    that count: the others are cut off. A logarithm never lies half way between two steps."""
+    """Returns round(STEPS * log2(x)) for numbers from 1 to 2^64 - 1, int64. Only the upper 32
+    significant bits are used, the others are cut off. A logarithm is never halfway between two
+    steps."""
     x = np.asarray(x, np.uint64)
     bits = bit_length(x)
     mantissa = x << (WORD - bits).astype(np.uint64) & np.uint64(0xFFFFFFFF << 32)

@@ -12,11 +12,11 @@ from tmap.glide.texels import level_bases, level_size, owns, texel_bytes
 from tmap.images.mipmap import from_light, halved, rounded, to_light
 
 ALPHA = 3
-SEEN = 1 / 512  # alpha below which a texel's colour does not show in 8 bits
+SEEN = 1 / 512  # below this alpha a texel's colour is not visible in 8 bits
 
 
 def shape_of(width: int, height: int) -> tuple[int, int, int]:
-    """(largest level, wide, aspect) of a map whose largest level has these sides."""
+    """Returns (largest level, wide, aspect) of a map whose largest level has these sides."""
     for side, name in ((width, "wide"), (height, "high")):
         if side < 1 or side & side - 1 or side > SIDE:
             raise UserError(f"mip map: {side} texels {name}; a power of two up to {SIDE} expected")
@@ -30,12 +30,12 @@ def shape_of(width: int, height: int) -> tuple[int, int, int]:
 
 def levels(picture: np.ndarray, how: str = "kaiser", wrap: tuple[bool, bool] = (True, True),
            gamma: bool = True, by_alpha: bool = False) -> list[np.ndarray]:
-    """All levels of a picture, the largest first, down to 1 x 1, uint8 [height, width, 4].
+    """Returns all levels of a picture, the largest first, down to 1 x 1, uint8 [height, width, 4].
 
     ``picture``: R, G, B, A, uint8 or float 0..1, of a legal size; ``how``: one of
-    tmap.images.mipmap.FILTERS; ``wrap``: of s and t, whether the map is repeated or clamped there;
-    ``gamma``: colours are sRGB's, and it is light that is averaged; ``by_alpha``: a texel's
-    colour counts as much as its alpha. Each level is made from the last one unrounded.
+    tmap.images.mipmap.FILTERS; ``wrap``: for s and t, true if the map repeats, false if it is
+    clamped; ``gamma``: colours are sRGB and averaged as linear light; ``by_alpha``: a texel's
+    colour is weighted by its alpha. Each level is made from the last one unrounded.
     """
     shape_of(*picture.shape[1::-1])
     whole = picture / 255 if picture.dtype == np.uint8 else picture.astype(np.float64)
@@ -56,8 +56,8 @@ def levels(picture: np.ndarray, how: str = "kaiser", wrap: tuple[bool, bool] = (
 
 
 def store(unit: Unit, made: Map, base: int = 0, odd: int | None = None) -> None:
-    """Puts a map into a unit's memory, with its tables, and tells the modes: level 0 would start
-    at byte ``base``. ``odd``: only its odd (1) or even (0) levels, as a split map."""
+    """Puts a map with its tables into a unit's memory and sets the modes: level 0 would start at
+    byte ``base``. ``odd``: only its odd (1) or even (0) levels, as a split map."""
     if base % BASE_UNIT:
         raise UserError(f"mip map: base {base}: not a multiple of {BASE_UNIT} bytes")
     height, width = made.levels[0].shape

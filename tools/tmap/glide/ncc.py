@@ -1,14 +1,14 @@
 """Tables of narrow-channel compression fitted to pictures.
 
-A colour is Y[y] + I[i] + Q[q], cut to 0..255: 256 colours out of 40 numbers. A fit goes round in
-two steps, as k-means does: each colour takes the nearest of the 256; then the numbers that are
-best for that choice are found by least squares, rounded. It ends when the error no longer falls,
-and is never worse than any of the tables that it starts from. Of photographs 256 x 256 channels
-are off by 3 to 5 in the root mean square, a third of what RGB332 makes of them; where all hues
-are at their strongest RGB332 is the better one.
+A colour is Y[y] + I[i] + Q[q], clamped to 0..255: 256 colours from 40 numbers. A fit iterates two
+steps, like k-means: each colour takes the nearest of the 256; then least squares give the best
+numbers for that choice, which are rounded. The fit ends when the error no longer falls, and is
+never worse than any of the tables that it starts from. In 256 x 256 photographs the channels are
+off by 3 to 5 in the root mean square, a third of RGB332's error; for fully saturated colours of all
+hues RGB332 is better.
 
-Choices and errors are integers; what lies between is added and multiplied in a stated order, so that
-every processor finds the same table.
+Choices and errors are integers; the numbers between them are added and multiplied in a stated
+order, so that every processor finds the same table.
 """
 
 import math
@@ -22,25 +22,25 @@ from tmap.glide.state import YIQ422, Ncc
 from tmap.glide.texels import decoded
 from tmap.images.palette import nearest
 
-MOST_COLOURS = 1 << 13  # that a fit looks at
-PATIENCE = 4  # rounds without a smaller error after which a fit ends
-STILL = 2.0 ** -10  # of one colour, what an entry weighs that stays as it is
+MOST_COLOURS = 1 << 13  # in a fit
+PATIENCE = 4  # a fit ends after this many rounds without a smaller error
+STILL = 2.0 ** -10  # weight of keeping an entry unchanged, relative to one colour
 FINE = (np.arange(4) - 1.5) / 4  # quarters of a step
 Y, I, Q = slice(0, 16), slice(16, 20), slice(20, 24)
 
 
 def colours_of(table: Ncc) -> np.ndarray:
-    """What its bytes show, uint8 [256, 3]."""
+    """Returns the colours of a table's bytes, uint8 [256, 3]."""
     return decoded(YIQ422, np.arange(256), ncc=table)[:, :3].astype(np.uint8)
 
 
 def indices(table: Ncc, colours: np.ndarray) -> np.ndarray:
-    """The byte nearest to each colour, uint8 [..., 3], int64 [...]."""
+    """Returns the byte nearest to each colour, uint8 [..., 3]; int64 [...]."""
     return nearest(colours, colours_of(table)).astype(np.int64)
 
 
 def quantiles(values: np.ndarray, counts: np.ndarray, number: int) -> np.ndarray:
-    """The middles of ``number`` parts of as many values each."""
+    """Returns the medians of ``number`` parts with equally many values each."""
     order = np.argsort(values, kind="stable")
     below = np.cumsum(counts[order]) * 2 * number
     at = np.searchsorted(below, (2 * np.arange(number) + 1) * counts.sum())
@@ -48,14 +48,14 @@ def quantiles(values: np.ndarray, counts: np.ndarray, number: int) -> np.ndarray
 
 
 def fine_greys() -> Ncc:
-    """All greys exactly: Y in steps of 16, I of 4, Q of 1."""
+    """Returns a table that has all greys exactly: Y in steps of 16, I of 4, Q of 1."""
     step = np.arange(4)[:, None] * np.ones(3, np.int64)
     return Ncc(np.arange(16) * 16, 4 * step, step)
 
 
 def axes(rest: np.ndarray, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The unit vectors along which colours less their greys, int64 [n, 3], differ most and least:
-    those of a matrix of two rows, in the plane at right angles to grey."""
+    """Returns the unit vectors along which colours minus their greys, int64 [n, 3], differ most and
+    least: the eigenvectors of a 2 x 2 matrix, in the plane orthogonal to grey."""
     r, g, b = rest.T
     x, y = r - g, r + g - 2 * b  # times sqrt 2, sqrt 6
     xx, xy, yy = (float((counts * p).sum()) for p in (x * x, x * y, y * y))
@@ -68,10 +68,10 @@ def axes(rest: np.ndarray, counts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def starts(colours: np.ndarray, counts: np.ndarray) -> list[Ncc]:
-    """Tables to start from: all greys; and Y by the colours' means, I along the axis on which
-    they differ most from grey, Q along the other one, or finer steps along the first or of
-    grey."""
-    thrice = colours.sum(1, dtype=np.int64)  # grey, and the rest as well: integers
+    """Returns tables to start from: all greys; and tables with Y from the colours' means, I along
+    the axis on which they differ most from grey, and Q along the other one, or in finer steps along
+    the first or of grey."""
+    thrice = colours.sum(1, dtype=np.int64)  # three times grey and rest: integers
     rest = 3 * colours.astype(np.int64) - thrice[:, None]
     y = np.rint(quantiles(thrice, counts, 16) / 3).astype(np.int64)
     most, least = axes(rest, counts)
@@ -84,19 +84,19 @@ def starts(colours: np.ndarray, counts: np.ndarray) -> list[Ncc]:
 
 
 def solved(table: Ncc, chosen: np.ndarray, off: np.ndarray, counts: np.ndarray) -> Ncc:
-    """The table that suits the bytes chosen for colours best, but for rounding; what does not
-    matter for them changes least. ``off`` [n, 3]: by how much the colours are above what ``table``
-    shows; where a sum is cut to 0..255 the change wanted is counted from there."""
+    """Returns the table that fits the bytes chosen for colours best, up to rounding; numbers that
+    do not matter for them change least. ``off`` [n, 3]: the colours minus those of ``table``; if a
+    sum is clamped to 0..255, the wanted change is relative to the clamped value."""
     entries = [Y.start + (chosen >> 4), I.start + (chosen >> 2 & 3), Q.start + (chosen & 3)]
     pairs = sum(np.bincount(24 * a + b, counts, 24 * 24) for a in entries for b in entries)
-    pairs = pairs.reshape(24, 24)  # floats that are integers, as sums are
+    pairs = pairs.reshape(24, 24)  # floats with integer values, like sums
     sums = np.stack([sum(np.bincount(a, counts * channel, 24) for a in entries)
                      for channel in off.T], -1)
     left, right = STILL * np.eye(40), np.zeros(40)
     left[Y, Y] += 3 * pairs[Y, Y]
     right[Y] = sums[Y].sum(1)
     chroma = slice(16, 24)
-    for channel in range(3):  # Y is all channels' alike, I and Q are each one's own
+    for channel in range(3):  # channels share Y; each has its own I and Q
         own = slice(16 + 8 * channel, 24 + 8 * channel)
         left[own, own] += pairs[chroma, chroma]
         right[own] = sums[chroma, channel]
@@ -109,7 +109,7 @@ def solved(table: Ncc, chosen: np.ndarray, off: np.ndarray, counts: np.ndarray) 
 
 
 def refined(table: Ncc, colours: np.ndarray, counts: np.ndarray) -> tuple[int, Ncc]:
-    """(sum of all squares, table): the best found from a table on."""
+    """Returns (sum of squared errors, table), the best found when starting from a table."""
     best, since = (None, table), 0
     while since < PATIENCE:
         chosen = indices(table, colours)
@@ -123,8 +123,8 @@ def refined(table: Ncc, colours: np.ndarray, counts: np.ndarray) -> tuple[int, N
 
 
 def grouped(pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(colours [m, 3], counts [m]) that stand for pixels [n, 3], uint8: all colours, or, of
-    more than MOST_COLOURS, the means of those alike in their upper bits."""
+    """Returns (colours [m, 3], counts [m]) of pixels [n, 3], uint8: all colours, or, if there are
+    more than MOST_COLOURS, the means of those with equal upper bits."""
     for bits in range(8):
         cells, where = np.unique(pixels >> bits, axis=0, return_inverse=True)
         if len(cells) <= MOST_COLOURS:
@@ -135,7 +135,7 @@ def grouped(pixels: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def fit(pictures: Sequence[np.ndarray]) -> Ncc:
-    """A table for pictures, uint8 [height, width, 3 or more]."""
+    """Returns a table fitted to pictures, uint8 [height, width, 3 or more]."""
     colours, counts = grouped(np.concatenate([p[..., :3].reshape(-1, 3) for p in pictures]))
     return min((refined(table, colours, counts) for table in starts(colours, counts)),
                key=lambda found: found[0])[1]

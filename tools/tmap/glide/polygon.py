@@ -1,7 +1,7 @@
-"""Polygons as texture units draw them, bit for bit.
+"""Draws polygons bit for bit like the texture units.
 
-What is iterated are planes over the screen (tmap.setup.unit_planes): S = 4 s is 14.18 where w does not
-count, W of the nearest corner 2^30. A unit with corners of its own has planes of its own; the
+The iterated values are planes over the screen (tmap.setup.unit_planes): S = 4 s is 14.18 if w is
+not used, W of the nearest corner is 2^30. A unit with its own corners has its own planes; the
 others share the vertices'. A polygon's level of detail comes from the planes' steps. A unit with a
 subdivision divides at the ends of pieces of a line, which begin with its first pixel in the frame.
 """
@@ -27,7 +27,7 @@ SCALE = Scale(2, ONE_W, REACH << 16)
 
 class Vertex(NamedTuple):
     """``x``, ``y``: pixels; ``s``, ``t``: 0 to 256 along a map's longer side; ``w``: depth, not 0;
-    all 16.16. ``own``: s, t and w of the second unit where it has its own."""
+    all 16.16. ``own``: s, t and w of the second unit if it has its own."""
 
     x: int
     y: int
@@ -48,7 +48,7 @@ def check(corners: list[tuple[int, int, int]], perspective: bool) -> None:
 
 
 def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
-    """How many pixels of its line lie before and behind each."""
+    """Returns how many pixels of its line are before and behind each pixel."""
     _, first, line, count = np.unique(at.y, return_index=True, return_inverse=True,
                                       return_counts=True)
     before = np.arange(at.y.size) - first[line]
@@ -57,7 +57,7 @@ def sides(at: Spans) -> tuple[np.ndarray, np.ndarray]:
 
 def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], perspective: bool,
            frame: np.ndarray, settings: Settings) -> tuple[Spans, Point] | None:
-    """A polygon's pixels and what is iterated for them; None where there are none.
+    """Returns a polygon's pixels and their iterated values; None if there are no pixels.
     ``screen``: x, y of the corners, ``corners``: their s, t, w, all 16.16."""
     check(corners, perspective)
     found = set_up_coordinates(screen, corners, perspective, frame, settings, SCALE)
@@ -71,7 +71,7 @@ def points(screen: list[tuple[int, int]], corners: list[tuple[int, int, int]], p
 
 
 def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
-    """Colours [n, 4] as pixels: R, G, B of 5, 6, 5 bits, or R, G, B, A of 8."""
+    """Converts colours [n, 4] to pixels: R, G, B of 5, 6, 5 bits, or R, G, B, A of 8."""
     r, g, b, a = (colours[:, k] for k in range(4))
     if frame.dtype == np.uint16:
         return r >> 3 << 11 | g >> 2 << 5 | b >> 3
@@ -79,8 +79,8 @@ def stored(frame: np.ndarray, colours: np.ndarray) -> np.ndarray:
 
 
 def widened(pixels: np.ndarray) -> np.ndarray:
-    """Pixels as colours [n, 4] of 8 bits a channel; those of 16 bits as texels are, without
-    alpha."""
+    """Converts pixels to colours [n, 4] of 8 bits per channel; 16-bit pixels like texels, with
+    alpha 0."""
     value = pixels.astype(np.int64)
     if pixels.dtype != np.uint16:
         return np.stack([value >> shift & 255 for shift in (24, 16, 8, 0)], -1)
@@ -88,12 +88,13 @@ def widened(pixels: np.ndarray) -> np.ndarray:
 
 
 def blended(pixels: np.ndarray, colours: np.ndarray, adds: bool) -> np.ndarray:
-    """What the frame's pixels become; ``adds``: each channel's sum, 255 at most."""
+    """Returns the frame's new pixels; ``adds``: colours are added to the old ones, up to 255 in
+    each channel."""
     return stored(pixels, np.minimum(widened(pixels) + colours, 255) if adds else colours)
 
 
 def draw_lines(frame: np.ndarray, polygon: Polygon | None, colours: list) -> int:
-    """Draws the colours of a polygon's lines; gives the number of pixels."""
+    """Draws the colours of a polygon's lines; returns the number of pixels."""
     if polygon is None:
         return 0
     for y, (line, some) in enumerate(zip(polygon.lines, colours), polygon.top):
@@ -105,9 +106,9 @@ def draw_lines(frame: np.ndarray, polygon: Polygon | None, colours: list) -> int
 def draw(units: Sequence[Unit], frame: np.ndarray, vertices: Sequence[Vertex],
          settings: Settings, adds: bool = False) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (565) or uint32 (8888)
-    [height, width], by one or two units, the first nearest the frame; gives the number of its
-    pixels. The second unit goes by its own corners where the vertices have them. ``adds``: to what
-    is there."""
+    [height, width], by one or two units, the first nearest the frame; returns the number of its
+    pixels. The second unit uses its own corners if the vertices have them. ``adds``: colours are
+    added to the frame's."""
     if len(vertices) < 3:
         return 0
     screen = [(v.x, v.y) for v in vertices]

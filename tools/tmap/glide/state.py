@@ -15,9 +15,9 @@ from tmap.base.errors import UserError
 FORMATS = {RGB332: "RGB332", YIQ422: "YIQ422", A8: "A8", I8: "I8", AI44: "AI44", P8: "P8",
            ARGB8332: "ARGB8332", AYIQ8422: "AYIQ8422", RGB565: "RGB565", ARGB1555: "ARGB1555",
            ARGB4444: "ARGB4444", AI88: "AI88", AP88: "AP88"}
-FIRST_WIDE = ARGB8332  # formats from here on have 16 bits a texel
+FIRST_WIDE = ARGB8332  # formats from this one on have 16 bits per texel
 
-COORDINATE_BITS = 18  # of fraction in S and T
+COORDINATE_BITS = 18  # fraction bits of S and T
 ONE_W = 1 << 30
 SIDE_BITS = 8  # a side of level 0 is at most 2^8 texels
 SIDE = 1 << SIDE_BITS
@@ -25,18 +25,18 @@ LAST_LEVEL = SIDE_BITS
 LEVELS = LAST_LEVEL + 1
 LAST_ASPECT = 3  # 8:1
 UNIT_MEMORY = 1 << 18
-REACH = 8192  # s and t of vertices: below, and above -REACH; and how far two may be apart
-W_MAX = 16384  # the most that w of a vertex may be away from 0
-VOODOO_BITS, VOODOO2_BITS = 4, 8  # of fraction in filter weights
-SUBDIVISIONS = (0, 8, 16)  # pixels; 0: each
+REACH = 8192  # |s| and |t| of vertices, and the differences between two, are below this
+W_MAX = 16384  # the largest |w| of a vertex
+VOODOO_BITS, VOODOO2_BITS = 4, 8  # fraction bits of filter weights
+SUBDIVISIONS = (0, 8, 16)  # pixels; 0: every pixel is divided
 
 ZERO, LOCAL, OTHER_ALPHA, LOCAL_ALPHA, DETAIL, LOD_FRACTION = range(6)  # mselect
 
 
 @dataclass(frozen=True)
 class Combination:
-    """Half of the combine unit. ``mselect``: the factor, 0..5; the others 0 or 1. In the half
-    of colours ``add_local`` adds the texel's own channel; in that of alpha both add its alpha."""
+    """Half of the combine unit. ``mselect``: the factor, 0..5; the others are 0 or 1. In the colour
+    half ``add_local`` adds the texel's own channel; in the alpha half both add its alpha."""
 
     zero_other: int = 0
     sub_local: int = 0
@@ -49,14 +49,14 @@ class Combination:
 
 @dataclass(frozen=True)
 class Modes:
-    """What the registers say. Flags are 0 or 1 but for: ``format``, a key of FORMATS;
+    """The registers' content. Fields are flags, 0 or 1, except: ``format``, a key of FORMATS;
     ``lod_min``, ``lod_max``: u4.2; ``lod_bias``: s4.2; ``aspect``: 0..3, the shorter side is the
-    longer one >> aspect, ``wide``: s is the longer; ``odd``: which levels a ``split`` map has;
-    ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255; ``base``: bytes,
-    where level 0 would start; ``fraction_bits``: of filter weights, 4 or 8;
-    ``table_quotients``: 1: s / w by the hardware's reciprocals, 0: exact; ``dithered``: 1: moved
-    points may stand in for the bilinear filter; ``subdivision``: pixels from one exact quotient to
-    the next, 8 or 16, 0: each."""
+    longer one >> aspect; ``detail_scale``: 0..7, ``detail_bias``: -32..31, ``detail_max``: 0..255;
+    ``base``: the byte where level 0 would start; ``fraction_bits``: those of filter weights, 4 or
+    8; ``subdivision``: pixels from one exact quotient to the next, 8 or 16; 0: every pixel has one.
+    ``wide``: s is the longer side; ``odd``: the levels of a ``split`` map; ``table_quotients``: 1:
+    s / w by the hardware's reciprocals, 0: exact; ``dithered``: 1: moved points may replace the
+    bilinear filter."""
 
     perspective: int = 0
     minify: int = 0
@@ -113,12 +113,12 @@ class Unit:
 
 
 def unpacked(argb: np.ndarray | int) -> np.ndarray:
-    """Longs A R G B as channels R, G, B, A, [..., 4]."""
+    """Converts longs A R G B to channels R, G, B, A, [..., 4]."""
     argb = np.asarray(argb, np.int64)
     return np.stack([argb >> shift & 255 for shift in (16, 8, 0, 24)], -1)
 
 
 def packed(colour: np.ndarray) -> np.ndarray:
-    """Channels [..., 4] as longs A R G B."""
+    """Converts channels [..., 4] to longs A R G B."""
     r, g, b, a = (colour[..., k] for k in range(4))
     return a << 24 | r << 16 | g << 8 | b

@@ -1,7 +1,7 @@
 """A texture unit's registers, set field by field as Glide's calls set them.
 
-Names instead of numbers; bad ones raise KeyError or ValueError, for who makes them up is a
-program. Where a map lies follows from the same arguments.
+Names replace numbers; wrong ones raise KeyError or ValueError, as only programs use this module.
+The place of a map in memory follows from the same arguments.
 """
 
 from fractions import Fraction
@@ -21,7 +21,7 @@ FIELDS = {
     "detail_max": (DETAIL, 0, 8), "detail_bias": (DETAIL, 8, 6), "detail_scale": (DETAIL, 14, 3),
     "base": (BASE, 0, 29),
 }
-#: The combine unit's fields, from the lowest bit on, which is 12 of textureMode for colour, 21 for
+#: The combine unit's fields, from the lowest bit on: bit 12 of textureMode for colour, 21 for
 #: alpha.
 COMBINE_FIELDS = (("zero_other", 1), ("sub_local", 1), ("mselect", 3), ("reverse", 1),
                   ("add_local", 1), ("add_alpha_local", 1), ("invert", 1))
@@ -29,7 +29,7 @@ COMBINE_SHIFTS = {"rgb": 12, "alpha": 21}
 
 
 def combine_fields(part: str, lowest: int) -> dict[str, tuple[int, int, int]]:
-    """The fields of a half of the combine unit, as FIELDS has them."""
+    """Returns the fields of a half of the combine unit, as in FIELDS."""
     found = {}
     for name, bits in COMBINE_FIELDS:
         found[f"{part}_{name}"] = MODE, lowest, bits
@@ -46,9 +46,9 @@ FORMATS = {"rgb332": 0, "yiq422": 1, "a8": 2, "i8": 3, "ai44": 4, "p8": 5, "argb
 FILTERS = ("point", "bilinear")
 WRAPS = ("wrap", "clamp")
 MIPMAPS = ("off", "nearest", "nearest_dither")
-LEVELS = {"even": (0,), "odd": (1,), "both": (0, 1)}  # which parities are there
+LEVELS = {"even": (0,), "odd": (1,), "both": (0, 1)}  # the parities of a map's levels
 
-#: Function to what it sets.
+#: Function to the fields that it sets.
 FUNCTIONS = {
     "zero": ("zero_other",),
     "local": ("zero_other", "add_local"),
@@ -67,36 +67,36 @@ _SELECTED = ("zero", "local", "other_alpha", "local_alpha", "detail", "lod_fract
 FACTORS = {name: (n, 1) for n, name in enumerate(_SELECTED)} | {
     "one" if name == "zero" else f"one_minus_{name}": (n, 0) for n, name in enumerate(_SELECTED)}
 
-ALIGN = 8  # bytes a step of texBaseAddr stands for
+ALIGN = 8  # bytes per step of texBaseAddr
 
 
 def level_size(aspect: str, level: int) -> tuple[int, int]:
-    """(columns, rows)."""
+    """Returns (columns, rows) of a level."""
     columns, rows = (int(side) for side in aspect.split("x"))
     longest = max(columns, rows)
     return tuple(max(side * (SIDE >> level) // longest, 1) for side in (columns, rows))
 
 
 def texel_bytes(form: str) -> int:
-    """Bytes of a texel."""
+    """Returns the bytes of a texel."""
     return 2 if FORMATS[form] & 8 else 1
 
 
 def level_bytes(aspect: str, form: str, level: int) -> int:
-    """The room of a level: that of four texels at least."""
+    """Returns the bytes of a level: at least those of four texels."""
     columns, rows = level_size(aspect, level)
     return max(columns * rows, 4) * texel_bytes(form)
 
 
 def above(aspect: str, form: str, levels: str, level: int) -> int:
-    """Bytes of the larger levels that are there."""
+    """Returns the bytes of the map's larger levels."""
     return sum(level_bytes(aspect, form, n) for n in range(level) if n % 2 in LEVELS[levels])
 
 
 def place(start: int, levels: str, largest: int, smallest: int, aspect: str, form: str) -> dict[
         int, int]:
-    """The addresses of the levels that are there. Level 0's, there or not, is a multiple of 8, so
-    that the first may have to lie a little behind the start."""
+    """Returns the addresses of the map's levels. Level 0's address, present or not, is a multiple
+    of 8, so the first level may begin a little after the start."""
     base = start - above(aspect, form, levels, largest)
     base += -base % ALIGN
     return {n: base + above(aspect, form, levels, n) for n in range(largest, smallest + 1)
@@ -104,14 +104,15 @@ def place(start: int, levels: str, largest: int, smallest: int, aspect: str, for
 
 
 def memory_required(levels: str, largest: int, smallest: int, aspect: str, form: str) -> int:
-    """Bytes from the start on, a multiple of 8."""
+    """Returns the bytes of a map from its start on, a multiple of 8."""
     last, address = max(place(0, levels, largest, smallest, aspect, form).items())
     end = address + level_bytes(aspect, form, last)
     return end + -end % ALIGN
 
 
 class Words:
-    """The registers of a unit; as new: texels as they are, points, one level, 256 texels wide."""
+    """The registers of a unit. Initially: texels unchanged, point sampling, one level, 256 texels
+    wide."""
 
     def __init__(self, memory_bytes: int = UNIT_MEMORY) -> None:
         self.memory_bytes = memory_bytes
@@ -121,7 +122,7 @@ class Words:
         self.combine("local", "zero", "local", "zero")
 
     def words(self) -> tuple[int, int, int, int]:
-        """textureMode, tLOD, tDetail, texBaseAddr."""
+        """Returns textureMode, tLOD, tDetail, texBaseAddr."""
         words = [0, 0, 0, 0]
         for name, (register, shift, bits) in FIELDS.items():
             words[register] |= (self.fields[name] & (1 << bits) - 1) << shift
@@ -129,7 +130,7 @@ class Words:
 
     def source(self, start: int, levels: str, largest: int, smallest: int, aspect: str,
                form: str) -> None:
-        """The map to draw from."""
+        """Sets the map to draw from."""
         addresses = place(start, levels, largest, smallest, aspect, form)
         first, address = min(addresses.items())
         base = (address - above(aspect, form, levels, first)) % self.memory_bytes
@@ -142,46 +143,46 @@ class Words:
         self.mipmap(self.mode, bool(self.fields["trilinear"]))
 
     def mipmap(self, mode: str, lod_blend: bool) -> None:
-        """Without mipmaps the largest level alone."""
+        """Sets the use of mipmaps: "off" uses only the largest level."""
         self.mode = MIPMAPS[MIPMAPS.index(mode)]
         last = self.largest if mode == "off" else self.smallest
         self.fields |= {"lod_min": 4 * self.largest, "lod_max": 4 * last,
                         "dither": mode == "nearest_dither", "trilinear": lod_blend}
 
     def filter(self, minify: str, magnify: str) -> None:
-        """By the level of detail."""
+        """Sets the filters for minified and magnified texels."""
         self.fields |= {"minify": FILTERS.index(minify), "magnify": FILTERS.index(magnify)}
 
     def clamp(self, s: str, t: str) -> None:
-        """At the map's borders."""
+        """Sets wrapping or clamping at the map's borders."""
         self.fields |= {"clamp_s": WRAPS.index(s), "clamp_t": WRAPS.index(t)}
 
     def blend_levels(self, levels: str) -> None:
-        """Of a whole map."""
+        """Sets the levels to blend, even or odd ones, of a map that is not split."""
         if self.fields["split"]:
             raise ValueError("the map is split")
         parity, = LEVELS[levels]
         self.fields["odd"] = parity
 
     def lod_bias(self, bias: Fraction) -> None:
-        """An eighth more, in quarters, cut towards 0."""
+        """Sets the bias: an eighth is added, then it is cut to quarters towards 0."""
         self.fields["lod_bias"] = int((bias + Fraction(1, 8)) * 4)
 
     def detail(self, bias: int, scale: int, greatest: int) -> None:
-        """The detail factor."""
+        """Sets the detail factor."""
         self.fields |= {"detail_bias": bias, "detail_scale": scale, "detail_max": greatest}
 
     def perspective(self, on: bool, clamp_negative_w: bool) -> None:
-        """Whether s and t are divided."""
+        """Turns the division of s and t on or off."""
         self.fields |= {"perspective": on, "clamp_w": clamp_negative_w}
 
     def ncc_select(self, table: int) -> None:
-        """Of the two."""
+        """Selects one of the two NCC tables."""
         self.fields["ncc_table"] = table
 
     def combine(self, rgb_function: str, rgb_factor: str, alpha_function: str, alpha_factor: str,
                 invert_rgb: bool = False, invert_alpha: bool = False) -> None:
-        """Colour and alpha."""
+        """Sets the combine functions and factors of colour and alpha."""
         for part, function, factor, invert in (("rgb", rgb_function, rgb_factor, invert_rgb),
                                                ("alpha", alpha_function, alpha_factor,
                                                 invert_alpha)):

@@ -1,63 +1,66 @@
-"""How far every setting may be from the exact ideal, and whether a polygon keeps to it.
+"""The bounds of every setting's error against the exact ideal, and the check of polygons by them.
 
 All bounds follow from formats and roundings alone. 1 unit = U = 1/2^16, of a pixel or a
-texel. Vertices are those that ``model.adapt`` gives: `integer` edges are judged on the
-vertices they cut, shades and texels on what the vertices say after their rounding. Which pixels are
-drawn, and E(j), what the edge on line j is off: tools/tmap/ideal/bounds_coverage.py.
+texel. Vertices are those that ``model.adapt`` returns: `integer` edges are judged by the
+vertices that they cut, shades and texels by the vertices' values after their rounding. For the
+pixels that are drawn, and for E(j), the error of the edge on line j, see
+tools/tmap/ideal/bounds_coverage.py.
 
-**Steps.** With g, h the exact gradients in x and y (u, v or shade a pixel):
+**Steps.** With g, h the exact gradients in x and y (u, v or shade per pixel):
 
-* `plane`: d = r/2 + e(g), e and r from tools/tmap/ideal/ideal.py: r is U, or 2^cut U where the spans do not
-  keep so many low bits.
-* `polygon`: the longest line's width w and rise have U/2 each, their quotient U/2, and where cut is
-  not 0 its multiple of 2^cut U half of that: d = (1 + |g|) U/2 / (w - U/2) + R, R = U/2 or
-  (1 + 2^cut) U/2. It saturates at 32,768 texels a pixel: with g near that, or w below U,
-  d = |g| + 32,768.
+* `plane`: d = r/2 + e(g), with e and r from tools/tmap/ideal/ideal.py: r is U, or 2^cut U if the
+  spans drop ``cut`` low bits.
+* `polygon`: the longest line's width w and rise are off by U/2 each, their quotient by U/2, and if
+  cut is not 0, rounding to a multiple of 2^cut U adds half of that:
+  d = (1 + |g|) U/2 / (w - U/2) + R, R = U/2 or (1 + 2^cut) U/2. It saturates at 32,768 texels per
+  pixel: with g near that, or w below U, d = |g| + 32,768.
 
-**Start of line j**, whose edge crosses at x and has its first pixel at c; n lines below
-the edge's first line in the frame:
+**Start of line j.** Its edge crosses at x and its first pixel is c; it is n lines below the
+edge's first line in the frame:
 
 * `plane`, `subtexel`: on the plane, see tools/tmap/ideal/ideal.py.
-* `plane`, `truncated`: the plane's value at the first line's pixel, moved back to the crossing
-  by a product cut to U and a prestep that is off by E, then n steps of dudy + slope *
-  dudx, each with the plane's rounding in y, a product cut to U, a slope rounded to U/2:
-  p + U + |g| E(j0) + d + n (d_y + U + |g| U/2 + |slope| d) + (n + 1) (2^cut - 1) U, p the plane's
-  bound there. It is the value of the crossing, not of the pixel: |g| (c - x) more.
-* `polygon`: along the edge, nearest unit at the start and in each step: (n + 1) U/2. `truncated`:
-  |g| (c - x) more. `subtexel`: a product at the start and in each step, cut, which move by
-  c - x' in all, x' being the rounded crossing: (n + 1) U + |g| E(j) + |c - x'| d.
+* `plane`, `truncated`: the plane's value at the first line's pixel is moved back to the crossing
+  by a product cut to U with a prestep that is off by E. Then follow n steps of dudy + slope * dudx,
+  each with the plane's rounding in y, a product cut to U and a slope rounded to U/2:
+  p + U + |g| E(j0) + d + n (d_y + U + |g| U/2 + |slope| d) + (n + 1) (2^cut - 1) U, p being the
+  plane's bound there. This is the value at the crossing, not at the pixel: |g| (c - x) more.
+* `polygon`: along the edge, the start and each step are rounded to the nearest unit: (n + 1) U/2.
+  `truncated`: |g| (c - x) more. `subtexel`: cut products at the start and in each step move the
+  value by c - x' in all, x' being the rounded crossing: (n + 1) U + |g| E(j) + |c - x'| d.
   Start and steps are raised to multiples of 2^cut: (n + 1) (2^cut - 1) U.
 
-From there i - c steps: (i - c) d.
+Pixel i is i - c steps from there: (i - c) d more.
 
-**One side.** Values of `plane`, `subtexel` are never below the exact ones (tools/tmap/ideal/ideal.py). So are
-those of `polygon`, `subtexel` where the longest line is a pixel wide or more, |g| below 250, and no
-edge begins farther left of the frame than the box is wide: with N
-lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 2 g' + 2 units, g' between
-|g| and |g| + 2.5, which is what the sums above can be: along the edge N/2, in moves N, by x N |g| / 2, and
-d over W + 1 pixels, w + 1 of them by the quotient. `truncated` is raised by as much as does not come
-from moves. Where a texel's border lies exactly on a pixel's centre, the texel that begins there is shown.
+**One side.** Values of `plane`, `subtexel` are never below the exact ones
+(tools/tmap/ideal/ideal.py). The same holds for `polygon`, `subtexel` if the longest line is a pixel
+wide or more, |g| is below 250, and no edge begins farther left of the frame than the box is wide.
+With N lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 2 g' + 2 units, g'
+between |g| and |g| + 2.5. That is the most that the sums above can be: N/2 along the edge, N in
+moves, N |g| / 2 by x, and d over W + 1 pixels, w + 1 of them by the quotient. `truncated` is raised
+by the same without the part of the moves. If a texel's border is exactly on a pixel's centre, the
+texel that begins there is shown.
 
-**Two divides a line** (`scanline`): the ideal is linear along both exact edges and between
-them. u at a crossing has a = (n + 1) U/2, x has E(j); an end is off by b = a + |g| E. Between
-the ends no more than the larger b, at a distance of i - x' a step cut to U: max(b0, b1) (1 + 2E) +
-(|i - x'| + 1) U, and where a line is under one pixel wide, |u1 - u0| + a0 + a1 + U at most.
-`truncated` has rise / whole pixels P from the crossing on: g ((i - c)(w / P - 1) - (c - x))
-by its nature, and 2 a0 + a1 + (i - c) U. Both ends are raised by N/2 + 2 units, N being their edge's
-lines, and steps are rounded up: where edges cross lines at whole units, values are never below the
-exact ones. Low bits that the spans do not keep are raised: (|i - c| + 1) (2^cut - 1) U.
+**Two divides per line** (`scanline`): the ideal is linear along both exact edges and between
+them. At a crossing, u is off by a = (n + 1) U/2 and x by E(j); an end is off by b = a + |g| E.
+Between the ends the error is at most the larger b plus a step cut to U at a distance of i - x':
+max(b0, b1) (1 + 2E) + (|i - x'| + 1) U. For a line under one pixel wide it is at most
+|u1 - u0| + a0 + a1 + U. `truncated` divides the rise by P whole pixels, from the crossing on: by
+its nature it is off by g ((i - c)(w / P - 1) - (c - x)), and by 2 a0 + a1 + (i - c) U. Both ends
+are raised by N/2 + 2 units, N being their edge's lines, and steps are rounded up: if edges cross
+lines at whole units, values are never below the exact ones. Values are raised to clear the low bits
+that the spans drop: (|i - c| + 1) (2^cut - 1) U.
 
-**Mappers.** Generated code drops the start's fraction f and has 520 U instead, more
-than 1,023 steps may fall short by, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f
-above. Where u leaves its row of the map in a line, affine spans draw the polygon. Dithered points
-are moved by 3/8 texel at most, exactly: moves are whole units. What is held
-in a range (edge_hold): with B the largest bound of the polygon, and how far its plane is beyond
-the range at a vertex, a step shrinks by 2B over the
-longest line and is cut (U), and a start moves no farther than its ends were outside, 3B + U:
-6B + 2U. Steps that fall are 2 units slower then: a line whose first pixel lies on the map's far border
-starts a unit before that, and is above the exact values from its next pixel on. 2U a pixel more.
+**Mappers.** Generated code replaces the start's fraction f by 520 U, which is more than the
+shortfall of 1,023 steps, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f above.
+If u leaves its row of the map in a line, affine spans draw the polygon. Dithered points are moved
+by 3/8 texel at most, exactly: moves are whole units. For lines held in a range (edge_hold), let B
+be the polygon's largest bound plus the distance of its plane beyond the range at a vertex. A step
+shrinks by 2B over the longest line and is cut (U), and a start moves no farther than its ends were
+outside, 3B + U: 6B + 2U. Negative steps are then 2 units smaller: a line whose first pixel is on
+the map's far border starts a unit before it and is above the exact values from its next pixel on.
+That adds 2U per pixel.
 
-**Light** (`lit_gouraud`): levels are on a plane as u is, in multiples of 4U. Every line is held:
+**Light** (`lit_gouraud`): levels are on a plane like u, in multiples of 4U. Every line is held:
 6B + 8U.
 
 The texels that are fetched have the bounds of u and v: tools/tmap/ideal/bounds_fetched.py.
@@ -85,7 +88,7 @@ from tmap.setup.texturing import CUT, STEEP, Line, Settings
 
 @dataclass
 class Verdict:
-    """What one polygon is off. Texel errors in texels (shades)."""
+    """The errors of one polygon. Texel errors in texels (shades)."""
 
     pixels: int = 0
     coverage_errors: int = 0  # pixels lit or left out against the exact polygon
@@ -115,9 +118,9 @@ class Verdict:
 
 
 def has_ideal(vertices, settings: Settings = Settings()) -> bool:
-    """Whether the exact ideal of vertices, as ``model.adapt`` gives them, is defined: in range
-    and convex (integer edges may dent a polygon); with a perspective, in front of the viewer
-    (more than three may not be, by their rounding)."""
+    """Returns true if the exact ideal of vertices from ``model.adapt`` is defined. They must be in
+    range and convex (integer edges may dent a polygon) and, with a perspective, in front of the
+    viewer (the rounding of more than three may prevent that)."""
     points = [tuple(v[:2]) for v in vertices]
     inside = all(-model.FAR <= c < model.FAR for v in vertices for c in v[:4])
     convex = len(points) == 3 or is_convex(points) and winds_once(points)
@@ -125,25 +128,26 @@ def has_ideal(vertices, settings: Settings = Settings()) -> bool:
 
 
 def winds_once(points) -> bool:
-    """Whether a polygon that turns one way only goes round once: its x has one minimum."""
+    """Returns true if a polygon that turns one way only goes round once: its x has one minimum."""
     signs = [b[0] > a[0] for a, b in zip(points, [*points[1:], points[0]]) if b[0] != a[0]]
     return sum(a != b for a, b in zip(signs, [*signs[1:], *signs[:1]])) <= 2
 
 
 @dataclass
 class Coordinate:
-    """u or v of a polygon: the exact plane and the bounds of what does not change."""
+    """u or v of a polygon: the exact plane and the bounds that hold for all of it."""
 
     plane: ideal.Plane
     cut: int  # low bits that are 0
-    g: float  # texels a pixel, a line
-    h: float
-    step: float  # d, of a pixel
-    down: float  # d_y, of a line (plane)
+    g: float  # texels per pixel
+    h: float  # texels per line
+    step: float  # d, per pixel
+    down: float  # d_y, per line (plane)
 
 
 def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
-    """The plane of ``vertices`` [key] through the corners ``three`` and its steps' bounds."""
+    """Returns the plane of ``vertices`` [key] through the corners ``three`` and its steps'
+    bounds."""
     points = [vertices[k] for k in three]
     plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
     cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
@@ -163,15 +167,17 @@ def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: S
 
 
 def coarse(cut: int) -> int:
-    """Twice what a step that is no plane's is rounded by, its quotient's rounding included; units."""
+    """Returns twice the rounding of a step without a plane, its quotient's rounding included;
+    units."""
     return 1 + (1 << cut) if cut else 1
 
 
 def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column: int,
                 settings: Settings) -> float:
-    """The bound of u at the first pixel ``column`` of a line, uncut (not plane + subtexel)."""
+    """Returns the bound of u at the first pixel ``column`` of a line before the frame cuts it (not
+    for plane + subtexel)."""
     n, off = line - edge.top, abs(column - crossing(edge, line))
-    zeros = (1 << c.cut) * UNIT  # the free bit's value included
+    zeros = (1 << c.cut) * UNIT  # including the free bit's value
     if settings.gradients == "plane":
         first = c.plane.bound(edge.column(edge.top), edge.top, t, c.cut)
         slope = abs(edge.slope) * UNIT
@@ -186,7 +192,7 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
 
 
 def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
-    """What starts of `polygon` are raised by at most, in texels."""
+    """Returns the most by which starts of `polygon` are raised, in texels."""
     lines, whole = edge.end - edge.top, min(c.g + c.step + 2, STEEP)
     line = 3 + whole if settings.start == "subtexel" else 1
     return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 2 * whole + 2) * UNIT
@@ -194,7 +200,7 @@ def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> 
 
 def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
                 settings: Settings) -> tuple[float, float]:
-    """How far below and above u may be at a pixel, one step over the whole polygon."""
+    """Returns how far below and above u may be at a pixel, if the polygon has one step."""
     exact = settings.start == "subtexel"
     if settings.gradients == "plane" and exact:
         high = c.plane.bound(i, y, t, c.cut)
@@ -203,7 +209,7 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
     off = start_bound(c, t, edge, y, column, settings) + abs(i - column) * c.step
     if settings.gradients == "plane":
         return off, off
-    # narrower than a pixel, the quotient of the longest line leaves more than half a texel open
+    # if the longest line is narrower than a pixel, its quotient is off by more than half a texel
     wide = exact and c.g < STEEP - 6 and c.step < (1 + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
     width = t.box[2] - t.box[0]
     sure = wide and i - edge.column(edge.top) <= width and i - column <= width
@@ -212,7 +218,8 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
 
 def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
                    settings: Settings) -> tuple[float, float]:
-    """u at a pixel between both exact edges, and the bound where each line has its steps."""
+    """Returns u at a pixel between both exact edges, and its bound if each line has its own
+    steps."""
     index = "uv".index(key) + 2
     x, u, a, off = [], [], [], []
     for edge in edges:
@@ -250,8 +257,8 @@ def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple,
 
 
 def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
-    """What a mapper adds to the bound of u or v at pixel i of a line, on the side of the exact value
-    on which the error lies."""
+    """Returns a mapper's addition to the bound of u or v at pixel i of a line, on the error's side
+    of the exact value."""
     if mapper == "generated":
         lost = (getattr(line, key) & 0xFFFF) - BIAS
         return max(-lost if error > 0 else lost, 0) * UNIT
@@ -260,8 +267,8 @@ def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> flo
 
 def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, int], t,
                 edges: tuple[Edge, Edge], settings: Settings) -> tuple[np.ndarray, list[tuple]]:
-    """What u, as it is stepped, is off at the pixels of a line from ``pixel`` on, exact at both ends, and
-    how far below and above it may be there."""
+    """Returns the errors of the stepped u at the pixels of a line from ``pixel`` on, exact at both
+    ends, and how far below and above u may be at the ends."""
     (left, y), last = pixel, pixel[0] + len(values) - 1
     if settings.gradients == "scanline":
         ends = [scanline_ideal(key, y, edges, i, settings) for i in (left, last)]
@@ -276,14 +283,14 @@ def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, i
 
 def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
                  beyond: float | None, out: Verdict) -> None:
-    """Adds the error of u and v at both ends of every line inside the exact polygon, as between
-    them both are linear, and judges the texels that are fetched there and between them."""
+    """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
+    linear between them, and judges the texels that are fetched at all its pixels."""
     three, mapper, t = ideal.corners(vertices), polygon.mapper, polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, three, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
     found, extent = [], ideal.extents(vertices)  # error, bounds below and above, coordinate, pixel
-    shown = []  # texels beside the exact ones, how far they may be below, above
+    shown = []  # texels with the largest errors, how far they may be below, above
     for y, line in enumerate(polygon.lines, polygon.top):
         ends = [-(-n // (d << 16)) for n, d in extent(y)]
         left, right = max(line.left, ends[0]), min(line.right, ends[1])
@@ -334,8 +341,8 @@ def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
 
 def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
                 size: tuple[int, int]) -> float | None:
-    """None where no line is held in a range; else how far beyond the range the plane itself is
-    at a vertex, in texels: more than three vertices need not lie on it."""
+    """Returns None if no line is held in a range, else how far beyond the range the plane is at a
+    vertex, in texels: more than three vertices need not be on it."""
     t = polygon.texturing
     steep = t is None or model.is_steep(settings, t.dudx, t.dvdx)
     ranges = model.held_range(vertices, settings, size, t, steep)
@@ -349,7 +356,7 @@ def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
 
 def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, width: int,
                  height: int, size: tuple[int, int]) -> Verdict:
-    """``judge`` of what ``model.adapt`` and ``model.set_up`` made already."""
+    """``judge`` for the results of ``model.adapt`` and ``model.set_up``."""
     out = Verdict(pixels=polygon.pixels if polygon else 0)
     out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
@@ -371,11 +378,11 @@ def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
 
 def judge(vertices, settings: Settings, width: int, height: int,
           size: tuple[int, int] = (256, 256)) -> Verdict:
-    """Holds a convex polygon, or the triangles that it is drawn as, to the bounds of its settings.
+    """Checks a convex polygon, or the triangles that replace it, against the bounds of its
+    settings.
 
-    ``vertices``: (x, y, s, t, shade, w), 16.16, as a scene has them; ``size``: of the map.
-    Polygons cut to the window are judged on their pixels, and on u and v where those come
-    from the plane.
+    ``vertices``: a scene's (x, y, s, t, shade, w), 16.16; ``size``: the map's. Polygons cut to the
+    window are judged by their pixels, and by u and v if these come from the plane.
     """
     out, parts = Verdict(), model.parts(vertices, settings)
     if is_convex([v[:2] for v in vertices]):

@@ -1,13 +1,13 @@
-"""How far pixels that are drawn, or left out, may lie from a polygon's exact edges.
+"""How far wrong pixels, drawn or left out, may be from a polygon's exact edges.
 
-1 unit = U = 1/2^16 of a pixel. Vertices are those that ``model.adapt`` gives.
+1 unit = U = 1/2^16 of a pixel. Vertices are those that ``model.adapt`` returns.
 
-`exact`: none. Rounded ones, line j, the edge's first line in the frame f: x starts
-at the nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2 pixels, less
-what comes out even. A pixel may be lit or left out wrongly only where the exact edge passes
-within E(j) of its centre, and none where E is 0. Polygons cut to the window have new vertices
-(not with `exact` edges): each cut rounds one coordinate (U/2), an edge is cut four times at
-most, so it moves by 2U across its direction at most, besides.
+`exact` edges have no error. For rounded ones on line j, f being the edge's first line in the frame,
+x starts at the nearest unit and steps by a slope to the nearest unit: E(j) = (j - f + 1) U/2
+pixels, without the roundings that are exact. A pixel may be lit or left out wrongly only if the
+exact edge passes within E(j) of its centre, and no pixel if E is 0. Polygons cut to the window have
+new vertices (not with `exact` edges). Each cut rounds one coordinate (U/2), and an edge is cut four
+times at most, so it moves across its direction by another 2U at most.
 """
 
 from math import sqrt
@@ -19,13 +19,13 @@ from tmap.model import model
 from tmap.setup.edges import Edge
 from tmap.setup.texturing import Settings
 
-LARGEST = 32768.0  # pixels and texels: all is modulo twice that
-#: Double precision's own share when a bound is evaluated and compared.
+LARGEST = 32768.0  # pixels and texels: values are modulo twice that
+#: The rounding of double precision when a bound is evaluated and compared.
 FLOAT = 1 + 1e-9
 
 
 def edge_bound(edge: Edge, line: int) -> float:
-    """E(j) of rounded numbers, pixels; a quotient that comes out even adds nothing."""
+    """Returns E(j) of a rounded edge, pixels; an exact quotient adds nothing."""
     (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
     width, height = x1 - x0, y1 - y0
     start, step = width * ((edge.top << 16) - y0) % height, (width << 16) % height
@@ -33,13 +33,14 @@ def edge_bound(edge: Edge, line: int) -> float:
 
 
 def crossing(edge: Edge, line: int) -> float:
-    """Where the exact edge crosses a line, pixels."""
+    """Returns x where the exact edge crosses a line, pixels."""
     (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
     return (x0 + (x1 - x0) * ((line << 16) - y0) / (y1 - y0)) * UNIT
 
 
 def across(vertices, i: int, j: int) -> float:
-    """The distance of pixel (i, j) from the nearest of a polygon's edges' lines, pixels."""
+    """Returns the distance of pixel (i, j) from the nearest straight line through an edge,
+    pixels."""
     best = LARGEST
     for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
         dx, dy = x1 - x0, y1 - y0
@@ -50,13 +51,13 @@ def across(vertices, i: int, j: int) -> float:
 
 
 def edges_by_line(edges: list[Edge]) -> dict[int, Edge]:
-    """The edge of each line."""
+    """Returns the edge of each line."""
     return {line: edge for edge in edges for line in range(edge.top, edge.end)}
 
 
 def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int, int, int]]]:
-    """Of each line of a frame that an exact polygon meets: left and right x, numerator and denominator,
-    and the first pixel from there on, inside the frame."""
+    """Returns, for each line of a frame that an exact polygon crosses, its left and right x as
+    numerator and denominator, each with the first pixel from there on, inside the frame."""
     ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
     return {y: [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
             for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height))}
@@ -64,7 +65,8 @@ def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int
 
 def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
                    height: int) -> tuple[int, str]:
-    """Wrong pixels of a convex polygon, and the first that lies too far from its edge."""
+    """Returns the count of a convex polygon's wrong pixels, and a text on the first that is too far
+    from its edge."""
     exact = exact_extents(vertices, width, height)
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] if polygon else []

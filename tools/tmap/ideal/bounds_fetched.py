@@ -1,11 +1,11 @@
-"""Whether the texels that a polygon shows are those of its exact u and v.
+"""Checks that the texels that a polygon shows are those of its exact u and v.
 
-Right u and v do not make a right texel: what a mapper makes of them, column and row of its map, may
-still be another (a carry of u into the row, for one). So what is fetched is judged too, at every
-pixel: somewhere on the texel, from its first to its last unit, u and v must be as near to the exact
-ones as their bound, modulo the map's sides. Nothing is added to the bound for that: u and v as
-they are stepped lie on the texel that is right, and keep it. Bounds are convex along a line, being
-sums of distances from columns, so a line's ends have the largest.
+Correct u and v are not enough: the column and row that a mapper derives from them may still be
+wrong (by a carry of u into the row, for example). So the fetched texels are judged too, at every
+pixel. Somewhere on the texel, from its first to its last unit, u and v must be within their bound
+of the exact values, modulo the map's sides. Nothing is added to the bound: the stepped u and v are
+on the correct texel and within it. Bounds are convex along a line, as sums of distances from
+columns, so a line's ends have the largest.
 """
 
 from dataclasses import dataclass
@@ -14,13 +14,13 @@ import numpy as np
 
 from tmap.ideal.ideal import UNIT
 
-#: What double precision may add to a distance, texels (``ideal.Plane.errors``).
+#: The most that double precision may add to a distance, texels (``ideal.Plane.errors``).
 ROUNDING = 2.0**-30
 
 
 @dataclass
 class Beside:
-    """The texels of a line that lie farthest below and above the exact values, and where."""
+    """The texels of a line that are farthest below and above the exact values, and their pixels."""
 
     key: str  # u or v
     too_low: float  # texels from a texel's last unit to the exact value
@@ -29,7 +29,7 @@ class Beside:
     high_at: tuple[int, int]
 
     def judge(self, low: float, high: float, out) -> None:
-        """Adds a complaint to a Verdict where one is more than ``low`` or ``high`` away."""
+        """Adds a complaint to a Verdict if one is more than ``low`` or ``high`` away."""
         for off, allowed, pixel, word in ((self.too_low, low, self.low_at, "below"),
                                           (self.too_high, high, self.high_at, "above")):
             if off > allowed + ROUNDING:
@@ -39,8 +39,8 @@ class Beside:
 
 def beside(key: str, texels: np.ndarray, values: np.ndarray, errors: np.ndarray, side: int,
            left: int, y: int) -> Beside:
-    """Of the pixels from ``left`` on of line y. ``texels``: columns or rows that are fetched of
-    ``side``; ``values``: u or v as stepped, 16.16, ``errors``: what those are off, texels."""
+    """Returns the Beside of the pixels from ``left`` on of line y. ``texels``: fetched columns or
+    rows, modulo ``side``; ``values``: stepped u or v, 16.16; ``errors``: their errors, texels."""
     middle = (texels + 0.5 - values * UNIT + errors + side / 2) % side - side / 2  # from the exact value
     low, high = int(middle.argmin()), int(middle.argmax())
     return Beside(key, float(-0.5 - middle[low]), float(middle[high] - 0.5), (left + low, y),

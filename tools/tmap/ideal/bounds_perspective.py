@@ -1,60 +1,61 @@
 """How far pixels with perspective may be from the exact curve.
 
-1 unit = U = 1/2^16 texel. R is the range of u over the vertices, Q the exact q of a pixel,
-2^30 at the nearest vertex, so 2^30 less 22 bits at worst.
+1 unit = U = 1/2^16 texel. R is the range of u over the vertices. Q is the exact q of a pixel: 2^30
+at the nearest vertex, and 22 bits less in the worst case.
 
 **The first and the last pixel of a line.** u = base + S 2^scale / q:
 
-* q of a corner is rounded (1/2), and S is the floor of what that q gives. With the pixel's
-  barycentric coordinates l, |l| in all at most L, u is off by (sum of l (u_i - u) / 2) / Q
-  at most L R / 2Q, and by L 2^scale / Q. L is 1 in a triangle; of more vertices the
-  planes' three have coordinates from -1 to 2 each: 3.
+* q of a corner is rounded (1/2), and S is the floor of its value with that q. With the pixel's
+  barycentric coordinates l, the sum of |l| at most L, u is off by (sum of l (u_i - u) / 2) / Q,
+  at most L R / 2Q, and by L 2^scale / Q. L is 1 in a triangle. With more vertices the
+  coordinates of the planes' three are from -1 to 2 each: 3.
 * The planes of q and S are off by e(gx) |x| + e(gy) |y| + 2/2^16 (two products cut to that),
   (x, y) being the way from the first corner and e(g) = |g| / 2^31 + 3/2^16, gradients in
-  units of the value; q is cut to a whole number besides. An error E of q moves u by
+  units of the value. q is also cut to a whole number. An error E of q moves u by
   |u - base| E / Q.
-* The quotient is cut: 1 unit. Both u and q are kept within the vertices' ranges; inside the
-  polygon that takes nothing away. Rounded edges may lie beyond the exact one, and more than
-  three vertices beside the planes: there the exact value's way into the range, and what q is
-  raised by, come on top.
+* The quotient is cut: 1 unit. Both u and q are clamped to the vertices' ranges; inside the
+  polygon that changes nothing. Rounded edges may be beyond the exact one, and more than three
+  vertices may be off the planes: there the exact value's distance from the range, and the
+  increase of q, are added.
 
-* S is raised by what it and q times u may be off there, and the base by a unit, so that u of
-  a line's first pixel is never below the exact value: by as much again, S's errors being taken
-  as ``perspective.error_part`` rounds them up, 2^scale / Q units each.
+* S is raised by the largest errors there of S and of q times u, and the base by a unit, so that u
+  of a line's first pixel is never below the exact value. The bound grows by as much again, with S's
+  errors as ``perspective.error_part`` rounds them up, 2^scale / Q units each.
 
-That is b0 and b1.
+The sums are b0 and b1.
 
-**Between them** u = u0 + du * part. The weights are off by the errors of q and, n steps long,
-by n and 2n in their 2^30 or what is left of it at the far end: m is the factor of
-odds part / (1 - part) that this may make, and |du| (sqrt(m) - 1) / (sqrt(m) + 1) what part
-is off at most. Then 3 units: part is cut to 2^-31, the product to 2 units.
+**Between them** u = u0 + du * part. The weights are off by the errors of q and, for n steps, by n
+and 2n of their 2^30, or of the rest of it at the far end. Let m be the factor by which this may
+change the odds part / (1 - part); then the error by part is |du| (sqrt(m) - 1) / (sqrt(m) + 1) at
+most. 3 units are added: part is cut to 2^-31, the product to 2 units.
 
     b = max(b0, b1) + |du| (sqrt(m) - 1) / (sqrt(m) + 1) + 3 U
 
-Lines are raised by those 3 units, and in pieces by what their ends are cut by, so that u which is the
-same all along a line is never below the exact value.
+Lines are raised by those 3 units, and in pieces by the cuts of their ends, so that a u that is
+constant along a line is never below the exact value.
 
-**Straight pieces** of m pixels: b and m - 1 units at their ends, the last one's steps cut, m units
-more: from the chords of the exact curve.
+**Straight pieces** of m pixels: b and m - 1 units at their ends, and m units more for the last
+one's cut steps, measured from the chords of the exact curve.
 
-**Level lines**: b, what the setting lets them be off for their change of q (almost half or a
-quarter of its tolerance), and a unit a step: steps are rounded up. Where q does not change they are never below
-the exact value.
+**Level lines**: b, the error that the setting allows them for their change of q (almost half or a
+quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
+are never below the exact value.
 
-Lines by tables are off from their planes' quotients by what ``reciprocal.bound`` and
-``logarithm.bound`` say, which is kept within 1/32 texel, by logarithms all of the setting's; that
-comes on top, and what they are raised by for it: never below the exact value at a line's first pixel
-and, by logarithms, at all.
+Lines by tables are off from their planes' quotients by ``reciprocal.bound`` and
+``logarithm.bound``, which are kept within 1/32 texel; by logarithms that is all of the setting's
+tolerance. It is added, and so are the units by which these lines are raised for it: they are never
+below the exact value at a line's first pixel and, by logarithms, at any pixel.
 
-Where the planes are not sure enough (c/perspective/perspective.h) the polygon is drawn affine: both the
-exact u and the drawn one are in L times the range R then, but for what the affine plane is off, and
-may be as far apart as that.
+If the planes are not accurate enough (c/perspective/perspective.h), the polygon is drawn affine.
+Then both the exact u and the drawn one are within L times the range R, except for the affine
+plane's errors, and may be that far apart.
 
-**A tolerance** (c/perspective/tolerance.c derives the errors): pieces longer than the setting's are off by
-it at most between their ends, straight lines and triangles drawn affine by it besides their own bounds.
+**A tolerance** (c/perspective/tolerance.c derives the errors): pieces longer than the setting's are
+off by the tolerance at most between their ends; straight lines and triangles drawn affine are off
+by it in addition to their own bounds.
 
-**Curves**: a parabola through three points off by b each is off by 5/4 b; from the curve by the
-setting's 1/32 or 1/128 texel, its rounding included (see ``perspective.enough``).
+**Curves**: a parabola through three points off by b each is off by 5/4 b. It is off from the curve
+by the setting's 1/32 or 1/128 texel, its rounding included (see ``perspective.enough``).
 """
 
 from math import log2, sqrt
@@ -70,14 +71,15 @@ from tmap.setup import reciprocal, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
-LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # of straight pieces 0
-RECIPROCALS = 1 / 32  # texels: what lines by reciprocals may be off from their planes
-FLOAT = 2.0**-32  # tools/tmap/ideal/perspective.py's own rounding, texels
-BOUNDLESS = 32768.0  # texels: all is modulo twice that
+LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # 0 for straight pieces
+RECIPROCALS = 1 / 32  # texels: the largest error of lines by reciprocals against their planes
+FLOAT = 2.0**-32  # the rounding in tools/tmap/ideal/perspective.py, texels
+BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
 
 def plane_error(plane, scale: int, x: float, y: float) -> float:
-    """Of a plane's value x pixels and y lines from the first corner, in units of the value."""
+    """Returns the error of a plane x pixels and y lines from the first corner, in the value's
+    units."""
     gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
     return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
 
@@ -91,13 +93,13 @@ class Bound:
         self.low, self.high = min(values), max(values)
         self.corner = [c * UNIT for c in three[0][:2]]
         self.spread = 1 if len(vertices) == 3 else 3  # L
-        # Q = 2^30 (least w) / w: what the curve's integers are to be multiplied by
+        # Q = 2^30 (least w) / w: ``unit`` is the factor from the curve's integers to it
         _, nearest = curve.terms(*three[0][:2])
         self.unit = 2.0**30 * min(v[4] for v in vertices) / three[0][4] / nearest
         self.base = p.base[key - 2]
 
     def end(self, i: int, y: int, inside: bool) -> tuple[float, float]:
-        """b0 or b1 in units, and by how much of itself q may be off."""
+        """Returns b0 or b1 in units, and the largest relative error of q."""
         n, q = self.curve.terms(i << 16, y << 16)
         if q <= 0:
             return BOUNDLESS / UNIT, 0.5
@@ -117,7 +119,7 @@ class Bound:
         return bound, off
 
     def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
-        """b of a line's pixels, texels; ``inside``: whether its ends are in the polygon."""
+        """Returns b of a line's pixels, texels; ``inside``: true for each end in the polygon."""
         (b0, e0), (b1, e1) = (self.end(i, y, one) for i, one in
                               zip((made.left, made.left + made.n), inside))
         if not made.n:
@@ -133,7 +135,7 @@ class Bound:
 
 
 def chords(values: np.ndarray, m: int) -> np.ndarray:
-    """Straight pieces of m pixels through exact values, less these, at each pixel."""
+    """Returns straight pieces of m pixels through exact values, minus these, at each pixel."""
     n = len(values) - 1
     if not n:
         return np.zeros(1)
@@ -143,27 +145,29 @@ def chords(values: np.ndarray, m: int) -> np.ndarray:
 
 
 def intended(values: np.ndarray, setting: str) -> np.ndarray:
-    """What a setting wants of a line's pixels, less their exact values; texels."""
+    """Returns a setting's intended error at a line's pixels: its chords minus the exact values,
+    else 0; texels."""
     return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
 
 
 def level_bound(b: float, setting: str, n: int) -> float:
-    """Of a level line of n steps, from the exact value, in texels."""
+    """Returns the bound of a level line of n steps against the exact value, in texels."""
     return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
 
 
 def bend(setting: str, piece: int) -> float:
-    """64 log2 of a curve's error over what the setting leaves for it, where the rest of the error
-    (see ``perspective.enough``) is 1; its longest piece has 2^piece pixels. The second
-    difference is off by half a unit, which the square of half the length multiplies; 8 units are
-    for the three points."""
+    """Returns 64 log2 of a curve's error over the part of the tolerance that is left for it, if the
+    other factors of the error (see ``perspective.enough``) are 1. Its longest piece has 2^piece
+    pixels. The second difference is off by half a unit, times the square of half the length; 8
+    units are for the three points."""
     left = TOLERANCE[setting] / UNIT - (1 << piece - 1)**2 / 2 - 8
     return 64 * log2(6 / (9 * sqrt(3)) / left)
 
 
 def reach(piece: int, width: int) -> float:
-    """Texels from K, piece and width given, with which every line by reciprocals is within
-    RECIPROCALS by its bound: r of an end is one of the table, the other's the least."""
+    """Returns the most texels from K with which every line by reciprocals has a bound within
+    RECIPROCALS, for a piece and a width. r of one end is any of the table's, the other's the
+    least."""
     def bound(first: int, far: int) -> float:
         c = far * (1 << 24 - piece) / first, 0
         return reciprocal.bound(reciprocal.Reciprocal(
@@ -175,7 +179,7 @@ def reach(piece: int, width: int) -> float:
 
 
 def line_bound(b: float, setting: str) -> float:
-    """What pixels may be off from what is intended, in texels."""
+    """Returns the largest error of pixels against the intended values, in texels."""
     b += way(setting).raised * UNIT
     if setting in PIECES:
         return b + 2 * PIECES[setting] * UNIT + FLOAT
@@ -183,8 +187,8 @@ def line_bound(b: float, setting: str) -> float:
 
 
 def inner_lines(vertices, polygon):
-    """Of each line with pixels inside the exact polygon: y, the line, the exact polygon's first pixel
-    and the one behind its last, and those of the pixels that are in both."""
+    """Yields, for each line with pixels inside the exact polygon: y, the line, the exact polygon's
+    first pixel and the end of its pixels, and both ends of the pixels that are in both."""
     exact = ideal.extents(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
         extent = [-(-n // (d << 16)) for n, d in exact(y)]
@@ -194,9 +198,9 @@ def inner_lines(vertices, polygon):
 
 
 def line_errors(vertices, polygon, tolerance: float = 0.0):
-    """(u or v, line, pixels, found, error, what is intended, bound) of each line inside the exact
-    polygon, in texels, but 16.16 what is found; arrays over the pixels but for the bound; vertices
-    as ``model.adapt`` gives them, in front of the viewer."""
+    """Yields (u or v, line, pixels, found, error, intended error, bound) for each line inside the
+    exact polygon: arrays over the pixels, the bound a number; in texels, found in 16.16.
+    ``vertices``: from ``model.adapt``, in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
     bounds = [Bound(vertices, three, key, curve, p)
@@ -220,14 +224,14 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                 b = bound.line(made, y, inside)
                 allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
                                   else line_bound(b, polygon.setting))
-            else:  # an end of rounded edges lies behind the viewer
+            else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed
 
 
 def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
-    """Whether a triangle's line is below the exact value where it must not be: at its first pixel, and
-    all along where depth does not change or logarithms draw it."""
+    """Returns true if a triangle's line is below the exact value where it must not be: at its first
+    pixel, or at any pixel if depth does not change or logarithms draw it."""
     line = polygon.lines[y - polygon.top]
     if polygon.is_level:
         sure = len(error) if not polygon.perspective.q.dx else 0
@@ -240,16 +244,16 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
 
 def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
                 size: tuple[int, int], out) -> None:
-    """Judges the texels that are fetched at the pixels of a line; ``off``: what u or v is off there,
-    ``allowed``: what it may be."""
+    """Judges the texels that are fetched at the pixels of a line; ``off``: the errors of u or v,
+    ``allowed``: the largest allowed."""
     side = size["uv".index(key)]
     each = beside(key, spans.repeated(found, side), found, off, side, left, y)
     each.judge(allowed, allowed, out)
 
 
 def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges the
-    texels; ``asked``: the material's setting, ``tolerance`` its texels, ``size``: of the map."""
+    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges
+    the texels; ``asked``: the material's setting, ``tolerance``: in texels, ``size``: the map's."""
     for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
         if polygon.setting != asked and bent > tolerance + FLOAT:
@@ -271,8 +275,8 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[in
 
 
 def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
-    """The same of a polygon that is drawn affine though w differs: by its tolerance, or (None)
-    because its planes are not sure; out.unsure counts those."""
+    """Judges a polygon that is drawn affine though w differs: by its tolerance, or (None) because
+    its planes are not accurate enough; out.unsure counts those."""
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
     three = [vertices[k] for k in ideal.corners(vertices)]

@@ -1,27 +1,29 @@
-"""The exact picture of a mesh's faces, and how far what is drawn may be off it.
+"""The exact picture of a mesh's faces, and the bounds of the drawn picture's errors.
 
-Exact is everything from the points, s and t of the scene file and a camera in fractions: no number of
-tools/tmap/model/mesh.py comes in. The errors of corners stand in tools/tmap/ideal/mesh.py, what a polygon is off
-from its own vertices in tools/tmap/ideal/bounds.py and tools/tmap/ideal/bounds_perspective.py: this is what is between.
+Everything exact is computed from the points, s and t of the scene file and a camera in fractions;
+no number of tools/tmap/model/mesh.py is used. The errors of corners are in
+tools/tmap/ideal/mesh.py, those of a polygon against its vertices in tools/tmap/ideal/bounds.py and
+tools/tmap/ideal/bounds_perspective.py. This file connects the two.
 
-**Pixels.** Every corner of the drawn polygon stands for a place on an exact edge, and is on the screen
-within off_screen of it; an edge of it, between two of them, is off by no more than its ends are, each
-the more the nearer it is. A pixel that is drawn, or left out, against the exact face lies between an
-edge drawn and the exact one: not farther from the former than that, times sqrt(2) for x and y
-together. (Of the borders only the near plane is ever inside the frame.) Edges that are stepped are off
-by another half a unit a line.
+**Pixels.** Every corner of the drawn polygon corresponds to a place on an exact edge, and is within
+off_screen of it on the screen. An edge between two corners is off by no more than its ends, each
+weighted by its nearness. A pixel that is wrongly drawn or left out is between a drawn edge and the
+exact one: no farther from the drawn edge than that error, times sqrt(2) for x and y together. (Of
+the borders only the near plane is ever inside the frame.) Edges that are stepped are off by another
+half unit per line.
 
-**u and v.** At a pixel, with the exact u = N / Q, N and Q being u / w and 1 / w, the function A = N - u Q
-is affine over the screen and 0 at the pixel. Corner i, drawn at (x', y') with u' and w', stands for a
-place (U, W) where A is (U - u) / W. The pixel has the shares l of the three corners that the drawn
-curve runs through, so that curve is off the exact u by the sum of l ((u' - u) / w' - A(x', y')) over q,
-the sum of l / w'. With e the corner's error, f that of its u', and o the one on the screen, what is in
-brackets is at most
+**u and v.** At a pixel, with the exact u = N / Q, N and Q being u / w and 1 / w, the function
+A = N - u Q is affine over the screen and 0 at the pixel. Corner i, drawn at (x', y') with u' and
+w', corresponds to a place (U, W) where A is (U - u) / W. The pixel has the barycentric coordinates
+l in the three corners of the drawn curve. So that curve is off the exact u by the sum of
+l ((u' - u) / w' - A(x', y')) over q, the sum of l / w'. With e the corner's error, f that of its
+u', and o the one on the screen, the term in brackets is at most
 
     f / w' + (|u' - u| + f) e / (w' (w' - e)) + (|A_x| + |A_y|) o.
 
-Where the planes of 1 / w are not sure enough, polygons are drawn affine (c/perspective/perspective.h): the
-exact u and the drawn one are both in the range of the corners' then, and may be apart as far as that.
+If the planes of 1 / w are not accurate enough, polygons are drawn affine
+(c/perspective/perspective.h). Then the exact u and the drawn one are both in the range of the
+corners, and may be that far apart.
 """
 
 import math
@@ -40,7 +42,7 @@ from tmap.model import mesh as model_mesh, model
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
 from tmap.setup.texturing import Settings
 
-FLOAT = 1 + 2.0**-24  # this file's own roundings, in proportion
+FLOAT = 1 + 2.0**-24  # relative roundings in this file
 EXTRA = 24  # bits of exact texels beyond 1/65536
 
 
@@ -51,7 +53,7 @@ class Camera:
     factors: list[list]  # rows of x, y and w, by the mesh's axes
     move: list
     eye: tuple  # in the mesh
-    looks: list[list]  # rows that a normal is multiplied by for s and t of an environment, and a shade
+    looks: list[list]  # a normal times these rows is an environment's s and t, and a shade
     guard: int
     width: int
     height: int
@@ -60,13 +62,12 @@ class Camera:
 
 @dataclass
 class Verdict(bounds.Verdict):
-    """What the faces of a frame are off; ``unsure``: faces drawn affine though their depth is not the
-    same everywhere."""
+    """The errors of a frame's faces; ``unsure``: faces drawn affine though their depth varies."""
 
     faces: int = 0  # drawn
 
     def errors(self, error: np.ndarray, wanted: np.ndarray, bound: np.ndarray, what: str) -> None:
-        """Adds errors; ``wanted``: what the setting intends."""
+        """Adds errors; ``wanted``: those that the setting intends."""
         k = int(abs(error).argmax())
         self.note(abs(error[k]), abs(wanted[k]) + bound[k])
         ratio = abs(error - wanted) / bound
@@ -83,23 +84,23 @@ class Verdict(bounds.Verdict):
 
 
 def cross(p, q) -> list:
-    """The vector product."""
+    """Returns the vector product."""
     return [p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3] for k in range(3)]
 
 
 def dot(p, q):
-    """The product of two vectors."""
+    """Returns the scalar product of two vectors."""
     return sum(a * b for a, b in zip(p, q))
 
 
 class Face:
-    """A face before the camera: ``corners`` are (x, y, w, u, v, shade), fractions; ``height`` is the eye's
-    over its front, infinite where it is seen from both sides."""
+    """A face before the camera. ``corners``: (x, y, w, u, v, shade), fractions; ``height``: the
+    eye's height above its front, infinite if the face is seen from both sides."""
 
     def __init__(self, camera: Camera, corners: list[tuple], height: float) -> None:
         self.camera, self.corners, self.height = camera, corners, height
         self.lines: dict[int, list[np.ndarray]] = {}
-        #: What a ray (x / w, y / w, 1) is to be multiplied by: u / w, v / w and 1 / w.
+        #: A ray (x / w, y / w, 1) times these rows is u / w, v / w and 1 / w.
         self.rows: list[list[Fraction]] | None = None
         most = 0
         for a, b in zip(corners[1:], corners[2:]):
@@ -112,14 +113,14 @@ class Face:
                              for values in (*zip(*(p[3:5] for p in three)), (1, 1, 1))]
 
     def is_flat(self) -> bool:
-        """Whether every corner lies on the plane, u and v too."""
+        """Returns true if every corner is on the plane, with u and v."""
         return self.rows is None or all(
             dot(row, corner[:3]) == value for corner in self.corners
             for row, value in zip(self.rows, (*corner[3:5], 1)))
 
     @cached_property
     def extents(self) -> dict[int, tuple[int, int]]:
-        """{line: (first pixel, end)} of what is before the near plane, in the frame."""
+        """{line: (first pixel, end)} of the part beyond the near plane, in the frame."""
         c, found = self.camera, {}
         outline = [tuple(ONE * p for p in ideal_mesh.screen(c.guard, c.width, c.height, *v[:3]))
                    for v in ideal_mesh.clip(self.corners, c.near)]
@@ -134,13 +135,14 @@ class Face:
         return found
 
     def along(self, row: list[Fraction], line: int) -> tuple[Fraction, Fraction]:
-        """A row on a line of the screen: its value at pixel 0, what it grows by a pixel."""
+        """Returns a row on a line of the screen: its value at pixel 0 and its growth per pixel."""
         c = self.camera
         aside, down = (Fraction(part, 1 << c.guard) for part in row[:2])
         return aside * Fraction(-c.width, 2) + down * (line - Fraction(c.height, 2)) + row[2], aside
 
     def texels(self, line: int, first: int, end: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """u and v of a line's pixels in units of 1/65536, object arrays of EXTRA bits more, and 1 / w."""
+        """Returns u and v of a line's pixels in units of 1/65536 with EXTRA more fraction bits, as
+        object arrays, and 1 / w."""
         rows = [self.along(row, line) for row in self.rows]
         common = math.lcm(*(n.denominator for row in rows for n in row))
         (ua, ub), (va, vb), (qa, qb) = ([int(n * common) for n in row] for row in rows)
@@ -150,8 +152,8 @@ class Face:
         return u, v, np.array([q / common for q in near])
 
     def values(self, line: int) -> list[np.ndarray]:
-        """u and v of all pixels of a line, float64 texels; worked out once: every way to draw the
-        face asks for them."""
+        """Returns u and v of all pixels of a line, float64 texels. They are computed once, as every
+        way to draw the face needs them."""
         if line not in self.lines:
             self.lines[line] = [np.array([n / (1 << 16 + EXTRA) for n in c])
                                 for c in self.texels(line, *self.extents[line])[:2]]
@@ -159,7 +161,8 @@ class Face:
 
 
 def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) -> list[Face]:
-    """An instance's faces before the exact camera; ``longer``: side of its map, texels."""
+    """Returns an instance's faces before the exact camera; ``longer``: the longer side of its map,
+    texels."""
     mesh, made = scene.meshes[instance.mesh], []
     points = scene.points[mesh.point:mesh.point + mesh.points].tolist()
     places = [ideal_mesh.camera(camera.factors, camera.move, point) for point in points]
@@ -184,8 +187,8 @@ def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) ->
 
 
 def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[list[tuple], bool]:
-    """The model's polygon of one face in a frame, (x, y, s, t, shade, w), empty where there is none; and
-    whether a corner of the face is outside a border."""
+    """Returns the model's polygon of one face in a frame, (x, y, s, t, shade, w), empty if there is
+    none, and true if a corner of the face is outside a border."""
     mesh, first, count = scene.meshes[instance.mesh], row[4], row[5]
     corners = scene.corners[mesh.corner + first:mesh.corner + first + count].copy()
     points, normals = scene.points[mesh.point + corners[:, 0]], scene.normals[mesh.normal + corners[:, 1]]
@@ -200,7 +203,8 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
-    """Whether a pixel is as near to a drawn edge as the exact one may be; ``off``: of each vertex."""
+    """Returns true if a pixel is as near to a drawn edge as the exact edge may be; ``off``: each
+    vertex's error."""
     here = np.array(pixel, float)
     places = [np.array(v[:2], float) * UNIT for v in vertices]
     for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):
@@ -208,7 +212,7 @@ def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
         part = float(product(here - a, b - a)) / (side * side) if side else 0.0
         part = min(max(part, 0.0), 1.0)
         most = max(off_a, off_b)
-        # The exact edge's place beside this one is as far along it but for the ends' own errors.
+        # The exact edge's nearest place is equally far along it, up to the ends' errors.
         doubt = min(2 * most / (side - 2 * most), 1.0) if side > 2 * most else 1.0
         allowed = min(part * off_b + (1 - part) * off_a + doubt * abs(off_a - off_b), most)
         if length(a + part * (b - a) - here) <= math.sqrt(2) * allowed * FLOAT:
@@ -217,7 +221,7 @@ def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
 
 
 def shares(three, first: int, count: int, line: int) -> np.ndarray:
-    """[corner][pixel]: the shares of three corners in pixels of a line."""
+    """Returns the barycentric coordinates of a line's pixels in three corners: [corner][pixel]."""
     (x0, y0), (x1, y1), (x2, y2) = (v[:2] for v in three)
     whole = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
     x, y, k = (first << 16) - x0, (line << 16) - y0, np.arange(count)
@@ -228,8 +232,9 @@ def shares(three, first: int, count: int, line: int) -> np.ndarray:
 
 def curve_bound(face: Face, three, key: int, columns: np.ndarray, line: int, exact: np.ndarray,
                 errors: tuple[float, float, list[float]]) -> np.ndarray:
-    """What the curve through three drawn corners may be off the exact one, texels. ``key``: 2 for u, 3
-    for v; ``errors``: of a corner's place, of its u, and of each corner on the screen."""
+    """Returns the largest error of the curve through three drawn corners against the exact one,
+    texels. ``key``: 2 for u, 3 for v; ``errors``: of a corner's place, of its u, and of each corner
+    on the screen."""
     e, f, off = errors
     l = shares(three, int(columns[0]), len(columns), line)
     scale = 2.0**face.camera.guard
@@ -245,8 +250,8 @@ def curve_bound(face: Face, three, key: int, columns: np.ndarray, line: int, exa
 
 
 def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
-    """(key, line, columns, error, what is intended, bound, the drawn curve's values) against the curve or
-    plane of the drawn vertices; texels."""
+    """Yields (key, line, columns, error, intended error, bound, the drawn curve's values) against
+    the curve or plane of the drawn vertices; texels."""
     if polygon.perspective:
         curves = perspective.curves(adapted)
         for noun, y, columns, _, error, wanted, allowed in bounds_perspective.line_errors(adapted, polygon):
@@ -265,8 +270,8 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
 
 
 def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdict) -> None:
-    """Adds u and v of all pixels that both the exact face and the drawn one have; ``errors``: as
-    ``curve_bound`` takes them, but of all corners."""
+    """Adds u and v of all pixels that are in both the exact face and the drawn one; ``errors``:
+    those of ``curve_bound``, but of all corners."""
     order, (e, f, off) = ideal.corners(adapted), errors
     three, errors = [adapted[k] for k in order], (e, f, [off[k] for k in order])
     flattened = not polygon.perspective and len({v[4] for v in adapted}) > 1
@@ -289,7 +294,7 @@ def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdi
 
 def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[float],
                  out: Verdict) -> None:
-    """Adds the pixels that are drawn or left out against the exact face."""
+    """Adds the pixels that are wrongly drawn or left out."""
     drawn = {polygon.top + k: (line.left, line.right)
              for k, line in enumerate(polygon.lines)} if polygon else {}
     for y in drawn.keys() | face.extents.keys():
@@ -303,7 +308,7 @@ def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[
 
 
 def judge_looks(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
-    """Adds what normals made of the corners of a face that is not cut."""
+    """Adds the values that normals gave to the corners of a face that is not cut."""
     light = face.camera.looks[2]
     columns = [(2, 3, RADIUS, longer / 256), (3, 4, RADIUS, longer / 256)]
     columns = columns * bool(instance.flags & ENVIRONMENT)
@@ -317,7 +322,7 @@ def judge_looks(instance: Instance, vertices, face: Face, longer: int, out: Verd
 
 
 def judge_face(scene, instance: Instance, row: list[int], number: int, face: Face) -> Verdict:
-    """Holds one face of a frame to its bounds; ``row``: of the table of faces."""
+    """Checks one face of a frame against its bounds; ``row``: from the table of faces."""
     out, material, camera = Verdict(), scene.materials[instance.material], face.camera
     mesh = scene.meshes[instance.mesh]
     reach = float(abs(scene.points[mesh.point:mesh.point + mesh.points]).max()) / ONE
@@ -353,7 +358,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
 
 
 def judge(scene, number: int, instance: Instance, faces: list[Face]) -> Verdict:
-    """Holds all faces of an instance in a frame to their bounds."""
+    """Checks all faces of an instance in a frame against their bounds."""
     out, mesh = Verdict(), scene.meshes[instance.mesh]
     rows = scene.faces[mesh.face:mesh.face + mesh.faces].tolist()
     for k, (row, face) in enumerate(zip(rows, faces, strict=True)):
@@ -367,8 +372,8 @@ def judge(scene, number: int, instance: Instance, faces: list[Face]) -> Verdict:
 
 
 def picture(camera: Camera, faces: list[Face], colour) -> np.ndarray:
-    """int16 (height, width): what faces exactly show, at each pixel the nearest one, -1 beside them;
-    ``colour``: of arrays of whole texels u and v."""
+    """Returns the exact picture of faces, int16 (height, width): the nearest face at each pixel, -1
+    where there is none. ``colour``: the function from arrays of whole texels u and v to colours."""
     frame = np.full((camera.height, camera.width), -1, np.int16)
     nearest = np.zeros(frame.shape)
     for face in faces:

@@ -1,12 +1,12 @@
-"""What the texture unit is meant to draw: exact perspective, unquantised filters, true levels.
+"""The ideal of Glide's texture unit: exact perspective, unquantised filters, true levels.
 
-s and t are quotients of two planes over the screen, so which texel a pixel lies in is decided in
+s and t are quotients of two planes over the screen, so the texel of a pixel is decided in
 integers; fractions, levels and colours are float64. A fraction is a quotient rounded once, and
-colours change by 255 a texel at most, so that one filtered is off by less than 2^-40. A level is
-the logarithm of two rounded quotients' length, below 64 in size and off by less than 2^-45, of
-which colours between two levels change by 255 times as much: less than 2^-36 altogether. What a
-unit draws is then off for its own reasons: weights of 4 or 8 bits, a level whose w does not
-change inside a pixel, sums and products cut to 8 bits.
+colours change by 255 per texel at most, so that a filtered colour is off by less than 2^-40. A
+level is the logarithm of two rounded quotients' length, below 64 in size and off by less than
+2^-45. Colours between two levels change by 255 times that: less than 2^-36 in all. The unit's
+remaining errors are its own: weights of 4 or 8 bits, a level whose w does not change inside a
+pixel, sums and products cut to 8 bits.
 """
 
 from typing import NamedTuple
@@ -51,7 +51,7 @@ class Surface:
             raise UserError("ideal: the polygon has no area")
 
     def terms(self, x: np.ndarray, y: np.ndarray) -> list[np.ndarray]:
-        """s/w, t/w and 1/w at pixels [n] in the same proportion to their units, objects."""
+        """Returns s/w, t/w and 1/w at pixels [n], all scaled by the same factor, as objects."""
         found = []
         for plane in (*self.over, self.inverse):
             rise = (np.asarray(x).astype(object) * ONE - plane.x0) * plane.nx
@@ -62,7 +62,7 @@ class Surface:
         return found
 
     def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
-        """s and t at pixels [n], in units of which the longer side has 256, exact."""
+        """Returns s and t at pixels [n], in units of 1/256 of the longer side, exact."""
         *overs, inverse = self.terms(x, y)
         found = []
         for over in overs:
@@ -72,8 +72,9 @@ class Surface:
         return tuple(found)
 
     def level(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """The true level of detail at pixels [n]: of the longer one of how far s and t go to the
-        right and down, from their derivatives there. Minus infinity where they stand still."""
+        """Returns the true level of detail at pixels [n]: of the longer of the vectors by which
+        (s, t) changes to the right and down, from the derivatives there. Minus infinity where s and
+        t are constant."""
         *overs, inverse = self.terms(x, y)
         lengths = []
         for name in ("nx", "ny"):
@@ -87,15 +88,15 @@ class Surface:
 
 
 def limited(modes: Modes, level: np.ndarray) -> np.ndarray:
-    """A level with its bias, within the limits."""
+    """Adds the bias to a level and clamps it to the limits."""
     most = min(modes.lod_max / 4, LAST_LEVEL)
     return np.minimum(np.maximum(level + modes.lod_bias / 4, modes.lod_min / 4), most)
 
 
 def sample_level(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray,
                  linear: bool) -> np.ndarray:
-    """Colours [n, 4], float64 0..255, of whole levels [n]; ``linear``: weighed by exact fractions
-    between texels' centres, else the texel in which a pixel lies."""
+    """Returns colours [n, 4], float64 0..255, of whole levels [n]; ``linear``: weighted by exact
+    fractions between texels' centres, else the texel that contains the pixel."""
     modes, level = unit.modes, np.broadcast_to(level, s.index.shape)
     if not all(owns(modes, n) for n in np.unique(level)):
         raise UserError("ideal: the map lacks a level")
@@ -120,10 +121,10 @@ def sample_level(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray,
 
 def sample(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray, how: str,
            other_levels: Unit | None = None) -> np.ndarray:
-    """Colours [n, 4], float64 0..255, at levels [n] within 0..8; ``how``: one of FILTERS.
+    """Returns colours [n, 4], float64 0..255, at levels [n] within 0..8; ``how``: one of FILTERS.
 
-    Point and bilinear samples are of the level below, as the unit takes them; trilinear ones lie
-    between that and the next. ``other_levels``: the unit that has what this one's map lacks.
+    Point and bilinear samples are of the level rounded down, as in the unit; trilinear ones are
+    between that and the next. ``other_levels``: the unit with the levels that this one's map lacks.
     """
     if how not in FILTERS:
         raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
@@ -146,8 +147,8 @@ def sample(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray, how: str
 
 def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
            local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """What a half of the combine unit multiplies by, 0..1: colours count of 255, levels and
-    detail as they are."""
+    """Returns the factor of a half of the combine unit, 0..1: colours are divided by 255, levels
+    and detail are used unchanged."""
     near = np.maximum(modes.detail_bias - level, 0) * 2.0 ** modes.detail_scale / 256
     choice = {LOCAL: own / 255, OTHER_ALPHA: other[:, ALPHA:] / 255,
               LOCAL_ALPHA: local[:, ALPHA:] / 255, LOD_FRACTION: (level % 1)[:, None],
@@ -158,8 +159,8 @@ def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
 
 
 def combined(modes: Modes, level: np.ndarray, local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Colours [n, 4], 0..255, that are meant to leave the unit. ``level``: [n]; ``local``,
-    ``other``: [n, 4]."""
+    """Returns the unit's ideal output colours [n, 4], 0..255. ``level``: [n]; ``local``, ``other``:
+    [n, 4]."""
     parts = []
     for half, channels in ((modes.rgb, slice(0, ALPHA)), (modes.alpha, slice(ALPHA, 4))):
         own, alpha = local[:, channels], local[:, ALPHA:]

@@ -1,35 +1,36 @@
-"""The exact rational ideal of a polygon, and what the renderer may be off from it.
+"""The exact rational ideal of a polygon, and the bounds of the renderer's errors against it.
 
 Nothing here is rounded: edges are intersected and the texture plane is evaluated in
 integers over one common denominator. It shares no arithmetic with tools/tmap/model/model.py.
 
 A pixel (i, j) is inside when ceil(left) <= i < ceil(right) and ceil(top) <= j <
 ceil(bottom), left and right being the polygon's exact extent on line j. The texture
-plane runs through the top vertex, the bottom vertex and the vertex farthest from the
-line between them (three vertices do for a polygon whose texture is planar; others are
-judged as their triangles, see tools/tmap/ideal/planarity.py).
+plane passes through the top vertex, the bottom vertex and the vertex farthest from the
+line between them (three vertices are enough for a polygon whose texture is planar; others
+are judged as their triangles, see tools/tmap/ideal/planarity.py).
 
-The bounds are derived, in pixels and texels, with 1 unit = 1/2^16:
+The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
 
 * Edge, n lines below its first in the frame: its x starts at the nearest unit (1/2) and
   steps by a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
-* Plane gradient g: the divisor keeps 32 bits (cut: |g| / 2^31), the numerator loses as
-  many (1 in a divisor of 2^31 or more: 2/2^32 texels a pixel), the quotient is cut to
+* Plane gradient g: the divisor is cut to 32 bits (|g| / 2^31), the numerator by as many bits
+  (1 in a divisor of 2^31 or more: 2/2^32 texels per pixel), the quotient is cut to
   1/2^32: e(g) = |g| / 2^31 + 3/2^32.
-* Step: the gradient rounded to a multiple of 1/2^16 texel, or of as many units as the spans do not
-  keep: 2 for u where its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
-  for levels of light. That is d(g) = |g - the nearest one| + 2 e(g) a pixel, by e(g) or 2 e(g) of
-  which the other of two equally near ones may be taken.
-* Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each rounded
-  to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
-* So at pixel (i, j), before u is raised: that of the reference, and |i - i_ref| steps in x and
+* Step: the gradient rounded to a multiple of 1/2^16 texel, or of more units if the spans drop low
+  bits: 2 for u if its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
+  for levels of light. The error is d(g) = |g - the nearest one| + 2 e(g) per pixel: by e(g) or
+  2 e(g), the other of two almost equally near ones may be chosen.
+* Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each
+  rounded to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
+* So at pixel (i, j), before u is raised: the error of the reference, and |i - i_ref| steps in x and
   |j - j_ref| steps in y.
-* u is raised by what these are at most anywhere in the box: with w and h the ways from the reference
-  to the box's sides and a = |x| + |y| + w + h + 2, by w d(gx) + h d(gy) + 3/2^16 + (|gx| + |gy| + 5) a
-  2/2^32 at most, then to a multiple: by less than that, and by 1/2^16 where the free bit is set.
+* u is raised by the largest such error anywhere in the box. With w and h the ways from the
+  reference to the box's sides and a = |x| + |y| + w + h + 2, that is w d(gx) + h d(gy) + 3/2^16 +
+  (|gx| + |gy| + 5) a 2/2^32 at most. Then u is raised to a multiple: by less than that multiple,
+  and by 1/2^16 if the free bit is set.
 
-So a drawn value is never below the exact one, and above it by the sum of the last two points at most.
-Where a gradient is 2^30 texels a pixel or more it may be below as well.
+So a drawn value is never below the exact one, and above it by the sum of the last two points at
+most. If a gradient is 2^30 texels per pixel or more it may be below as well.
 """
 
 from collections.abc import Callable, Iterator
@@ -48,7 +49,7 @@ UNIT = 1 / 65536
 
 @dataclass
 class Deviation:
-    """The worst found over some polygons, each as error / bound, and in its own unit."""
+    """The largest errors over some polygons, each in its own unit and as error / bound."""
 
     edge: float = 0.0  # pixels
     edge_ratio: float = 0.0
@@ -68,7 +69,7 @@ class Deviation:
 
 
 def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
-    """Exact left and right x on a line, each as (numerator, denominator > 0), 16.16."""
+    """Returns the exact left and right x on a line, each as (numerator, denominator > 0), 16.16."""
     y = line << 16
     found = []
     for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
@@ -91,20 +92,20 @@ def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
 
 @lru_cache(64)
 def extents_of(outline: tuple) -> Callable:
-    """``extent`` of the lines of an outline, each worked out once: its drawings by other settings
-    ask again."""
+    """Returns ``extent`` for the lines of an outline. Each line is computed once, as drawings with
+    other settings need it again."""
     return cache(partial(extent, outline))
 
 
 def extents(vertices) -> Callable:
-    """``extent`` of a line, of these vertices."""
+    """Returns the function ``extent`` of a line, for these vertices."""
     return extents_of(tuple(tuple(v[:2]) for v in vertices))
 
 
 @dataclass(frozen=True)
 class Crossing:
     """An edge where it crosses a line: its ends (x, y, ...), the line, and the exact x as
-    numerator / denominator; all 16.16 but the line."""
+    numerator / denominator; all 16.16 except the line."""
 
     upper: tuple
     lower: tuple
@@ -118,15 +119,15 @@ class Crossing:
         return -(-self.numerator // (self.denominator << 16))
 
     def distance(self, column: int) -> Fraction:
-        """From a pixel's centre to the edge, along the line; units."""
+        """Returns the distance from a pixel's centre to the edge, along the line; units."""
         return abs(Fraction(self.numerator, self.denominator) - (column << 16))
 
     def slack(self, settings: Settings, width: int, height: int) -> Fraction:
-        """How far from here the renderer's edge may be: (n + 1) / 2 units where it is
-        stepped, and what cutting vertices moves. A cut at a border of the frame's columns
-        moves a vertex by half a unit down or up, so the edge by half a slope along the
-        line; a cut at one of its lines by half a unit along the line. Later cuts start
-        from the moved edge: the ways add up."""
+        """Returns how far from here the renderer's edge may be: (n + 1) / 2 units if it is
+        stepped, and the moves by cutting vertices. A cut at the frame's left or right border
+        moves a vertex by half a unit down or up, and so the edge by half a slope along the
+        line. A cut at its top or bottom moves it by half a unit along the line. Later cuts
+        start from the moved edge, so the moves add up."""
         slack = Fraction(0)
         if settings.edges != "exact":
             slack += Fraction(self.line - max(-(-self.upper[1] // 65536), 0) + 1, 2)
@@ -138,13 +139,14 @@ class Crossing:
         return slack
 
     def near(self, column: int, settings: Settings, width: int, height: int) -> bool:
-        """Whether the renderer's edge may have a pixel on the other side than this one has."""
+        """Returns true if a pixel may be on the other side of the renderer's edge than of this
+        one."""
         slack = self.slack(settings, width, height)
         return slack > 0 and self.distance(column) <= slack
 
 
 def crossings(vertices, line: int) -> list[Crossing]:
-    """The edges of a polygon, convex or not, that cross a line: an edge's lines are those
+    """Returns the edges of a polygon, convex or not, that cross a line. An edge's lines are those
     at or below its upper vertex and above its lower one."""
     found = []
     for a, b in zip(vertices, [*vertices[1:], vertices[0]]):
@@ -157,7 +159,7 @@ def crossings(vertices, line: int) -> list[Crossing]:
 
 
 def coverage(outline, width: int, height: int) -> np.ndarray:
-    """How often each pixel of a frame lies in a polygon, convex or not: int, [y][x]."""
+    """Returns how often a polygon, convex or not, covers each pixel of a frame: int, [y][x]."""
     counts = np.zeros((height, width + 1), int)
     ys = [v[1] for v in outline]
     for y in range(max(-(-min(ys) // 65536), 0), min(-(-max(ys) // 65536), height)):
@@ -169,7 +171,7 @@ def coverage(outline, width: int, height: int) -> np.ndarray:
 
 
 def corners(vertices) -> tuple[int, int, int]:
-    """Top, bottom and the vertex farthest from the line between them, as indices."""
+    """Returns top, bottom and the vertex farthest from the line between them, as indices."""
     order = sorted(range(len(vertices)), key=lambda k: (vertices[k][1], vertices[k][0]))
     top = order[0]
     lowest = vertices[order[-1]][1]
@@ -194,17 +196,18 @@ class Plane:
         self.x0, self.y0, self.value0 = x0, y0, values[0]
 
     def at(self, x: int, y: int) -> Fraction:
-        """The exact value at a point; all in units."""
+        """Returns the exact value at a point; all in units."""
         return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
 
     def texels(self, first: int, end: int, j: int) -> list[int]:
-        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels rounded down."""
+        """Returns the exact value at pixels ``first`` to ``end`` - 1 of line j, in whole texels,
+        rounded down."""
         rise = self.nx * ((first << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
         start = self.value0 * self.d + rise
         return [(start + k * (self.nx << 16)) // (self.d << 16) for k in range(end - first)]
 
     def error(self, found: int, i: int, j: int) -> float:
-        """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""
+        """Returns found (16.16 modulo 2^32) minus the exact value at pixel (i, j), in texels."""
         rise = self.nx * ((i << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
         error = ((found - self.value0) * self.d - rise) % (abs(self.d) << 32)
         if error >= abs(self.d) << 31:
@@ -212,8 +215,8 @@ class Plane:
         return error / self.d * UNIT
 
     def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
-        """``error`` of the pixels ``columns`` of line j, next to each other; the first is
-        exact, the others are rounded to some 1/2^30 texel."""
+        """Returns ``error`` for adjacent pixels ``columns`` of line j; the first is exact, the
+        others are rounded to some 1/2^30 texel."""
         moved = (found - found[0] + (1 << 31)) % (1 << 32) - (1 << 31)
         exact = (columns - columns[0]) * (self.nx / self.d)
         error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
@@ -221,11 +224,12 @@ class Plane:
 
     @staticmethod
     def cut(gradient: float) -> float:
-        """e(g): how far a gradient may be off before it is rounded to a step."""
+        """Returns e(g), a gradient's largest error before it is rounded to a step."""
         return abs(gradient) / 2**31 + 3 / 2**32
 
     def rounding(self, cut: int) -> list[float]:
-        """What steps to a pixel and a line are off at most, in texels; ``cut``: low bits that are 0."""
+        """Returns the largest errors of the steps per pixel and per line, in texels; ``cut``: low
+        bits that are 0."""
         whole, found = abs(self.d) << cut, []
         for n in (self.nx, self.ny):
             rest = (n << 16) % whole
@@ -233,7 +237,8 @@ class Plane:
         return found
 
     def raised(self, t: model.Texturing, cut: int) -> float:
-        """What a set-up raises the values by at most, in texels; ``cut``: low bits that are 0."""
+        """Returns the most by which set-up raises the values, in texels; ``cut``: low bits that are
+        0."""
         ways = t.i - t.box[0], t.j - t.box[1]
         away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
@@ -241,19 +246,19 @@ class Plane:
         return steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
 
     def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
-        """How far above the exact value a set-up's may be at pixel (i, j), in texels."""
+        """Returns how far set-up's value may be above the exact one at pixel (i, j), in texels."""
         ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
         away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
         right, down = self.rounding(cut)
         return self.raised(t, cut) + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
 
     def below(self) -> bool:
-        """Whether a set-up's value may be below the exact one as well."""
+        """Returns true if set-up's value may be below the exact one as well."""
         return max(abs(self.nx), abs(self.ny)) >= abs(self.d) << 30
 
 
 class Picture:
-    """What a convex polygon should be in a frame: extents {line: (first pixel, end)}, how many
+    """The ideal of a convex polygon in a frame: extents {line: (first pixel, end)}, the count of
     pixels, and the planes of u and v."""
 
     def __init__(self, vertices, width: int, height: int) -> None:
@@ -266,12 +271,12 @@ class Picture:
         self.pixels = sum(end - first for first, end in self.extents.values())
         three = [vertices[k] for k in corners(vertices)]
         self.planes = [Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
-        self.endless = True  # planes go on beyond the polygon
+        self.endless = True  # planes continue beyond the polygon
 
 
 def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:
-    """(first pixel, line, error, bound) of every edge on every line, in pixels. For stepped
-    edges: exact ones have no error."""
+    """Yields (first pixel, line, error, bound) of every edge on every line, in pixels. Only for
+    stepped edges: exact ones have no error."""
     exact = extents(vertices)
     for side, edges in enumerate((polygon.left_edges, polygon.right_edges)):
         for edge in edges:
@@ -282,9 +287,9 @@ def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, f
 
 
 def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, float, float]]:
-    """(coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
-    line, in texels; none may be below 0. Along a line both are linear, so the ends show the
-    worst."""
+    """Yields (coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
+    line, in texels; no error may be below 0. Along a line both are linear, so the ends have the
+    largest errors."""
     plane = polygon.texturing
     three = [vertices[k] for k in corners(vertices)]
     points = [v[:2] for v in three]
@@ -299,7 +304,8 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
 
 
 def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
-    """Pixels of the polygon's lines that are lit or left out against the ideal."""
+    """Returns the count of pixels of the polygon's lines that are lit or left out against the
+    ideal."""
     wrong, exact = 0, extents(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
         left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in exact(y))
@@ -309,7 +315,7 @@ def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
 
 
 def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
-    """How far a set-up polygon (the model's) is from the ideal."""
+    """Returns the errors of a set-up polygon (the model's) against the ideal."""
     out = Deviation(coverage_errors=coverage_errors(vertices, polygon, width),
                     pixels=polygon.pixels)
     if not polygon.left_edges[0].exact:

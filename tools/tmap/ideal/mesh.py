@@ -1,10 +1,10 @@
-"""The exact ideal of points before a camera, and how far the renderer may be off it.
+"""The exact ideal of points before a camera, and the bounds of the renderer's errors against it.
 
-It begins with the points as the scene file has them and with the camera's numbers before
-they were rounded to the file's formats.
+It starts from the scene file's points and from the camera's numbers before they are rounded to
+the file's formats.
 
 A view's factors f (at most 1) are off by 2^-31, the points p (at most ``reach``) are exact and
-the moves off by 2^-17; the sum is rounded once. So x, y and w are off by
+the moves are off by 2^-17; the sum is rounded once. So x, y and w are off by
 
     camera_error = 3 reach 2^-31 + 2^-17 + 2^-17.
 
@@ -19,23 +19,22 @@ and the sum is cut to 2^-16. By Cauchy and Schwarz a sum of three such products 
 
     look_error = sqrt(3) (radius 2^-15 + 2^-8 (1 + sqrt(3) 2^-15)) + 2^-16.
 
-A face is seen from the front where n e > d: its normal n is off by 2^-31 each, the eye e by 2^-17
+A face is seen from the front if n e > d: its normal n is off by 2^-31 each, the eye e by 2^-17
 each, d by 2^-17, and the sum of products is cut to 2^-16. A corner is at most the sum of the eye's
 coordinates and 3 reach from the eye, so the eye's height over the face is off by
 
-    seen_error = (|e_x| + |e_y| + |e_z| + 3 reach) 2^-31 + (sqrt(3) + 3) 2^-17,
+    seen_error = (|e_x| + |e_y| + |e_z| + 3 reach) 2^-31 + (sqrt(3) + 3) 2^-17.
 
-and nearer to its plane than that a face may be seen or not.
+If the eye is nearer to the face's plane than that, the face may be seen or not.
 
-A border cuts an edge where both ends' own numbers say: at a place on the edge between two points that
-are each near the exact ones. So the new corner is as near as they are to a place on the exact edge,
-but that its numbers are rounded, by half a unit. There are five borders: a corner, x, y and w, is
-within
+A border cuts an edge at a place computed from both ends, each of which is near the exact point. So
+the new corner is as near to a place on the exact edge as the ends are to theirs, plus the rounding
+of its numbers by half a unit. There are five borders: x, y and w of a corner are within
 
     corner_error = camera_error + 5/2^17
 
-of a place on the exact edge, its s and t within 5/2^17 of those there; camera_error and exact where
-nothing is cut.
+of a place on the exact edge, its s and t within 5/2^17 of those there. If nothing is cut, x, y and
+w are within camera_error, and s and t are exact.
 """
 
 import math
@@ -43,42 +42,44 @@ from fractions import Fraction
 
 from tmap.base.fixed import ONE
 
-CUT = 5 * 2.0 ** -17  # what cutting at all borders adds to a corner's numbers
+CUT = 5 * 2.0 ** -17  # error that cutting at all borders adds to a corner's numbers
 
 
 def camera_error(reach: float) -> float:
-    """x, y and w of a point before the camera, units."""
+    """Returns the error of x, y and w of a point before the camera, units."""
     return 3 * reach * 2.0 ** -31 + 2.0 ** -16
 
 
 def screen_error(guard: int, w: float, reach: float) -> float:
-    """x and y on the screen of a point inside the borders, pixels; ``w``: the exact depth."""
+    """Returns the error of x and y on the screen of a point inside the borders, pixels; ``w``: the
+    exact depth."""
     return off_screen(guard, w, camera_error(reach))
 
 
 def off_screen(guard: int, w: float, error: float) -> float:
-    """The same, of a point whose x, y and w are within ``error``."""
+    """Returns the same error for a point whose x, y and w are within ``error``."""
     return math.inf if w <= error else 2.0 ** (guard + 1) * error / (w - error) + 2.0 ** -17
 
 
 def look_error(radius: float) -> float:
-    """s and t of an environment, or a shade, before it is limited."""
+    """Returns the error of s and t of an environment, or of a shade, before it is clamped."""
     return math.sqrt(3) * (radius * 2.0 ** -15 + 2.0 ** -8 * (1 + math.sqrt(3) * 2.0 ** -15)) \
         + 2.0 ** -16
 
 
 def seen_error(eye, reach: float) -> float:
-    """How far the eye may be from a face's plane where it is not certain whether it is seen."""
+    """Returns the largest distance of the eye from a face's plane at which the face may be seen or
+    not."""
     return (sum(abs(float(c)) for c in eye) + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
 
 
 def corner_error(reach: float, is_cut: bool) -> float:
-    """x, y and w of a polygon's corner before the camera, units."""
+    """Returns the error of x, y and w of a polygon's corner before the camera, units."""
     return camera_error(reach) + CUT * is_cut
 
 
 def camera(factors, move, point) -> tuple[Fraction, Fraction, Fraction]:
-    """The exact x, y, w: rows of factors and the move as numbers, the point in 16.16."""
+    """Returns the exact x, y, w: rows of factors and the move as numbers, the point in 16.16."""
     place = [Fraction(p, ONE) for p in point]
     return tuple(sum(Fraction(f) * p for f, p in zip(row, place)) + Fraction(m)
                  for row, m in zip(factors, move))
@@ -86,13 +87,13 @@ def camera(factors, move, point) -> tuple[Fraction, Fraction, Fraction]:
 
 def screen(guard: int, width: int, height: int, x: Fraction, y: Fraction,
            w: Fraction) -> tuple[Fraction, Fraction]:
-    """Where an exact point before the camera is on the screen, pixels."""
+    """Projects an exact point before the camera to the screen, pixels."""
     return (Fraction(width, 2) + 2 ** guard * x / w, Fraction(height, 2) + 2 ** guard * y / w)
 
 
 def clip(vertices, near: Fraction) -> list[tuple]:
-    """The exact part of a polygon inside all borders; a vertex begins with x, y, w, and what
-    follows is cut with them."""
+    """Returns the exact part of a polygon inside all borders; a vertex begins with x, y, w, and its
+    other values are cut with them."""
     def depths(v):
         return v[2] - near, v[2] + v[0], v[2] - v[0], v[2] + v[1], v[2] - v[1]
 

@@ -1,9 +1,9 @@
-"""What the texture unit is meant to draw: exact perspective and filters with exact fractions.
+"""The ideal of the N64's texture engine: exact perspective and filters with exact fractions.
 
-Coordinates are quotients of two planes over the screen (tmap.ideal.perspective), so which
-texel a pixel lies in, and in which triangle of four, is decided in integers; colours are float64.
-The colour a mode draws is then off from this for the hardware's reasons: coordinates of 5
-fraction bits, the reciprocal's table, colours of 8 bits.
+Coordinates are quotients of two planes over the screen (tmap.ideal.perspective), so the texel of a
+pixel, and the triangle between four texels, are decided in integers; colours are float64. The
+remaining errors of a mode's colours are the hardware's: coordinates of 5 fraction bits, the
+reciprocal's table, colours of 8 bits.
 """
 
 from typing import NamedTuple
@@ -33,7 +33,7 @@ class Surface:
         self.curves = [Curve(points, [v[k] for v in three], depths) for k in (2, 3)]
 
     def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
-        """s and t in texels at pixels [n], exact."""
+        """Returns s and t in texels at pixels [n], exact."""
         found = []
         for curve in self.curves:
             over, inverse = curve.terms(*(np.asarray(c).astype(object) * ONE for c in (x, y)))
@@ -46,8 +46,8 @@ class Surface:
         return tuple(found)
 
     def distance(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """Texels to the next pixel right or below along s or t, the most of the four, float64:
-        what the level of detail is meant to be taken from."""
+        """Returns the texels to the next pixel right or below along s or t, the largest of the
+        four, float64: the ideal source of the level of detail."""
         here, most = self.at(x, y), np.zeros(np.shape(x))
         for there in (self.at(x + 1, y), self.at(x, y + 1)):
             for a, b in zip(here, there):
@@ -57,7 +57,7 @@ class Surface:
 
 
 def placed(axis: Axis, c: Coordinate) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(texel, neighbour, fraction) of a coordinate on a tile's axis: [n] each."""
+    """Returns (texel, neighbour, fraction) of a coordinate on a tile's axis: [n] each."""
     c = scaled(c, axis.shift)
     whole, quarter = divmod(axis.low, 4)
     moved = c.fraction - quarter / 4
@@ -72,7 +72,7 @@ def placed(axis: Axis, c: Coordinate) -> tuple[np.ndarray, np.ndarray, np.ndarra
 
 
 def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
-    """An index within a tile's mask."""
+    """Wraps an index to a tile's mask."""
     if not axis.mask:
         return index
     period = 1 << min(axis.mask, 10)
@@ -83,17 +83,17 @@ def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
 
 
 def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle that
-    holds the pixel."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle
+    that contains the pixel."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
                     c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
 
 
 def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) -> np.ndarray:
-    """Colours [n, 4], float64 0..255, of tile ``number``; ``how``: one of FILTERS. Of a YUV tile
-    U, V (signed), Y, Y, before the last pair of texels: a pair shares its chroma, which is
-    filtered from pair to pair."""
+    """Returns colours [n, 4], float64 0..255, of tile ``number``; ``how``: one of FILTERS. Those of
+    a YUV tile are U, V (signed), Y, Y, valid before the last pair of texels: a pair shares its
+    chroma, which is filtered from pair to pair."""
     if how not in FILTERS:
         raise UserError(f"ideal: filter {how!r} is none of {', '.join(FILTERS)}")
     tile = state.tiles[number & 7]
@@ -110,15 +110,16 @@ def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) ->
 
 
 def converted(k: list[int], texel: np.ndarray) -> np.ndarray:
-    """R, G, B, Y of U, V, Y, any: [n, 4]; ``k``: K0.. as the convert word has them."""
+    """Converts U, V, Y and an unused value to R, G, B, Y: [n, 4]; ``k``: K0.. as in the convert
+    word."""
     u, v, y = (texel[:, n] for n in range(3))
     k0, k1, k2, k3 = ((2 * c + 1) / 256 for c in k[:4])
     return np.stack([y + k0 * v, y + k1 * u + k2 * v, y + k3 * u, y], -1)
 
 
 class Texels(NamedTuple):
-    """What the combiner has of pixels: two colours [n, 4] and how far the level of detail is from
-    the first to the second [n]; below 0 the first is sharpened."""
+    """The combiner's inputs for pixels: two colours [n, 4], and the level of detail's fraction from
+    the first to the second [n]; if it is below 0, the first is sharpened."""
 
     texel0: np.ndarray
     texel1: np.ndarray
@@ -126,10 +127,10 @@ class Texels(NamedTuple):
 
 
 def pairs(state: State, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Tiles from the first on and the fraction between them, [n] each, of distances to the next
-    pixel. With n whole doublings it is levels n and n + 1 in the ratio of the rest. Nearer than a
-    texel a pixel it is the first level alone; with detail, the detail tile before it and the first
-    level; with sharpening, the first level and the second, the fraction below 0."""
+    """Returns two tiles, counted from the first, and the fraction between them, [n] each, from
+    distances to the next pixel. n whole doublings give levels n and n + 1 in the ratio of the rest.
+    Below one texel per pixel it is only the first level; with detail, the detail tile before it and
+    the first level; with sharpening, the first level and the second, the fraction below 0."""
     modes, near = state.modes, distance < 1
     lod = np.maximum(distance, 1)
     level = np.minimum(np.frexp(lod)[1] - 1, state.max_level)  # whole doublings, exactly
@@ -144,7 +145,7 @@ def pairs(state: State, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray, n
 
 
 def texels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> Texels:
-    """What the combiner has at pixels [n]; ``how``: one of FILTERS."""
+    """Returns the combiner's inputs at pixels [n]; ``how``: one of FILTERS."""
     s, t = surface.at(x, y)
     zero = np.zeros(np.size(x), np.int64)
     first, second, fraction = zero, zero + 1, zero * 1.0
@@ -164,14 +165,14 @@ def texels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: st
 
 
 def levels(state: State, surface: Surface, x: np.ndarray, y: np.ndarray, how: str) -> np.ndarray:
-    """Colours [n, 4] between two levels of the state's tiles, from its first on."""
+    """Returns colours [n, 4] between two levels of the state's tiles, counted from its first."""
     near, far, rest = texels(state, surface, x, y, how)
     return near + rest[:, None] * (far - near)
 
 
 def combined(state: State, found: Texels, shade: np.ndarray) -> np.ndarray:
-    """Colours [n, 4], 0..255, that the combiner is meant to make: as factors colours are of 255,
-    fractions and K5 of 256. ``shade``: [n, 4]."""
+    """Returns the combiner's ideal colours [n, 4], 0..255. As factors, colours are divided by 255,
+    fractions and K5 by 256. ``shade``: [n, 4]."""
     result = np.zeros_like(found.texel0)
     two = state.modes.cycle == TWO_CYCLES
     for cycle in range(1 - two, 2):

@@ -1,24 +1,24 @@
-"""The exact rational ideal of a polygon with depth, and what affine pieces are off from it.
+"""The exact rational ideal of a polygon with depth, and the errors of affine pieces against it.
 
-Vertices are (x, y, u, v, w), 16.16: as ``model.adapt`` gives them, and the depth. 1/w, u/w
-and v/w are planes over the screen, through the three corners that tools/tmap/ideal/ideal.py takes.
-With w_k the corners' depths and p_k = w_0 w_1 w_2 / w_k, less what all three have in
-common, u is one plane over another, N / Q:
+Vertices are (x, y, u, v, w), 16.16: those of ``model.adapt``, and the depth. 1/w, u/w and v/w are
+planes over the screen, through the three corners that tools/tmap/ideal/ideal.py chooses. With w_k
+the corners' depths and p_k = w_0 w_1 w_2 / w_k, divided by their greatest common divisor, u is one
+plane over another, N / Q:
 
     u = (plane through u_k p_k) / (plane through p_k)
 
 Both planes have the same divisor, which cancels: N and Q are integers wherever x and y are.
-Where w is the same everywhere, Q is constant and u is tools/tmap/ideal/ideal.py's plane. u is defined
-in front of the viewer, where Q > 0: so in all of the polygon where w is positive at its
-vertices, and beyond its edges up to the horizon.
+If w is the same everywhere, Q is constant and u is tools/tmap/ideal/ideal.py's plane. u is defined
+in front of the viewer, where Q > 0: in the whole polygon if w is positive at its vertices, and
+beyond its edges up to the horizon.
 
-**A line.** N = a + b i and Q = c + d i, so u = b/d + (a - b c/d) / Q: with Q grown without
-end, towards the viewer, u tends to b/d, the vanishing value, on every line the same.
+**A line.** N = a + b i and Q = c + d i, so u = b/d + (a - b c/d) / Q. As Q grows without limit,
+towards the viewer, u tends to b/d, the vanishing value, which is the same on every line.
 
 **Affine pieces.** A piece of n pixels is exact at both its ends, u_0 with Q_0 and u_1 with Q_1,
 and on the chord between them. At k pixels, with t = k/n, the curve is
 (u_0 Q_0 (1 - t) + u_1 Q_1 t) / (Q_0 (1 - t) + Q_1 t), the chord u_0 (1 - t) + u_1 t, and the
-first less the second
+curve minus the chord
 
     (u_1 - u_0) (Q_1 - Q_0) t (1 - t) / (Q_0 (1 - t) + Q_1 t).
 
@@ -39,7 +39,7 @@ from tmap.ideal.ideal import UNIT, Plane
 
 
 class Curve:
-    """One coordinate over the screen, exact: (x, y) of three points, its values there, and
+    """One exact coordinate over the screen, from (x, y) of three points, its values there, and
     their depths, all in units; depths above 0."""
 
     def __init__(self, points, values, depths) -> None:
@@ -51,50 +51,51 @@ class Curve:
         self.sign = -1 if self.inverse.d < 0 else 1
 
     def term(self, plane: Plane, x: int, y: int) -> int:
-        """N or Q at a point, by its plane."""
+        """Returns N or Q at a point, from its plane."""
         rise = plane.nx * (x - plane.x0) + plane.ny * (y - plane.y0)
         return self.sign * (plane.value0 * plane.d + rise)
 
     def terms(self, x: int, y: int) -> tuple[int, int]:
-        """N and Q at a point: the value is N / Q in units, Q in proportion to 1/w."""
+        """Returns N and Q at a point: the value is N / Q in units, Q is proportional to 1/w."""
         return self.term(self.over, x, y), self.term(self.inverse, x, y)
 
     def at(self, x: int, y: int) -> Fraction:
-        """The exact value at a point; all in units."""
+        """Returns the exact value at a point; all in units."""
         return Fraction(*self.terms(x, y))
 
     def texels(self, first: int, end: int, j: int) -> list[int]:
-        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels rounded down."""
+        """Returns the exact value at pixels ``first`` to ``end`` - 1 of line j, in whole texels,
+        rounded down."""
         n, q = self.terms(first << 16, j << 16)
         dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
         return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
 
     def slope(self, i: int, j: int) -> Fraction:
-        """How fast the value grows along line j at pixel i, exact; texels a pixel."""
+        """Returns the exact growth of the value along line j at pixel i; texels per pixel."""
         n, q = self.terms(i << 16, j << 16)
         return Fraction(self.sign * (self.over.nx * q - self.inverse.nx * n), q * q)
 
     def vanishing(self) -> Fraction | None:
-        """What the value tends to along a line, towards the viewer, in units; None: depth does
+        """Returns the value's limit along a line, towards the viewer, in units; None if depth does
         not change along lines."""
         return Fraction(self.over.nx, self.inverse.nx) if self.inverse.nx else None
 
     def ratio(self, first: int, last: int, j: int) -> Fraction:
-        """How many times deeper one end of a line's pixels is than the other: 1 or more."""
+        """Returns the ratio of the depths at both ends of a line's pixels: 1 or more."""
         ends = [self.term(self.inverse, i << 16, j << 16) for i in (first, last)]
         return Fraction(max(ends), min(ends))
 
     def error(self, found: int, i: int, j: int) -> float:
-        """found (16.16 modulo 2^32) less the exact value at pixel (i, j), in texels."""
+        """Returns found (16.16 modulo 2^32) minus the exact value at pixel (i, j), in texels."""
         n, q = self.terms(i << 16, j << 16)
         error = (found * q - n) % (q << 32)
         return (error - (q << 32) if error >= q << 31 else error) / (q << 16)
 
     def travel(self, columns: np.ndarray, j: int) -> tuple[int, np.ndarray]:
-        """Which of some pixels of line j, next to each other, is the deepest, as an index, and
-        how far u is from there at each of them, in texels.
+        """Returns the index of the deepest of adjacent pixels of line j, and the difference of u
+        from there at each of them, in texels.
 
-        With N and Q there, k pixels away: k (b Q - d N) / (Q (Q + k d)), where k d is above 0,
+        With N and Q there, it is k (b Q - d N) / (Q (Q + k d)) at k pixels away; k d is above 0,
         so nothing cancels. Six roundings of 2^-53 in a way of 2^16 texels at most:
         under 2^-34 texel.
         """
@@ -107,58 +108,59 @@ class Curve:
         return deepest, away * first / (1 + away * (growth / q))
 
     def values(self, columns: np.ndarray, j: int) -> np.ndarray:
-        """The value at pixels ``columns`` of line j, next to each other, in texels: the deepest
-        one's is exact, the others' are rounded to some 2^-33 texel."""
+        """Returns the value at adjacent pixels ``columns`` of line j, in texels: the deepest one's
+        is exact, the others' are rounded to some 2^-33 texel."""
         deepest, moved = self.travel(columns, j)
         return float(self.at(int(columns[deepest]) << 16, j << 16) * Fraction(UNIT)) + moved
 
     def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
-        """``error`` of the pixels ``columns`` of line j, next to each other and all in front of
-        the viewer; the deepest one's is exact, the others' are rounded to some 2^-33 texel."""
+        """Returns ``error`` for adjacent pixels ``columns`` of line j, all in front of the viewer;
+        the deepest one's is exact, the others' are rounded to some 2^-33 texel."""
         deepest, exact = self.travel(columns, j)
         moved = (found - found[deepest] + (1 << 31)) % (1 << 32) - (1 << 31)
         error = self.error(int(found[deepest]), int(columns[deepest]), j) + moved * UNIT - exact
         return (error + 32768) % 65536 - 32768
 
     def chord_error(self, i: int, n: int, j: int) -> float:
-        """The largest distance of the curve from its chord over n pixels from pixel i of line
-        j on, at any point between, in texels."""
+        """Returns the largest distance of the curve from its chord over n pixels from pixel i of
+        line j on, at any point between, in texels."""
         (n0, q0), (n1, q1) = (self.terms(k << 16, j << 16) for k in (i, i + n))
         rise, flatter = Fraction(n1, q1) - Fraction(n0, q0), Fraction(min(q0, q1), max(q0, q1))
         root = 1 + sqrt(flatter)
         return float(abs(rise) * (1 - flatter)) * UNIT / (root * root)
 
     def chord_errors(self, i: int, n: int, j: int) -> list[Fraction]:
-        """The curve less its chord over n pixels at each of them and at the end, exact; texels."""
+        """Returns the curve minus its chord over n pixels at each of them and at the end, exact;
+        texels."""
         (n0, q0), (n1, q1) = (self.terms(k << 16, j << 16) for k in (i, i + n))
         rise = (Fraction(n1, q1) - Fraction(n0, q0)) * (q1 - q0) * Fraction(UNIT)
         return [rise * Fraction(k * (n - k), n * (q0 * (n - k) + q1 * k)) for k in range(n + 1)]
 
 
 def curves(vertices) -> tuple[Curve, Curve]:
-    """u and v of a polygon's vertices (x, y, u, v, w)."""
+    """Returns the curves of u and v through a polygon's vertices (x, y, u, v, w)."""
     three = [vertices[k] for k in ideal.corners(vertices)]
     points, depths = [v[:2] for v in three], [v[4] for v in three]
     return tuple(Curve(points, [v[k] for v in three], depths) for k in (2, 3))
 
 
 def in_front(vertices) -> bool:
-    """Whether u and v are defined all over a polygon: it has an area, and the plane of 1/w is
-    positive at every vertex (more than three need not lie on it)."""
+    """Returns true if u and v are defined in the whole polygon: it has an area, and the plane of
+    1/w is positive at every vertex (more than three need not be on it)."""
     curve = curves(vertices)[0]
     return curve.inverse.d != 0 and all(curve.term(curve.inverse, *v[:2]) > 0 for v in vertices)
 
 
 def depth_ratio(vertices) -> Fraction:
-    """How many times deeper the deepest vertex is than the nearest: 1 or more."""
+    """Returns the ratio of the deepest vertex's depth to the nearest one's: 1 or more."""
     depths = [v[4] for v in vertices]
     return Fraction(max(depths), min(depths))
 
 
 class Picture(ideal.Picture):
-    """What a triangle with depth should be in a frame: ``planes`` are the curves of u and v."""
+    """The ideal of a triangle with depth in a frame: ``planes`` are the curves of u and v."""
 
     def __init__(self, vertices, width: int, height: int) -> None:
         super().__init__([v[:4] for v in vertices], width, height)
         self.planes = curves(vertices)
-        self.endless = False  # beyond the polygon may be the horizon
+        self.endless = False  # the horizon may be beyond the polygon

@@ -1,13 +1,14 @@
-"""Whether polygons are drawn in as many pieces as they should be, by exact planes.
+"""Checks by exact planes that polygons are drawn in the correct number of pieces.
 
-Values of more than three vertices that are on one plane but for rounding are drawn in one piece, and
-all others as triangles. c/drawing/fan.c derives how far rounding leads; it shares no arithmetic
-with this. What lies between the two numbers below may be drawn either way:
+Polygons of more than three vertices whose values are on one plane up to rounding are drawn in one
+piece, all others as triangles. c/drawing/fan.c derives the errors by rounding; it shares no
+arithmetic with this file. Between the two limits below, a polygon may be drawn either way:
 
-* LEAST: half a unit of each number that the vertices say, which a polygon must be allowed;
-* MOST: what fan.c allows at all, and what it may be off itself.
+* LEAST: half a unit of each of the vertices' numbers; a polygon must be allowed this much;
+* MOST: the most that fan.c allows, and its own largest error.
 
-Units are 1/65536; g and h a plane's gradients, and three corners' errors count 3 times at most.
+Units are 1/65536; g and h are a plane's gradients; the errors of its three corners are multiplied
+by 3 at most.
 """
 
 from dataclasses import dataclass
@@ -17,15 +18,15 @@ from tmap.ideal import ideal
 from tmap.setup.planarity import COLOURS, DEPTHS, SHADES, TEXELS, asked
 
 HALF = Fraction(1, 2)
-NEAREST = 1 << 29  # what 1/w of the nearest vertex is taken times
-TOO_STEEP = 1 << 14  # of a gradient, beyond which 16.16 says nothing
-THIN = 128  # units; the gradients of thinner polygons are those of rounding
+NEAREST = 1 << 29  # the scaled 1/w of the nearest vertex
+TOO_STEEP = 1 << 14  # a gradient beyond this does not fit 16.16
+THIN = 128  # units; the gradients of thinner polygons are made by rounding
 
 
 @dataclass
 class Value:
-    """A value of all vertices: exact, what the rounding of the vertices makes of it, and what more
-    is allowed than for one that is written in 16.16."""
+    """A value at all vertices: exact, its error by the vertices' rounding, and its allowance beyond
+    that of a value written in 16.16."""
 
     name: str
     at: list[Fraction]
@@ -34,8 +35,8 @@ class Value:
 
 
 def divided(vertices) -> list[Value]:
-    """1/w, s/w and t/w, 1/w times NEAREST at the nearest vertex; s and t count from the middle of
-    their range, in proportion to it."""
+    """Returns 1/w, s/w and t/w, scaled so that 1/w is NEAREST at the nearest vertex. s and t are
+    relative to the middle of their range and scaled by its size."""
     least = min(abs(v[5]) for v in vertices)
     inverse = [Fraction(NEAREST * least, v[5]) for v in vertices]
     unit = Fraction(NEAREST, least)  # of w
@@ -51,7 +52,7 @@ def divided(vertices) -> list[Value]:
 
 
 def values(vertices, kinds: int) -> list[Value]:
-    """The values of some kinds (enum planar_values) of vertices (x, y, s, t, shade, w)."""
+    """Returns the values of some kinds (enum planar_values) at vertices (x, y, s, t, shade, w)."""
     made = divided(vertices) if kinds & DEPTHS else []
     for kind, k, name in ((TEXELS, 2, "s"), (TEXELS, 3, "t"), (SHADES, 4, "shade")):
         if kinds & kind:
@@ -63,7 +64,7 @@ def values(vertices, kinds: int) -> list[Value]:
 
 
 def is_sure(vertices, three) -> bool:
-    """Whether a polygon is thick enough for its gradients to be its own."""
+    """Returns true if a polygon is thick enough for its gradients to be meaningful."""
     (ax, ay), (bx, by), (cx, cy) = (vertices[k][:2] for k in three)
     area = abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay))
     longest = max(abs(p[0] - q[0]) + abs(p[1] - q[1]) for p in vertices for q in vertices)
@@ -71,13 +72,13 @@ def is_sure(vertices, three) -> bool:
 
 
 def judge(vertices, material, pieces: int, vouched: int = 0) -> str:
-    """What is wrong with the number of pieces that a convex polygon is drawn in; empty if nothing.
-    ``material``: or Settings."""
+    """Returns a complaint about the number of pieces in which a convex polygon is drawn, or "".
+    ``material``: a material or Settings."""
     return judge_values(vertices, asked(material) & ~vouched, pieces)
 
 
 def judge_values(vertices, kinds: int, pieces: int) -> str:
-    """The same by the kinds of values that are drawn as planes."""
+    """``judge`` by the kinds of values that are drawn as planes."""
     three = ideal.corners(vertices)
     if len(vertices) == 3 or not is_sure(vertices, three):
         return ""

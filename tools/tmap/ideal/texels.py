@@ -1,4 +1,4 @@
-"""What the ideals of texture units share: exact coordinates, the bilinear filter, errors."""
+"""Shared by the ideals of texture units: exact coordinates, the bilinear filter, errors."""
 
 from typing import NamedTuple
 
@@ -6,7 +6,8 @@ import numpy as np
 
 
 class Coordinate(NamedTuple):
-    """Of pixels [n]: ``index``: whole texels, int64, exact; ``fraction``: float64, 0 <= f < 1."""
+    """Coordinates of pixels [n]. ``index``: whole texels, int64, exact; ``fraction``: float64,
+    0 <= f < 1."""
 
     index: np.ndarray
     fraction: np.ndarray
@@ -18,8 +19,8 @@ class Coordinate(NamedTuple):
 
 
 def scaled(c: Coordinate, shift: int) -> Coordinate:
-    """A coordinate after the shift of a tile of the N64's: right by 0..10, left by 16 less
-    11..15."""
+    """Applies an N64 tile's shift to a coordinate: 0..10 shift right by that, 11..15 shift left by
+    16 - shift."""
     if shift <= 10:
         whole = c.index >> shift
         rest = (c.index - (whole << shift) + c.fraction) / (1 << shift)
@@ -31,21 +32,22 @@ def scaled(c: Coordinate, shift: int) -> Coordinate:
 
 
 def bilinear(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Texels (this one, right, below, both) [n, channels] by fractions [n] of the square."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the
+    square."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
     return upper + ft * (lower - upper)
 
 
 class Error(NamedTuple):
-    """How far colours are off, in 1/255 of the brightest."""
+    """The errors of colours, in 1/255 of the brightest."""
 
     most: float
     rms: float
 
 
 def error(drawn: np.ndarray, ideal: np.ndarray, channels: int = 3) -> Error:
-    """Colours [n, 4], drawn and ideal, compared in their first channels."""
+    """Compares colours [n, 4], drawn and ideal, in their first channels."""
     off = np.abs(drawn[..., :channels].astype(np.float64) - ideal[..., :channels])
     if not off.size:
         return Error(0.0, 0.0)

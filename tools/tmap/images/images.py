@@ -10,16 +10,16 @@ from PIL import Image, ImageOps
 
 from tmap.base.errors import UserError
 
-SIDE = 256  # texels of a map, unless it says otherwise
+SIDE = 256  # texels of a map's side by default
 SIDE_MAX = 8192  # pixels; more is a mistake or an attack
 PACKAGE = "package:"
 
 
 def locate(reference: str, folder: Path, where: str) -> Path:
-    """The file a reference names.
+    """Returns the path of the file that a reference names.
 
     ``package:NAME/path`` is a file in an installed Python package, which is not
-    imported; anything else is a path from ``folder``, the scene file's.
+    imported; anything else is a path relative to ``folder``, the scene file's.
     """
     if not reference.startswith(PACKAGE):
         path = folder / reference
@@ -38,8 +38,8 @@ def locate(reference: str, folder: Path, where: str) -> Path:
 
 
 def opened(path: Path) -> Image.Image:
-    """The PNG or JPEG in a file, not decoded yet. Raises ValueError if too large, and what Pillow
-    does of others."""
+    """Opens a PNG or JPEG file without decoding it. Raises ValueError if it is too large, and
+    Pillow's exceptions for other faults."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", Image.DecompressionBombWarning)
         image = Image.open(path, formats=("PNG", "JPEG"))
@@ -51,7 +51,8 @@ def opened(path: Path) -> Image.Image:
 
 
 def decode(path: Path, mode: str = "RGB") -> Image.Image:
-    """The picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises as ``opened`` does."""
+    """Returns the picture in a PNG or JPEG, upright, in Pillow's ``mode``. Raises like
+    ``opened``."""
     with opened(path) as image:
         image.load()
         if image.mode.startswith("I"):  # 16-bit grey: Pillow would clip, not scale
@@ -60,7 +61,7 @@ def decode(path: Path, mode: str = "RGB") -> Image.Image:
 
 
 def picture(reference: str, folder: Path, where: str, mode: str = "RGB") -> Image.Image:
-    """The referenced picture in its own size.
+    """Returns the referenced picture in its own size.
 
     ``where`` (scene file and field) starts the message of every refusal.
     """
@@ -78,10 +79,10 @@ def picture(reference: str, folder: Path, where: str, mode: str = "RGB") -> Imag
 
 def load(reference: str, folder: Path, where: str, width: int = SIDE,
          height: int = SIDE, mode: str = "RGB") -> np.ndarray:
-    """The middle of a ``picture`` as uint8 (height, width, channels), row 0 on top.
+    """Returns the middle of a ``picture`` as uint8 (height, width, channels), row 0 on top.
 
-    It is cut to the shape of width x height, then resized: by Pillow, in integers, with weights of 22
-    bits, of which a sine's last bit would have to meet the middle of two to change one.
+    It is cut to the shape of width x height, then resized by Pillow, in integers with weights of 22
+    bits. A sine's last bit can change a weight only if the exact one is halfway between two.
     """
     image = picture(reference, folder, where, mode)
     wide, high = image.size

@@ -1,7 +1,7 @@
-"""Pictures of half the size: box and windowed-sinc filters, and light instead of sRGB's numbers.
+"""Pictures of half the size: box and windowed-sinc filters, and linear light instead of sRGB.
 
 A picture is float64 [height, width, channels]. Texels are squares with their centres in the
-middle: a smaller picture's texel lies between two of the larger one.
+middle: a smaller picture's texel is between two of the larger one.
 """
 
 import math
@@ -13,21 +13,22 @@ import numpy as np
 from tmap.base.elementary import each, power, sin
 from tmap.base.errors import UserError
 
-#: Windowed sinc filters reach so far, in texels of the smaller picture.
+#: The reach of windowed sinc filters, in texels of the smaller picture.
 REACH = 3
-KAISER_SHAPE = 4  # the window's alpha: less rings more, more blurs more
+KAISER_SHAPE = 4  # the window's alpha: less makes more ringing, more makes more blur
 KAISER_TERMS = 24  # of its series: the next is 4^24 / 24!^2 at most, 1e-33
 FILTERS = ("box", "lanczos", "kaiser")
-LINEAR_UNTIL = 0.04045  # of sRGB's curve, below which it is a straight line
+LINEAR_UNTIL = 0.04045  # sRGB's curve is a straight line below this
 
 
 def sinc(x: float) -> float:
-    """sin(pi x) / (pi x), of x other than 0."""
+    """Returns sin(pi x) / (pi x); x is not 0."""
     return sin(math.pi * x) / (math.pi * x)
 
 
 def kaiser(x: Fraction) -> float:
-    """The window at -1 < x < 1: I0(alpha sqrt(1 - x^2)) by its series, which has the square alone."""
+    """Returns the window at -1 < x < 1: I0(alpha sqrt(1 - x^2)) by its series, which needs only the
+    square."""
     square = (1 - x * x) * KAISER_SHAPE * KAISER_SHAPE / 4
     term = total = Fraction(1)
     for n in range(1, KAISER_TERMS):
@@ -38,8 +39,8 @@ def kaiser(x: Fraction) -> float:
 
 @cache
 def weights(name: str) -> list[float]:
-    """A filter's weights, sum 1, of an even count of texels of the larger picture, around the
-    smaller one's texel."""
+    """Returns a filter's weights, sum 1, for an even count of the larger picture's texels around
+    the smaller one's texel."""
     if name not in FILTERS:
         raise UserError(f"mip map: filter {name!r} is none of {', '.join(FILTERS)}")
     if name == "box":
@@ -51,8 +52,9 @@ def weights(name: str) -> list[float]:
 
 
 def with_half_the_rows(picture: np.ndarray, name: str, wrap: bool) -> np.ndarray:
-    """Beyond its ends a picture, of an even count of rows, is repeated, or its last row is. Weighed
-    rows are added from the first on: BLAS's order depends on the processor."""
+    """Halves the rows of a picture, which has an even count of them. Beyond its ends the picture is
+    repeated (``wrap``), or its outermost row. Weighted rows are added from the first on: BLAS's
+    order depends on the processor."""
     rows, taps = len(picture), weights(name)
     first = 2 * np.arange(rows // 2) + 1 - len(taps) // 2
     total = 0.0
@@ -64,8 +66,8 @@ def with_half_the_rows(picture: np.ndarray, name: str, wrap: bool) -> np.ndarray
 
 def halved(picture: np.ndarray, name: str = "box",
            wrap: tuple[bool, bool] = (True, True)) -> np.ndarray:
-    """A picture of half its sides, which are even or 1; what is 1 stays. ``wrap``: of s and t,
-    whether a map is repeated there or its edges are. Sinc filters overshoot."""
+    """Halves a picture's sides, which are even or 1; a side of 1 stays. ``wrap``: for s and t, true
+    to repeat the map beyond its ends, false to repeat its edges. Sinc filters overshoot."""
     height, width = picture.shape[:2]
     if height > 1:
         picture = with_half_the_rows(picture, name, wrap[1])
@@ -75,27 +77,27 @@ def halved(picture: np.ndarray, name: str = "box",
 
 
 def rounded(picture: np.ndarray) -> np.ndarray:
-    """0..255 in 8 bits, halves up."""
+    """Rounds to 8 bits, clamped to 0..255, halves up."""
     return np.floor(np.clip(picture, 0, 255) + 0.5).astype(np.uint8)
 
 
 @cache
 def light_of(number: float) -> float:
-    """The amount of light 0..1 of sRGB's number 0..1."""
+    """Returns the linear light 0..1 of an sRGB value 0..1."""
     return number / 12.92 if number <= LINEAR_UNTIL else power((number + 0.055) / 1.055, 2.4)
 
 
 def to_light(numbers: np.ndarray) -> np.ndarray:
-    """Amounts of light 0..1 of sRGB's numbers 0..1."""
+    """Converts sRGB values 0..1 to linear light 0..1."""
     return each(light_of, numbers)
 
 
 @cache
 def limits() -> np.ndarray:
-    """The light from which sRGB's numbers 1 to 255 show, halves up."""
+    """Returns the least light that rounds to each of the sRGB values 1 to 255, halves up."""
     return np.array([light_of((number - 0.5) / 255) for number in range(1, 256)])
 
 
 def from_light(light: np.ndarray) -> np.ndarray:
-    """sRGB's numbers 0..255 of amounts of light, which are cut to 0..1; uint8."""
+    """Converts linear light, clamped to 0..1, to sRGB values 0..255; uint8."""
     return np.searchsorted(limits(), light, "right").astype(np.uint8)

@@ -7,14 +7,14 @@ from tmap.base.fields import fail
 from tmap.build import layout
 
 COLOURS = 256
-EXACT_MAX = 192  # what exact colours may take where there are textures
-DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # light in which lit pictures count too
-AT_ONCE = 16384  # colours whose distances are taken together: 16 MB of them
-EVERY_PIXEL = 128 * 128  # pixels of a picture up to which all count, not a quarter
+EXACT_MAX = 192  # most entries for exact colours if there are textures
+DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # levels of light in which lit pictures are counted too
+AT_ONCE = 16384  # colours whose distances are computed together: 16 MB of distances
+EVERY_PIXEL = 128 * 128  # pixels of the largest picture that is sampled fully, not by a quarter
 
 
 def nearest(pixels: np.ndarray, palette: np.ndarray) -> np.ndarray:
-    """The palette index nearest to each pixel, the lowest of equals.
+    """Returns the palette index nearest to each pixel, the lowest of equals.
 
     pixels uint8 (..., 3), palette uint8 (n, 3); result uint8 (...). Squares and
     products stay below 2^24, so float32 holds them exactly on every machine.
@@ -32,7 +32,7 @@ def nearest(pixels: np.ndarray, palette: np.ndarray) -> np.ndarray:
 
 
 def sample(picture: np.ndarray) -> np.ndarray:
-    """Pixels (n, 3) that stand for the picture: as good as all, four times quicker."""
+    """Returns sample pixels (n, 3) of the picture: as good as all of them, four times quicker."""
     if picture.size <= 3 * EVERY_PIXEL:
         return picture.reshape(-1, 3)
     t, s = np.indices(picture.shape[:2])
@@ -40,8 +40,8 @@ def sample(picture: np.ndarray) -> np.ndarray:
 
 
 def light(palette: np.ndarray) -> np.ndarray:
-    """The light table of a palette, uint8 (LIGHT_LEVELS, 256): what each entry becomes at each
-    level: the nearest to it darkened, from black at 0; at the last one itself."""
+    """Returns the light table of a palette, uint8 (LIGHT_LEVELS, 256): at each level, the index
+    nearest to each darkened entry, from black at level 0 to the entry itself at the last one."""
     levels = layout.load().constants["LIGHT_LEVELS"]
     part = np.arange(levels)[:, None, None] / (levels - 1)
     table = nearest(np.rint(palette * part).astype(np.uint8), palette)
@@ -51,11 +51,11 @@ def light(palette: np.ndarray) -> np.ndarray:
 
 def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
           lit: list[np.ndarray] = ()) -> tuple[np.ndarray, list[np.ndarray]]:
-    """The palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
+    """Returns the palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
 
-    ``exact`` colours get the first entries, in their order; the pictures, uint8
-    (height, width, 3), share what is left and are mapped without dithering; those that are
-    ``lit`` also as they look in less light. Unused entries are black.
+    ``exact`` colours get the first entries, in their order. The pictures, uint8
+    (height, width, 3), share the rest and are mapped without dithering; ``lit`` ones are
+    also counted in less light. Unused entries are black.
     """
     most = EXACT_MAX if pictures else COLOURS
     if len(exact) > most:

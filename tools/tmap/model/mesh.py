@@ -1,4 +1,4 @@
-"""The integer model of c/mesh and src68k/mesh: what a frame's meshes become on the screen.
+"""The integer model of c/mesh and src68k/mesh: from a frame's meshes to polygons on the screen.
 
 Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 """
@@ -10,16 +10,16 @@ from tmap.scene_file.meshes import ENVIRONMENT, LIT
 from tmap.scene_file.scene_file import vertices_at
 from tmap.setup import planarity
 
-#: What a frame draws: number of the material, vertices.
+#: A polygon of a frame: number of the material, vertices.
 Drawn = tuple[int, list[tuple]]
-#: The same, and the values that are vouched for to lie on planes.
+#: The same, with the kinds of values that are marked as planar.
 Placed = tuple[int, list[tuple], int]
-CORNERS_MAX = 62  # more than a convex face can get: mesh_clip gives up
+CORNERS_MAX = 62  # a convex face cannot get more: mesh_clip gives up
 
 
 @dataclass
 class Point:
-    """A point before the camera; ``screen`` where it is inside all borders."""
+    """A point before the camera; ``screen`` is None unless it is inside all borders."""
 
     x: int
     y: int
@@ -28,7 +28,7 @@ class Point:
 
 
 def depths(x: int, y: int, w: int, near: int) -> tuple[int, ...]:
-    """How far inside each border a point is: near, left, right, above, below."""
+    """Returns how far inside each border a point is: near, left, right, above, below."""
     return w - near, w + x, w - x, w + y, w - y
 
 
@@ -45,19 +45,19 @@ def transform(scene, points, view) -> list[Point]:
 
 
 def project(scene, x: int, y: int, w: int) -> tuple[int, int]:
-    """Where a point before the camera is on the screen."""
+    """Projects a point before the camera to the screen."""
     scale = ONE << scene.guard
     return (mul_div(x, scale, w) + (scene.width << 15), mul_div(y, scale, w) + (scene.height << 15))
 
 
 def looks(normals, factors, base: int, low: int, high: int) -> list[int]:
-    """mesh_looks: one field of all normals."""
+    """mesh_looks: computes one field of all normals."""
     a, b, c = factors
     return [min(max(base + ((a * x + b * y + c * z) >> 5), low), high) for x, y, z, _ in normals]
 
 
 def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
-    """s, t and shade of an instance's normals; empty what it has no use for."""
+    """Returns s, t and shade of an instance's normals; those that it does not use are empty."""
     s, t, shade = [], [], []
     if instance.flags & ENVIRONMENT:
         s, t = (looks(normals, view[k:k + 3], 128 << 16, 0, 256 << 16) for k in (15, 18))
@@ -67,12 +67,12 @@ def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
 
 
 def is_seen(face, view) -> bool:
-    """Whether a face is seen from the front."""
+    """Returns true if a face is seen from the front."""
     return signed(sum(n * e for n, e in zip(face[:3], view[12:15])) >> 30) > face[3]
 
 
 def cut(inside: tuple, outside: tuple, border: int, part: int, whole: int, near: int) -> tuple:
-    """mesh_cut, then the border's own value made exact. Order: x, y, s, t, shade, w."""
+    """mesh_cut, then makes the border's coordinate exact. Order: x, y, s, t, shade, w."""
     point = []
     for a, b in zip(inside, outside):
         way = (abs(b - a) * part + (whole >> 1)) // whole
@@ -85,8 +85,8 @@ def cut(inside: tuple, outside: tuple, border: int, part: int, whole: int, near:
 
 
 def clip(vertices: list[tuple], near: int) -> list[tuple]:
-    """mesh_clip: the part of a polygon before the camera (x, y, s, t, shade, w) inside all
-    borders."""
+    """mesh_clip: returns the part inside all borders of a polygon before the camera
+    (x, y, s, t, shade, w)."""
     for border in range(5):
         inner = [depths(v[0], v[1], v[5], near)[border] for v in vertices]
         if not vertices or min(inner) >= 0:
@@ -107,15 +107,15 @@ def clip(vertices: list[tuple], near: int) -> list[tuple]:
 
 
 def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
-    """A polygon, or a fan of triangles where its gradients are for those."""
+    """Returns the polygon, or a fan of triangles if its material's gradients need triangles."""
     if len(vertices) == 3 or material.mapper == "flat" or material.gradients != "polygon":
         return [vertices]
     return planarity.fan(vertices)
 
 
 def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
-    """The faces of an instance that may be seen in a frame: greatest depth, vertices as they
-    are drawn (fewer than 3: nothing is left)."""
+    """Returns the faces of an instance that may be seen in a frame: greatest depth, drawn vertices
+    (fewer than 3 if nothing is left)."""
     age = number - instance.first_frame
     if not 0 <= age < instance.views:
         return []
@@ -145,7 +145,7 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
 
 
 def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
-    """The polygons of instances that are drawn together, in their order."""
+    """Returns the polygons of instances that are drawn together, in drawing order."""
     faces = [(depth, instance.material, vertices) for instance in instances
              for depth, vertices in faces_of(scene, instance, number)]
     faces.sort(key=lambda face: -face[0])
@@ -154,9 +154,9 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
 
 
 def placed_at(scene, number: int) -> list[Placed]:
-    """All that a frame draws, in drawing order: each polygon's material, its vertices on the screen,
-    and what is vouched for."""
-    groups: dict[int, list] = {}  # instances by the object that they are drawn before
+    """Returns a frame's polygons in drawing order: each one's material, its vertices on the screen,
+    and the kinds of values that are marked as planar."""
+    groups: dict[int, list] = {}  # instances by the object that follows them
     for instance in scene.instances:
         groups.setdefault(instance.before, []).append(instance)
     shown = [place for place, obj in enumerate(scene.objects)
@@ -175,7 +175,7 @@ def placed_at(scene, number: int) -> list[Placed]:
 
 
 def polygons_at(scene, number: int) -> list[Drawn]:
-    """The same as it is drawn: polygons whose values lie on no plane as triangles, but for those of
-    texture units."""
+    """Returns the same with polygons whose values are not planar split into triangles, except those
+    of texture units."""
     return [(which, part) for which, vertices, vouched in placed_at(scene, number)
             for part in planarity.parts(vertices, scene.materials[which], vouched)]

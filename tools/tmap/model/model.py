@@ -1,12 +1,12 @@
 """The integer model: the renderer's own arithmetic, in Python integers.
 
 It follows c/polygon and src68k/polygon formula by formula and must agree with the
-68020 bit for bit. It knows nothing of forms: addx, swap and C draw the same
+68020 bit for bit. It does not distinguish forms: addx, swap and C draw the same
 picture, because every number that decides a pixel depends on the pixel alone.
 
 All coordinates are 16.16 (units of 1/65536 pixel or texel). Set-up is in
-tools/tmap/setup/polygon.py, its parts in the files beside it. What the model may be off from
-the ideal, and why, stands in tools/tmap/ideal/ideal.py.
+tools/tmap/setup/polygon.py, its parts in the other files of that folder. The bounds of the model's
+error against the ideal are derived in tools/tmap/ideal/ideal.py.
 """
 
 import numpy as np
@@ -31,7 +31,7 @@ __all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Textur
 def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour: int,
          light: np.ndarray | None = None) -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
-    [level][texel], of the lit mappers."""
+    [level][texel], for the lit mappers."""
     if polygon.mapper == "lit":
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
@@ -45,8 +45,7 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
 
 
 def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
-    """Vertices on the screen as they are set up with a scene's material; None where nothing
-    is drawn."""
+    """Sets up vertices on the screen with a scene's material; returns None if nothing is drawn."""
     material = scene.materials[number]
     settings = Settings(material.edges, material.gradients, material.start, material.clip,
                         material.perspective, material.mapper, material.tolerance)
@@ -57,14 +56,15 @@ def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
 
 
 def prepare(scene, obj, number: int) -> Polygon | None:
-    """An object of a scene, in one piece, as it is set up in frame ``number``; None where it draws
+    """Sets up an object of a scene, in one piece, for frame ``number``; returns None if it draws
     nothing."""
     vertices = vertices_at(scene, obj, number)
     return prepare_polygon(scene, obj.material, vertices) if vertices else None
 
 
 def render(scene, number: int) -> np.ndarray:
-    """Frame ``number`` of a scene (tmap.scene_file.scene_file.Scene), height x width of its pixels."""
+    """Draws frame ``number`` of a scene (tmap.scene_file.scene_file.Scene): its pixels, height x
+    width."""
     frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
     states = {}
     for which, vertices, vouched in placed_at(scene, number):

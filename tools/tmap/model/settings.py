@@ -1,4 +1,4 @@
-"""Steps of accuracy for a scene's materials, as c/scene/settings.h has them."""
+"""Steps of accuracy for a scene's materials, as in c/scene/settings.h."""
 
 from dataclasses import replace
 
@@ -14,12 +14,12 @@ ACCURACY = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "trunca
 PERSPECTIVE = SETTINGS["perspective"]
 #: Pixels between two divides of Glide's units, by steps of perspective.
 SUBDIVISION = {"none": 16, "every16": 16, "every8": 8, "pixel": 0, "fine": 0}
-#: Mappers whose gradients and start are what they are.
+#: Mappers whose gradients and start cannot be changed.
 FIXED = (*ON_PLANE, *UNITS)
 
 
 def materials_of_polygons(scene: Scene) -> set[int]:
-    """Materials of which a polygon or a face has more than three corners."""
+    """Returns the materials that have a polygon or a face with more than three corners."""
     found = {obj.material for obj in scene.objects if obj.vertices > 3}
     for instance in scene.instances:
         mesh = scene.meshes[instance.mesh]
@@ -31,7 +31,7 @@ def materials_of_polygons(scene: Scene) -> set[int]:
 
 def set_material(own: Material, accuracy: int | None, perspective: int | None,
                  triangles: bool) -> Material:
-    """A material at a step of each axis; None: as the scene says."""
+    """Returns a material at a step of each axis; None keeps the scene's choice."""
     made = own
     if perspective is not None and own.perspective != "none":
         name = PERSPECTIVE[perspective]
@@ -49,7 +49,7 @@ def set_material(own: Material, accuracy: int | None, perspective: int | None,
 
 
 def with_settings(scene: Scene, accuracy: int | None, perspective: int | None) -> Scene:
-    """A scene whose materials are at these steps, each as far as it allows."""
+    """Returns a scene whose materials are at these steps, each as far as it allows."""
     polygons = materials_of_polygons(scene)
     glide_units = scene.glide_units.copy()
     if perspective is not None:

@@ -1,4 +1,4 @@
-"""The integer model of what a scene's texture units draw."""
+"""The integer model of drawing by a scene's texture units."""
 
 import numpy as np
 
@@ -15,12 +15,12 @@ from tmap.setup.texturing import Settings
 
 
 def settings_of(material) -> Settings:
-    """How units' polygons are set up (tmap.setup.unit_planes)."""
+    """Returns the settings with which units' polygons are set up (tmap.setup.unit_planes)."""
     return Settings(edges=material.edges, clip=material.clip, mapper="none")
 
 
 def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip: bool) -> None:
-    """Draws a rectangle of two vertices as a scene has them."""
+    """Draws a rectangle from a scene's two vertices."""
     (left, top, s, t, *_), (right, bottom, dsdx, dtdy, *_) = vertices
     box = left >> 16, top >> 16, right >> 16, bottom >> 16
     if not (box[0] < box[2] and box[1] < box[3] and all(-FAR <= side << 16 < FAR for side in box)):
@@ -33,7 +33,7 @@ def draw_rectangle(state: State, frame: np.ndarray, vertices: list[tuple], flip:
 def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tuple],
                    vouched: int) -> None:
     """Draws an object, vertices (x, y, s, t, shade, w), by the N64's texture engine; ``vouched``:
-    values that lie on planes, whatever is found."""
+    kinds of values that are planar without a test."""
     if material.primitive in RECTANGLES:
         draw_rectangle(state, frame, vertices, material.primitive == "flipped")
         return
@@ -56,13 +56,13 @@ def draw_by_engine(state: State, frame: np.ndarray, material, vertices: list[tup
 
 
 def asked_by(perspective: bool) -> int:
-    """What a unit draws as planes."""
+    """Returns the kinds of values that a unit draws as planes."""
     return planarity.DEPTHS if perspective else planarity.TEXELS
 
 
 def pipe_parts(units, first: list[tuple], own: list[tuple], vouched: int) -> list[list[tuple]]:
-    """What a polygon is drawn as by a pipe, each with the second unit's vertices, if it has its own,
-    behind the others."""
+    """Returns the pieces in which a pipe draws a polygon. If the second unit has its own
+    coordinates, its vertices follow each piece's."""
     shared = units[:1] if own else units
     planar = True
     for values, some in ((first, shared), (own, units[1:])) if len(first) > 3 else ():
@@ -77,8 +77,8 @@ def pipe_parts(units, first: list[tuple], own: list[tuple], vouched: int) -> lis
 
 
 def draw_by_pipe(scene, frame: np.ndarray, material, vertices: list[tuple], vouched: int) -> None:
-    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of Glide's units; where the
-    second unit has coordinates of its own they are the vertices' second half."""
+    """Draws an object, vertices (x, y, s, t, shade, w), by a pipe of Glide's units. If the second
+    unit has its own coordinates, they are the vertices' second half."""
     units, half = units_of(scene, material.unit), len(vertices)
     if has_own(scene, material):
         half //= 2

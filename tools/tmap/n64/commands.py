@@ -1,4 +1,4 @@
-"""Command words run into the state of a texture unit."""
+"""Runs command words, which change the state of a texture unit."""
 
 from collections.abc import Callable, Iterable
 
@@ -16,7 +16,7 @@ from tmap.n64.state import (PENDING_LOAD, PENDING_PIPE, PENDING_TILE, Axis, Comb
 
 
 def set_texture_image(state: State, hi: int, lo: int) -> None:
-    """Where loads read: format, size, width and address."""
+    """Sets the image that loads read: format, size, width and address."""
     image = Image(bits(lo, 23, 0), bits(hi, 23, 21), bits(hi, 20, 19), bits(hi, 9, 0) + 1)
     state.forbids(image.address & 7 != 0, "image alignment",
                   f"image address {image.address:#x} is not a multiple of 8")
@@ -24,7 +24,7 @@ def set_texture_image(state: State, hi: int, lo: int) -> None:
 
 
 def set_tile(state: State, hi: int, lo: int) -> None:
-    """A tile descriptor, but for its size."""
+    """Sets a tile descriptor except its size."""
     state.changes(PENDING_TILE, "set tile")
     number = bits(lo, 26, 24)
     old = state.tiles[number]
@@ -37,7 +37,7 @@ def set_tile(state: State, hi: int, lo: int) -> None:
 
 
 def edges(state: State, hi: int, lo: int) -> tuple[Tile, int]:
-    """Stores sl, tl, sh and th of a word into its tile; gives the tile and its number."""
+    """Stores sl, tl, sh and th of a word into its tile; returns the tile and its number."""
     number = bits(lo, 26, 24)
     tile = state.tiles[number]
     tile.s.low, tile.t.low = bits(hi, 23, 12), bits(hi, 11, 0)
@@ -46,13 +46,13 @@ def edges(state: State, hi: int, lo: int) -> tuple[Tile, int]:
 
 
 def set_tile_size(state: State, hi: int, lo: int) -> None:
-    """A tile's edges."""
+    """Sets a tile's edges."""
     state.changes(PENDING_TILE, "set tile size")
     edges(state, hi, lo)
 
 
 def loader(load: Callable[[State, Tile], None], name: str):
-    """The command of a load: it stores its edges too."""
+    """Returns the command of a load, which also stores its edges."""
     def run(state: State, hi: int, lo: int) -> None:
         state.changes(PENDING_LOAD, name)
         load(state, edges(state, hi, lo)[0])
@@ -62,20 +62,20 @@ def loader(load: Callable[[State, Tile], None], name: str):
 
 
 def set_convert(state: State, hi: int, lo: int) -> None:
-    """The constants K0..K5."""
+    """Sets the constants K0..K5."""
     state.changes(PENDING_PIPE, "set convert")
     both = hi << 32 | lo
     state.k = [signed(both >> shift, 9) for shift in (45, 36, 27, 18, 9, 0)]
 
 
 def set_other_modes(state: State, hi: int, lo: int) -> None:
-    """The modes."""
+    """Sets the modes."""
     state.changes(PENDING_PIPE, "set other modes")
     state.modes = Modes(bits(hi, 21, 20), *(bits(hi, bit, bit) for bit in range(19, 8, -1)))
 
 
 def set_combine(state: State, hi: int, lo: int) -> None:
-    """The combiner's inputs."""
+    """Sets the combiner's inputs."""
     state.changes(PENDING_PIPE, "set combine")
     combine = Combine(**inputs_of(hi, lo))
     if state.checked:
@@ -84,30 +84,30 @@ def set_combine(state: State, hi: int, lo: int) -> None:
 
 
 def colour(lo: int) -> tuple[int, int, int, int]:
-    """(r, g, b, a) of a word."""
+    """Returns (r, g, b, a) of a word."""
     return bits(lo, 31, 24), bits(lo, 23, 16), bits(lo, 15, 8), bits(lo, 7, 0)
 
 
 def set_primitive_colour(state: State, hi: int, lo: int) -> None:
-    """The primitive colour, its LOD fraction and the lowest level; needs no sync."""
+    """Sets the primitive colour, its LOD fraction and the lowest level; needs no sync."""
     state.min_level, state.primitive_fraction = bits(hi, 12, 8), bits(hi, 7, 0)
     state.primitive = colour(lo)
 
 
 def set_environment_colour(state: State, hi: int, lo: int) -> None:
-    """The environment colour."""
+    """Sets the environment colour."""
     state.changes(PENDING_PIPE, "set environment colour")
     state.environment = colour(lo)
 
 
 def texture(state: State, hi: int, lo: int) -> None:
-    """What a triangle's command says of textures: highest level and tile. Not a word of the
-    hardware's: the number and the fields are the geometry processor's."""
+    """Sets the highest level and the tile, which a triangle's command contains. Not a command of
+    the hardware: the number and the fields are the geometry processor's."""
     state.max_level, state.primitive_tile = bits(hi, 13, 11), bits(hi, 10, 8)
 
 
 def sync(what: int):
-    """The command of a sync."""
+    """Returns the command of a sync."""
     def run(state: State, hi: int, lo: int) -> None:
         state.synced(what)
 
@@ -136,7 +136,7 @@ COMMANDS = {
 
 
 def run(state: State, hi: int, lo: int) -> None:
-    """Runs one command; the two highest bits are not looked at."""
+    """Runs one command; the two highest bits are ignored."""
     operation = bits(hi, 29, 24)
     if operation not in COMMANDS:
         raise Misuse("command", f"there is no command {operation:02X}")
@@ -144,7 +144,7 @@ def run(state: State, hi: int, lo: int) -> None:
 
 
 def replay(state: State, words: Iterable[Word], start: int = 0) -> None:
-    """Runs a display list up to its first error, which names the command's number."""
+    """Runs a display list up to its first error, whose text contains the command's number."""
     for number, (hi, lo) in enumerate(words, start):
         try:
             run(state, hi, lo)

@@ -1,4 +1,4 @@
-"""The coordinates of one tile: from s10.5 to texel indices, fractions and neighbours."""
+"""Coordinates in one tile: from s10.5 to texel indices, fractions and neighbours."""
 
 from typing import NamedTuple
 
@@ -7,11 +7,11 @@ import numpy as np
 from tmap.base.fixed import signed
 from tmap.n64.state import Axis
 
-MASK_MAX = 10  # bits; a larger mask acts as this
+MASK_MAX = 10  # bits; larger masks act like this one
 
 
 class Position(NamedTuple):
-    """Where pixels are on an axis, int64 arrays of one shape: texel ``index`` after mask and
+    """The places of pixels on an axis, int64 arrays of one shape: texel ``index`` after mask and
     mirror, ``fraction`` in 1/32 texel, ``step`` to the neighbour's index."""
 
     index: np.ndarray
@@ -20,15 +20,15 @@ class Position(NamedTuple):
 
 
 def shifted(axis: Axis, c: np.ndarray) -> np.ndarray:
-    """The tile's shift: right by 0..10, or left by 5..1 bits; s10.5."""
+    """Applies the tile's shift: right by 0..10, or left by 5..1 bits; s10.5."""
     c = signed(np.asarray(c, np.int64), 16)
     return c >> axis.shift if axis.shift <= 10 else signed(c << 16 - axis.shift, 16)
 
 
 def masked(axis: Axis, index: np.ndarray, is_t: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Indices after mask and mirror, and the step to each one's neighbour.
+    """Returns indices after mask and mirror, and the step to each one's neighbour.
 
-    The step over a wrapped seam leads back to 0; of rows only 8 bits are taken for it.
+    The step over a wrapped seam leads back to 0; for rows it uses only 8 bits.
     """
     if not axis.mask:
         return index, np.ones_like(index)
@@ -45,7 +45,7 @@ def masked(axis: Axis, index: np.ndarray, is_t: bool) -> tuple[np.ndarray, np.nd
 
 
 def position(axis: Axis, c: np.ndarray, is_t: bool) -> Position:
-    """The axis's pipeline. ``c``: s10.5, any shape."""
+    """Runs the axis's pipeline. ``c``: s10.5, any shape."""
     c = shifted(axis, c)
     over = c >> 3 >= axis.high
     c = c - 8 * axis.low

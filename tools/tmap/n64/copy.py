@@ -1,4 +1,4 @@
-"""Copy mode: four 16-bit texels a step, neither clamped nor filtered nor converted."""
+"""Copy mode: four 16-bit texels per step, neither clamped nor filtered nor converted."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ from tmap.n64.texels import entries, fetch, half_word, raw, rows_of
 
 
 def check(state: State, number: int) -> None:
-    """Whether a tile can be copied."""
+    """Refuses a tile that cannot be copied."""
     tile = state.tiles[number & 7]
     state.forbids(tile.format == YUV or (tile.format, tile.size) == (RGBA, 3), "copy format",
                   f"tile {number}: copy mode of YUV or of RGBA of 32 bits")
@@ -17,7 +17,7 @@ def check(state: State, number: int) -> None:
 
 
 def unit(state: State, tile: Tile, s: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """The 16 bits that hold a texel, of 32 bits the lower half's."""
+    """Returns the 16 bits that contain a texel; for 32-bit texels those in TMEM's lower half."""
     base, swap = rows_of(tile, row)
     mask = 0x7FE if tile.size == 3 else 0xFFE
     return half_word(state.tmem, (base + (s << tile.size >> 1 if tile.size < 3 else 2 * s) ^ swap)
@@ -25,10 +25,10 @@ def unit(state: State, tile: Tile, s: np.ndarray, row: np.ndarray) -> np.ndarray
 
 
 def copy(state: State, number: int, s: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Four texels from (s, t), s10.5, on: 16 bits each, int64 [..., 4].
+    """Returns four texels from (s, t), s10.5, on: 16 bits each, int64 [..., 4].
 
-    Without a TLUT, texels not of 16 bits (which no manual allows) give the first pair as four
-    bytes of intensity or red, and the second as the 16 bits that hold its texels.
+    Without a TLUT, texels that do not have 16 bits (which no manual allows) return the first pair
+    as four bytes of intensity or red, and the second as the 16 bits that contain its texels.
     """
     tile = state.tiles[number & 7]
     first, row = ((shifted(axis, c) - 8 * axis.low) >> 5

@@ -13,37 +13,37 @@ MODE_BITS = ("perspective", "detail", "sharpen", "lod", "tlut", "IA16 TLUT", "qu
 
 
 def texels(hi: int) -> str:
-    """Format and size."""
+    """Describes format and size."""
     form = bits(hi, 23, 21)
     name = FORMATS[form] if form < len(FORMATS) else f"format {form}"
     return f"{name} {4 << bits(hi, 20, 19)} bits"
 
 
 def axis(name: str, word: int) -> str:
-    """A tile's axis, of 10 bits."""
+    """Describes a tile's axis, 10 bits."""
     flags = [flag for bit, flag in ((9, "clamp"), (8, "mirror")) if word >> bit & 1]
     return " ".join([name, *flags, f"mask {bits(word, 7, 4)} shift {bits(word, 3, 0)}"])
 
 
 def corner(word: int, fraction: bool = True) -> str:
-    """Two coordinates of 12 bits, 10.2 or whole."""
+    """Describes two coordinates of 12 bits, 10.2 or whole."""
     pair = (bits(word, 23, 12), bits(word, 11, 0))
     return "(" + ", ".join(f"{c / 4:g}" if fraction else str(c) for c in pair) + ")"
 
 
 def colour(lo: int) -> str:
-    """A colour of 32 bits."""
+    """Describes a colour of 32 bits."""
     return f"#{lo & 0xFFFFFFFF:08x}"
 
 
 def formula(inputs: Inputs, table) -> str:
-    """One cycle's formula of colour or alpha."""
+    """Returns one cycle's formula of colour or alpha."""
     a, b, c, d = (name or "0" for name in names(inputs, table))
     return f"({a} - {b}) * {c} + {d}"
 
 
 def details(operation: int, hi: int, lo: int) -> str:
-    """What a command says besides its name."""
+    """Describes a command's fields."""
     tile = bits(lo, 26, 24)
     if operation == SET_TEXTURE_IMAGE:
         return f"{texels(hi)}, width {bits(hi, 9, 0) + 1}, address {bits(lo, 23, 0):#x}"
@@ -76,7 +76,7 @@ def details(operation: int, hi: int, lo: int) -> str:
 
 
 def line(hi: int, lo: int) -> str:
-    """One command as a line."""
+    """Returns one command as a line."""
     operation = bits(hi, 29, 24)
     if operation not in NAMES:
         return f"{hi:08x} {lo:08x}"
@@ -84,5 +84,5 @@ def line(hi: int, lo: int) -> str:
 
 
 def listing(words: list[Word]) -> str:
-    """A display list, a command a line, numbered from 0."""
+    """Returns a display list, one command per line, numbered from 0."""
     return "\n".join(f"{number:4} {line(hi, lo)}" for number, (hi, lo) in enumerate(words))

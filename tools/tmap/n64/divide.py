@@ -6,14 +6,14 @@ import numpy as np
 
 from tmap.base.fixed import signed
 
-#: Reciprocals of 64/64 .. 128/64 of a normalised w, 2^14 / (1 + i/64); one entry is one low.
+#: Reciprocals of 64/64 .. 128/64 of a normalised w, 2^14 / (1 + i/64); one entry is low by 1.
 TABLE = np.array([((1 << 21) // (64 + i) + 1) >> 1 for i in range(65)], np.int64)
 TABLE[6] = 14979
 
 
 class Divided(NamedTuple):
     """int64 arrays of one shape: ``s``, ``t``: s10.5, saturated; ``raw_s``, ``raw_t``: their 17
-    bits, signed; ``overflow``: bool, whether either did not fit."""
+    bits, signed; ``overflow``: bool, true if either did not fit."""
 
     s: np.ndarray
     t: np.ndarray
@@ -23,7 +23,7 @@ class Divided(NamedTuple):
 
 
 def reciprocal(w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(r, shift) of the low 15 bits of w: 1/w is about r * 2^shift / 2^28."""
+    """Returns (r, shift) of the low 15 bits of w: 1/w is about r * 2^shift / 2^28."""
     w = np.asarray(w, np.int64) & 0x7FFF
     shift = 15 - np.frexp(w)[1].astype(np.int64)
     shift = np.clip(shift, 0, 14)
@@ -33,8 +33,8 @@ def reciprocal(w: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def divide(s: np.ndarray, t: np.ndarray, w: np.ndarray, perspective: bool) -> Divided:
-    """Coordinates of pixels from the upper 16 bits of their iterators; without perspective
-    they are the coordinates."""
+    """Returns coordinates of pixels from the upper 16 bits of their iterators; without
+    perspective these are the coordinates."""
     s, t, w = (signed(np.asarray(c, np.int64), 16) for c in (s, t, w))
     if not perspective:
         return Divided(s, t, s, t, np.zeros(s.shape, bool))

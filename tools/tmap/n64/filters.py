@@ -20,7 +20,7 @@ class Quad(NamedTuple):
 
 
 def quad(state: State, tile: Tile, s: Position, t: Position) -> Quad:
-    """The four texels of pixels. A YUV texel's chroma neighbour is one pair on."""
+    """Returns the four texels of pixels. A YUV texel's chroma neighbour is in the next pair."""
     columns, rows = (s.index, s.index + s.step), (t.index & 255, (t.index & 255) + t.step)
     taps = [fetch(state, tile, column, row) for row in rows for column in columns]
     if tile.format == YUV:
@@ -39,7 +39,7 @@ def interpolate(q: Quad, fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
 
 def weighed(q: Quad, fs: np.ndarray, ft: np.ndarray, previous: np.ndarray,
             middle: np.ndarray) -> np.ndarray:
-    """Interpolation with the last sample's channels as fractions of 1/256: filter and
+    """Interpolates with the last sample's channels as fractions of 1/256: filter and
     convert-one together, which no manual describes. In the middle a quarter of the fourth
     texel is added."""
     u, v, y = (signed(previous[..., k], 9)[..., None] for k in range(3))
@@ -50,7 +50,7 @@ def weighed(q: Quad, fs: np.ndarray, ft: np.ndarray, previous: np.ndarray,
 
 def filtered(state: State, q: Quad, fs: np.ndarray, ft: np.ndarray,
              previous: np.ndarray | None) -> np.ndarray:
-    """The filter's result for channels [..., n]."""
+    """Returns the filter's result for channels [..., n]."""
     middle = ((fs == 16) & (ft == 16) & bool(state.modes.mid))[..., None]
     if previous is not None:
         return weighed(q, fs, ft, previous, middle)
@@ -58,12 +58,12 @@ def filtered(state: State, q: Quad, fs: np.ndarray, ft: np.ndarray,
 
 
 def nearest(q: Quad, fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """The texel at the right angle of the triangle that holds the pixel."""
+    """Returns the texel at the right angle of the triangle that contains the pixel."""
     return np.where((fs + ft >= 32)[..., None], q.c11, q.c00)
 
 
 def convert(k: list[int], texel: np.ndarray) -> np.ndarray:
-    """Colour conversion of (U, V, Y, any), 9-bit signed, to (R, G, B, Y), 9 bits, [..., 4]."""
+    """Converts (U, V, Y, any), 9-bit signed, to (R, G, B, Y), 9 bits, [..., 4]."""
     u, v, y = (signed(texel[..., n], 9) for n in range(3))
     k0, k1, k2, k3 = (2 * c + 1 for c in k[:4])
     return np.stack([y + (k0 * v + 128 >> 8), y + (k1 * u + k2 * v + 128 >> 8),
@@ -72,10 +72,10 @@ def convert(k: list[int], texel: np.ndarray) -> np.ndarray:
 
 def sample(state: State, number: int, s: np.ndarray, t: np.ndarray, cycle: int = 0,
            previous: np.ndarray | None = None) -> np.ndarray:
-    """A sample of tile ``number`` at pixels, int64 [..., 4], channels of 9 bits (0..511).
+    """Samples tile ``number`` at pixels: int64 [..., 4], channels of 9 bits (0..511).
 
     ``s``, ``t``: s10.5, one shape; ``cycle``: 0 or 1; ``previous``: cycle 0's sample, needed
-    in cycle 1 where convert-one is on.
+    in cycle 1 if convert-one is on.
     """
     modes, tile = state.modes, state.tiles[number & 7]
     s_at, t_at = position(tile.s, s, False), position(tile.t, t, True)
@@ -92,7 +92,7 @@ def sample(state: State, number: int, s: np.ndarray, t: np.ndarray, cycle: int =
         return texel & 511
     q = quad(state, tile, s_at, t_at)
     parts = [(slice(0, 4), s_at.fraction)]
-    if tile.format == YUV:  # a pair of texels shares its chroma: half as wide a step
+    if tile.format == YUV:  # a pair of texels shares its chroma: its step is half as large
         parts = [(slice(0, 2), s_at.fraction >> 1 | (s_at.index & 1) << 4),
                  (slice(2, 4), s_at.fraction)]
     results = []

@@ -1,7 +1,7 @@
 """Pictures as textures in DRAM, in the N64's formats, and back.
 
-A picture is uint8 [height, width, 4], R, G, B, A. A texture's rows are padded so that every
-load can take them: its last texel is repeated up to whole words of TMEM.
+A picture is uint8 [height, width, 4], R, G, B, A. A texture's rows are padded for every kind of
+load: the last texel is repeated up to whole words of TMEM.
 """
 
 from collections.abc import Sequence
@@ -25,8 +25,8 @@ CI4_PALETTES = 16
 @dataclass(frozen=True)
 class Texture:
     """A texture in DRAM. ``form``, ``size``: as in set tile; ``width``, ``height``: texels;
-    ``row_texels``: of a row with its padding; ``data``: rows, big-endian; ``tlut``: entries of
-    16 bits where ``form`` is CI; ``ia``: they are IA16, not RGBA16."""
+    ``row_texels``: those of a row with its padding; ``data``: rows, big-endian; ``tlut``: 16-bit
+    entries if ``form`` is CI; ``ia``: they are IA16, not RGBA16."""
 
     form: int
     size: int
@@ -39,44 +39,45 @@ class Texture:
 
 
 def read(reference: str, folder: Path, where: str, width: int, height: int) -> np.ndarray:
-    """A picture of the size from a PNG or JPEG, as tmap.images.images finds and cuts it."""
+    """Reads a picture of the given size from a PNG or JPEG, found and cut by tmap.images.images."""
     return images.load(reference, folder, where, width, height, "RGBA")
 
 
 def to_rgba16(picture: np.ndarray) -> np.ndarray:
-    """16-bit texels 5, 5, 5, 1."""
+    """Converts to 16-bit texels 5, 5, 5, 1."""
     r, g, b = (quantised(picture[..., k], 5) for k in range(3))
     return r << 11 | g << 6 | b << 1 | (picture[..., 3] >= OPAQUE)
 
 
 def to_ia16(picture: np.ndarray) -> np.ndarray:
-    """16-bit texels of intensity and alpha."""
+    """Converts to 16-bit texels of intensity and alpha."""
     return intensity(picture) << 8 | picture[..., 3]
 
 
 def nibbles(texels: np.ndarray) -> np.ndarray:
-    """4-bit texels as bytes, even ones high."""
+    """Packs 4-bit texels into bytes, even ones high."""
     return texels[:, ::2] << 4 | texels[:, 1::2]
 
 
 def alignment(form: int, size: int) -> int:
-    """Texels that fill one 64-bit word of TMEM, of wide texels and YUV of each half."""
+    """Returns the texels in one 64-bit word of TMEM; for wide texels and YUV, in one of each
+    half."""
     return 8 if form == YUV else 4 if size == 3 else 16 >> size
 
 
 def padded(picture: np.ndarray, unit: int) -> np.ndarray:
-    """Rows up to a multiple of ``unit`` texels, by their last ones."""
+    """Pads rows to a multiple of ``unit`` texels by repeating their last ones."""
     return np.pad(picture, ((0, 0), (0, -picture.shape[1] % unit), (0, 0)), "edge")
 
 
 def palette_of(picture: np.ndarray, count: int, ia: bool) -> tuple[np.ndarray, np.ndarray]:
-    """(indices [height, width], entries [at most count]): exact where the picture has no more
-    than so many colours of 16 bits, else Pillow's choice; what is transparent shares entry 0."""
+    """Returns (indices [height, width], entries [at most count]): exact if the picture has no more
+    than ``count`` colours of 16 bits, else Pillow's choice; transparent texels share entry 0."""
     values = to_ia16(picture) if ia else to_rgba16(picture)
     entries, indices = np.unique(values, return_inverse=True)
     if entries.size <= count:
         return indices.reshape(values.shape), entries
-    if ia:  # two channels count as three: both matter alike
+    if ia:  # two channels as three, alpha twice
         pairs = np.stack([values >> 8, values & 255], -1).astype(np.uint8).reshape(-1, 2)
         indices, palette = reduced(pairs[:, [0, 1, 1]], count)
         entries = palette[:, 0].astype(np.int64) << 8 | palette[:, 1]
@@ -92,16 +93,17 @@ def palette_of(picture: np.ndarray, count: int, ia: bool) -> tuple[np.ndarray, n
 
 
 def nearest(number: np.ndarray, parts: int) -> np.ndarray:
-    """The integers nearest to integers / parts, halves up."""
+    """Divides integers by ``parts``, rounded to the nearest, halves up."""
     return (2 * number + parts) // (2 * parts)
 
 
 def to_yuv(picture: np.ndarray) -> np.ndarray:
-    """Bytes U0 Y0 V0 Y1 .. of a picture of even width, the inverse of what CONSTANTS make:
-    colours lose contrast by K4 and K5, and two texels share their chroma."""
+    """Returns bytes U0 Y0 V0 Y1 .. of a picture of even width, by the inverse of the conversion
+    with CONSTANTS: K4 and K5 reduce the contrast of colours, and two texels share their chroma."""
     k0, k1, k2, k3 = (2 * k + 1 for k in CONSTANTS[:4])
     k4, k5 = CONSTANTS[4:]
-    # R = Y + k0 V / 256, G = Y + (k1 U + k2 V) / 256, B = Y + k3 U / 256, solved; all times ``scale``
+    # R = Y + k0 V / 256, G = Y + (k1 U + k2 V) / 256, B = Y + k3 U / 256 solved for Y, U, V, all
+    # times ``scale``
     scale = k0 * k3 - k0 * k1 - k2 * k3
     r, g, b = (256 * picture[..., c].astype(np.int64) + k4 * k5 for c in range(3))  # 256 + k5 times
     y = k0 * k3 * g - k0 * k1 * b - k2 * k3 * r
@@ -114,7 +116,7 @@ def to_yuv(picture: np.ndarray) -> np.ndarray:
 
 
 def encode(picture: np.ndarray, form: int, size: int, ia: bool = False) -> Texture:
-    """A picture as a texture; ``ia``: a CI texture's palette holds IA16."""
+    """Converts a picture to a texture; ``ia``: a CI texture's palette contains IA16."""
     if (form, size) not in LEGAL:
         name = FORMATS[form] if form in range(len(FORMATS)) else f"format {form}"
         raise UserError(f"texture: there is no {name} of {4 << size} bits")
@@ -144,7 +146,7 @@ def encode(picture: np.ndarray, form: int, size: int, ia: bool = False) -> Textu
 
 
 def join_palettes(textures: Sequence[Texture]) -> bytes:
-    """The palettes of 4-bit CI textures as one TLUT: texture n's tile says palette n."""
+    """Joins the palettes of 4-bit CI textures into one TLUT: texture n's tile uses palette n."""
     if len(textures) > CI4_PALETTES:
         raise UserError(f"TLUT: {len(textures)} palettes of 16 entries; there may be "
                         f"{CI4_PALETTES}")
@@ -154,7 +156,7 @@ def join_palettes(textures: Sequence[Texture]) -> bytes:
 
 
 def decode(texture: Texture) -> np.ndarray:
-    """A texture as the picture that it shows, without its padding."""
+    """Converts a texture to its picture, without the padding."""
     form, size = texture.form, texture.size
     data = np.frombuffer(texture.data, np.uint8)
     rows = data.reshape(texture.height, -1)
@@ -184,7 +186,7 @@ def decode(texture: Texture) -> np.ndarray:
 
 
 def from_yuv(rows: np.ndarray) -> np.ndarray:
-    """The picture of bytes U0 Y0 V0 Y1 .., opaque, converted by CONSTANTS."""
+    """Returns the picture of bytes U0 Y0 V0 Y1 .., opaque, converted by CONSTANTS."""
     u, y0, v, y1 = (rows[:, k::4].astype(np.int64) for k in range(4))
     texels = np.stack([np.stack([u - 128, v - 128, y, y], -1) for y in (y0, y1)], 2)
     colours = convert(list(CONSTANTS), texels.reshape(rows.shape[0], -1, 4))[..., :3]
@@ -195,8 +197,8 @@ def from_yuv(rows: np.ndarray) -> np.ndarray:
 
 
 def chain(picture: np.ndarray, levels: int) -> list[np.ndarray]:
-    """A picture and its coarser levels: each texel the mean of up to 2x2, rounded; sides halve
-    down to 1."""
+    """Returns a picture and its coarser levels: each texel is the mean of up to 2x2, rounded; sides
+    halve down to 1."""
     pictures = [picture]
     for _ in range(levels - 1):
         height, width = pictures[-1].shape[:2]

@@ -5,13 +5,13 @@ import numpy as np
 from tmap.n64.misuse import Misuse
 from tmap.n64.state import RGBA, TMEM_WORDS, YUV, State, Tile
 
-BLOCK_TEXELS = 2048  # at most, of a block
+BLOCK_TEXELS = 2048  # the most of a block
 TLUT_ENTRIES = 256
-TLUT_WORD = 256  # the TLUT area's first
+TLUT_WORD = 256  # the TLUT area's first word
 
 
 def columns(tile: Tile, s: np.ndarray) -> np.ndarray:
-    """16-bit columns of texels s within a tile."""
+    """Returns the 16-bit columns of texels s within a tile."""
     if tile.format == YUV or tile.size == 1:
         return s >> 1
     return s >> 2 if tile.size == 0 else s
@@ -19,8 +19,8 @@ def columns(tile: Tile, s: np.ndarray) -> np.ndarray:
 
 def put(tmem: np.ndarray, tile: Tile, rows: np.ndarray, s: np.ndarray,
         chunks: np.ndarray) -> None:
-    """Stores chunks in order. ``rows``, ``s``: [n], of each chunk, relative to the tile's first
-    texel; ``chunks``: uint8 [n, 8]. Later chunks win where two meet."""
+    """Stores chunks in order. ``rows``, ``s``: [n], each chunk's place relative to the tile's first
+    texel; ``chunks``: uint8 [n, 8]. Later chunks overwrite earlier ones."""
     units = tmem.reshape(-1, 2)
     pairs = chunks.reshape(-1, 4, 2)
     base = (tile.line * rows % TMEM_WORDS + tile.tmem) * 4 + columns(tile, s)
@@ -38,7 +38,7 @@ def put(tmem: np.ndarray, tile: Tile, rows: np.ndarray, s: np.ndarray,
 
 
 def read(state: State, addresses: np.ndarray, count: int) -> np.ndarray:
-    """``count`` bytes of DRAM from each address, uint8 [n, count]."""
+    """Returns ``count`` bytes of DRAM from each address, uint8 [n, count]."""
     if addresses.size and addresses.max() + count > state.dram.size:
         raise Misuse("dram", f"a load reads up to byte {addresses.max() + count:#x} of "
                              f"{state.dram.size:#x} of DRAM")
@@ -46,13 +46,13 @@ def read(state: State, addresses: np.ndarray, count: int) -> np.ndarray:
 
 
 def check(state: State) -> None:
-    """What every load of texels needs of its image."""
+    """Refuses an image from which no texels can be loaded."""
     state.forbids(state.image.size == 0, "image size",
                   "a load from an image of 4 bits a texel, which hangs the hardware")
 
 
 def load_tile(state: State, tile: Tile) -> None:
-    """A rectangle of the image, its edges those of the tile (10.2)."""
+    """Loads a rectangle of the image; its edges are those of the tile (10.2)."""
     check(state)
     left, top, right, bottom = (c >> 2 for c in (tile.s.low, tile.t.low, tile.s.high, tile.t.high))
     state.forbids(right < left or bottom < top, "tile edges", "a load tile of no texels")
@@ -66,7 +66,7 @@ def load_tile(state: State, tile: Tile) -> None:
 
 
 def load_block(state: State, tile: Tile) -> None:
-    """A run of texels; sl, tl and sh are whole texels, th is dxt (u1.11), rows a chunk."""
+    """Loads a run of texels; sl, tl and sh are whole texels, th is dxt (u1.11), rows per chunk."""
     check(state)
     count, dxt = tile.s.high - tile.s.low + 1, tile.t.high
     state.forbids(not 0 < count <= BLOCK_TEXELS, "block length",
@@ -79,7 +79,7 @@ def load_block(state: State, tile: Tile) -> None:
 
 
 def load_tlut(state: State, tile: Tile) -> None:
-    """Entries of a palette, each four times into one word."""
+    """Loads entries of a palette, each four times into one word."""
     first, last = tile.s.low >> 2, tile.s.high >> 2
     count = last - first + 1
     state.forbids(state.image.size != 2, "TLUT image", "a load TLUT from an image not of 16 bits")

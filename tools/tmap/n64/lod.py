@@ -1,4 +1,4 @@
-"""Level of detail: which two tiles a pixel is drawn from, and the fraction between them."""
+"""Level of detail: the two tiles for a pixel, and the fraction between them."""
 
 from typing import NamedTuple
 
@@ -7,7 +7,7 @@ import numpy as np
 from tmap.n64.divide import divide
 from tmap.n64.state import State
 
-FAR = 0x4000  # 1/32 texel a pixel: no level is coarse enough
+FAR = 0x4000  # 1/32 texel per pixel: no level is coarse enough
 
 
 class Gradients(NamedTuple):
@@ -22,8 +22,8 @@ class Gradients(NamedTuple):
 
 
 class Level(NamedTuple):
-    """Of pixels, int64 arrays of one shape: ``s``, ``t``: s10.5; ``tile0``, ``tile1``: 0..7;
-    ``fraction``: 9 bits (0..511)."""
+    """The level of pixels, int64 arrays of one shape. ``s``, ``t``: s10.5; ``tile0``, ``tile1``:
+    0..7; ``fraction``: 9 bits (0..511)."""
 
     s: np.ndarray
     t: np.ndarray
@@ -33,18 +33,19 @@ class Level(NamedTuple):
 
 
 def upper(iterator: np.ndarray) -> np.ndarray:
-    """The upper 16 bits of s15.16, unsigned."""
+    """Returns the upper 16 bits of s15.16, unsigned."""
     return iterator >> 16 & 0xFFFF
 
 
 def distance(d: np.ndarray) -> np.ndarray:
-    """How far, in one's complement."""
+    """Returns the magnitude, by one's complement."""
     return np.where(d < 0, ~d, d)
 
 
 def level(state: State, s: np.ndarray, t: np.ndarray, w: np.ndarray,
           gradients: Gradients) -> Level:
-    """Coordinates and level of pixels. ``s``, ``t``, ``w``: iterators, s15.16 modulo 2^32."""
+    """Returns coordinates and level of pixels. ``s``, ``t``, ``w``: iterators, s15.16 modulo
+    2^32."""
     modes, g = state.modes, gradients
     here = divide(upper(s), upper(t), upper(w), modes.perspective)
     lod, over = np.zeros(here.s.shape, np.int64), here.overflow
@@ -59,7 +60,8 @@ def level(state: State, s: np.ndarray, t: np.ndarray, w: np.ndarray,
 
 
 def choose(state: State, lod: np.ndarray, far: np.ndarray):
-    """(tile0, tile1, fraction) for a distance between pixels in 1/32 texel; ``far``: bool."""
+    """Returns (tile0, tile1, fraction) for a distance between pixels in 1/32 texel; ``far``:
+    bool."""
     modes, top = state.modes, state.max_level
     special = modes.sharpen or modes.detail
     near = ~far & (lod < 32)

@@ -7,13 +7,13 @@ from tmap.n64.images import Texture
 from tmap.n64.state import CI, TILES, TMEM_WORDS, YUV
 from tmap.n64.words import List, Wrap, line_of
 
-LEVELS = TILES - 1  # the last tile is the loads'
+LEVELS = TILES - 1  # the last tile is for loads
 
 
 def load_chain(words: List, textures: Sequence[Texture], addresses: Sequence[int],
                first: int = 0, palette: int = 0, mirror: bool = False, clamp: bool = False) -> None:
-    """Commands that load levels, finest first, into tiles ``first`` on, one after another in
-    TMEM; level n's coordinates are shifted by n. Sides are powers of two."""
+    """Adds commands that load levels, finest first, into tiles from ``first`` on, one after another
+    in TMEM; level n's coordinates are shifted by n. Sides are powers of two."""
     if not 1 <= len(textures) <= LEVELS - first:
         raise UserError(f"mip map: {len(textures)} levels from tile {first} on; there are "
                         f"{LEVELS} tiles")

@@ -4,7 +4,7 @@ from tmap.base.errors import UserError
 
 
 class Misuse(UserError):
-    """A forbidden use. ``name``: which rule it breaks, one or two words that stay the same."""
+    """A forbidden use. ``name``: the broken rule, one or two words that stay the same."""
 
     def __init__(self, name: str, text: str):
         super().__init__(text)

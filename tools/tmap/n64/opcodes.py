@@ -2,7 +2,7 @@
 
 Word = tuple[int, int]  # hi, lo
 
-#: Not the hardware's: the geometry processor's command for a triangle's textures.
+#: Not a hardware command: the geometry processor's, for a triangle's textures.
 TEXTURE = 0x17
 
 LOAD_SYNC, PIPE_SYNC, TILE_SYNC, FULL_SYNC = 0x26, 0x27, 0x28, 0x29
@@ -22,5 +22,5 @@ NAMES = {
 
 
 def bits(word: int, high: int, low: int) -> int:
-    """Bits high:low of a word."""
+    """Returns bits high:low of a word."""
     return word >> low & (2 << high - low) - 1

@@ -12,14 +12,14 @@ from tmap.n64.texels import rgba16
 
 
 def check(state: State) -> None:
-    """Whether primitives can be drawn by ``pixels``."""
+    """Refuses modes in which ``pixels`` cannot draw."""
     if state.modes.cycle not in (ONE_CYCLE, TWO_CYCLES):
         raise Misuse("cycle type", "pixels are combined in one-cycle and two-cycle mode only")
 
 
 def by_tiles(state: State, tiles: np.ndarray, s: np.ndarray, t: np.ndarray, cycle: int,
              previous: np.ndarray | None) -> np.ndarray:
-    """Samples [n, 4] of pixels [n] that each have their own tile."""
+    """Returns samples [n, 4] of pixels [n] that each have their own tile."""
     found = np.zeros((tiles.size, 4), np.int64)
     for number in np.unique(tiles).tolist():
         state.check_tile(number)
@@ -31,11 +31,11 @@ def by_tiles(state: State, tiles: np.ndarray, s: np.ndarray, t: np.ndarray, cycl
 
 def pixels(state: State, s: np.ndarray, t: np.ndarray, w: np.ndarray, gradients: Gradients,
            shade: np.ndarray | None) -> np.ndarray:
-    """Colours uint8 [n, 4] of pixels.
+    """Returns colours uint8 [n, 4] of pixels.
 
     ``s``, ``t``, ``w``: iterators int64 [n], s15.16 modulo 2^32; ``shade``: [n, 4], 0..255.
-    In one-cycle mode there is one sample, for both texel inputs; its tile and the LOD fraction
-    are those of the two-cycle mode, but without the differences from line to line.
+    In one-cycle mode there is one sample for both texel inputs; its tile and the LOD fraction
+    are those of the two-cycle mode without the differences between lines.
     """
     check(state)
     two = state.modes.cycle == TWO_CYCLES
@@ -53,13 +53,13 @@ def pixels(state: State, s: np.ndarray, t: np.ndarray, w: np.ndarray, gradients:
 
 
 def rgba5551(colours: np.ndarray) -> np.ndarray:
-    """Colours [..., 4] as pixels of 16 bits: each channel cut to its upper bits."""
+    """Converts colours [..., 4] to 16-bit pixels: each channel is cut to its upper bits."""
     r, g, b, a = (colours[..., k].astype(np.uint16) for k in range(4))
     return r >> 3 << 11 | g >> 3 << 6 | b >> 3 << 1 | a >> 7
 
 
 def rgba8888(colours: np.ndarray) -> np.ndarray:
-    """Colours [..., 4] as pixels of 32 bits."""
+    """Converts colours [..., 4] to 32-bit pixels."""
     r, g, b, a = (colours[..., k].astype(np.uint32) for k in range(4))
     return r << 24 | g << 16 | b << 8 | a
 
@@ -70,7 +70,7 @@ def store(frame: np.ndarray, y: np.ndarray, x: np.ndarray, colours: np.ndarray) 
 
 
 def picture(frame: np.ndarray) -> np.ndarray:
-    """A frame as uint8 [height, width, 4], to be shown."""
+    """Converts a frame to uint8 [height, width, 4] for display."""
     if frame.dtype == np.uint16:
         return rgba16(frame.astype(np.int64)).astype(np.uint8)
     return np.stack([frame >> shift & 255 for shift in (24, 16, 8, 0)], -1).astype(np.uint8)

@@ -1,10 +1,10 @@
-"""Polygons and rectangles as the texture unit draws them, bit for bit.
+"""Draws polygons and rectangles bit for bit like the texture unit.
 
-A polygon's iterators are planes over the screen, found a pair at a time (tmap.setup.unit_planes):
-(S, T), (W, 0) and, where the combiner reads shade, (R, G) and (B, A). Every rounding:
+A polygon's iterators are planes over the screen, computed in pairs (tmap.setup.unit_planes):
+(S, T), (W, 0) and, if the combiner reads shade, (R, G) and (B, A). Every rounding:
 
-- s, t and w as tmap.setup.unit_planes has them: S = 32 s is s15.16 of s10.5, exact, and W is
-  0x7fff0000 where w does not count;
+- s, t and w as in tmap.setup.unit_planes: S = 32 s is s15.16 of s10.5, exact, and W is
+  0x7fff0000 if w is not used;
 - a colour 0..255 is the whole part of 16.16, exact;
 - the iterators' upper 16 bits are s, t and w;
 - shade is the whole part of the iterator, clamped to 0..255.
@@ -50,12 +50,12 @@ class Vertex(NamedTuple):
 
 
 def whole(iterator: np.ndarray) -> np.ndarray:
-    """A colour's iterator as 0..255."""
+    """Clamps the whole part of a colour's iterator to 0..255."""
     return np.clip(signed(iterator) >> 16, 0, 255)
 
 
 class Prepared(NamedTuple):
-    """A polygon's pixels and what the pixels' pipeline needs of them (tmap.n64.pixels)."""
+    """A polygon's pixels and the inputs for their pipeline (tmap.n64.pixels)."""
 
     at: Spans
     s: np.ndarray
@@ -67,7 +67,7 @@ class Prepared(NamedTuple):
 
 def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
             settings: Settings = SETTINGS) -> Prepared | None:
-    """Sets a convex polygon up; None where nothing is drawn."""
+    """Sets a convex polygon up; returns None if nothing is drawn."""
     corners = [(v.s, v.t, v.w) for v in vertices]
     if not is_narrow(corners, SCALE):
         return None
@@ -90,9 +90,9 @@ def prepare(state: State, frame: np.ndarray, vertices: list[Vertex],
 def draw(state: State, frame: np.ndarray, vertices: list[Vertex],
          settings: Settings = SETTINGS) -> int:
     """Draws a convex polygon of 3 to 64 vertices into ``frame``, uint16 (5551) or uint32
-    (8888) [height, width]; gives the number of its pixels.
+    (8888) [height, width]; returns the number of its pixels.
 
-    Its tile and highest level are the state's; edges and clip the settings'.
+    Its tile and highest level come from the state; edges and clip from the settings.
     """
     prepared = prepare(state, frame, vertices, settings) if len(vertices) > 2 else None
     if prepared is None or not prepared.at.x.size:
@@ -107,9 +107,9 @@ def rectangle(state: State, frame: np.ndarray, box: tuple[int, int, int, int], t
               t: int, dsdx: int, dtdy: int, flip: bool = False) -> None:
     """Draws a texture rectangle, cut to the frame.
 
-    ``box``: left, top, right, bottom, whole pixels, the last two not drawn (copy mode too).
-    ``s``, ``t``: s10.5 at the upper left pixel; ``dsdx``, ``dtdy``: s5.10 a pixel, in copy mode
-    ``dsdx`` a step of four pixels. ``flip``: s goes down and t goes right.
+    ``box``: left, top, right, bottom, whole pixels, the last two excluded (in copy mode too).
+    ``s``, ``t``: s10.5 at the upper left pixel; ``dsdx``, ``dtdy``: s5.10 per pixel, in copy mode
+    ``dsdx`` per four pixels. ``flip``: s runs down and t runs right.
     """
     left, top, right, bottom = box
     height, width = frame.shape
@@ -132,7 +132,7 @@ def rectangle(state: State, frame: np.ndarray, box: tuple[int, int, int, int], t
         across, down = down, across
         gradients = Gradients(dsdy=steps[0], dtdx=steps[1])
     old = state.primitive_tile, state.max_level
-    state.primitive_tile, state.max_level = tile, 0  # its command says no level
+    state.primitive_tile, state.max_level = tile, 0  # its command has no level
     try:
         shade = None if state.checked else np.zeros((x.size, 4), np.int64)
         colours = pixels(state, (s << 16) + across * steps[0] & M32,
@@ -145,8 +145,8 @@ def rectangle(state: State, frame: np.ndarray, box: tuple[int, int, int, int], t
 
 def copy_rectangle(state: State, frame: np.ndarray, at, tile: int, coordinates,
                    which: np.ndarray, flip: bool) -> None:
-    """Copies texels to pixels; ``coordinates``: of each pixel's group of four, s10.5;
-    ``which``: of the four it is."""
+    """Copies texels to pixels; ``coordinates``: those of each pixel's group of four, s10.5;
+    ``which``: the pixel's index in its group."""
     y, x = at
     if flip or frame.dtype != np.uint16:
         raise Misuse("copy mode", "copy mode draws texture rectangles into frames of 16 bits, "

@@ -12,9 +12,9 @@ ONE_CYCLE, TWO_CYCLES, COPY, FILL = range(4)
 TMEM_BYTES = 4096
 TMEM_WORDS = 512  # of 64 bits
 TILES = 8
-REACH = 1024  # texels: s and t of vertices, and how far apart those of two may be
+REACH = 1024  # texels: the limit of vertices' s and t, and of the difference between two
 
-#: What drawing leaves pending until a sync, in strict mode.
+#: The kinds of state that drawing leaves pending until a sync, in strict mode.
 PENDING_LOAD, PENDING_TILE, PENDING_PIPE = 1, 2, 4
 SYNC = {PENDING_LOAD: "load sync", PENDING_TILE: "tile sync", PENDING_PIPE: "pipe sync"}
 
@@ -38,7 +38,7 @@ class Axis:
 
 @dataclass
 class Tile:
-    """A tile descriptor. ``size``: 0 to 3 for 4 to 32 bits a texel; ``line`` and ``tmem`` in
+    """A tile descriptor. ``size``: 0 to 3 for 4 to 32 bits per texel; ``line`` and ``tmem`` in
     64-bit words."""
 
     format: int = 0
@@ -52,7 +52,7 @@ class Tile:
 
 @dataclass
 class Modes:
-    """Set other modes, as far as textures go; each 0 or 1 but ``cycle``."""
+    """The texture modes of set other modes; each is 0 or 1 except ``cycle``."""
 
     cycle: int = ONE_CYCLE
     perspective: int = 0
@@ -100,9 +100,9 @@ class Image:
 class State:
     """A texture unit.
 
-    ``dram``: uint8 [bytes], what image addresses count into. ``tmem``: uint8 [4096].
+    ``dram``: uint8 [bytes], indexed by image addresses. ``tmem``: uint8 [4096].
     ``k``: K0..K5, signed. Colours: (r, g, b, a), 0..255.
-    ``checked``: forbidden uses raise Misuse; else they do what the hardware does.
+    ``checked``: forbidden uses raise Misuse; else they act as on the hardware.
     ``strict``: a change made without its sync raises Misuse.
     """
 
@@ -124,25 +124,26 @@ class State:
     pending: int = 0
 
     def draws(self) -> None:
-        """A primitive is drawn: what it reads must not change before a sync."""
+        """Notes that a primitive is drawn: the state that it reads must not change before a
+        sync."""
         self.pending = PENDING_LOAD | PENDING_TILE | PENDING_PIPE
 
     def changes(self, what: int, name: str) -> None:
-        """The command ``name`` changes what a primitive may still read."""
+        """Notes that the command ``name`` changes state that a primitive may still read."""
         if self.strict and self.pending & what:
             raise Misuse("sync", f"{name} after a primitive, without a {SYNC[what]}")
 
     def synced(self, what: int) -> None:
-        """A sync has made what was pending safe."""
+        """Notes a sync: the kinds of state ``what`` may change again."""
         self.pending &= ~what
 
     def forbids(self, wrong: bool, name: str, text: str) -> None:
-        """Raises a Misuse where the unit is checked and something is wrong."""
+        """Raises a Misuse if the unit is checked and something is wrong."""
         if self.checked and wrong:
             raise Misuse(name, text)
 
     def check_tile(self, number: int) -> None:
-        """Whether a tile can be drawn with: its format's pair with its size is documented."""
+        """Refuses a tile whose pair of format and size is not documented."""
         tile = self.tiles[number & 7]
         name = FORMATS[min(tile.format, I)]
         bits = 4 << tile.size

@@ -1,4 +1,4 @@
-"""Texels as they lie in TMEM, decoded to four channels."""
+"""Texels in TMEM, decoded to four channels."""
 
 import numpy as np
 
@@ -9,33 +9,33 @@ LOW = 0x7FF  # bytes of TMEM's lower half
 
 
 def rows_of(tile: Tile, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """First bytes of rows, and what their odd ones' addresses are XORed with."""
+    """Returns the first bytes of rows, and the value that is XORed to addresses in odd rows."""
     return 8 * (tile.line * row + tile.tmem), (row & 1) * 4
 
 
 def half_word(tmem: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """16 bits at even addresses."""
+    """Returns 16 bits at even addresses."""
     return tmem[at].astype(np.int64) << 8 | tmem[at + 1]
 
 
 def rgba16(value: np.ndarray) -> np.ndarray:
-    """Channels of 5, 5, 5, 1 bits, int64 [..., 4]."""
+    """Returns the channels of 5, 5, 5, 1 bits, int64 [..., 4]."""
     return np.stack([five(value >> 11), five(value >> 6), five(value >> 1), (value & 1) * 255], -1)
 
 
 def ia16(value: np.ndarray) -> np.ndarray:
-    """Channels of 8 bits each of intensity and alpha."""
+    """Returns the channels of 8 bits each of intensity and alpha."""
     return grey(value >> 8, value & 255)
 
 
 def grey(intensity: np.ndarray, alpha: np.ndarray) -> np.ndarray:
-    """Channels of an intensity and an alpha, 0..255."""
+    """Returns the channels of an intensity and an alpha, 0..255."""
     return np.stack([intensity, intensity, intensity, alpha], -1)
 
 
 def raw(state: State, tile: Tile, s: np.ndarray, row: np.ndarray, area: int) -> np.ndarray:
-    """The texels' bits, of 4, 8 or 16-bit tiles (32 bits: the lower half's 16). ``area``: the
-    mask of byte addresses."""
+    """Returns the texels' bits in 4, 8 or 16-bit tiles (32 bits: the lower half's 16). ``area``:
+    the mask of byte addresses."""
     base, swap = rows_of(tile, row)
     if tile.size == 0:
         byte = state.tmem[(base + (s >> 1) ^ swap) & area].astype(np.int64)
@@ -46,7 +46,7 @@ def raw(state: State, tile: Tile, s: np.ndarray, row: np.ndarray, area: int) -> 
 
 
 def entries(state: State, tile: Tile, s: np.ndarray, row: np.ndarray, copy=0) -> np.ndarray:
-    """TLUT entries of texels, 16 bits; ``copy``: which of each entry's four."""
+    """Returns TLUT entries of texels, 16 bits; ``copy``: which of each entry's four copies."""
     index = raw(state, tile, s, row, LOW)
     if tile.size == 0:
         index = tile.palette * 16 + index
@@ -56,23 +56,23 @@ def entries(state: State, tile: Tile, s: np.ndarray, row: np.ndarray, copy=0) ->
 
 
 def chroma(state: State, tile: Tile, s: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """U and V of a YUV texel's pair, signed, int64 [..., 2]."""
+    """Returns U and V of a YUV texel's pair, signed, int64 [..., 2]."""
     base, swap = rows_of(tile, row)
     at = (base + (s & ~1) ^ swap) & 0x7FE
     return np.stack([state.tmem[at], state.tmem[at + 1]], -1).astype(np.int64) - 128
 
 
 def luma(state: State, tile: Tile, s: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Y of a YUV texel, int64."""
+    """Returns Y of a YUV texel, int64."""
     base, swap = rows_of(tile, row)
     return state.tmem[0x800 | (base + s ^ swap) & LOW].astype(np.int64)
 
 
 def fetch(state: State, tile: Tile, s: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Texels (s, row), int64 [..., 4]: R, G, B, A 0..255, or U, V (signed), Y, Y.
+    """Returns texels (s, row), int64 [..., 4]: R, G, B, A 0..255, or U, V (signed), Y, Y.
 
     ``s``, ``row``: indices after the coordinates' pipeline. A TLUT's entries are read from
-    their first copies: a load makes all four the same.
+    their first copies, as a load makes all four the same.
     """
     s, row = np.asarray(s, np.int64), np.asarray(row, np.int64)
     modes = state.modes

@@ -1,7 +1,7 @@
-"""Builds command words and the manual's macros, as they expand on the N64.
+"""Builds command words and the manual's macros, expanded as on the N64.
 
 A ``List`` collects words; its methods are the commands and the macros. Numbers that do not fit
-their fields raise UserError. Sizes are 0 to 3 for 4, 8, 16 and 32 bits a texel.
+their fields raise UserError. Sizes are 0 to 3 for 4, 8, 16 and 32 bits per texel.
 """
 
 from dataclasses import astuple, dataclass, field
@@ -28,7 +28,7 @@ Four = tuple[str, str, str, str]
 
 
 class Wrap(NamedTuple):
-    """How an axis of a tile goes on beyond its texels."""
+    """How an axis of a tile continues beyond its texels."""
 
     clamp: int = 0
     mirror: int = 0
@@ -44,7 +44,7 @@ class Cycle(NamedTuple):
 
 
 def place(name: str, value: int, bits: int, shift: int = 0, negative: bool = False) -> int:
-    """A value in its field."""
+    """Returns a value shifted to its field; refuses one that does not fit."""
     low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if negative else (0, (1 << bits) - 1)
     if not isinstance(value, int) or not low <= value <= high:
         raise UserError(f"{name}: {value} is not a whole number from {low} to {high}")
@@ -52,43 +52,44 @@ def place(name: str, value: int, bits: int, shift: int = 0, negative: bool = Fal
 
 
 def choose(name: str, choices: dict, choice: str):
-    """One of a mode's named choices."""
+    """Returns one of a mode's choices by name."""
     if choice not in choices:
         raise UserError(f"{name}: {choice!r} is none of {', '.join(map(repr, choices))}")
     return choices[choice]
 
 
 def code(where: str, names: tuple, name: str) -> int:
-    """The code of a combiner's input."""
+    """Returns the code of a combiner's input."""
     wanted = None if name == "0" else name
     if wanted in names:
         return names.index(wanted)
     if wanted is None and len(names) > 7:
-        return 31 if len(names) > 8 else 15  # beyond the named codes all are zero
+        return 31 if len(names) > 8 else 15  # all codes beyond the named ones are zero
     known = ", ".join(n for n in names if n)
     raise UserError(f"{where}: {name!r} is none of {known}, 0")
 
 
 def dxt(words: int) -> int:
-    """Rows a 64-bit word, u1.11 rounded up, for rows of so many words."""
+    """Returns rows per 64-bit word, u1.11 rounded up, for rows of ``words`` words."""
     return -(-DXT_ONE // max(words, 1))
 
 
 def drifts(words: int, height: int) -> bool:
-    """Whether rows of so many 64-bit words, counted by dxt, begin a word too soon somewhere. The
-    count only runs ahead, most at a row's last word."""
+    """Returns true if rows of ``words`` 64-bit words, counted by dxt, begin a word too soon
+    somewhere. The count can only run ahead, and most at a row's last word."""
     step = dxt(words)
     return any(c * step // DXT_ONE != c // words for c in range(words - 1, words * height, words))
 
 
 def check_texels(name: str, form: int, size: int) -> None:
-    """Whether a format has the size."""
+    """Refuses a size that the format does not have."""
     if (form, size) not in LEGAL:
         raise UserError(f"{name}: there is no format {form} of size {size}")
 
 
 def line_of(form: int, size: int, width: int) -> int:
-    """64-bit words of a tile's row in TMEM: wide texels and YUV lie half in each half."""
+    """Returns the 64-bit words of a tile's row in TMEM: wide texels and YUV are split between its
+    halves."""
     if size == 0:
         return (width >> 1) + 7 >> 3
     if size == 1 or form == YUV:
@@ -98,7 +99,7 @@ def line_of(form: int, size: int, width: int) -> int:
 
 @dataclass
 class List:
-    """A display list being built, and the modes as its last words set them."""
+    """A display list being built, and the modes that its words have set."""
 
     words: list[Word] = field(default_factory=list)
     modes: Modes = field(default_factory=Modes)
@@ -108,7 +109,7 @@ class List:
         self.words.append((operation << 24 | hi, lo))
 
     def set_texture_image(self, form: int, size: int, width: int, address: int) -> None:
-        """Where loads read; ``width`` in texels."""
+        """Sets the image that loads read; ``width`` in texels."""
         name = NAMES[SET_TEXTURE_IMAGE]
         if address & 7:
             raise UserError(f"{name}: address {address:#x} is not a multiple of 8")
@@ -118,7 +119,7 @@ class List:
 
     def set_tile(self, number: int, form: int, size: int, line: int, tmem: int, palette: int = 0,
                  s: Wrap = Wrap(), t: Wrap = Wrap()) -> None:
-        """A tile descriptor; ``line``, ``tmem``: 64-bit words."""
+        """Sets a tile descriptor; ``line``, ``tmem``: 64-bit words."""
         name, lo = NAMES[SET_TILE], 0
         for letter, axis, at in (("t", t, 10), ("s", s, 0)):
             for what, value, bits, shift in zip(Wrap._fields, axis, (1, 1, 4, 4), (9, 8, 4, 0)):
@@ -130,14 +131,14 @@ class List:
                  | place(f"{name}: palette", palette, 4, 20) | lo)
 
     def edges(self, operation: int, number: int, sl: int, tl: int, sh: int, th: int) -> None:
-        """A command of four edges."""
+        """Adds a command with four edges."""
         name = NAMES[operation]
         self.add(operation, place(f"{name}: sl", sl, 12, 12) | place(f"{name}: tl", tl, 12),
                  place(f"{name}: tile", number, 3, 24) | place(f"{name}: sh", sh, 12, 12)
                  | place(f"{name}: th", th, 12))
 
     def set_tile_size(self, number: int, sl: int, tl: int, sh: int, th: int) -> None:
-        """A tile's edges, 10.2 texels."""
+        """Sets a tile's edges, 10.2 texels."""
         self.edges(SET_TILE_SIZE, number, sl, tl, sh, th)
 
     def load_tile(self, number: int, sl: int, tl: int, sh: int, th: int) -> None:
@@ -157,7 +158,7 @@ class List:
         self.edges(LOAD_TLUT, number, 0, 0, count - 1 << 2, 0)
 
     def set_convert(self, *k: int) -> None:
-        """K0..K5, -256..255."""
+        """Sets K0..K5, -256..255."""
         if len(k) != 6:
             raise UserError(f"set convert: six constants expected, {len(k)} found")
         both = 0
@@ -176,39 +177,39 @@ class List:
         self.add(SET_OTHER_MODES, hi)
 
     def cycle_type(self, choice: str) -> None:
-        """Cycles a pixel: "one", "two", "copy" or "fill"."""
+        """Sets the cycles per pixel: "one", "two", "copy" or "fill"."""
         self.set_modes(cycle=choose("cycle type", CYCLES, choice))
 
     def texture_perspective(self, on: bool) -> None:
-        """Whether s and t are divided by w."""
+        """Turns the division of s and t by w on or off."""
         self.set_modes(perspective=int(on))
 
     def texture_detail(self, choice: str) -> None:
-        """What is done where texels are magnified: "clamp", "sharpen" or "detail"."""
+        """Sets the treatment of magnified texels: "clamp", "sharpen" or "detail"."""
         detail, sharpen = choose("texture detail", DETAILS, choice)
         self.set_modes(detail=detail, sharpen=sharpen)
 
     def texture_lod(self, on: bool) -> None:
-        """Whether the level of detail chooses tiles."""
+        """Turns the choice of tiles by the level of detail on or off."""
         self.set_modes(lod=int(on))
 
     def texture_lut(self, choice: str) -> None:
-        """What palettes hold: "none", "rgba16" or "ia16"."""
+        """Sets the format of palettes: "none", "rgba16" or "ia16"."""
         tlut, kind = choose("texture LUT", TLUTS, choice)
         self.set_modes(tlut=tlut, tlut_type=kind)
 
     def texture_filter(self, choice: str) -> None:
-        """How texels are sampled: "point", "bilerp" or "average"."""
+        """Sets the sampling of texels: "point", "bilerp" or "average"."""
         quad, mid = choose("texture filter", FILTERS, choice)
         self.set_modes(quad=quad, mid=mid)
 
     def texture_convert(self, choice: str) -> None:
-        """What cycles do with texels: "filter", "convert" or "filter, convert"."""
+        """Sets the cycles' work on texels: "filter", "convert" or "filter, convert"."""
         filter0, filter1, one = choose("texture convert", CONVERTS, choice)
         self.set_modes(filter0=filter0, filter1=filter1, convert_one=one)
 
     def combine_mode(self, first: Cycle, second: Cycle) -> None:
-        """The combiner's two cycles; in one-cycle mode the second counts: give it twice."""
+        """Sets the combiner's two cycles; one-cycle mode uses the second: give it twice."""
         codes = [[code(f"set combine: {what} {letter}", table, name)
                   for letter, table, name in zip("ABCD", tables, four, strict=True)]
                  for cycle in (first, second)
@@ -220,7 +221,7 @@ class List:
                  | d1 << 6 | ab1 << 3 | ad1)
 
     def colour(self, operation: int, hi: int, colour: tuple[int, int, int, int]) -> None:
-        """A command of a colour."""
+        """Adds a command with a colour."""
         lo = 0
         for letter, value, shift in zip("rgba", colour, (24, 16, 8, 0), strict=True):
             lo |= place(f"{NAMES[operation]}: {letter}", value, 8, shift)
@@ -228,34 +229,34 @@ class List:
 
     def prim_colour(self, min_level: int, fraction: int,
                     colour: tuple[int, int, int, int]) -> None:
-        """Primitive colour (r, g, b, a), lowest level (1/32) and LOD fraction (1/256)."""
+        """Sets the primitive colour (r, g, b, a), lowest level (1/32) and LOD fraction (1/256)."""
         hi = (place("set primitive colour: lowest level", min_level, 5, 8)
               | place("set primitive colour: fraction", fraction, 8))
         self.colour(SET_PRIMITIVE_COLOUR, hi, colour)
 
     def env_colour(self, colour: tuple[int, int, int, int]) -> None:
-        """Environment colour (r, g, b, a)."""
+        """Sets the environment colour (r, g, b, a)."""
         self.colour(SET_ENVIRONMENT_COLOUR, 0, colour)
 
     def texture(self, max_level: int, tile: int) -> None:
-        """Highest level and first tile of the triangles that follow."""
+        """Sets the highest level and first tile of the triangles that follow."""
         self.add(TEXTURE, place("texture: highest level", max_level, 3, 11)
                  | place("texture: tile", tile, 3, 8))
 
     def load_sync(self) -> None:
-        """Before a load after a primitive."""
+        """Needed before a load after a primitive."""
         self.add(LOAD_SYNC)
 
     def pipe_sync(self) -> None:
-        """Before a change of modes after a primitive."""
+        """Needed before a change of modes after a primitive."""
         self.add(PIPE_SYNC)
 
     def tile_sync(self) -> None:
-        """Before a change of tiles after a primitive."""
+        """Needed before a change of tiles after a primitive."""
         self.add(TILE_SYNC)
 
     def full_sync(self) -> None:
-        """The end of a frame."""
+        """Ends a frame."""
         self.add(FULL_SYNC)
 
     def load_texture_block(self, address: int, form: int, size: int, width: int, height: int,
@@ -263,13 +264,13 @@ class List:
                            tmem: int = 0, tile: int = RENDER_NUMBER) -> None:
         """Loads a whole texture in one run and sets its tile; rows fill whole words of TMEM.
 
-        ``tmem``, ``tile``: those of the manual's multi forms. 4-bit textures: the manual's
+        ``tmem``, ``tile``: as in the manual's multi forms. For 4-bit textures this is the manual's
         load_texture_block_4b.
         """
         check_texels("load texture block", form, size)
         row = width << size >> 1  # bytes
         words = row >> 3
-        unit = 16 if size == 3 or form == YUV else 8  # half of it goes into each half of TMEM
+        unit = 16 if size == 3 or form == YUV else 8  # 16: half goes into each half of TMEM
         if width < 1 or height < 1 or row % unit:
             raise UserError(f"load texture block: {width} x {height} texels: rows of {row} bytes, "
                             f"which must be a positive multiple of {unit}")
@@ -292,8 +293,8 @@ class List:
                           tile: int = RENDER_NUMBER) -> None:
         """Loads a rectangle of an image ``width`` texels wide and sets its tile.
 
-        ``corners``: first column, first row, last column, last row. 4-bit textures: the
-        manual's load_texture_tile_4b.
+        ``corners``: first column, first row, last column, last row. For 4-bit textures this is
+        the manual's load_texture_tile_4b.
         """
         check_texels("load texture tile", form, size)
         left, top, right, bottom = corners

@@ -1,9 +1,10 @@
 """The integer model's dithering: how far points are moved (src68k/span/dithered.s).
 
-The four points of 2x2 pixels are the corners of a square around their middle, turned so that along
-either axis they lie at -3, -1, 1 and 3 eighths of a texel. The bilinear filter's colour is the mean
-over all points within half a texel of a place, both ways; so the mean of the four stands in for it.
-A pixel's own point is off by 3/8 texel at most in u and in v, exactly: moves are whole units.
+The points of 2x2 pixels are the corners of a square around their middle, turned so that along
+either axis they are at -3, -1, 1 and 3 eighths of a texel. The bilinear filter's colour is the mean
+over all points within half a texel of a place in both directions. The mean of the four points
+approximates it. A pixel's point moves by 3/8 texel at most in u and in v, exactly: moves are whole
+units.
 """
 
 import numpy as np
@@ -17,6 +18,6 @@ MOST = 3 / 8
 
 
 def moves(left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
-    """What u and v of the pixels left to right - 1 of line y are moved by, 16.16."""
+    """Returns the moves of u and v for the pixels left to right - 1 of line y, 16.16."""
     moved = MOVES[y & 1, np.arange(left, right) & 1] * EIGHTH
     return moved[:, 0], moved[:, 1]

@@ -1,17 +1,17 @@
-"""The integer model's edges: src68k/polygon's sides_find, edges_make
-and what they call, c/polygon/edges.c."""
+"""The integer model's edges: src68k/polygon's sides_find and edges_make
+and the routines they call, c/polygon/edges.c."""
 
 from dataclasses import dataclass
 from functools import cached_property
 
 from tmap.base.fixed import ONE, ceil16, mul_div
 
-EDGE_ERROR = 1024  # pixels that an edge's x may lie beyond its vertices, 16.16
+EDGE_ERROR = 1024  # how far an edge's x may be beyond its vertices, pixels, 16.16
 
 
 @dataclass
 class Edge:
-    """A side's section: from one vertex to a lower one, drawn on lines top to end - 1."""
+    """A section of a side: from one vertex to a lower one, drawn on lines top to end - 1."""
 
     upper: tuple
     lower: tuple
@@ -26,7 +26,7 @@ class Edge:
 
     @cached_property
     def slope(self) -> int:
-        """Pixels a line, 16.16; 0 where the edge has one line only."""
+        """Pixels per line, 16.16; 0 if the edge has only one line."""
         width, height = self.extent
         several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
         return mul_div(width, ONE, height) if several else 0
@@ -38,11 +38,11 @@ class Edge:
         return self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
 
     def at(self, line: int) -> int:
-        """x on a line, 16.16, rounded at the line ``top`` and in every step."""
+        """Returns x on a line, 16.16, rounded at the line ``top`` and in every step."""
         return self.first + (line - self.top) * self.slope
 
     def column(self, line: int) -> int:
-        """The first pixel at or right of the edge."""
+        """Returns the first pixel at or right of the edge."""
         if not self.exact:
             return ceil16(self.at(line))
         (x, y, *_), (width, height) = self.upper, self.extent
@@ -51,15 +51,15 @@ class Edge:
 
     @property
     def whole(self) -> int:
-        """Whole pixels a line."""
+        """Whole pixels per line."""
         width, height = self.extent
         return width // height if self.exact else self.slope >> 16
 
 
 @dataclass
 class Sides:
-    """Top, bottom and the vertex farthest from the line between them (indices), which
-    way the left side runs, and the box of pixels: left, top, right, bottom."""
+    """Top, bottom and the vertex farthest from the line between them (indices), the direction in
+    which the left side runs, and the box of pixels: left, top, right, bottom."""
 
     corners: tuple[int, int, int]
     direction: int
@@ -67,8 +67,8 @@ class Sides:
 
 
 def corners_of(vertices) -> tuple[tuple[int, int, int], int]:
-    """Top, bottom and apex of a polygon, as indices, and twice their area, above 0 where the apex
-    lies left of the way from top to bottom."""
+    """Returns top, bottom and apex of a polygon, as indices, and twice their area, above 0 if the
+    apex is left of the line from top to bottom."""
     n = len(vertices)
     top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
     bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
@@ -80,7 +80,7 @@ def corners_of(vertices) -> tuple[tuple[int, int, int], int]:
 
 
 def measure(vertices, width: int, height: int) -> Sides | None:
-    """The sides of a polygon; None where it covers nothing."""
+    """Returns the sides of a polygon; None if it covers no pixel."""
     n = len(vertices)
     if n < 3:
         return None
@@ -96,7 +96,7 @@ def measure(vertices, width: int, height: int) -> Sides | None:
 
 
 def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
-    """The edges of one side from the top vertex on, between two lines."""
+    """Returns the edges of one side from the top vertex on, between two lines."""
     edges, index, upper = [], start, vertices[start]
     while top < bottom:
         index = (index + direction) % len(vertices)

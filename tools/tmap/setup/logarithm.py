@@ -1,9 +1,9 @@
 """The integer model's perspective by logarithms: c/perspective/logarithms.c,
 src68k/edge/logarithm_lines and src68k/span/logarithm.
 
-On a line u = K + C / q as in ``model_reciprocal``; here q's index finds its logarithm at each
-pixel, and that of |C| less it a power. Lines for which the tables are not good enough are
-left to ``model_perspective``.
+On a line u = K + C / q as in tmap.setup.reciprocal. Here the index of q looks up its logarithm at
+each pixel; the logarithm of |C| minus that one looks up a power. Lines for which the tables are not
+accurate enough are left to tmap.setup.perspective.
 """
 
 from dataclasses import dataclass
@@ -28,34 +28,36 @@ FURTHEST = 8
 PARTS = 256
 ONE = 1 << 30  # of mantissas
 FACTORS = 128
-#: Centre of what parts lie below the curve between them, 11.5 / 2, and are cut.
+#: Centres the error of ``parts``: between entries it is below the curve by 11.5 at most, taken half
+#: (11.5 / 2), and it is cut.
 BIAS = 7
 #: 2^(1/128) and 2^(1/16384)
 COARSE, FINE = 1079572136, 1073787251
 
-#: What makes a line's pixels wrong: in 1/65536 texel K and powers rounded, C and K of the polygon;
-#: in indices of q its cut and its shift and steps; in units of a logarithm logs' rounding, what
-#: K's move leaves of C's, C's own. See src68k/edge/logarithm_lines.s.
+#: The errors of a line's pixels. REST, in 1/65536 texel: rounding of K and of powers, C and K of
+#: the polygon. OFF_INDEX, in indices of q: its cut, its shift and steps. OFF_LOG, in units of a
+#: logarithm: the rounding of ``logs``, the rest of C's rounding after K's move, the error of C
+#: itself. See src68k/edge/logarithm_lines.s.
 REST, OFF_INDEX, OFF_LOG = 2 * 128 + 24, 0.5 + 0.04, 0.505 + 0.14 + 0.04
 
 
 def limit(bucket: int) -> int:
-    """The power up to which a line may go whose largest logarithm has this upper part: the distance
-    from K that keeps to 1/32 texel, and almost 512 texels: a rounded step may lead an index, 3
-    units, further."""
+    """Returns the largest power allowed to a line whose largest logarithm has these upper bits. Up
+    to this distance from K the error is at most 1/32 texel. It is below 512 texels by a margin: a
+    rounded step may lead one index, 3 units, further."""
     smallest = 2 ** ((MIDDLE - (bucket - 23) * 1024) / OCTAVE) - 1.5
     far = (2048 - REST) / 65536 / (OFF_INDEX / smallest + OFF_LOG * log(2) / OCTAVE)
     # No value is within 1/1000 of an integer: the logarithm's last bits do not matter.
     return min(floor(OCTAVE * log2(256 * far)), POWERS - 4)
 
 
-#: Of each 1/16 of an octave of logs, from the lowest.
+#: The limit for each 1/16 octave of logarithms, from the lowest.
 LIMITS = [limit(bucket) for bucket in range(48)]
 
 
 @cache
 def mantissas() -> np.ndarray:
-    """2^(t / OCTAVE) in 2.30 for t from 0 to OCTAVE."""
+    """Returns 2^(t / OCTAVE) in 2.30 for t from 0 to OCTAVE."""
     rows = [[ONE], [ONE]]
     for row, factor in zip(rows, (COARSE, FINE)):
         while len(row) < FACTORS:
@@ -66,8 +68,8 @@ def mantissas() -> np.ndarray:
 
 @cache
 def logs() -> np.ndarray:
-    """MIDDLE less the logarithms of i + 1/2, i from LOWEST on: the step whose neighbours' means
-    enclose it."""
+    """Returns MIDDLE minus the logarithms of i + 1/2, i from LOWEST on. Each is the step for which
+    the means with its neighbours enclose the value."""
     m = mantissas()
     means = (m[:-1] >> 1) + (m[1:] >> 1)
     out = []
@@ -79,14 +81,14 @@ def logs() -> np.ndarray:
 
 @cache
 def powers() -> np.ndarray:
-    """2^(i / OCTAVE) rounded, its upper bits too."""
+    """Returns 2^(i / OCTAVE), rounded, with all upper bits."""
     m = mantissas()[:-1]
     return np.concatenate([m + (1 << 29 - k) >> 30 - k for k in range(OCTAVES)])
 
 
 @cache
 def parts() -> list[int]:
-    """log2(1 + i / PARTS) in 1/256 units."""
+    """Returns log2(1 + i / PARTS) in 1/256 units."""
     m, out = mantissas(), []
     for k in range(PARTS):
         x = ONE + (k << 22)
@@ -103,13 +105,13 @@ class Logarithmic:
     n: int
     q: int  # fraction:integer, as dq
     dq: int
-    k: tuple[int, int]  # 8.8, what is above it too
-    power: tuple[int, int]  # where a logarithm of 0 leads
+    k: tuple[int, int]  # 8.8, with all upper bits
+    power: tuple[int, int]  # the power for a logarithm of 0
     way: int
 
 
 def indices(each: Logarithmic) -> np.ndarray:
-    """The logarithms' indices of the line's pixels, from 0."""
+    """Returns the logarithms' indices of the line's pixels, from 0."""
     q, out = each.q, []
     for _ in range(each.n + 1):
         out.append(signed(q << 16) // 65536 + ORIGIN - LOWEST)
@@ -118,21 +120,21 @@ def indices(each: Logarithmic) -> np.ndarray:
 
 
 def coordinates(each: Logarithmic) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of the line's pixels, 16.16 modulo 2^32."""
+    """Returns u and v of the line's pixels, 16.16 modulo 2^32."""
     log = logs()[indices(each)]
     return tuple((k + (-d if each.way >> bit & 1 else d)) << 8 & M32 for bit, k, d in
                  ((axis, each.k[axis], powers()[each.power[axis] + log]) for axis in (0, 1)))
 
 
 def mantissa(power: int) -> int:
-    """2^(power / OCTAVE) in 1/OCTAVE, straight between octaves; up to 6.2 % too large."""
+    """Returns 2^(power / OCTAVE) in 1/OCTAVE, linear between octaves; up to 6.2 % too large."""
     return (power % OCTAVE + OCTAVE) << (power >> BITS)
 
 
 def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
-    """(K in 8.8, power) of a line whose 64 C, K and higher logarithm are given; None where C is
-    too large. K takes 0.72 of what a rounded C is off at the farthest pixel, or the middle of what
-    the least power is."""
+    """Returns (K in 8.8, power) of a line from 64 C, K and the larger logarithm; None if C is too
+    large. K is moved by 0.72 of the error that C's rounding makes at the farthest pixel; with the
+    least power, so that the middles of the drawn and the exact values agree."""
     size = abs(c)
     power = None
     if size >> 32:
@@ -154,7 +156,7 @@ def constant(c: int, k: int, base: int, high: int) -> tuple[int, int] | None:
 
 
 def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
-    """The line's record from ``reciprocal.Constants``; None: it is left to others.
+    """Returns the line's record from ``reciprocal.Constants``; None if it is drawn another way.
     ``right`` is excluded."""
     at_ends = near_ends(p, left, right, y, FURTHEST)
     if not at_ends:
@@ -180,12 +182,13 @@ def line(p, k, left: int, right: int, y: int) -> Logarithmic | None:
 
 
 def bound(each: Logarithmic) -> float:
-    """What a line's u or v may be off from S / q of its planes, in 1/65536 texel: see OFF_INDEX.
-    Where |C| is too small for the powers, they show 1/32 texel at the farthest pixel and 1/256 at
-    least: 7/16 of 1/32, as K is moved to the middle; its move by chords 1/9 of 9/16 of that."""
+    """Returns the largest error of a line's u or v against S / q of its planes, in 1/65536 texel:
+    see OFF_INDEX. If |C| is too small for the powers, they give 1/32 texel at the farthest pixel
+    and at least 1/256 elsewhere. As K is moved to the middle, the error is 7/16 of 1/32; the chords
+    in K's move add 1/9 of 9/16 of that."""
     q = swap(each.q) + (ORIGIN << 16) & M32
     last = q + each.n * swap(each.dq) & M32
-    smaller = min(q, last) if last >> 16 >= LOWEST else q  # 2^32 by the rounding of steps
+    smaller = min(q, last) if last >> 16 >= LOWEST else q  # rounded steps may reach 2^32
     high = int(logs()[(smaller >> 16) - LOWEST])
     far = int(powers()[min(max(each.power) + high, POWERS - 1)]) << 8
     i = (smaller >> 16) - 0.5

@@ -2,9 +2,9 @@
 src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
 
 q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are
-divided at the first and the last pixel; between them u = first + (last - first) * part, the
-part being (k q1) / ((n - k) q0 + k q1) at pixel k of n: it lies between 0 and 1 whatever
-happens, so no pixel ever leaves the range of its line's ends.
+divided at the first and the last pixel. Between them u = first + (last - first) * part, with
+part = (k q1) / ((n - k) q0 + k q1) at pixel k of n. It is always between 0 and 1, so no pixel ever
+leaves the range of its line's ends.
 """
 
 from dataclasses import dataclass
@@ -18,20 +18,20 @@ from tmap.build import layout
 from tmap.setup.texturing import gradients
 
 Q_ONE = 1 << 30  # q of the nearest vertex
-Q_SURE = 4  # q is at least so many times its error
-TOO_STEEP = 1 << 28  # Q_SURE times this is above all q but the nearest's
-STEEP = 1 << 14  # 2^16 units a pixel: half of what 32 bits hold
+Q_SURE = 4  # the least ratio of q to its error
+TOO_STEEP = 1 << 28  # Q_SURE times this is above every q except the nearest one's
+STEEP = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
 PIECES = {"every16": 16, "every8": 8}
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
 #: OCTAVE log2(1 + (i + 1) / OCTAVE) rounded up, and OCTAVE log2(1 + i / OCTAVE) rounded down: the
-#: bits of the OCTAVEth power of OCTAVE + i, less those of OCTAVE's.
+#: bit length of the OCTAVEth power of OCTAVE + i, minus that of OCTAVE's.
 LG_UP = [((OCTAVE + i + 1) ** OCTAVE - 1).bit_length() - 6 * OCTAVE for i in range(OCTAVE)]
 LG_DOWN = [((OCTAVE + i) ** OCTAVE).bit_length() - 1 - 6 * OCTAVE for i in range(OCTAVE)]
 
 
 def root_up(power: int) -> int:
-    """2^(power / OCTAVE), rounded up: a square root six times over."""
+    """Returns 2^(power / OCTAVE), rounded up: six square roots in a row."""
     value = (1 << power) - 1
     for _ in range(6):
         value = isqrt(value)
@@ -46,16 +46,16 @@ NEVER = (1 << 31) - 1  # above all weights
 class Way:
     """How a setting's lines are drawn; derived in c/span/perspective.h."""
 
-    piece: int  # log2 of a piece's pixels, of curves the longest one's
-    bend: int  # of curves; else 0
-    off: int  # what a line may be off for being level, in 1/65536 texel
-    width: int  # how wide a polygon with such lines may be
-    raised: int  # units that lines are raised by
+    piece: int  # log2 of a piece's pixels; for curves of the longest piece's
+    bend: int  # for curves; else 0
+    off: int  # error allowed to a level line, in 1/65536 texel
+    width: int  # the largest width of a polygon with level lines
+    raised: int  # units by which lines are raised
 
 
 @cache
 def way(setting: str) -> Way:
-    """The setting's numbers in the C headers."""
+    """Returns the setting's numbers from the C headers."""
     found = layout.load().constants
 
     def number(what: str, otherwise: int = 0) -> int:
@@ -68,45 +68,47 @@ def way(setting: str) -> Way:
 
 @dataclass
 class Plane:
-    """V * 2^scale over the screen, modulo 2^64: at pixel (i, j), a pixel, a line."""
+    """V * 2^scale over the screen, modulo 2^64: the value at pixel (i, j), its growth per pixel and
+    per line."""
 
     at: int
     dx: int
     dy: int
 
     def scaled(self, bits: int) -> "Plane":
-        """The plane times 2^bits."""
+        """Returns the plane times 2^bits."""
         return Plane(*(signed(n << bits, 64) for n in (self.at, self.dx, self.dy)))
 
     def value(self, x: int, y: int) -> int:
-        """x pixels right of (i, j), y lines below."""
+        """Returns the value x pixels right of (i, j) and y lines below it."""
         return signed(self.at + x * self.dx + y * self.dy, 64)
 
 
 @dataclass
 class Perspective:
-    """The planes of q (its upper 32 bits), S and T (S / q is u - base in 16.16)."""
+    """The planes of q (in their upper 32 bits), S and T (S / q is u - base in 16.16)."""
 
     q: Plane
     s: Plane
     t: Plane
     i: int
     j: int
-    base: tuple[int, int]  # a unit above a texel
-    scale: int  # log2 of what S and T are multiplied by
+    base: tuple[int, int]  # a whole texel plus a unit
+    scale: int  # log2 of the factor of S and T
     least: int  # of q
-    low: tuple[int, int]  # u and v less their bases
+    low: tuple[int, int]  # of u and v, relative to their bases
     high: tuple[int, int]
-    gentle: bool = True  # no gradient is too steep for 32 bits of integer
-    raised: tuple[int, int] = (0, 0)  # units that S and T are raised by
+    gentle: bool = True  # no gradient is too steep for 32 integer bits
+    raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
 
     @property
     def farthest(self) -> int:
-        """How far u or v may be from its base."""
+        """The largest distance of u or v from its base."""
         return max(*self.high, *(-c for c in self.low))
 
     def divided(self, x: int, y: int) -> tuple[int, list[int]]:
-        """q at a pixel, at least ``least``, and u and v by it, within their ranges."""
+        """Returns q at a pixel, at least ``least``, and u and v divided by it, within their
+        ranges."""
         at = x - self.i, y - self.j
         q = max(self.q.value(*at) >> 32, self.least)
         return q, [base + min(max(cut_quotient(plane.value(*at), q), low), high)
@@ -116,8 +118,8 @@ class Perspective:
 
 @dataclass
 class Ends:
-    """A line's pixels left to left + n, u and v of the first, the way to the last; the
-    weights of both ends, each 1/n of its q."""
+    """A line's pixels left to left + n: u and v of the first, their differences to the last, and
+    the weights of both ends, each 1/n of its q."""
 
     left: int
     n: int
@@ -129,11 +131,11 @@ class Ends:
     last: int = 0
 
     def weight(self, k: int) -> int:
-        """q of pixel k, in the line's own scale."""
+        """Returns q of pixel k, in the line's scale."""
         return (self.n - k) * self.first + k * self.last
 
     def at(self, k: int) -> tuple[int, int]:
-        """u and v of pixel k, 16.16; exact at both ends, else up to 3 units low."""
+        """Returns u and v of pixel k, 16.16; exact at both ends, else up to 3 units low."""
         if k == self.n:
             return self.u + self.du & M32, self.v + self.dv & M32
         if k == 0:
@@ -144,7 +146,7 @@ class Ends:
 
 
 def error_part(gradient: int, pixels: int) -> int:
-    """Units that a plane may be off after so many pixels, by its gradient (48.16)."""
+    """Returns the units by which a plane may be off after some pixels, by its gradient (48.16)."""
     steep = abs(signed(gradient, 64)) >> 32
     if steep < 1 << 16:
         return (steep * pixels >> 15) + (pixels >> 14) + 2
@@ -153,8 +155,8 @@ def error_part(gradient: int, pixels: int) -> int:
 
 
 def perspective(vertices, corners, box) -> Perspective | None:
-    """The planes of (x, y, u, v, w) vertices; None where the polygon is drawn affine: w is
-    constant, or the planes are not sure enough.
+    """Returns the planes of (x, y, u, v, w) vertices; None if the polygon is drawn affine: w is
+    constant, or the planes are not accurate enough.
 
     ``corners``: indices of top, bottom and apex.
     """
@@ -194,12 +196,12 @@ def perspective(vertices, corners, box) -> Perspective | None:
 
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:
-    """Whether lines are drawn as if depth did not change along them."""
+    """Returns true if lines are drawn as if depth did not change along them."""
     return width <= way(setting).width and keeps_level(p, width, way(setting).off)
 
 
 def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
-    """Whether lines so drawn are off by the tolerance at most, in 1/65536 texel."""
+    """Returns true if level lines are off by at most the tolerance, in 1/65536 texel."""
     grows = abs(p.q.dx)
     high, part = p.q.dx >> 32, grows & M32
     if high not in (0, -1) or part >> 16 == 0xFFFF:
@@ -211,7 +213,7 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
 
 
 def level_step(gradient: int, q: int) -> int:
-    """gradient / q rounded up; 0 where that does not fit 32 bits."""
+    """Returns gradient / q rounded up; 0 if that does not fit 32 bits."""
     n = gradient + q - 1
     magnitude = n >> 32 if n >= 0 else ~(n >> 32)
     if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
@@ -220,7 +222,7 @@ def level_step(gradient: int, q: int) -> int:
 
 
 def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
     q, starts = p.divided(left, y)
     k = np.arange(right - left, dtype=np.int64)
     return tuple(start + k * level_step(signed(plane.dx, 64), q) & M32
@@ -228,13 +230,13 @@ def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
-    """Shares of both ends of a line of n steps: n times one is below 2^31."""
+    """Returns the weights of both ends of a line of n steps: n times one is below 2^31."""
     up = 31 - max(q0, q1).bit_length()
     return max((q0 << up) // n, 1), (q1 << up) // n & ~1
 
 
 def ends(p: Perspective, left: int, right: int, y: int, raised: int = 0) -> Ends:
-    """The line's ends; right is excluded. ``raised``: units that u and v begin above."""
+    """Returns the line's ends; right is excluded. ``raised``: units by which u and v are raised."""
     (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
     line = Ends(left, right - 1 - left, u + raised & M32, v + raised & M32)
     if line.n:
@@ -244,13 +246,13 @@ def ends(p: Perspective, left: int, right: int, y: int, raised: int = 0) -> Ends
 
 
 def lg(x: int, table: list[int]) -> int:
-    """OCTAVE * log2(x) by a table, above or below; x > 0."""
+    """Returns OCTAVE * log2(x) by a table, from above or from below; x > 0."""
     top = x.bit_length() - 1
     return OCTAVE * top + table[x << 31 - top >> 25 & OCTAVE - 1]
 
 
 def exp_up(x: int) -> int:
-    """2^(x / OCTAVE), or a little more: at most 2^31 - 1."""
+    """Returns 2^(x / OCTAVE), or a little more: at most 2^31 - 1."""
     if x < 0:
         return 0
     if x >= 31 * OCTAVE:
@@ -259,11 +261,11 @@ def exp_up(x: int) -> int:
 
 
 def enough(line: Ends, setting: str) -> list[int]:
-    """The least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
+    """Returns the least weights with which curved pieces of 4, 8, 16 ... pixels stay within the
     setting's tolerance.
 
     A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| / 15.59
-    at most (9 sqrt 3), and u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
+    at most (9 sqrt 3), with u''' = 6 du q0 q1 dq^2 / (n q^4) in weights of the line's ends.
     """
     longest = way(setting).piece
     far = max(abs(line.du), abs(line.dv))
@@ -277,7 +279,7 @@ def enough(line: Ends, setting: str) -> list[int]:
 
 
 def pieces(line: Ends, m: int) -> list[tuple[np.ndarray, np.ndarray]]:
-    """u and v of the line's pixels in affine pieces of m pixels, exact at their ends to
+    """Returns u and v of the line's pixels in affine pieces of m pixels, exact at their ends to
     m - 1 units; the last piece ends with the line."""
     out, k, grid = [], 0, ~(m - 1)
     now = [c & grid for c in line.at(0)]
@@ -294,7 +296,7 @@ def pieces(line: Ends, m: int) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def curve(points: list[int], j: int, count: int) -> np.ndarray:
-    """``count`` values of the curve through three points 2^j pixels apart."""
+    """Returns ``count`` values of the curve through three points 2^j pixels apart."""
     a, b, c = points
     h = 1 << j
     first, second = signed(b - a), signed(c - b)
@@ -305,7 +307,7 @@ def curve(points: list[int], j: int, count: int) -> np.ndarray:
 
 
 def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]:
-    """(first pixel, u, v) of the line's pieces in drawing order; later ones are drawn over."""
+    """Returns (first pixel, u, v) of the line's pieces in drawing order; later ones overwrite."""
     limits, out, k = enough(line, setting), [], 0
     longest = way(setting).piece
     j = longest
@@ -332,7 +334,7 @@ def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]
 
 
 def coordinates(line: Ends, setting: str) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of a line's pixels, 16.16 modulo 2^32."""
+    """Returns u and v of a line's pixels, 16.16 modulo 2^32."""
     if setting in PIECES:
         made = pieces(line, PIECES[setting])
         return tuple(np.concatenate([piece[axis] for piece in made]) for axis in (0, 1))

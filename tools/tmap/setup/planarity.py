@@ -1,6 +1,6 @@
-"""The integer model's look at polygons of more than three vertices: c/drawing/fan.c, which derives
-the limits. Those with values that lie on no plane are drawn as a fan of triangles from their first
-vertex.
+"""The integer model's planarity test of polygons with more than three vertices: c/drawing/fan.c,
+which derives the limits. Polygons whose values are not planar are drawn as a fan of triangles from
+their first vertex.
 
 Vertices are (x, y, s, t, shade, w), 16.16, as a scene has them.
 """
@@ -12,17 +12,18 @@ from tmap.setup.texturing import Settings, plane
 #: enum planar_values
 TEXELS, DEPTHS, SHADES, COLOURS = 1, 2, 4, 8
 ALL = 15
-IN_SPACE = ALL - TEXELS  # what a plane in space is on the screen
+IN_SPACE = ALL - TEXELS  # what is planar on the screen if it is planar in space
 FAR = 16384 << 16
 ROUNDED = 16  # units
 QUICK = (7, 7, 4, 4)
 COLOUR_ROUNDED = 2 << 16
 Q_ONE = 1 << 29
-CORNERS = Settings(mapper="none")  # their u and v share no chain
+CORNERS = Settings(mapper="none")  # for a mapper whose u and v share no chain
 
 
 def asked(material) -> int:
-    """What a material (or Settings) draws as planes; of texture units tmap.model.units has it."""
+    """Returns the kinds of values that a material (or Settings) draws as planes; for texture units
+    see tmap.model.units."""
     if material.mapper in ("flat", "n64", "glide") or material.gradients != "plane":
         return 0
     if material.mapper == "gouraud":
@@ -32,13 +33,13 @@ def asked(material) -> int:
 
 
 def fan(vertices: list) -> list[list]:
-    """A polygon's triangles, from its first vertex."""
+    """Returns a polygon's triangles, from its first vertex."""
     return [[vertices[0], *pair] for pair in zip(vertices[1:], vertices[2:])]
 
 
 def parts(vertices, material, vouched: int = 0) -> list:
-    """What a polygon is drawn as: itself, or triangles. ``vouched``: values that lie on planes,
-    whatever is found."""
+    """Returns the pieces in which a polygon is drawn: itself, or triangles. ``vouched``: kinds of
+    values that are planar without a test."""
     wanted = asked(material) & ~vouched
     if len(vertices) > 3 and planar(vertices, wanted) != wanted:
         return fan(vertices)
@@ -46,9 +47,9 @@ def parts(vertices, material, vouched: int = 0) -> list:
 
 
 def vouched(vertices, mapper: str, coloured: bool, halves: int) -> int:
-    """What a scene file vouches for: values that lie on planes, and those that no material of the
-    mapper draws. ``coloured``: shades are colours; ``halves``: 2 where the second half of the
-    vertices has s, t and w of a second unit."""
+    """Returns the kinds of values that a scene file marks as planar: those on planes, and those
+    that no material of the mapper draws. ``coloured``: shades are colours; ``halves``: 2 if the
+    second half of the vertices has s, t and w of a second unit."""
     possible = {"flat": 0, "gouraud": SHADES, "lit_gouraud": TEXELS | SHADES,
                 "affine": TEXELS | DEPTHS, "glide": TEXELS | DEPTHS,
                 "n64": TEXELS | DEPTHS | (COLOURS if coloured else SHADES)}.get(mapper, TEXELS)
@@ -60,7 +61,7 @@ def vouched(vertices, mapper: str, coloured: bool, halves: int) -> int:
 
 
 def is_parallelogram(vertices) -> bool:
-    """Whether x, y, s and t of four vertices are a parallelogram's but for their rounding."""
+    """Returns true if x, y, s and t of four vertices form a parallelogram up to rounding."""
     if len(vertices) != 4:
         return False
     return all(abs(signed(a - b + c - d)) <= most
@@ -68,13 +69,13 @@ def is_parallelogram(vertices) -> bool:
 
 
 def moved(gradient: int) -> int:
-    """10 times a gradient."""
+    """Returns 10 times a gradient's magnitude, in units."""
     return (abs(gradient) >> 13) + (abs(gradient) >> 15)
 
 
 def lie_on_plane(points, pair, corners, extra: tuple[int, int]) -> bool:
-    """Whether pairs of values are those of two planes, within the limits; ``extra``: of each value,
-    beyond those of 16.16."""
+    """Returns true if pairs of values are on two planes, within the limits; ``extra``: the
+    allowance of each value beyond that of 16.16."""
     xs, ys = zip(*points)
     box = min(xs) >> 16, min(ys) >> 16, max(xs) >> 16, max(ys) >> 16
     vertices = [(*point, *values) for point, values in zip(points, pair)]
@@ -93,8 +94,8 @@ def lie_on_plane(points, pair, corners, extra: tuple[int, int]) -> bool:
 
 
 def divided(vertices) -> tuple[list[tuple[int, int]], list[tuple[int, int]], tuple[int, int]]:
-    """Pairs (q, s q) and (t q, 0) of vertices (x, y, s, t, shade, w), and what each of q and the
-    others may be off beyond 16.16."""
+    """Returns pairs (q, s q) and (t q, 0) of vertices (x, y, s, t, shade, w), and the allowances of
+    q and of the others beyond that of 16.16."""
     least = min(abs(v[5]) for v in vertices)
     qs = [mul_div(Q_ONE, least, abs(v[5])) * (1 if v[5] > 0 else -1) for v in vertices]
     spans = [[v[k] for v in vertices] for k in (2, 3)]
@@ -108,7 +109,7 @@ def divided(vertices) -> tuple[list[tuple[int, int]], list[tuple[int, int]], tup
 
 
 def pairs_of(vertices, kind: int):
-    """The pairs of a kind of values, each with what they may be off beyond 16.16."""
+    """Returns the pairs of a kind of values, each with its allowances beyond that of 16.16."""
     if kind == TEXELS:
         return [([v[2:4] for v in vertices], (0, 0))]
     if kind == DEPTHS:
@@ -121,8 +122,8 @@ def pairs_of(vertices, kind: int):
 
 
 def planar(vertices, asked: int) -> int:
-    """Those kinds of values, of those ``asked`` for, that lie on planes. All where nothing can be
-    said: there is no area, or a coordinate is too far away."""
+    """Returns those of the kinds ``asked`` whose values are on planes. Returns all of them if that
+    cannot be tested: there is no area, or a coordinate is too far away."""
     quick = TEXELS | DEPTHS * (len({v[5] for v in vertices}) == 1)
     if not asked & ~quick and is_parallelogram(vertices):
         return asked

@@ -28,7 +28,7 @@ STEEP = 4 << 16
 
 @dataclass
 class Polygon:
-    """What the set-up makes of a polygon: its lines from ``top`` on."""
+    """A set-up polygon: its lines from ``top`` on."""
 
     top: int
     lines: list[Line]
@@ -36,27 +36,27 @@ class Polygon:
     left_edges: list[Edge]
     right_edges: list[Edge]
     textured: bool
-    mapper: str = "affine"  # what draws it; affine where generated code cannot
+    mapper: str = "affine"  # the mapper that draws it; affine if generated code cannot
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
-    straight: bool = False  # the tolerance lets its lines be
+    straight: bool = False  # the tolerance allows straight lines
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
     is_level: bool = False  # the perspective's depth does not change along lines
-    constants: reciprocal.Constants | None = None  # of lines by tables
+    constants: reciprocal.Constants | None = None  # of lines drawn by tables
 
     @property
     def tables(self) -> ModuleType:
-        """The model of lines by tables."""
+        """The module that models lines drawn by tables."""
         return reciprocal if self.setting in PIECES else logarithm
 
     def record(self, line: Line, y: int):
-        """The record by which the line at y is drawn by ``tables``; None if it is not."""
+        """Returns the record of the line at y for ``tables``; None if it is drawn another way."""
         return self.constants and self.tables.line(self.perspective, self.constants, line.left,
                                                    line.right, y)
 
     def coordinates(self, line: Line, y: int):
-        """u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
+        """Returns u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
             return coordinates(line, self.mapper, y)
         if self.is_level:
@@ -69,18 +69,18 @@ class Polygon:
 
     @property
     def pixels(self) -> int:
-        """Pixels drawn."""
+        """The count of pixels drawn."""
         return sum(max(0, line.right - line.left) for line in self.lines)
 
 
 def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
-    """Whether an edge's error may lead further out of the vertices' range than INSET."""
+    """Returns true if an edge's error may move values out of the vertices' range by over INSET."""
     return settings.gradients != "plane" or not all(
         -STEEP < signed(step) < STEEP for step in (dudx, dvdx))
 
 
 def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
-    """The lowest u and v, and the highest, that the plane as it is stepped has at the vertices."""
+    """Returns the lowest u and v, and the highest, that the stepped plane has at the vertices."""
     planes = ((t.u, signed(t.dudx), signed(t.dudy)), (t.v, signed(t.dvdx), signed(t.dvdy)))
     values = [[signed(at + mul(ddx, v[0] - (t.i << 16)) + mul(ddy, v[1] - (t.j << 16)))
                for v in vertices] for at, ddx, ddy in planes]
@@ -89,7 +89,7 @@ def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
 
 def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Texturing | None,
                steep: bool):
-    """(low, high) of u and of v where lines must be held in a range; else None."""
+    """Returns (low, high) of u and of v if lines must be held in a range; else None."""
     low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
     if settings.mapper == "gouraud":
         ranges = [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)]
@@ -98,7 +98,7 @@ def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Te
     else:
         return None
     inset = INSET
-    if len(vertices) > 3 and not steep:  # the plane need not run through all of them
+    if len(vertices) > 3 and not steep:  # the plane need not pass through all of them
         inset, (low, high) = ON_PLANE, plane_range(vertices, t)
     used = 1 if settings.mapper == "gouraud" else 2
     inside = all(a >= first + inset and b <= last - inset
@@ -107,8 +107,9 @@ def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Te
 
 
 def hold(lines: list[Line], ranges) -> None:
-    """Moves the lines, all of the same steps, so that no pixel leaves the ranges. Steps that fall are
-    slower by two units: a start moved below the far border is above the exact value a pixel on."""
+    """Moves the lines, all with the same steps, so that no pixel leaves the ranges. Negative steps
+    are made smaller by two units: a start may be moved a unit below the far border, and u must be
+    above the exact value again one pixel on."""
     counts = [line.right - line.left for line in lines]
     longest_line = max(*counts, 1) - 1
     for line, count in zip(lines, counts):
@@ -141,8 +142,8 @@ def scanline_lines(left: list[Edge], right: list[Edge], lines: list[Line],
 
 @dataclass
 class Outline:
-    """What edges come from: the vertices, clipped where that is asked for, and their sides;
-    ``corners``: of the whole polygon, which gradients come from."""
+    """The source of the edges: the vertices, clipped if the settings say so, and their sides.
+    ``corners``: those of the whole polygon, for the gradients."""
 
     corners: tuple[int, int, int]
     vertices: list[tuple]
@@ -150,11 +151,11 @@ class Outline:
 
     @property
     def box(self) -> tuple[int, int, int, int]:
-        """Left, top, right and bottom of the pixels."""
+        """Left, top, right and bottom of the box of pixels."""
         return self.sides.box
 
     def polygon(self, width: int, exact: bool, textured: bool) -> Polygon:
-        """The polygon with its edges and lines, which have no u and v yet."""
+        """Returns the polygon with its edges and lines, which have no u and v yet."""
         _, top, _, bottom = self.box
         lefts, rights = (side(self.vertices, self.sides.corners[0], direction, top, bottom, exact)
                          for direction in (self.sides.direction, -self.sides.direction))
@@ -165,7 +166,7 @@ class Outline:
 
 
 def outline_of(vertices, width: int, height: int, settings: Settings) -> Outline | None:
-    """The outline of a polygon; None where nothing is covered."""
+    """Returns the outline of a polygon; None if it covers no pixel."""
     sides = measure(vertices, width, height)
     if sides is None:
         return None
@@ -178,7 +179,7 @@ def outline_of(vertices, width: int, height: int, settings: Settings) -> Outline
 
 
 def plane_lines(polygon: Polygon, columns: list[int], settings: Settings) -> None:
-    """Sets u, v and steps of each line by the polygon's own steps; ``columns``: where lines begin
+    """Sets u, v and steps of each line by the polygon's steps; ``columns``: the lines' first pixels
     before the frame cuts them."""
     t = polygon.texturing
     starts = [start for edge in polygon.left_edges for start in edge_starts(t, edge, settings)]
@@ -190,7 +191,7 @@ def plane_lines(polygon: Polygon, columns: list[int], settings: Settings) -> Non
 
 def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settings,
                   size: tuple[int, int] | None) -> bool:
-    """Sets u, v and steps of a polygon's lines; False where its corners have no area."""
+    """Sets u, v and steps of a polygon's lines; returns False if its corners have no area."""
     groups = [[line] for line in polygon.lines if line.right > line.left]
     if settings.gradients == "scanline":
         scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
@@ -201,7 +202,7 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
             return False
         columns = [edge.column(y) for edge in polygon.left_edges for y in range(edge.top, edge.end)]
         plane_lines(polygon, columns, settings)
-        groups = [polygon.lines]  # all of the same steps
+        groups = [polygon.lines]  # all with the same steps
     for lines in groups:
         ranges = held_range(vertices, settings, size, polygon.texturing,
                             is_steep(settings, lines[0].dudx, lines[0].dvdx))
@@ -211,7 +212,7 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
 
 
 def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Settings) -> bool:
-    """Sets the planes of a polygon's perspective; False where it is drawn affine."""
+    """Sets the planes of a polygon's perspective; returns False if it is drawn affine."""
     deep = perspective(vertices, outline.corners, outline.box)
     if deep is None:
         return False
@@ -224,8 +225,8 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
 
 
 def may_be_written(vertices, settings: Settings) -> bool:
-    """Whether code is tried for a polygon: u of its vertices lies in one row of the map, or up to a
-    texel beside it, and all lines have the same steps."""
+    """Returns true if generated code is tried for a polygon: u of its vertices is within one row of
+    the map, or up to a texel beside it, and all lines have the same steps."""
     us = [v[2] for v in vertices]
     first = min(us) + ONE & (256 << 16) - 1
     return settings.gradients != "scanline" and first + max(us) - min(us) <= 258 << 16
@@ -233,10 +234,10 @@ def may_be_written(vertices, settings: Settings) -> bool:
 
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
            size: tuple[int, int] | None = None) -> Polygon | None:
-    """Sets a polygon up for a frame; None where it is refused or covers nothing.
+    """Sets a polygon up for a frame; returns None if it is refused or covers no pixel.
 
     ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
-    with their level last, as ``adapt`` gives them; ``size`` is the map's, in texels.
+    with their level last, as ``adapt`` returns them; ``size``: the map's, in texels.
     """
     n = len(vertices)
     if not 3 <= n <= CORNERS_MAX or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
@@ -265,7 +266,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
 
 
 def constants(deep: Perspective, lines: list[Line], box, setting: str):
-    """The constants of lines by tables; None where there are none."""
+    """Returns the constants of lines drawn by tables; None if no line is."""
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
     if setting == "fine" or first is None:
         return None
@@ -274,9 +275,10 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str):
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
-    """(x, y, s, t, shade, w) as ``set_up`` takes them: x and y in whole pixels where edges are;
-    s and t in texels of a map whose longer side is given, the nearest, w, and a lit mapper's
-    level; or the shade as u, kept INSET inside the range of the pixels it may become."""
+    """Converts (x, y, s, t, shade, w) for ``set_up``. x and y are cut to whole pixels if edges are
+    integer. s and t are scaled, to the nearest, to texels of a map with the given longer side;
+    w and a lit mapper's level follow. Gouraud's shade becomes u, INSET inside the range of its
+    possible pixels."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     if settings.mapper == "gouraud":

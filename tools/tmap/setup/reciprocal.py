@@ -1,9 +1,9 @@
 """The integer model's perspective by a table of reciprocals: src68k/polygon/reciprocal_find,
 src68k/edge/reciprocal_lines and the spans src68k/span/reciprocal_*.
 
-On a line u = K + C / q: K is the polygon's own, C the line's, so that q alone is stepped; its
-index finds r in the table, and a piece's steps are C times what r grows. Lines for which
-the table is not good enough are left to tmap.setup.perspective.
+On a line u = K + C / q: K belongs to the polygon, C to the line, so that only q is stepped. Its
+index looks up r in the table, and a piece's steps are C times the difference of r. Lines for which
+the table is not accurate enough are left to tmap.setup.perspective.
 """
 
 from dataclasses import dataclass
@@ -26,14 +26,14 @@ TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
 
 @dataclass
 class Constants:
-    """K of u and v, 16.16; 64 C of the first line and what it grows a line, modulo 2^64."""
+    """K of u and v, 16.16; 64 C of the first line and its growth per line, modulo 2^64."""
 
     k: tuple[int, int]
     c: tuple[int, int]
     dc: tuple[int, int]
     limit: int | None
     piece: int | None
-    raised: list[int]  # units that u and v are raised by, in k
+    raised: list[int]  # units by which u and v are raised, included in k
 
 
 @dataclass
@@ -42,7 +42,7 @@ class Reciprocal:
 
     left: int
     n: int
-    start: tuple[int, int]  # 8.24, what is above it too
+    start: tuple[int, int]  # 8.24, with all upper bits
     q: int  # fraction:integer, as dq
     dq: int
     c: tuple[int, int]
@@ -54,20 +54,20 @@ class Reciprocal:
 
 @cache
 def reach(piece: int, width: int) -> int:
-    """Texels that a line of 2^piece pixels each may lie away from K; as c/span/reciprocal.h
+    """Returns the most texels between K and a line in pieces of 2^piece pixels; c/span/reciprocal.h
     derives it."""
     found = layout.load().constants
     return found[f"RECIPROCAL_REACH_{1 << piece}"] - width // found["RECIPROCAL_REACH_WIDTH"]
 
 
 def product(k: int, q: int) -> int:
-    """K q, both 32.32, in units; cut as the routine does."""
+    """Returns K q, both 32.32, in units, cut as the routine cuts it."""
     (a, b), (c, d) = ((x >> 32, x & M32) for x in (k, q))
     return a * c + (a * d >> 32) + (b * c >> 32)
 
 
 def asymptote(q, plane) -> int | None:
-    """K of a plane, 32.32; None where it is too far away."""
+    """Returns K of a plane, 32.32; None if it is too far away."""
     top, bottom = signed(plane.dx, 64), signed(q.dx, 64)
     sign = -1 if (top < 0) != (bottom < 0) else 1
     top, bottom = abs(top), abs(bottom)
@@ -78,7 +78,8 @@ def asymptote(q, plane) -> int | None:
 
 
 def raised(piece: int | None, width: int, k: int, low: int, high: int) -> int:
-    """Units that lines are raised by, as they may be off by so much; derived in the C headers."""
+    """Returns the units by which lines are raised: their largest error, derived in the C
+    headers."""
     found = layout.load().constants
     if piece is None:
         return found["LOGARITHM_OFF"]
@@ -87,9 +88,9 @@ def raised(piece: int | None, width: int, k: int, low: int, high: int) -> int:
 
 
 def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
-    """The constants of a tmap.setup.perspective.Perspective: (x, y) is a pixel of the
-    polygon, from the planes' own, ``width`` that of its box; None: no line is to be tried. By
-    logarithms there is no ``piece``."""
+    """Returns the constants of a tmap.setup.perspective.Perspective; None if no line is tried.
+    (x, y): a pixel of the polygon, relative to the planes' (i, j); ``width``: that of its box;
+    ``piece``: log2 of a piece's pixels, None for logarithms."""
     if not p.gentle:
         return None
     k, c, dc = [], [], []
@@ -112,15 +113,15 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
 
 
 def near_ends(p, left: int, right: int, y: int, furthest: int) -> tuple[int, int, int] | None:
-    """q at a line's first and last pixel, and by how many bits, up to ``furthest``, the larger one
-    can go left; None: an end is too near, or q too small. ``right`` is excluded."""
+    """Returns q at a line's first and last pixel, and how many bits the larger one can be shifted
+    left; None if that is over ``furthest`` or q is too small. ``right`` is excluded."""
     q0, q1 = (p.q.value(x - p.i, y - p.j) >> 32 for x in (left, right - 1))
     shift = 32 - max(q0, q1).bit_length()
     return None if min(q0, q1) < p.least or shift > furthest else (q0, q1, shift)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
-    """The line's record; None: it is left to others. ``right`` is excluded."""
+    """Returns the line's record; None if it is drawn another way. ``right`` is excluded."""
     n, m = right - 1 - left, 1 << k.piece
     found = near_ends(p, left, right, y, FURTHEST)
     if not found:
@@ -156,25 +157,25 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Reciprocal | None:
 
 
 def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
-    """The steps of B and A from those of u and v, 8.24."""
+    """Returns the steps of B and A from those of u and v, 8.24."""
     u, v = du + carry & M32, swap(dv & M32)
     u = (u << 8 | u >> 24) & M32
     return u & 0xFFFF0000 | v & 0xFFFF, v & 0xFFFF0000 | u & 0xFFFF
 
 
 def lift(x: int, near: int, hidden: int = 0) -> int:
-    """The 16.16 number, modulo 2^32, that is x in 8.16 or up to ``hidden`` more, nearest to
-    another of 24 fraction bits."""
+    """Extends x, 8.16, to the 16.16 number, modulo 2^32, that is nearest to ``near``, which has 24
+    fraction bits. The result may be up to ``hidden`` above x."""
     near >>= 8
     x = near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23)
     return min(max(near, x), x + hidden) & M32
 
 
 def bound(each: Reciprocal) -> float:
-    """What a line's u or v may be off from S / q of its planes, at the ends of its pieces, in
-    1/65536 texel: of q's index, of r and C, of what C's rounding leaves beside the line's
-    middle, half a unit a pixel of u's steps; 50 of all the rest: q.hi and 64 C cut (12 and 24),
-    q's steps, the last piece's part, V's overflow and K cut."""
+    """Returns the largest error of a line's u or v against S / q of its planes, at the ends of its
+    pieces, in 1/65536 texel. It is the sum of the errors of q's index, of r and C, of C's rounding
+    away from the line's middle, half a unit per pixel for u's steps, and 50 for the rest: q.hi and
+    64 C cut (12 and 24), q's steps, the last piece's part, V's overflow and K cut."""
     r = max(each.first, each.last)
     far = max(abs(c) for c in each.c) * r / (1 << 24 - each.piece)
     i = (1 << 29) / r
@@ -183,8 +184,8 @@ def bound(each: Reciprocal) -> float:
 
 
 def coordinates(each: Reciprocal) -> tuple[np.ndarray, np.ndarray]:
-    """u and v of the line's pixels, 16.16 modulo 2^32. The chain shows 8.16 of u and 8.8 of v;
-    the sum of steps adds what is above it, and v's last 8 bits."""
+    """Returns u and v of the line's pixels, 16.16 modulo 2^32. The chain holds u in 8.16 and v in
+    8.8; the sum of the steps supplies the bits above these and v's last 8 bits."""
     m, q, old = 1 << each.piece, each.q, each.first
     b, a = steps(*each.start, 0)
     a &= 0xFFFF00FF

@@ -1,16 +1,16 @@
-"""The packing of struct scanline's start fields, for what calls kernels from the host."""
+"""The packing of struct scanline's start fields, for calls of kernels from the host."""
 
 from tmap.base.fixed import M32
 from tmap.build import layout
 
-#: Which bits of a start count, by form: v--U has room in its middle.
+#: The bits of a start that are used, by form: the middle of v--U is unused.
 MASKS = {"addx": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": 0xFF0000FF},
          "plain": {"start0": 0xFFFF, "start1": 0xFFFF, "start2": M32},
          "flat": {}}
 
 
 def pack(form: str, u: int, v: int) -> dict[str, int]:
-    """The start fields of u and v, 16.16."""
+    """Returns the start fields of u and v, 16.16."""
     if form == "flat":
         return {}
     if form == "plain":
@@ -20,13 +20,13 @@ def pack(form: str, u: int, v: int) -> dict[str, int]:
 
 
 def pack_shade(level: int, added: int = 0) -> int:
-    """An entry of struct shade_plan's shades: a level of 16.16 as c-Cc, and what is added."""
+    """Returns an entry of struct shade_plan's shades: a level, 16.16, as c-Cc, plus ``added``."""
     return ((level & 0xFF) << 24 | level >> 8 & 0xFFFFFF) + added & M32
 
 
 def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
-    """struct edge of x and slope in 16.16, EDGE_BIAS included in x; no stepper reads where
-    it comes from."""
+    """Returns a struct edge of x and slope in 16.16, EDGE_BIAS included in x. No stepper reads
+    ``upper``, ``lower`` and ``top``."""
     x += 0xFFFF
     more |= {"upper": 0xDEAD, "lower": 0xDEAD, "top": 0xDEAD}
     return {"lines": lines, "x": x >> 16, "whole": slope >> 16, "error": x << 16 & M32,
@@ -34,6 +34,6 @@ def rounded_edge(lines: int, x: int, slope: int, **more: int) -> dict[str, int]:
 
 
 def add_span_plan(arena, pointers: dict[str, int], far: dict[str, int], **values: int) -> int:
-    """Puts a struct span_plan into an arena; what its kernel does not read is 0."""
+    """Puts a struct span_plan into an arena; fields that are not given are 0."""
     unread = layout.load().struct("span_plan").fields.keys() - pointers.keys() - far.keys()
     return arena.struct("span_plan", pointers, far, **dict.fromkeys(unread, 0) | values)

@@ -12,13 +12,13 @@ FREE_BITS = 3  # of a level's fraction: kept 0
 
 
 def level_of(shade: int) -> int:
-    """The level of a vertex's shade, both 16.16."""
+    """Returns the level of a vertex's shade, both 16.16."""
     return shade >> 2
 
 
 @dataclass
 class Shading:
-    """How levels run over a polygon: as u of a plane, within ``low`` to ``high``."""
+    """The levels of a polygon: u of a plane, within ``low`` to ``high``."""
 
     plane: Texturing
     low: int
@@ -26,7 +26,7 @@ class Shading:
 
 
 def shading(vertices, corners, box) -> Shading:
-    """The light of vertices whose last number is their level, 16.16."""
+    """Returns the light of vertices whose last number is their level, 16.16."""
     levels = [v[-1] for v in vertices]
     t = plane([(*v[:2], v[-1], 0) for v in vertices], corners, box, Settings(mapper="levels"))
     return Shading(t, min(levels) & ~0xFFFF, (max(levels) | 0xFFFF) - FREE_BITS)
@@ -47,5 +47,5 @@ def light_lines(lines: list[Line], top: int, light: Shading) -> None:
 
 
 def rows(line: Line) -> np.ndarray:
-    """The light table's row at each pixel of a line."""
+    """Returns the light table's row at each pixel of a line."""
     return line.c + np.arange(line.right - line.left, dtype=np.int64) * line.dcdx >> 16

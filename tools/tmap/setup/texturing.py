@@ -9,9 +9,9 @@ from tmap.setup.edges import Edge
 
 #: Mappers whose u and v share an addx chain.
 CHAINED = ("affine", "lit")
-#: Texels a pixel from which on what a step without a plane may fall short by is not made up.
+#: Texels per pixel from which on the shortfall of a step without a plane is not compensated.
 STEEP = 256
-#: Low bits of u and v that a mapper's spans do not keep; of levels of light.
+#: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
 
@@ -25,11 +25,11 @@ class Settings:
     clip: str = "scissor"  # scissor, vertices
     perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
-    tolerance: int = 0  # 1/65536 texel that less perspective may cost
+    tolerance: int = 0  # error allowed to simpler perspective, 1/65536 texel
 
 
 def raised(value: int, cut: int) -> int:
-    """A number modulo 2^32, raised to a multiple of 2^cut."""
+    """Rounds a number up to a multiple of 2^cut, modulo 2^32."""
     return value + (1 << cut) - 1 >> cut << cut & M32
 
 
@@ -43,18 +43,18 @@ class Line:
     v: int = 0
     dudx: int = 0
     dvdx: int = 0
-    c: int = 0  # level of light, and its step
+    c: int = 0  # level of light; its step is dcdx
     dcdx: int = 0
 
 
 @dataclass
 class Texturing:
-    """Steps of u and v, 16.16 modulo 2^32; on the plane also u at pixel (i, j), v alike."""
+    """Steps of u and v, 16.16 modulo 2^32; for a plane also u and v at pixel (i, j)."""
 
     dudx: int
     dvdx: int
-    u_cut: int  # low bits of u that the spans do not keep ...
-    guard: int  # ... and what they hold: 1 where v falls in a chain
+    u_cut: int  # low bits of u that the spans drop ...
+    guard: int  # ... and their value: 1 if v falls in a chain
     wraps: bool
     v_cut: int = 0
     dudy: int = 0
@@ -63,16 +63,16 @@ class Texturing:
     v: int = 0
     i: int = 0
     j: int = 0
-    box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the pixels that (i, j) is the middle of
+    box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the box of pixels around (i, j)
 
     @property
     def cuts(self) -> tuple[int, int]:
-        """Low bits that the spans do not keep, of u and of v."""
+        """The low bits of u and of v that the spans drop."""
         return self.u_cut, self.v_cut
 
 
 def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
-    """Whether v, given at the box's middle, stays between two multiples of 256 texels."""
+    """Returns true if v, given at the box's middle, stays between two multiples of 256 texels."""
     left, top, right, bottom = box
     travel_x, travel_y = abs(signed(dvdx)) >> 8, abs(signed(dvdy)) >> 8
     travel = ((travel_x + 1) * ((right - left + 1) >> 1)
@@ -82,7 +82,7 @@ def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
 
 
 def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
-    """u_cut, guard and wraps of struct texturing, where v may wrap in a chain."""
+    """Returns u_cut, guard and wraps of struct texturing; ``wraps``: v may wrap in a chain."""
     speed = signed(dvdx, 24)
     once = ((abs(speed) >> 8) + 1) * width <= 0x10000
     spare = int(wraps and once)
@@ -90,17 +90,19 @@ def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
 
 
 def whole_texels(gradient: int) -> int:
-    """A 32.32 gradient's magnitude in whole texels, rounded down, or one less."""
+    """Returns a 32.32 gradient's magnitude in whole texels, rounded down, or one less."""
     return (gradient ^ gradient >> 63) >> 32
 
 
 def shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, int], way: int) -> int:
-    """Units that a coordinate may fall short of its plane at any pixel of a box, rounded up.
+    """Returns the units by which a coordinate may be below its plane at any pixel of a box, rounded
+    up.
 
-    ``found``: the gradients, 32.32; ``steps``: what they were rounded to, 16.16; ``ways``: pixels from
-    the middle of the box to its sides; ``way``: pixels from the first corner to the farthest, x and
-    y in all. Steps that were rounded by r units a pixel make r a pixel. The gradients themselves
-    are off by |g| / 2^31 + 3 / 2^32 texels a pixel, the value in the middle by a unit.
+    ``found``: the gradients, 32.32; ``steps``: the gradients rounded to 16.16; ``ways``: pixels
+    from the middle of the box to its sides; ``way``: pixels from the first corner to the farthest,
+    the sum of x and y. Steps that were rounded by r units add an error of r units per pixel. The
+    gradients themselves are off by |g| / 2^31 + 3 / 2^32 texels per pixel, the value in the middle
+    by a unit.
     """
     rounded = sum(abs(signed((s << 16) - g, 40)) * w for g, s, w in zip(found, steps, ways))
     cut = (sum(whole_texels(g) for g in found) + 5 & M32) * 2 * way
@@ -108,8 +110,8 @@ def shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, i
 
 
 def gradients(corners, key: int) -> tuple[int, int] | None:
-    """What one number of three corners (x, y, ...) grows a pixel and a line on its plane, 32.32;
-    None where the corners have no area."""
+    """Returns the gradients, per pixel and per line, of the plane through one number of three
+    corners (x, y, ...), 32.32; None if the corners have no area."""
     a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
     d = a[0] * b[1] - b[0] * a[1]
     if d == 0:
@@ -119,7 +121,8 @@ def gradients(corners, key: int) -> tuple[int, int] | None:
 
 
 def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
-    """The texture plane through three corners (indices), seen from the box's middle."""
+    """Returns the texture plane through three corners (indices), relative to the box's middle; None
+    if the corners have no area."""
     three = [vertices[k] for k in corners]
     found = [gradients(three, key) for key in (2, 3)]
     if None in found:
@@ -148,14 +151,14 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
 
 
 def saturated_step(part: int, whole: int) -> int:
-    """part / whole in 16.16, at most the largest number."""
+    """Returns part / whole in 16.16, saturated to the largest number."""
     if abs(part) >> 15 >= abs(whole):
         return 0x7FFFFFFF if (part < 0) == (whole < 0) else -0x7FFFFFFF
     return mul_div(-part, ONE, -whole) if whole < 0 else mul_div(part, ONE, whole)
 
 
 def longest(vertices, corners, box, settings: Settings) -> Texturing:
-    """A triangle's steps from its longest scanline, the one through the middle vertex."""
+    """Returns a triangle's steps from its longest scanline, the one through the middle vertex."""
     top, bottom, middle = (vertices[k] for k in corners)
     whole, part = ([p - q for p, q in zip(v, top)] for v in (bottom, middle))
     if whole[1] > 0:
@@ -171,8 +174,8 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
 
 
 def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> int:
-    """Units that u may fall short by along a left edge of so many lines, and along the lines that begin
-    there, without a plane: see ``shortfall`` in c/polygon/texturing.c."""
+    """Returns the units by which u may fall short without a plane, along a left edge of ``lines``
+    lines and along the lines that begin there: see ``shortfall`` in c/polygon/texturing.c."""
     whole = (abs(signed(step)) >> 16) + 2
     coarse = (1 << cut) + 1 if cut else 1
     line = 3 + whole if start == "subtexel" else 1
@@ -180,13 +183,13 @@ def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> i
 
 
 def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
-    """u and v at a pixel."""
+    """Returns u and v at a pixel."""
     x, y = column - t.i, line - t.j
     return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
 
 
 def along(edge: Edge) -> list[tuple[int, int, int]]:
-    """x, u and v where an edge crosses its lines, 16.16."""
+    """Returns x, u and v where an edge crosses its lines, 16.16."""
     whole = [b - a for a, b in zip(edge.upper, edge.lower)]
     y = (edge.top << 16) - edge.upper[1]
     several = edge.end - edge.top > 1
@@ -197,15 +200,15 @@ def along(edge: Edge) -> list[tuple[int, int, int]]:
 
 
 def ramp_point(edge: Edge, point: tuple[int, int, int]) -> tuple[int, int, int]:
-    """x, u and v of an edge's crossing as lines with two divides take them: raised by what u and v may
-    fall short along the edge, half a unit a line, and by two units for what is cut afterwards."""
+    """Returns x, u and v of an edge's crossing for lines with two divides. u and v are raised by
+    their shortfall along the edge, half a unit per line, and by two units for later cuts."""
     x, u, v = point
     more = (edge.end - edge.top + 1) // 2 + 2
     return x, u + more, v + more
 
 
 def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
-    """u and v of an edge's lines at their first pixels, modulo 2^32."""
+    """Returns u and v of an edge's lines at their first pixels, modulo 2^32."""
     columns = [edge.column(line) for line in range(edge.top, edge.end)]
     if settings.gradients == "plane" and settings.start == "subtexel":
         return [on_plane(t, c, line) for line, c in enumerate(columns, edge.top)]

@@ -3,11 +3,11 @@
 from tmap.base.fixed import mul_div, signed
 from tmap.setup.perspective import PIECES, Perspective, keeps_level
 
-STEEP = 8  # q grows a pixel by its least, less so many bits, at most
+STEEP = 8  # q may grow per pixel by at most its least value shifted right by so many bits
 
 
 def is_flat(vertices, tolerance: int) -> bool:
-    """Whether (x, y, u, v, w) of a triangle may be drawn affine."""
+    """Returns true if a triangle of (x, y, u, v, w) may be drawn affine."""
     if len(vertices) != 3 or not tolerance:
         return False
     ws = [v[4] for v in vertices]
@@ -17,7 +17,7 @@ def is_flat(vertices, tolerance: int) -> bool:
 
 
 def bend(p: Perspective) -> int | None:
-    """What a piece is off, at most, over its pixels squared times 4; None: too much."""
+    """Returns a piece's largest error as a factor of its pixels squared / 4; None if too large."""
     steep, *rest = (abs(signed(plane.dx, 64)) >> 32 for plane in (p.q, p.s, p.t))
     steep, grows = steep + 1, max(rest) + 1
     if steep > p.least >> STEEP or grows > p.least >> 2:
@@ -28,7 +28,7 @@ def bend(p: Perspective) -> int | None:
 
 
 def coarser(p: Perspective, width: int, setting: str, tolerance: int) -> tuple[str, bool]:
-    """The setting that the tolerance allows, and whether lines may be straight."""
+    """Returns the setting that the tolerance allows, and true if lines may be straight."""
     if not tolerance:
         return setting, False
     if keeps_level(p, width, tolerance):

@@ -1,17 +1,17 @@
-"""Planes over the screen that texture units iterate, a pair at a time.
+"""Planes over the screen that texture units iterate, in pairs.
 
-A pair is set up as the renderer's polygons are (tmap.setup.polygon: plane gradients, sub-texel
+A pair is set up like the renderer's polygons (tmap.setup.polygon: plane gradients, sub-texel
 starts, exact edges or subpixel ones). Every rounding:
 
-- without perspective, or where all w are the same and above 0, planes of s and t are found in
-  16.16, S and T are those times a power of two; W is ``one`` everywhere;
-- else W = one * least |w| / w at each corner, half of that if the w of any is below 0, and
-  S = s * the power of two * W / one, T alike, each to the nearest, halves up;
+- without perspective, or if all w are the same and above 0, planes of s and t are computed in
+  16.16; S and T are those times a power of two; W is ``one`` everywhere;
+- else W = one * least |w| / w at each corner, half of that if any w is below 0, and
+  S = s * the power of two * W / one, T in the same way, each to the nearest, halves up;
 - each of a pair is moved by its base, floor((least + most) / 2), before set-up and back after;
-- the plane's value at the box's middle, its steps and the lines' starts are rounded by set-up:
+- set-up rounds the plane's value at the box's middle, its steps and the lines' starts:
   gradients cut to 32.32, values and steps to the nearest 16.16, and raised so that none is below
   the exact one (tmap.setup.texturing.plane);
-- S and T that were divided are raised by as much as W may be too high (``divided_more``): where W is
+- divided S and T are raised to make up for a W that is too high (``divided_more``): where W is
   above 0, S / W and T / W are not below the exact ones either;
 - iterators then step without rounding, modulo 2^32.
 """
@@ -28,8 +28,8 @@ from tmap.setup.texturing import Settings, Texturing
 
 
 class Scale(NamedTuple):
-    """How s, t and w become iterators. ``bits``: S is s times 2^bits; ``one``: W of the corner
-    that is nearest; ``reach``: s and t of two corners are less than this apart, 16.16."""
+    """How s, t and w become iterators. ``bits``: S is s times 2^bits; ``one``: W of the nearest
+    corner; ``reach``: s and t of two corners differ by less than this, 16.16."""
 
     bits: int
     one: int
@@ -38,7 +38,7 @@ class Scale(NamedTuple):
 
 class Pair(NamedTuple):
     """Two planes: values at pixels, int64 [n], modulo 2^32, and steps (x and y) of each. ``above``:
-    units that the first may be above the exact one."""
+    units by which the first may be above the exact one."""
 
     values: tuple[np.ndarray, np.ndarray]
     ddx: tuple[int, int]
@@ -54,7 +54,7 @@ class Spans(NamedTuple):
 
 
 def spans(polygon: Polygon) -> Spans:
-    """The pixels of a set-up polygon."""
+    """Returns the pixels of a set-up polygon."""
     counts = [max(0, line.right - line.left) for line in polygon.lines]
     y = np.repeat(np.arange(polygon.top, polygon.top + len(counts)), counts)
     runs = [np.arange(line.left, max(line.left, line.right)) for line in polygon.lines]
@@ -63,9 +63,9 @@ def spans(polygon: Polygon) -> Spans:
 
 def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int]],
                 frame: np.ndarray, settings: Settings, one: int | None = None) -> tuple[Spans, Pair] | None:
-    """The pixels and the pair's planes; None where nothing is drawn: no pixel, or values that
-    differ by 2^31 or more. ``points``: x, y of the corners, 16.16; ``pair``: their values. Where all
-    are (``one``, 0), W is that everywhere: no plane is found for it."""
+    """Returns the pixels and the pair's planes; None if nothing is drawn: no pixel, or values that
+    differ by 2^31 or more. ``points``: x, y of the corners, 16.16; ``pair``: their values. If all
+    are (``one``, 0), W is ``one`` everywhere and needs no plane."""
     height, width = frame.shape
     bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
     moved = [(*point, *(value - base for value, base in zip(values, bases)))
@@ -87,14 +87,14 @@ def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int
 
 
 def upper(point: tuple[int, int]) -> tuple[int, int]:
-    """Sorts points by their lines: the first is where planes begin."""
+    """Sorts points by their lines: planes begin at the first one."""
     return point[1], point[0]
 
 
 def above(top: tuple[int, int], t: Texturing) -> int:
-    """Units that u of a plane may be above the exact one at any pixel of the box: twice what it may
-    fall short by (``texturing.shortfall``), steps being off by half a unit and gradients by less
-    than a texel more than the steps."""
+    """Returns the units by which u of a plane may be above the exact one at any pixel of the box:
+    twice its shortfall (``texturing.shortfall``), with steps off by half a unit and gradients by
+    less than a texel more than the steps."""
     ways = t.i - t.box[0], t.j - t.box[1]
     way = sum(ways) + 2 + sum(abs(signed((at << 16) - c)) >> 16 for at, c in zip((t.i, t.j), top))
     steep = sum(abs(signed(step)) >> 16 for step in (t.dudx, t.dudy)) + 7
@@ -102,8 +102,8 @@ def above(top: tuple[int, int], t: Texturing) -> int:
 
 
 def iterators(corners: Sequence[tuple[int, int, int]], perspective: bool, scale: Scale):
-    """What planes are found of, and by how many bits they are shifted then: S and T of corners
-    (s, t, w), and W."""
+    """Returns the values for the planes, S and T of corners (s, t, w) and W, and by how many bits S
+    and T are shifted after set-up."""
     least = min(abs(w) for _, _, w in corners)
     if perspective and not least:
         raise UserError("polygon: a vertex's w is 0")
@@ -117,8 +117,8 @@ def iterators(corners: Sequence[tuple[int, int, int]], perspective: bool, scale:
 
 
 def divided_more(corners: Sequence[tuple[int, int, int]], key: int, w: Pair, scale: Scale) -> int:
-    """Units by which S (``key`` 0) or T (1) of divided corners is raised: s times what W may be too
-    high, 3 units for W's rounding at the corners among it, and 3 for that of S."""
+    """Returns the units by which S (``key`` 0) or T (1) of divided corners is raised: s times the
+    excess of W, which includes 3 units for W's rounding at the corners, and 3 for S's rounding."""
     largest = max(abs(corner[key]) for corner in corners) << scale.bits
     return mul_div(min(largest, 0x7FFFFFFF), w.above + 3, scale.one) + 3
 
@@ -126,7 +126,7 @@ def divided_more(corners: Sequence[tuple[int, int, int]], key: int, w: Pair, sca
 def set_up_coordinates(points: Sequence[tuple[int, int]], corners: Sequence[tuple[int, int, int]],
                        perspective: bool, frame: np.ndarray, settings: Settings,
                        scale: Scale) -> tuple[Spans, Pair, Pair] | None:
-    """The pixels, the planes of S and T, and those of W and 0; None where nothing is drawn."""
+    """Returns the pixels, the planes of S and T, and those of W and 0; None if nothing is drawn."""
     texture, ws, bits = iterators(corners, perspective, scale)
     found = [set_up_pair(points, texture, frame, settings),
              set_up_pair(points, ws, frame, settings, scale.one)]
@@ -140,5 +140,5 @@ def set_up_coordinates(points: Sequence[tuple[int, int]], corners: Sequence[tupl
 
 
 def is_narrow(corners: Sequence[tuple[int, int, int]], scale: Scale) -> bool:
-    """Whether s and t stay within what a polygon may show."""
+    """Returns true if s and t stay within the range that a polygon may show."""
     return all(max(c) - min(c) < scale.reach for c in list(zip(*corners))[:2])
