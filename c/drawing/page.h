@@ -58,8 +58,9 @@ uint8 *page_row(const struct page *page, int32 v);
 /* Returns 1 if all pixels of a polygon are within the window; value: s or t of its first vertex. */
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window);
 
-/* Returns the vertices relative to the page, moved by whole periods to its middle so that spans do
-   not leave it needlessly. Sets *shown to the rows that their pixels may show. */
+/* Returns the vertices relative to the page. With a period they are moved by whole periods to the
+   page's middle, so that spans stay inside if possible. Sets *shown to the rows that their pixels
+   may show. */
 const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
                                    const struct page_window *rows, struct page_rows *shown);
 
