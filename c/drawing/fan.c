@@ -9,7 +9,7 @@
    S = 1: half a unit from writing the value and half from cutting an edge there. X = 7/4: x and y
    may also have been rotated, which turns the half unit into 0.71 and adds 1 for two rounded
    products. The errors of the three corners are weighted by the vertex's barycentric coordinates.
-   Their sizes add up to 3 at most, because no vertex is above the top, below the bottom or farther
+   These add up to 3 at most in size, because no vertex is above the top, below the bottom or farther
    from the line between these than the apex. With the vertex's own error that is 4 e.
 
    The steps of texturing_plane, taken here from the top corner, are off by 2 units (two products
