@@ -9,8 +9,8 @@
    S = 1: half a unit from writing the value and half from cutting an edge there. X = 7/4: x and y
    may also have been rotated, which turns the half unit into 0.71 and adds 1 for two rounded
    products. The errors of the three corners are weighted by the vertex's barycentric coordinates.
-   These add up to 3 at most in size, because no vertex is above the top, below the bottom or farther
-   from the line between these than the apex. With the vertex's own error that is 4 e.
+   These add up to 3 at most in size, because no vertex is above the top, below the bottom or
+   farther from the line between the two than the apex. With the vertex's own error that is 4 e.
 
    The steps of texturing_plane, taken here from the top corner, are off by 2 units (two products
    rounded down), half a unit for each pixel of the way (steps), and 2 (|g| + |h|) + 3 (gradients
