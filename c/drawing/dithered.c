@@ -1,11 +1,12 @@
 #include "drawing/dithered.h"
 
 enum {
-    MOST = 3 * 65536 / 8,       /* texels that a point is moved, each way */
+    MOST = 3 * 65536 / 8,       /* texels; the most that a point is moved in either direction */
     PERIOD = 65536              /* 256 texels in 8.8 */
 };
 
-/* What v travels by a step over half of the box's pixels, 8.8, rounded up; PERIOD: too far. */
+/* Returns how far a step moves v over half of the box's pixels, 8.8, rounded up; PERIOD if the step
+   is too large. */
 static uint32 travel(fix16 step, int32 pixels)
 {
     const uint32 slope = (step < 0 ? 0 - (uint32)step : (uint32)step) >> 8;

@@ -1,12 +1,12 @@
-/* MAPPER_DITHERED: points of the map that are moved in a pattern of 2x2 pixels of the frame. */
+/* MAPPER_DITHERED: point samples of the map, moved in a pattern of 2x2 pixels of the frame. */
 #ifndef DITHERED_H
 #define DITHERED_H
 
 #include "polygon/setup.h"
 
-/* Makes ready what span_dithered needs: the starts on the left edges, its part of the plan, and
-   s->texturing.wraps: whether v, moved, may wrap in a span. After texturing_edges with CHAIN_NONE,
-   before there are lines. */
+/* Prepares the starts on the left edges and the plan for span_dithered; sets s->texturing.wraps to
+   1 if v may wrap in a span when it is moved, else 0. Call it after texturing_edges with
+   CHAIN_NONE, and before the lines are made. */
 void dithered_span(struct setup *s);
 
 #endif

@@ -1,8 +1,8 @@
 /* From a convex polygon to its scanline table and the call that draws it.
 
    With gradients of the plane and sub-texel starts, all numbers that decide a pixel
-   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, j0
-   being its first line in the frame, u at pixel (i, j) is u_ref + (i - i_ref) dudx +
+   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, where
+   j0 is its first line in the frame; u at pixel (i, j) is u_ref + (i - i_ref) dudx +
    (j - j_ref) dudy modulo 2^32. So it does not matter which vertex comes first or which
    side is cut, an edge from far above has not drifted when it reaches the frame, and
    polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
@@ -20,7 +20,7 @@
 #include "polygon/setup.h"
 #include "polygon/shading.h"
 
-/* The scratch room of polygons without perspective: one of these at a time. */
+/* Uses of the scratch room by polygons without perspective, one at a time. */
 union made {
     struct {
         struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
@@ -37,7 +37,8 @@ static union made *made_of(const struct setup *s)
     return (union made *)s->scratch->room;
 }
 
-/* What the mapper needs of map and frame. */
+/* Sets the map, light and code of the plan. Returns POLYGON_WRONG_MAP if the mapper cannot draw
+   this map or frame, else POLYGON_DRAWN. */
 static enum polygon_result set_map(struct setup *s)
 {
     struct column_layout *columns = &s->scratch->columns;
@@ -67,7 +68,7 @@ static enum polygon_result set_map(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-/* Of a flat polygon. */
+/* Returns the pixel of a flat polygon. */
 static uint32 colour(const struct setup *s)
 {
     enum mapper mapper = s->material->mapper;
@@ -97,7 +98,7 @@ static enum polygon_result set_span(struct setup *s)
     return result;
 }
 
-/* How u and v of the polygon's spans share an addx chain. */
+/* Returns how u and v of the polygon's spans share an addx chain. */
 static enum chain chain_of(const struct setup *s)
 {
     const struct material *m = s->material;
@@ -112,14 +113,14 @@ static enum chain chain_of(const struct setup *s)
     return m->whole ? CHAIN_WHOLE : CHAIN_PLANE;
 }
 
-/* What the mapper's spans do not keep of u and v. */
+/* Sets the number of low bits of u and v that the mapper's spans do not keep. */
 static void set_cuts(struct texturing *t, enum mapper mapper)
 {
     t->u_cut = mapper == MAPPER_COLUMNS ? CUT_COLUMNS : 0;
     t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
 }
 
-/* Steps of the whole polygon, and starts on its left edges. */
+/* Finds the polygon's steps and the starts on its left edges. */
 static enum polygon_result set_texturing(struct setup *s)
 {
     const struct material *m = s->material;
@@ -141,7 +142,7 @@ static enum polygon_result set_texturing(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-/* The table of lines as a kind of span needs it. */
+/* Makes the scanline table in the form that a kind of span reads. */
 static void make_lines(struct setup *s, enum span_kind kind)
 {
     const struct line_routines *routines = &line_routines[kind_lines[kind]];
@@ -150,7 +151,7 @@ static void make_lines(struct setup *s, enum span_kind kind)
                   routines->scissor);
 }
 
-/* Two divides a scanline: the sides' u and v after their x. */
+/* GRADIENTS_SCANLINE: first x of all lines, then u and v by two divides a line. */
 static void set_ramps(struct setup *s)
 {
     union made *made = made_of(s);
@@ -170,14 +171,14 @@ static void set_ramps(struct setup *s)
     s->span.steps = made->ramps.steps;
 }
 
-/* A step that falls, slower by two units: the start of a line may be moved below the far
-   border by one, and u is above the exact value again a pixel on. */
+/* Returns a step, made two units slower if it falls: the start of a line may be moved one unit
+   below the far border, and u is above the exact value again a pixel on. */
 static fix16 slower(fix16 step)
 {
     return step >= 0 ? step : step < -2 ? step + 2 : 0;
 }
 
-/* Keeps u and v of every pixel where the mapper needs them. */
+/* Keeps u and v of every pixel in the mapper's range. */
 static void hold_lines(struct setup *s)
 {
     struct hold_plan hold;
@@ -199,7 +200,7 @@ static void hold_lines(struct setup *s)
     s->span.dvdx = hold.dvdx;
 }
 
-/* Raises what a line has in bits that its span does not keep. */
+/* Rounds u, v and the steps of a line up to the bits that its span keeps. */
 static void raise_line(struct scanline *line, struct span_plan *span, const struct texturing *t)
 {
     uint32 u = texturing_raised((uint32)line->start1 << 16 | line->start0, t->u_cut);
@@ -218,7 +219,7 @@ static void draw_span(const struct setup *s)
         kind_spans[s->kind](&s->span);
 }
 
-/* Line by line, for mappers whose spans have one pair of steps only. */
+/* Draws line by line, for mappers whose spans have only one pair of steps. */
 static void draw_each_line(struct setup *s)
 {
     struct span_plan *line = &s->span;
@@ -239,13 +240,14 @@ static void draw_each_line(struct setup *s)
     }
 }
 
-/* Perspective: 0 where the affine spans do, because its planes are not sure enough. */
+/* Draws with perspective. Returns 0 without drawing if the planes are too inexact, too steep or too
+   wide: affine spans then draw the polygon. */
 static int32 draw_perspective(struct setup *s)
 {
     struct perspective_plan plan;
 
     s->perspective = &plan;
-    if (lower_w_is_constant(s)) {       /* its rule is off */
+    if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off */
         set_texturing(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
@@ -283,14 +285,15 @@ static void draw_affine(struct setup *s)
         draw_span(s);
 }
 
-/* A quick question: where it does, the polygon may lie outside the frame as a whole. */
+/* Returns non-zero if the first vertex is outside the frame: a quick test of whether the whole
+   polygon may be. */
 static int32 begins_outside(const struct setup *s)
 {
     return (uint32)s->given->x >= (uint32)s->frame->width << 16
         || (uint32)s->given->y >= (uint32)s->frame->height << 16;
 }
 
-/* What is drawn as planes through three corners. */
+/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
 static uint32 planes_asked(const struct material *m)
 {
     if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)

@@ -1,30 +1,31 @@
-/* Which polygons of more than three vertices are drawn in one piece.
+/* Decides which polygons of more than three vertices are drawn in one piece.
 
-   The plane runs through three corners (sides.h), and the others may be off it by what rounding
-   makes. Values are in units of 1/65536, x and y too; g and h are the plane's gradients. Values and
-   places that were on one plane before they were rounded are off it by
+   The plane goes through three corners (sides.h); the other corners may be off it by rounding
+   errors. All values, x and y too, are in units of 1/65536; g and h are the plane's gradients.
+   Values that were on one plane before they and their x and y were rounded are off it by
 
        e = S + X (|g| + |h|)
 
-   with S = 1, half a unit when they were written and another when an edge was cut there, and X =
-   7/4: x and y may have been turned besides, which makes 0.71 of the half, and 1 of two products
-   that are rounded. Three corners' errors count as the shares that the vertex has of them, the
-   sizes of which are 3 in all at most: no vertex is above the top, below the bottom or farther
-   from the line between them than the apex is. So much for 4 e. The steps that texturing_plane
-   finds, as they are taken here from the top corner, are off by 2 units (two products rounded
-   down), half a unit a pixel of the way (steps), and 2 (|g| + |h|) + 3 (the gradients before they
-   are steps, over 65,536 pixels). That is
+   S = 1: half a unit from writing the value and half from cutting an edge there. X = 7/4: x and y
+   may also have been rotated, which turns the half unit into 0.71 and adds 1 for two rounded
+   products. The errors of the three corners are weighted by the vertex's barycentric coordinates.
+   These add up to 3 at most in size, because no vertex is above the top, below the bottom or
+   farther from the line between the two than the apex. With the vertex's own error that is 4 e.
+
+   The steps of texturing_plane, taken here from the top corner, are off by 2 units (two products
+   rounded down), half a unit for each pixel of the way (steps), and 2 (|g| + |h|) + 3 (gradients
+   before they are rounded to steps, over 65,536 pixels). The sum is
 
        9 + way / 2 + 9 (|g| + |h|)
 
-   and 15 + way / 2 where the seven parts are rounded up. The gradients are those of the rounded
-   corners: e is less than 8/7 of what they make of it where the polygon is thicker than 1/512
-   pixel. 4 e becomes 1 + 4 + 8 (|g| + |h|) by that, and all
+   or, with the seven parts rounded up, 15 + way / 2 + 9 (|g| + |h|). The code has the gradients of
+   the rounded corners: if the polygon is thicker than 1/512 pixel, e is less than 8/7 of the value
+   calculated from these. So 4 e becomes 1 + 4 + 8 (|g| + |h|), and the limit is
 
        16 + way / 2 + 10 (|g| + |h|).
 
-   Where edges are integer, or the map has other than 256 texels, it makes no difference: this looks
-   at the vertices as they are given. */
+   Integer edges and maps of other sizes than 256 texels make no difference: the test uses the
+   vertices as given. */
 #include "drawing/fan.h"
 
 #include "math/math.h"
@@ -39,7 +40,7 @@
 /* 1/w of the nearest vertex; S q and T q are below it. */
 #define Q_ONE (1 << 29)
 
-/* A polygon whose values are looked at, a pair at a time, as s and t of its corners. */
+/* A polygon whose values are tested a pair at a time, as s and t of its corners. */
 struct look {
     struct sides sides;
     struct rectangle box;           /* pixels */
@@ -47,8 +48,8 @@ struct look {
     int32 count;
 };
 
-/* Whether a value that is `rise` above the top corner's, x and y away, is off the plane by so much
-   at most. */
+/* Returns 1 if a value is off the plane by `most` and half a unit a pixel of the way at most. It
+   is x and y away from the top corner and `rise` above that one's value. */
 static int32 is_near(fix16 x, fix16 y, uint32 rise, fix16 ddx, fix16 ddy, uint32 most)
 {
     const uint32 off = (uint32)mul_fix(ddx, x) + (uint32)mul_fix(ddy, y) - rise;
@@ -57,7 +58,7 @@ static int32 is_near(fix16 x, fix16 y, uint32 rise, fix16 ddx, fix16 ddy, uint32
         <= most + (((fix_magnitude(x) >> 16) + (fix_magnitude(y) >> 16)) >> 1);
 }
 
-/* 10 times a gradient. */
+/* Returns the units of 10 times a gradient. */
 static uint32 moved(fix16 gradient)
 {
     const uint32 size = fix_magnitude(gradient);
@@ -70,7 +71,8 @@ static uint32 limit(fix16 ddx, fix16 ddy, uint32 more)
     return ROUNDED + more + moved(ddx) + moved(ddy);
 }
 
-/* more_s, more_t: units that s and t may be off beyond those above. */
+/* Returns 1 if s and t of all corners are on planes. more_s, more_t: units that s and t may be off
+   in addition to the limit above. */
 static int32 lie_on_planes(const struct look *look, uint32 more_s, uint32 more_t)
 {
     const struct vertex *v = look->corners, *top = look->sides.top;
@@ -91,7 +93,8 @@ static int32 lie_on_planes(const struct look *look, uint32 more_s, uint32 more_t
     return 1;
 }
 
-/* A part of s or t that is not larger than 2^scale times 1/w's; makes *scale what that needs. */
+/* Returns the middle of the values' range. Raises *scale until no value is 2^scale or more away
+   from it. */
 static fix16 middle(const fix16 *value, int32 count, int32 *scale)
 {
     fix16 least, range = vertex_range(value, count, &least);
@@ -101,8 +104,9 @@ static fix16 middle(const fix16 *value, int32 count, int32 *scale)
     return least + (range >> 1);
 }
 
-/* q is Q_ONE |w|least / w, rounded (1/2); a unit of w makes Q_ONE / |w|least of it at most. s q,
-   over 2^scale, is off by that, by a unit of s times q, and by one more: rounded down. */
+/* q is Q_ONE |w|least / w, rounded to the nearest (1/2). An error of one unit in w changes q by
+   Q_ONE / |w|least at most. s q / 2^scale has that error, that of one unit of s times q, and one
+   more unit because it is rounded down. */
 static int32 depths_lie(const struct look *look, struct vertex *to, const struct vertex *v)
 {
     fix16 q[POLYGON_VERTICES_MAX], s, t;
@@ -161,8 +165,8 @@ static inline int32 is_even(fix16 a, fix16 b, fix16 c, fix16 d, uint32 most)
     return (uint32)a - (uint32)b + (uint32)c - (uint32)d + most <= 2 * most;
 }
 
-/* Whether x, y, s and t of four vertices are a parallelogram's but for their rounding: most quads'
-   are, and then s and t are off their plane by 4 e at most. */
+/* Returns 1 if x, y, s and t of four vertices form a parallelogram within rounding. Those of most
+   quads do, and then s and t are off their plane by 4 e at most. */
 static inline int32 is_parallelogram(const struct vertex *p, const struct vertex *v)
 {
     return is_even(v[0].s, v[1].s, v[2].s, v[3].s, QUICK_VALUE)
@@ -178,7 +182,8 @@ static int32 is_constant(const fix16 *value, int32 count)
     return !vertex_range(value, count, &least);
 }
 
-/* Whether s and t are the same everywhere, or a parallelogram's, and so is w where it counts. */
+/* Returns 1 if s and t are constant or those of a parallelogram, and w is constant if `asked` has
+   PLANAR_DEPTHS. Returns 0 if other values are asked for. */
 static int32 is_quick(const struct vertex *p, const struct vertex *v, int32 count, uint32 asked)
 {
     return !(asked & ~(uint32)(PLANAR_TEXELS | PLANAR_DEPTHS))
@@ -188,7 +193,7 @@ static int32 is_quick(const struct vertex *p, const struct vertex *v, int32 coun
         && (!(asked & PLANAR_DEPTHS) || is_constant(&v->w, count));
 }
 
-/* 0: nothing can be said. s and t of the corners are in the range of coordinates. */
+/* Returns 0 if the polygon cannot be tested. s and t of the corners are in the range of x and y. */
 static int32 begin(struct look *look, const struct vertex *corners, int32 count)
 {
     look->corners = corners;

@@ -1,17 +1,17 @@
-/* Polygons of more than three vertices whose values lie on no plane. */
+/* Polygons of more than three vertices whose values are not on a plane. */
 #ifndef FAN_H
 #define FAN_H
 
 #include "polygon/scratch.h"
 
-/* Those kinds of values, of those asked for, that lie on planes. Of `places` x and y count, of
-   `values` the rest. All that are asked for where nothing can be said: the polygon has no area, or
-   a coordinate is not in -POLYGON_FAR to POLYGON_FAR. */
+/* Returns those of the given enum planar_values that are on planes. x and y are read from
+   `places`, all other fields from `values`. Returns all of the given ones if they cannot be tested:
+   the polygon has no area, or a coordinate is not in -POLYGON_FAR to POLYGON_FAR. */
 uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
                       const struct vertex *values, int32 count, uint32 asked);
 
-/* Returns non-zero if all needed values lie on planes, by the caller's word or as found. values:
-   vertices whose s, t, w and shade count. */
+/* Returns non-zero if all needed values are on planes, as stated in polygon->planar or as found.
+   values: vertices whose s, t, w and shade are read. */
 static inline int32 polygon_is_planar(const struct renderer *renderer,
                                       const struct polygon *polygon,
                                       const struct vertex *values, uint32 needed)
@@ -22,14 +22,14 @@ static inline int32 polygon_is_planar(const struct renderer *renderer,
            == needed;
 }
 
-/* The result of a fan of triangles: the first that refuses one; else POLYGON_DRAWN if any is
-   drawn. */
+/* Combines the results of a fan's triangles: the first refusal, else POLYGON_DRAWN if any triangle
+   was drawn. */
 static inline enum polygon_result planar_both(enum polygon_result all, enum polygon_result more)
 {
     return all > POLYGON_EMPTY || more == POLYGON_EMPTY ? all : more;
 }
 
-/* Triangle i, from 2 to count - 1, of the fan from the first vertex. */
+/* Copies triangle i, from 2 to count - 1, of the fan from the first vertex. */
 static inline void planar_triangle(struct vertex *to, const struct vertex *vertices, int32 i)
 {
     to[0] = vertices[0];
@@ -37,7 +37,7 @@ static inline void planar_triangle(struct vertex *to, const struct vertex *verti
     to[2] = vertices[i];
 }
 
-/* Draws the polygon as that fan, by a routine for each triangle. */
+/* Draws the polygon as a fan of triangles, each with `draw`. */
 enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer,
                                 const struct polygon *polygon, const struct material *material);
 

@@ -5,11 +5,11 @@
 
 enum {
     LAST = MAP_PAGE_SIDE - 1,
-    STEEP = 32 * 65536          /* texels a pixel: 8 of them leave the row */
+    STEEP = 32 * 65536          /* texels a pixel: 8 pixels leave the row */
 };
 
-/* With a texel to spare on both sides, as a map from its first to its last texel has 0 and 256 at
-   its vertices. Code needs steps of the polygon, which GRADIENTS_SCANLINE has not. */
+/* Allows a texel more on both sides, because a polygon that shows a whole map has 0 and 256 at its
+   vertices. Generated code needs one pair of steps for the polygon; GRADIENTS_SCANLINE has none. */
 int32 generated_may_draw(const struct setup *s)
 {
     const uint32 texel = 65536, row = MAP_PAGE_SIDE * texel;
@@ -21,15 +21,17 @@ int32 generated_may_draw(const struct setup *s)
     return (((uint32)low + texel) & (row - 1)) + (uint32)range <= row + 2 * texel;
 }
 
-/* u's texels from a line's first pixel, as the code has them; no overflow below STEEP. */
+/* Returns the texels that the code adds to u from a line's first pixel on; no overflow below
+   STEEP. */
 static int32 offset(fix16 dudx, int32 steps)
 {
     return (GENERATED_BIAS + steps * dudx) >> 16;
 }
 
-/* The code adds u's texels to an address, whose row they change where they leave it. They rise or
-   fall along the line, so its last pixel decides: exactly, whatever start and steps come from. A
-   start from which as many pixels as the box is wide stay in the row needs no product. */
+/* Returns 1 if u of every line stays in its row of the map. The code adds u's texels to an address,
+   so a u that leaves its row would read another one. u only rises or only falls along a line, so
+   testing the last pixel is exact for any start and step. A line needs no product if even a line as
+   wide as the box would stay in the row from its start. */
 static int32 stays_in_row(const struct setup *s)
 {
     const struct scanline *line = s->edges.lines;
@@ -54,7 +56,7 @@ static int32 stays_in_row(const struct setup *s)
     return 1;
 }
 
-/* Plain starts become those of the addx form. */
+/* Converts starts from the plain to the addx form. */
 static void pack(struct scanline *line, int32 count)
 {
     for (; count > 0; count--, line++) {

@@ -1,16 +1,16 @@
-/* MAPPER_GENERATED: which polygons the code written for them can draw. Affine spans draw the others
-   from the same map: MAP_MARGINS has its page where MAP_PAGE has it. */
+/* MAPPER_GENERATED: decides which polygons generated code can draw. Affine spans draw the others
+   from the same map: MAP_MARGINS has its page in the same place as MAP_PAGE. */
 #ifndef GENERATED_H
 #define GENERATED_H
 
 #include "polygon/setup.h"
 
-/* Whether it is worth trying, by the vertices: what lies in more than one row of the map mostly has
-   lines that do, and costs least where that is known early. */
+/* Returns 1 if generated code is worth trying, judged by the vertices. A polygon whose u leaves a
+   row of the map mostly has lines that do; rejecting it early is cheapest. */
 int32 generated_may_draw(const struct setup *s);
 
-/* Makes s->kind, SPAN_GENERATED, an affine one, lowered by its own rules, and the lines what that
-   one reads, where u of a line leaves its row of the map. After the lines are made. */
+/* Changes s->kind from SPAN_GENERATED to an affine kind if u of a line leaves its row of the map;
+   lowers that kind and converts the lines to its form. Call it after the lines are made. */
 void generated_span(struct setup *s);
 
 #endif

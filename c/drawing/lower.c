@@ -10,8 +10,8 @@
 
 #define ONE_PIXEL 65536
 
-/* A rule is a line: its name, from which kind of span to which, and its condition. The lines after
-   it may lower the result further. */
+/* A rule is a line: its name, the kind of span it lowers, the result and the condition. Later lines
+   may lower the result further. */
 #define LOWER(rule, from, to, condition) \
     if (kind == SPAN_##from && RULE_IS_ON(s, rule) && (condition)) { \
         RULE_APPLIES(s, rule); \
@@ -23,8 +23,9 @@ static int32 is_beyond(fix16 value, uint32 far)
     return (uint32)value + far >= 2 * far;
 }
 
-/* By a whole pixel where edges are rounded, so that no rounding leads inside. What may be
-   refused is left to the set-up: a map is up to 128 texels for 1 of s. */
+/* Returns 1 if all vertices are beyond the same side of the frame: by a whole pixel on the sides
+   where rounding of edges could lead inside. Returns 0 if a coordinate may be out of range, so that
+   the set-up refuses it: the texels of a map are up to 128 times s. */
 static int32 is_outside(const struct setup *s)
 {
     enum { LEFT = 1, RIGHT = 2, ABOVE = 4, BELOW = 8 };
@@ -50,8 +51,8 @@ static int32 is_outside(const struct setup *s)
     return 1;
 }
 
-/* Whether a field of struct vertex, given by its first value, is the same everywhere but for
-   its lowest bits. */
+/* Returns 1 if a field of all vertices is equal except in its `lowest` low bits. value: the first
+   vertex's field. */
 static int32 is_equal(const fix16 *value, int32 count, int32 lowest)
 {
     int32 first = *value >> lowest;
@@ -85,8 +86,8 @@ static int32 level(const struct setup *s)
     return s->given->shade >> LEVEL_BITS;
 }
 
-/* Whether a step is 0, and whether one is small enough for the spans that step u or v
-   alone: 62 texels a pixel, for 1,024 pixels. Both as the map repeats, modulo 256. */
+/* Return 1 if a step is 0, and if it is small enough for the spans that step only u or v:
+   62 texels a pixel, for 1,024 pixels. Both modulo 256 texels, as the map repeats. */
 static int32 is_still(fix16 step)
 {
     return !((uint32)step << 8);

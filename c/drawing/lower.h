@@ -1,35 +1,35 @@
-/* Lowering: a polygon is drawn by the least that gives the same picture. The rules are lines
-   of lower.c, what they mean enum rule. */
+/* Lowering: a polygon is drawn by the cheapest spans that give the same picture. lower.c has the
+   rules, RULE_LIST their meaning. */
 #ifndef LOWER_H
 #define LOWER_H
 
 #include "polygon/setup.h"
 
-/* Whether nothing is drawn: asked before the set-up. */
+/* Returns non-zero if nothing is drawn; called before the set-up. */
 int32 lower_to_nothing(struct setup *s);
 
-/* Makes s->kind what the material asks for; says whether its vertices may show that less
-   will do. */
+/* Sets s->kind to the material's kind of span. Returns non-zero if the vertices may allow a cheaper
+   one. */
 int32 lower_asked(struct setup *s);
 
 /* Lowers s->kind by the vertices. */
 void lower_by_vertices(struct setup *s);
 
-/* SPAN_PERSPECTIVE: makes s->setting and s->straight what the material asks for, lowered by
-   what the planes show. */
+/* SPAN_PERSPECTIVE: sets s->setting to the material's perspective and s->straight to 0, then lowers
+   them by the planes. */
 void lower_by_planes(struct setup *s);
 
-/* Lowers s->kind by what box and texturing show; not with GRADIENTS_SCANLINE. */
+/* Lowers s->kind by the box and the steps of texturing; not with GRADIENTS_SCANLINE. */
 void lower_by_steps(struct setup *s);
 
-/* Whether lines need not be cut to the frame's columns, nor moved until u and v stay in their
-   range. */
+/* Return non-zero if lines need not be cut to the frame's columns, and if they need not be moved to
+   keep u and v in range. */
 int32 lower_to_no_scissor(struct setup *s);
 int32 lower_to_no_hold(struct setup *s, int32 leaves_range);
 
 int32 lower_w_is_constant(const struct setup *s);
 
-/* The affine kind for the material's gradients, in a form. */
+/* Returns the affine kind for the material's gradients and a form. */
 enum span_kind lower_affine(const struct material *material, enum form form);
 
 #endif

@@ -2,16 +2,16 @@
 
 #include "math/math.h"
 
-/* What u and v of a triangle may be off from the vertices' range at a pixel's centre:
-   edges are within EDGE_ERROR pixels, in a frame's 1,024 lines half as much, times STEEP
-   texels a pixel: 1/32; 512 steps round by 1/2^17 each in both directions, and starts
-   are raised by as much: 1/64; the plane itself by less than 1/2^10. Where the range is that
-   of the plane as it is stepped, edges alone count: ON_PLANE. */
+/* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
+   parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP
+   texels a pixel: 1/32; 512 steps are rounded by 1/2^17 each in both directions, and starts are
+   raised by as much: 1/64; the plane itself is off by less than 1/2^10. ON_PLANE: only the edges
+   count if the range is that of the stepped plane. */
 #define INSET (65536 / 16)
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP (4 * 65536)
 
-/* The shades between which every pixel has one of the vertices' range. */
+/* Sets the limits of the vertices' shades that keep every pixel in the vertices' range. */
 static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
 {
     *high = vertex_range(&vertices->shade, count, low);
@@ -47,15 +47,15 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
     return to;
 }
 
-/* Whether an edge's error may lead further out than INSET. */
+/* Returns non-zero if an edge's error may move u or v by more than INSET allows. */
 static int32 is_steep(const struct material *material, const struct span_plan *span)
 {
     return material->gradients != GRADIENTS_PLANE || span->dudx >= STEEP
         || span->dudx <= -STEEP || span->dvdx >= STEEP || span->dvdx <= -STEEP;
 }
 
-/* The least and the greatest value that a coordinate's plane, as it is stepped, has at the
-   vertices. It is that of three of them times -1 to 2 each: no overflow. */
+/* Finds the least and the greatest value of a coordinate's stepped plane at the vertices. Each
+   value is the sum of three vertices' values times -1 to 2: no overflow. */
 static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing *t,
                         const struct vertex *v, int32 count, fix16 *low, fix16 *high)
 {
@@ -96,13 +96,13 @@ int32 material_leaves_range(const struct setup *s)
     if (is_steep(s->material, &s->span))
         return 1;
     if (gouraud && s->count == 3)
-        return 0;               /* material_vertices saw to it */
+        return 0;               /* material_vertices has limited the shades */
     if (s->count == 3) {
         s_high = vertex_range(&s->vertices->s, 3, &s_low);
         s_high += s_low;
         t_high = vertex_range(&s->vertices->t, 3, &t_low);
         t_high += t_low;
-    } else {                    /* the plane need not run through all of them */
+    } else {                    /* the plane need not go through all vertices */
         inset = ON_PLANE;
         plane_range(t->u, t->dudx, t->dudy, t, s->vertices, s->count, &s_low, &s_high);
         if (!gouraud)

@@ -1,19 +1,20 @@
-/* What a material makes of a polygon's vertices, and the range its mapper needs. */
+/* A polygon's vertices adapted to its material, and the range of u and v its mapper needs. */
 #ifndef MATERIAL_H
 #define MATERIAL_H
 
 #include "polygon/setup.h"
 
-/* The vertices as the set-up takes them: x and y in whole pixels where edges are, s and
-   t in texels (rounded down to 1/65536), or the shade instead: limited so that rounding
-   leads to no shade outside the vertices' range. */
+/* Returns the vertices for the set-up: x and y in whole pixels with EDGES_INTEGER; s and t in
+   texels (rounded down to 1/65536), or with MAPPER_GOURAUD the shade as s, limited so that rounding
+   gives no shade outside the vertices' range. */
 const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
                                        const struct material *material);
 
-/* The ranges in which u and v of every pixel must lie: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
+/* Sets the ranges that u and v of every pixel must stay in: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
 void material_range(struct hold_plan *hold, const struct setup *s);
 
-/* Whether a pixel might leave them, as edges are and the plane is stepped. */
+/* Returns non-zero if a pixel might leave these ranges, by errors of edges and of the stepped
+   plane. */
 int32 material_leaves_range(const struct setup *s);
 
 #endif

@@ -1,6 +1,5 @@
-/* What a polygon covers: its sides, the box around it, its edges and table of lines. Every
-   polygon passes here once: as functions of their own they would cost it some 200 cycles, 360
-   with chip RAM alone. */
+/* The outline of a polygon: its sides, bounding box, edges and scanline table. These functions are
+   inline because calls would cost every polygon some 200 cycles, 360 with chip RAM alone. */
 #ifndef OUTLINE_H
 #define OUTLINE_H
 
@@ -9,7 +8,8 @@
 #include "polygon/clip.h"
 #include "polygon/planes.h"
 
-/* Cuts the outline a pixel outside the frame: no pixel centre is lost by rounding. */
+/* Clips the outline one pixel outside the frame's outermost pixel centres, so that rounding loses
+   none. Returns POLYGON_EMPTY if nothing is left, else POLYGON_DRAWN. */
 enum polygon_result outline_clip(struct setup *s);
 
 static inline int32 outline_least(int32 a, int32 b)
@@ -22,7 +22,8 @@ static inline int32 outline_most(int32 a, int32 b)
     return a > b ? a : b;
 }
 
-/* 0: nothing of it lies in the frame. */
+/* Finds the box of lines and columns in the frame that the sides may cover; returns 0 if it is
+   empty. */
 static inline int32 outline_box(struct rectangle *box, const struct sides *sides,
                                 const struct frame *frame)
 {
@@ -34,7 +35,7 @@ static inline int32 outline_box(struct rectangle *box, const struct sides *sides
 }
 
 /* Fills in sides, box, outline and edges from frame, material, vertices and count. Exact edges
-   are not cut: a vertex on the border is rounded, and they would be exact no more. */
+   are not clipped: a new vertex on the border is rounded, so they would no longer be exact. */
 static inline enum polygon_result outline_find(struct setup *s)
 {
     const int32 exact = s->material->edges == EDGES_EXACT;
@@ -56,7 +57,7 @@ static inline enum polygon_result outline_find(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-/* Makes the table by a stepper of edges, and cuts it to the frame's columns. */
+/* Makes the scanline table with an edge stepper and cuts it to the frame's columns. */
 static inline void outline_lines(struct setup *s, void (*edges)(const struct edge_plan *plan),
                                  void (*scissor)(const struct scissor_plan *plan))
 {
@@ -73,7 +74,7 @@ static inline void outline_lines(struct setup *s, void (*edges)(const struct edg
     scissor(&plan);
 }
 
-/* Makes both for a polygon whose planes planes.h finds: a table without coordinates. */
+/* Makes the outline and a table without u and v, for a polygon whose planes planes.h finds. */
 static inline enum polygon_result outline_flat(struct setup *s)
 {
     enum polygon_result result;

@@ -21,7 +21,7 @@ int32 page_has(const struct page *page, const struct page_rows *rows)
     return page->from < page->end && rows->first >= page->from && rows->last < page->end;
 }
 
-/* Of the memory. Rows 128 on lie before row 0, as in MAP_PAGE, where there are that many. */
+/* Returns the first row in memory. A whole page has rows 128 to 255 before row 0, as MAP_PAGE. */
 static int32 first_row(const struct page *page)
 {
     return page->half < SIDE / 2 ? PAGE_MIDDLE - page->half : -SIDE / 2;
@@ -85,9 +85,9 @@ static int32 is_parallelogram(const struct vertex *v)
         && v[0].t + v[2].t == v[1].t + v[3].t;
 }
 
-/* Whether t of each pixel is less than a texel beyond the vertices': it is one plane over all of
-   them, and changes by 32 texels a pixel at most where edges are off by 1/64 of one. The area is
-   in 1/256 pixel, from corners in 1/16. */
+/* Returns 1 if t of every pixel is less than a texel outside the vertices' range: t is one plane
+   over all vertices and changes by 32 texels a pixel at most, and edges are off by 1/64 pixel. The
+   area is in 1/256 square pixel, from corners in 1/16 pixel. */
 static int32 keeps_range(const struct setup *s, fix16 range)
 {
     const struct vertex *v = s->given;
@@ -106,7 +106,7 @@ static int32 keeps_range(const struct setup *s, fix16 range)
     return (area < 0 ? -area : area) >= 16 * side * ((range >> 16) + 5);
 }
 
-/* All of them where they are not known. */
+/* Finds the rows that the pixels may show: all rows if the range is not known or does not fit. */
 static void find_rows(const struct setup *s, fix16 origin, int32 least_row,
                       struct page_rows *shown)
 {

@@ -34,7 +34,7 @@ static void cut(struct vertex *to, const struct vertex *inside, const struct ver
     to->s = between(inside->s, outside->s, part, whole);
     to->t = between(inside->t, outside->t, part, whole);
     to->shade = between(inside->shade, outside->shade, part, whole);
-    to->w = inside->w;          /* only the whole polygon's counts */
+    to->w = inside->w;          /* not interpolated: gradients of w come from the whole polygon */
     if (border->is_y)
         to->y = on_border;
     else

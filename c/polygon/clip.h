@@ -14,11 +14,11 @@ enum clip_constants {
 };
 
 /* Returns the part of a convex polygon inside the window, with s, t and shade; sets *count to its
-   number of vertices, 0 if nothing is left. A polygon wholly inside costs only the test and is
-   returned itself; another one is made in room[2 * CLIP_VERTICES_MAX]. New vertices are rounded to
+   number of vertices, 0 if nothing is left. A polygon wholly inside is returned itself, at the cost
+   of the test; a clipped one is made in room[2 * CLIP_VERTICES_MAX]. New vertices are rounded to
    the nearest 1/65536. An edge gives the same new vertices in either direction, so polygons that
-   share an edge still share it. A polygon that would get too many vertices, which a convex one
-   cannot, becomes empty. */
+   share an edge still share it. A polygon that would get too many vertices becomes empty; a convex
+   one cannot get so many. */
 const struct vertex *polygon_clip(struct vertex *room, const struct vertex *vertices,
                                   int32 *count, const struct clip_window *window);
 

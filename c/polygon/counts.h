@@ -1,4 +1,4 @@
-/* Rules of lowering, and what is counted of a polygon. */
+/* Rules of lowering, and counts of polygons, pixels and rules. */
 #ifndef COUNTS_H
 #define COUNTS_H
 
@@ -6,16 +6,16 @@
 
 #define RULE_BIT(rule) ((uint32)1 << RULE_##rule)
 
-/* Whether a rule of lowering is on. */
+/* Non-zero if a rule of lowering is on. */
 #define RULE_IS_ON(s, rule) (!((s)->off & RULE_BIT(rule)))
 
-/* Notes that it applied. */
+/* Records that a rule applied. */
 #define RULE_APPLIES(s, rule) ((s)->applied |= RULE_BIT(rule))
 
-/* Counts the pixels of the polygon's lines for a kind of span, and the polygon. */
+/* Counts the polygon, and the pixels of its lines for a kind of span. */
 void count_lines(const struct setup *s, enum span_kind kind);
 
-/* Counts the rules that applied, where the renderer counts; returns the result. */
+/* Counts the rules that applied if the renderer counts; returns `result`. */
 static inline enum polygon_result count_rules(const struct setup *s, enum polygon_result result)
 {
     if (s->counts)

@@ -10,7 +10,7 @@ static int32 lines_of(const struct edge *edge)
 
 fix16 edge_slope(const struct edge *edge)
 {
-    if (lines_of(edge) <= 1)    /* never stepped; more lines: height above 1, no overflow */
+    if (lines_of(edge) <= 1)    /* never stepped; with more lines height > 1: no overflow */
         return 0;
     return mul_div(edge->lower->x - edge->upper->x, 65536, edge->lower->y - edge->upper->y);
 }

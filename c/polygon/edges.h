@@ -10,7 +10,7 @@ struct rectangle {
     int32 left, top, right, bottom;
 };
 
-/* Return x of an edge at its first line in the frame, and its slope; 16.16, each within 1/2^17. */
+/* Return x of an edge at its first line in the frame, and its slope: 16.16, each within 1/2^17. */
 fix16 edge_x(const struct edge *edge);
 fix16 edge_slope(const struct edge *edge);
 

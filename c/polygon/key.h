@@ -1,10 +1,10 @@
-/* Cache keys: longs from which a cached result was made, compared before it is made again. */
+/* Cache keys: the longs from which a cached result was made. */
 #ifndef KEY_H
 #define KEY_H
 
 #include "compiler.h"
 
-/* Copies the longs to those kept; returns non-zero if they differed. */
+/* Copies key to kept; returns non-zero if they differed. */
 static inline uint32 key_differs(uint32 *kept, const uint32 *key, int32 count)
 {
     uint32 differs = 0;

@@ -8,7 +8,7 @@
 typedef void span_routine(const struct span_plan *plan);
 typedef void edge_routine(const struct edge_plan *plan);
 
-/* The form of u and v in a line, if any: written by edges, read by spans. */
+/* The form of u and v in a line, if it has them: written by edges, read by spans. */
 enum line_form { LINES_FLAT, LINES_ADDX, LINES_SWAP, LINES_PLAIN, LINE_FORMS };
 
 struct line_routines {
@@ -26,15 +26,15 @@ SPAN_LIST(SPAN, OTHER)
 extern const struct line_routines line_routines[LINE_FORMS];
 
 struct mapper_traits {
-    uint8 layout, bytes, is;    /* as MAPPER_LIST has them */
+    uint8 layout, bytes, is;    /* see MAPPER_LIST */
     uint8 kind[3];              /* enum span_kind, for 1, 2 and 4 bytes a pixel */
     uint8 spare[2];
 };
 
 extern const struct mapper_traits mappers[MAPPER_KINDS];
 
-/* In the order of enum span_kind; none for those that polygon_draw does not know. Tables apart,
-   so that a program of one scene holds a byte of a kind that it does not need. */
+/* By enum span_kind; 0 for kinds that polygon_draw does not draw. Two tables, so that a program of
+   one scene holds only a byte for a kind that it does not need. */
 extern span_routine *const kind_spans[SPAN_KINDS];
 extern const uint8 kind_lines[SPAN_KINDS];      /* enum line_form */
 

@@ -1,14 +1,14 @@
-/* The mappers, each stated here alone: C's tables are made from this list, and tools read it. */
+/* The list of mappers: the tables in C are made from it, and tools read it. */
 #ifndef MAPPER_LIST_H
 #define MAPPER_LIST_H
 
 #include "compiler.h"
 
 /* MAPPER(kind, name, layout, bytes, is, span, span_16, span_32):
-   layout of its map, MAP_LAYOUTS: it has none;
-   bytes of the pixels it draws, 1 + 2 + 4;
+   layout: of its map; MAP_LAYOUTS: it has none;
+   bytes: sizes of the pixels it can draw, 1 + 2 + 4;
    is: enum mapper_trait;
-   the kind of span that draws anything it may be asked for, by bytes of a pixel. */
+   span, span_16, span_32: the general kind of span for 1, 2 and 4 bytes a pixel. */
 #define MAPPER_LIST(MAPPER) \
     MAPPER(FLAT, flat, MAP_LAYOUTS, 1 + 2 + 4, 0, SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32) \
     /* shade is the pixel */ \
@@ -19,17 +19,17 @@
     MAPPER(ARBITRARY, arbitrary, MAP_LINEAR, 1, 0, SPAN_ARBITRARY, 0, 0) \
     MAPPER(TILED, tiled, MAP_TILED, 1, 0, SPAN_TILED, 0, 0) \
     MAPPER(COLUMNS, columns, MAP_COLUMNS, 1 + 2, 0, SPAN_COLUMNS, SPAN_COLUMNS_16, 0) \
-    /* code written for the polygon's steps; affine spans where u of a line leaves its row */ \
+    /* code generated for the polygon's steps; affine spans if u of a line leaves its row */ \
     MAPPER(GENERATED, generated, MAP_MARGINS, 1, MAPPER_LOOKS, SPAN_GENERATED, 0, 0) \
-    /* through a light table, at the first vertex' level */ \
+    /* through a light table, at the level of the first vertex */ \
     MAPPER(LIT, lit, MAP_PAGE, 1, MAPPER_LIGHTS + MAPPER_LOOKS, SPAN_LIT_WRAP, 0, 0) \
     /* each pixel at its level */ \
     MAPPER(LIT_GOURAUD, lit_gouraud, MAP_PAGE, 1, MAPPER_LIGHTS + MAPPER_PLANE + MAPPER_LOOKS, \
            SPAN_LIT_GOURAUD, 0, 0) \
-    /* as affine, points moved by up to 3/8 texel: see span_dithered */ \
+    /* as affine, sample points moved by up to 3/8 texel: see span_dithered */ \
     MAPPER(DITHERED, dithered, MAP_PAGE, 1 + 2 + 4, MAPPER_PLANE, \
            SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP) \
-    /* by the material's texture unit, or its pipe of Glide's: not by polygon_draw */ \
+    /* drawn by the material's texture unit or Glide pipe, not by polygon_draw */ \
     MAPPER(N64, n64, MAP_LAYOUTS, 2 + 4, MAPPER_UNIT, 0, 0, 0) \
     MAPPER(GLIDE, glide, MAP_LAYOUTS, 2 + 4, MAPPER_UNIT, 0, 0, 0)
 

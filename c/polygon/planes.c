@@ -46,8 +46,8 @@ static int32 way(fix16 from, int32 to)
 }
 
 /* Returns the units by which u of a plane may be above the exact one at any pixel of the box: twice
-   its possible shortfall (texturing_plane). Steps are off by half a unit; a gradient is less than a
-   texel above its step's whole texels. */
+   its possible shortfall (texturing_plane). Steps are off by half a unit; a gradient is less than
+   one texel above the whole texels of its step. */
 static int32 above(const struct setup *s, const struct texturing *t)
 {
     const struct vertex *top = s->sides.top;
@@ -81,9 +81,9 @@ static void find_depths(struct depths *depths, const struct vertex *corners, int
     depths->least = (fix16)least;
 }
 
-/* Raises S or T of divided corners, whose s or t are `value`: by the largest of these times the
-   units by which W may be too high, with 3 more for W's rounding at the corners, and by 3 units for
-   S's rounding. */
+/* Raises the plane of S or T of divided corners. value: the first corner's s or t. The raise is the
+   largest value times the units by which W may be too high, with 3 more for W's rounding at the
+   corners, and 3 units for S's rounding. */
 static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
                           const struct planes_scale *scale, int32 too_high)
 {

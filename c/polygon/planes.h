@@ -6,12 +6,12 @@
 
 enum { PLANES_MAX = 8 };
 
-/* Modulo 2^32: the value at pixel (i, j) of struct planes, and its steps of a pixel and a line. */
+/* The value at pixel (i, j) of struct planes, and its steps a pixel and a line; modulo 2^32. */
 struct plane {
     uint32 at, dx, dy;
 };
 
-/* The caller chooses what each plane is. */
+/* The caller decides which value each plane has. */
 struct planes {
     int32 i, j;
     struct plane of[PLANES_MAX];
@@ -19,18 +19,18 @@ struct planes {
 
 /* How the corners' coordinates are scaled. */
 struct planes_scale {
-    int32 bits;                 /* S of an s that is not divided: s times 2^bits */
-    int32 one;                  /* W of 1.0, the corner that is nearest; even, above 0 */
+    int32 bits;                 /* S of an undivided s is s times 2^bits */
+    int32 one;                  /* W of the nearest corner, 1.0; even, above 0 */
     fix16 reach;                /* s and t of two corners are less than this apart */
 };
 
-/* Copies x and y of a polygon's vertices to the scratch memory's corners, up to
-   POLYGON_VERTICES_MAX, and returns those. planes_pair reads s and t that the caller sets there. */
+/* Copies x and y of a polygon's vertices, up to POLYGON_VERTICES_MAX, to the scratch memory's
+   corners and returns these. The caller sets their s and t, which planes_pair reads. */
 struct vertex *planes_vertices(struct scratch *scratch, const struct vertex *vertices,
                                int32 count);
 
-/* Finds planes `first` and `first` + 1 from the corners' s and t, times 2^bits; s has the corners'
-   sides and box. s, and t, of two corners are less than 2^31 apart. */
+/* Finds planes `first` and `first` + 1 from the corners' s and t, times 2^bits. The setup has the
+   corners' sides and box. The s of two corners are less than 2^31 apart, and so are the t. */
 void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits);
 
 /* Finds planes `first` to `first` + 2: S, T and W, from the corners' s, t and w (any unit; not 0).

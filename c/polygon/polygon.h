@@ -14,7 +14,7 @@
 enum edges {
     EDGES_INTEGER,              /* vertices cut to whole pixels */
     EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line: neighbours
-                                   leave no gap, but a pixel beside a sliver may be both's */
+                                   leave no gap, but both may draw a pixel beside a sliver */
     EDGES_EXACT,                /* integer quotient and remainder */
     EDGES_KINDS
 };
@@ -35,14 +35,14 @@ enum start {
 /* How a polygon is clipped to the frame. */
 enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
-    CLIP_VERTICES,              /* the polygon is, before it has edges; exact ones: lines */
+    CLIP_VERTICES,              /* the outline is clipped; with EDGES_EXACT lines are cut */
     CLIP_KINDS
 };
 
 /* How u and v follow the depth along a line. */
 enum perspective {
     PERSPECTIVE_NONE,           /* not at all: affine */
-    PERSPECTIVE_EVERY16,        /* right at both ends of pieces of 16 pixels, affine between */
+    PERSPECTIVE_EVERY16,        /* exact at both ends of pieces of 16 pixels, affine between */
     PERSPECTIVE_EVERY8,         /* of 8 pixels */
     PERSPECTIVE_PIXEL,          /* each pixel within 1/32 below and 1/16 texel above */
     PERSPECTIVE_FINE,           /* each pixel within 1/128 texel */
@@ -59,7 +59,7 @@ enum polygon_result {
     POLYGON_OUTSIDE_RANGE,      /* a vertex POLYGON_FAR or more away */
     POLYGON_NO_TRIANGLE,        /* GRADIENTS_POLYGON is for triangles */
     POLYGON_WRONG_MAP,          /* the mapper cannot draw this map or frame */
-    POLYGON_REFUSED             /* by the texture engine's unit: it says why */
+    POLYGON_REFUSED             /* by the texture unit, which has the reason */
 };
 
 struct frame {
@@ -80,11 +80,11 @@ enum mapper_trait {
     MAPPER_LIGHTS = 1,          /* it has a light table */
     MAPPER_PLANE = 2,           /* GRADIENTS_PLANE and START_SUBTEXEL only */
     MAPPER_UNIT = 4,            /* a texture unit draws it */
-    MAPPER_LOOKS = 8            /* its vertices may show that a cheaper span will do */
+    MAPPER_LOOKS = 8            /* the vertices may allow a cheaper span */
 };
 
-/* Which routines drew, where polygons are counted. A polygon with perspective is drawn by one or
-   two of PIECES, CURVES, RECIPROCAL and LOGARITHM. */
+/* Span routines; pixels are counted by them. A polygon with perspective is drawn by one or two of
+   PIECES, CURVES, RECIPROCAL and LOGARITHM. */
 enum span_kind {
 #define SPAN(kind, name, lines) SPAN_##kind,
 #define OTHER(kind, name) SPAN_##kind,
@@ -92,7 +92,7 @@ enum span_kind {
 #undef SPAN
 #undef OTHER
     SPAN_KINDS,
-    SPAN_PERSPECTIVE = SPAN_KINDS       /* not known yet which */
+    SPAN_PERSPECTIVE = SPAN_KINDS       /* one with perspective, not yet decided */
 };
 
 enum rule {
@@ -120,14 +120,14 @@ enum planar_values {
 /* A convex polygon, either winding. */
 struct polygon {
     const struct vertex *vertices;
-    const struct vertex *second;        /* s, t and w of the same corners for Glide's second unit,
-                                           if that has coordinates of its own */
+    const struct vertex *second;        /* s, t and w of the same corners for Glide's second unit
+                                           if it has separate coordinates, else 0 */
     int32 count;
-    uint32 planar;              /* enum planar_values that the caller knows to lie on planes: a
-                                   polygon of more than three vertices is not checked for them */
+    uint32 planar;              /* enum planar_values that the caller knows to be on planes:
+                                   these are not checked if there are more than three vertices */
 };
 
-/* A polygon without second coordinates. */
+/* Sets a polygon without second coordinates. */
 static inline void polygon_set(struct polygon *polygon, const struct vertex *vertices, int32 count,
                                uint32 planar)
 {
@@ -140,24 +140,24 @@ static inline void polygon_set(struct polygon *polygon, const struct vertex *ver
 struct material;
 struct scratch;
 
-/* How polygons are drawn, and the memory that takes. The caller owns it: renderers in one program
-   do not affect each other. */
+/* Settings and memory for drawing polygons. The caller owns it: renderers in one program do not
+   affect each other. */
 struct renderer {
     const struct frame *frame;
     enum form form;
-    uint32 off;                 /* bit n: rule n is off; exact rules leave the picture as it is */
+    uint32 off;                 /* bit n: rule n is off; exact rules do not change the picture */
     struct draw_counts *counts; /* one a material: polygons are counted, not drawn; 0: drawn */
     struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */
 };
 
-/* Draws a polygon, or counts it. */
+/* Draws or counts a polygon. */
 typedef enum polygon_result polygon_routine(struct renderer *renderer,
                                             const struct polygon *polygon,
                                             const struct material *material);
 
-/* What a polygon is drawn with. */
+/* The material of a polygon. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
@@ -165,12 +165,12 @@ struct material {
                                    where v wraps in a line, for 2 cycles a pixel there */
     uint8 spare[3];
     uint16 number;              /* its index in the renderer's counts */
-    fix16 tolerance;            /* texels that u and v may be off for less perspective, beside
-                                   the setting's own bound: 0 to TOLERANCE_MAX */
-    uint32 colour;              /* of a flat one: the pixel */
+    fix16 tolerance;            /* texels that u and v may be off for cheaper perspective, in
+                                   addition to the setting's bound: 0 to TOLERANCE_MAX */
+    uint32 colour;              /* MAPPER_FLAT: the pixel */
     const struct map *map;      /* in the layout of the mapper */
-    const struct map *light;    /* of lit ones: MAP_LIGHT */
-    polygon_routine *draw;      /* what meshes and scenes call for it */
+    const struct map *light;    /* MAPPER_LIGHTS: a MAP_LIGHT */
+    polygon_routine *draw;      /* called by meshes and scenes */
     struct n64_unit *unit;      /* MAPPER_N64 */
     struct glide_pipe *pipe;    /* MAPPER_GLIDE. 40 bytes: an index is multiplied by an addition
                                    and two shifts */
@@ -178,7 +178,7 @@ struct material {
 
 /* Draws with every mapper except MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of
    more than three vertices whose values are not on a plane (fan.c has the tolerance) is drawn as a
-   fan of triangles from its first vertex: so every vertex shows its own values. */
+   fan of triangles from its first vertex, so that the picture has the values of every vertex. */
 polygon_routine polygon_draw;
 
 #endif

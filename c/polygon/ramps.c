@@ -7,7 +7,7 @@ void ramps_make(struct ramp *ramp, const struct edge *edge, int32 count)
     for (; count > 0; count--, ramp++, edge++) {
         struct edge along = *edge;
 
-        /* Half a unit a line, and one each for a product and a quotient, which are cut. */
+        /* Half a unit a line, and one each for a truncated product and quotient. */
         uint32 raise = (uint32)(edge->lines + 1) / 2 + 2;
 
         texturing_along(&along);

@@ -5,7 +5,7 @@
 #include "polygon/edges.h"
 #include "span/scanline.h"
 
-/* Makes the ramps along the edges of a side. */
+/* Makes the ramps of a side's edges. */
 void ramps_make(struct ramp *ramps, const struct edge *edges, int32 count);
 
 #endif

@@ -12,16 +12,16 @@ enum { SCRATCH_ROOM = 49152 };  /* bytes: perspective's lines of a frame of FRAM
 struct scratch {
     struct scanline lines[FRAME_SIDE_MAX];
     struct edge left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-    struct vertex vertices[POLYGON_VERTICES_MAX];       /* as the mapper takes them */
-    struct vertex corners[POLYGON_VERTICES_MAX];        /* what planes are found from */
+    struct vertex vertices[POLYGON_VERTICES_MAX];       /* made by material_vertices */
+    struct vertex corners[POLYGON_VERTICES_MAX];        /* from which planes are found */
     struct vertex paged[POLYGON_VERTICES_MAX];          /* relative to a texture unit's page */
     struct vertex clipped[2 * CLIP_VERTICES_MAX];
     struct sides clipped_sides;
     struct column_layout columns;
-    uint32 room[SCRATCH_ROOM / 4];      /* each way of drawing has its own use of it */
+    uint32 room[SCRATCH_ROOM / 4];      /* each drawing path has its own layout */
 };
 
-/* Fails to compile where a use of the room does not fit. */
+/* Fails to compile if a type is larger than the room. */
 #define SCRATCH_FITS(type) extern char scratch_fits[sizeof(type) <= SCRATCH_ROOM ? 1 : -1]
 
 #endif

@@ -1,4 +1,4 @@
-/* The state of a polygon in the set-up, which the rules of lowering read. */
+/* The state of a polygon in the set-up; the rules of lowering read it. */
 #ifndef SETUP_H
 #define SETUP_H
 
@@ -10,13 +10,13 @@
 #include "span/perspective.h"
 #include "span/scanline.h"
 
-/* How far an edge's x may be beyond its vertices, in pixels, 16.16: its start and its steps are
-   within 1/2^17, over the 1,024 lines of a frame at most 0.008. */
+/* How far x of an edge may be beyond its vertices, pixels, 16.16. Its start and steps are within
+   1/2^17 each: at most 0.008 over the 1,024 lines of a frame. */
 #define EDGE_ERROR 1024
 
 struct setup {
     struct renderer *renderer;
-    struct scratch *scratch;            /* the renderer's, as frame and off */
+    struct scratch *scratch;            /* the renderer's; so are frame and off */
     const struct frame *frame;
     const struct material *material;
     enum form form;
@@ -25,25 +25,25 @@ struct setup {
     struct draw_counts *counts;         /* of the material, or 0 */
 
     const struct vertex *given;         /* as the caller gave them */
-    const struct vertex *vertices;      /* as material_vertices makes them: the whole polygon,
-                                           what gradients come from */
+    const struct vertex *vertices;      /* from material_vertices: the whole polygon, for
+                                           gradients */
     int32 count;
-    enum span_kind kind;                /* what draws it, from what is asked for down */
-    enum perspective setting;           /* SPAN_PERSPECTIVE: how, down from the material's */
-    int32 straight;                     /* ... each line is, from its first pixel on */
+    enum span_kind kind;                /* the material's, lowered step by step */
+    enum perspective setting;           /* SPAN_PERSPECTIVE: the material's, lowered */
+    int32 straight;                     /* SPAN_PERSPECTIVE: 1: each line is affine as a whole */
 
     struct sides sides;
-    struct rectangle box;               /* what it may cover of the frame */
-    const struct vertex *outline;       /* what edges come from: vertices, or their clipped part */
+    struct rectangle box;               /* the part of the frame that it may cover */
+    const struct vertex *outline;       /* for edges: vertices, or their clipped part */
     int32 outline_count;
     const struct sides *outline_sides;
     struct edge_plan edges;
     struct span_plan span;
-    struct texturing texturing;         /* where gradients are of the polygon */
+    struct texturing texturing;         /* not with GRADIENTS_SCANLINE */
     struct perspective_plan *perspective;
 };
 
-/* As the caller gives it; not `form`, which texture units do not ask for. */
+/* Sets the fields that the caller gives; not `form`, which texture units do not use. */
 static inline void setup_begin(struct setup *s, struct renderer *renderer,
                                const struct polygon *polygon, const struct material *material)
 {

@@ -8,8 +8,9 @@
 #define LEVEL_OF(shade) ((shade) >> (LEVEL_BITS - 16))
 #define FREE_BITS ((1 << CUT_LEVEL) - 1)
 
-/* INSET: how far a pixel's level on the stepped plane may be beyond the vertices'. The pixel is
-   within 1/64 pixel of the polygon, and as far by clipped vertices, times a level at most. */
+/* INSET: how far a pixel's level on the stepped plane may be outside the vertices' range. A pixel
+   is within 1/64 pixel of the polygon, and clipped vertices add as much; each times at most one
+   level a pixel. */
 #define INSET (65536 / 16)
 #define STEEP 65536
 
@@ -22,7 +23,7 @@ int32 shading_light(struct span_plan *span, const struct material *material, fix
     return 1;
 }
 
-/* Copies a corner with its level in the place of s; returns to. */
+/* Copies a corner with its level as s; returns to. */
 static const struct vertex *lit(struct vertex *to, const struct vertex *from)
 {
     to->x = from->x;

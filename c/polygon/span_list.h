@@ -1,5 +1,5 @@
-/* Kinds of spans, and the rules of lowering that lead from one to a cheaper one: each stated here
-   alone. Enums, names, routines and tables are made from these lists; Python has the enums. */
+/* Lists of the kinds of spans and of the rules that lower one to a cheaper one. Enums, names,
+   routines and tables are made from these lists; Python has the enums. */
 #ifndef SPAN_LIST_H
 #define SPAN_LIST_H
 
@@ -57,7 +57,8 @@
     OTHER(GLIDE_PIXELS, glide_pixels) \
     OTHER(GLIDE_TILES, glide_tiles)
 
-/* RULE(rule, name): why less is drawn than a material asks for; c/drawing/lower.c has them. */
+/* RULE(rule, name): why a polygon is drawn in a cheaper way than its material's. They are
+   in c/drawing/lower.c, and those of texture units in c/n64 and c/glide. */
 #define RULE_LIST(RULE) \
     RULE(OUTSIDE, outside)                 /* outside the frame: nothing is drawn */ \
     RULE(EQUAL_SHADES, equal_shades)       /* all vertices have the same pixel: flat */ \
@@ -66,25 +67,25 @@
     RULE(FULL_LIGHT, full_light)           /* the light changes no texel: no light */ \
     RULE(CONSTANT_W, constant_w)           /* all vertices have the same depth: affine */ \
     RULE(TOLERANCE, tolerance)             /* affine is within the material's tolerance */ \
-    RULE(COARSER, coarser)                 /* longer subspans, or straight lines, are within it */ \
+    RULE(COARSER, coarser)                 /* longer subspans, or affine lines, are within it */ \
     RULE(INSIDE_FRAME, inside_frame)       /* no line is cut to the frame's columns */ \
     RULE(INSIDE_RANGE, inside_range)       /* u, v, shade stay in their range */ \
     RULE(STILL_V, still_v)                 /* v does not change along lines */ \
-    RULE(UNIT_STEP, unit_step)             /* ... and u moves a texel a pixel: lines are copied */ \
+    RULE(UNIT_STEP, unit_step)             /* also, u moves a texel a pixel: lines are copied */ \
     RULE(STILL_U, still_u)                 /* u does not change along lines */ \
     RULE(NO_WRAP, no_wrap)                 /* v wraps once in a line at most */ \
     RULE(NO_WRAP_LIT, no_wrap_lit)         /* the same with light */ \
-    RULE(NO_WRAP_DITHERED, no_wrap_dithered) /* the same of v as dithering moves it */ \
-    RULE(SHORT, short)                     /* the cache has room for all pixels: no loop */ \
+    RULE(NO_WRAP_DITHERED, no_wrap_dithered) /* the same for v moved by dithering */ \
+    RULE(SHORT, short)                     /* unrolled code for all pixels fits the cache */ \
     RULE(SHORT_WRAP, short_wrap) \
     RULE(SHORT_ROW, short_row) \
     RULE(SHORT_GOURAUD, short_gouraud) \
     RULE(SHORT_LIT, short_lit) \
     RULE(SHORT_LIT_WRAP, short_lit_wrap) \
-    RULE(N64_FLAT, n64_flat)               /* no texel reaches the combiner's result: flat */ \
-    RULE(N64_PLAIN, n64_plain)             /* points of one tile: an affine span of pixels */ \
+    RULE(N64_FLAT, n64_flat)               /* no texel affects the combiner's result: flat */ \
+    RULE(N64_PLAIN, n64_plain)             /* point samples of one tile: an affine span */ \
     RULE(N64_PASSES, n64_passes)           /* passes over lines: not pixel by pixel */ \
-    RULE(GLIDE_PLAIN, glide_plain)         /* points of one level: an affine span of pixels */ \
+    RULE(GLIDE_PLAIN, glide_plain)         /* point samples of one level: an affine span */ \
     RULE(GLIDE_PASSES, glide_passes)       /* as N64_PASSES */ \
     RULE(GLIDE_TILES, glide_tiles)         /* one LOD, no divide: from prefiltered tiles */
 

@@ -2,7 +2,7 @@
 
 #include "math/math.h"
 
-/* For steps of this many texels and more, shortfall makes up for nothing. */
+/* With steps of this many texels or more, shortfall returns 0. */
 #define STEEP 256
 
 /* Sets *out to a - b: x, y, s and t. */
@@ -14,7 +14,7 @@ static void vertex_difference(struct vertex *out, const struct vertex *a, const 
     out->t = a->t - b->t;
 }
 
-/* Returns part * 65536 / whole, saturated: a narrow triangle's step may have any size. */
+/* Returns part * 65536 / whole, saturated: the step of a narrow triangle may have any size. */
 static fix16 saturated_step(fix16 part, fix16 whole)
 {
     const fix16 largest = 0x7fffffff;
@@ -75,9 +75,10 @@ void texturing_along(struct edge *edge)
 }
 
 /* Returns the units by which u may fall short along a left edge and the lines that begin there. The
-   step g is below `whole`, the longest line is a pixel or wider. Along the edge u is off by half a
-   unit a line; presteps are rounded down, and x, off by half a unit a line, adds g times that. The
-   step is off by half of `coarse` a pixel and by (1 + g) / 2 units over the longest line. */
+   step g is below `whole`; the longest line is a pixel or wider. Along the edge u is off by half a
+   unit a line. Presteps are rounded down, and x is off by half a unit a line, which adds g times
+   that. The step is off by half of `coarse` a pixel and by (1 + g) / 2 units over the longest
+   line. */
 static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width, enum start start)
 {
     const int32 whole = (int32)(fix_magnitude(step) >> 16) + 2;
@@ -101,7 +102,7 @@ static void to_pixels(const struct texturing *t, struct edge *edge)
     edge->dv += mul_fix(t->dvdx, step);
 }
 
-/* Moves u and v the other way: from the first pixels to where the edge crosses the lines. */
+/* Moves u and v back from the first pixels to where the edge crosses the lines. */
 static void to_crossing(const struct texturing *t, struct edge *edge)
 {
     fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);

@@ -10,9 +10,9 @@
 struct texturing {
     fix16 dudx, dvdx;           /* texels a pixel */
     int32 wraps;                /* v may wrap more than once in a span */
-    uint32 u_cut, v_cut;        /* so many low bits are 0 in u, v and steps: the span does not
-                                   keep them, or u's lowest is free for v's wrap ... */
-    uint32 guard;               /* ... and holds this */
+    uint32 u_cut, v_cut;        /* number of low bits that are 0 in u, v and steps: the span does
+                                   not keep them, or u's lowest is reserved for v's wrap */
+    uint32 guard;               /* value of u's reserved bit: 1 if v falls; else 0 */
 
     /* GRADIENTS_PLANE: */
     fix16 dudy, dvdy;           /* texels a line */
@@ -22,10 +22,10 @@ struct texturing {
 
 /* How u and v share an addx chain, in which a wrap of v must be handled. */
 enum chain {
-    CHAIN_NONE,                 /* not at all */
+    CHAIN_NONE,                 /* no shared chain */
     CHAIN_ANYWHERE,             /* v may be anywhere */
     CHAIN_PLANE,                /* v is on the plane, within the box */
-    CHAIN_WHOLE                 /* the same, and u keeps all bits: any wrap is one too many */
+    CHAIN_WHOLE                 /* the same, but u keeps all bits: a single wrap sets wraps */
 };
 
 /* Low bits that spans of tiles, of columns and of light do not keep. */
@@ -48,7 +48,7 @@ uint32 texturing_raised(uint32 value, uint32 cut);
 void texturing_longest(struct texturing *t, const struct sides *sides,
                        const struct rectangle *box, enum chain chain);
 
-/* Finds u, v and their steps a line along an edge, where it crosses the lines. */
+/* Finds u and v where an edge crosses its lines, and their steps a line. */
 void texturing_along(struct edge *edge);
 
 /* Finds u, v and their steps on left edges, for GRADIENTS_PLANE or GRADIENTS_POLYGON. No line is

@@ -5,10 +5,9 @@
 #include "compiler.h"
 
 /* x, y: pixels, pixel centres at integers, -POLYGON_FAR to POLYGON_FAR (excluded); y and t
-   downwards. s, t: 0 to 256 along the longer side of the map, whatever its size; any value
-   where the map repeats, in the same range. shade: 0 to 255, Gouraud's pixel; lit: a quarter
-   of it is the level of light. w: depth, which counts with a perspective alone, W_MIN to
-   W_MAX. All 16.16. */
+   downwards. s, t: 0 to 256 along the longer side of the map, whatever its size; if the map
+   repeats, any value in the range of x and y. shade: 0 to 255: MAPPER_GOURAUD's pixel, or 4 times
+   the level of light. w: depth, W_MIN to W_MAX, used only with perspective. All 16.16. */
 struct vertex {
     fix16 x, y, s, t, shade, w;
 };

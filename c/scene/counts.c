@@ -17,7 +17,6 @@ static const char *const rule_names[RULES] = {
 #undef RULE
 };
 
-/* Sets counts to 0, or adds others to them. */
 static void clear(struct draw_counts *counts, uint32 materials)
 {
     uint32 *to = (uint32 *)counts;
@@ -56,7 +55,7 @@ void counts_frame(struct scene_counts *counts, struct renderer *renderer, struct
     sum_up(counts->totals, counts->frame, counts->materials);
 }
 
-/* Those that are not 0, by name. */
+/* Adds the names and values of the counts that are not 0. */
 static void add_named(const uint32 *counts, const char *const *names, int32 items)
 {
     for (; items > 0; items--, counts++, names++)
@@ -97,7 +96,7 @@ void counts_print(const struct scene_counts *counts)
     }
 }
 
-/* The rule whose name stands there, so long; RULES: there is none. */
+/* Returns the rule named by the first `length` characters of name, or RULES if there is none. */
 static uint32 rule_named(const char *name, int32 length)
 {
     uint32 rule = 0;

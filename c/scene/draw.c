@@ -5,7 +5,7 @@
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
 
-/* The background is a span of the whole width on every line. */
+/* Fills the frame with flat spans of the whole width. */
 static void clear(const struct renderer *renderer, uint32 colour)
 {
     const struct frame *frame = renderer->frame;
@@ -29,7 +29,7 @@ static void clear(const struct renderer *renderer, uint32 colour)
         span_fill(&plan);
 }
 
-/* The vertices as a pose has them: in place, or where they stand already. */
+/* Returns the vertices moved by a pose, in room; or `from` itself if the pose moves nothing. */
 static const struct vertex *place(struct vertex *room, const struct vertex *from, uint32 count,
                                   const struct scene_pose *pose)
 {
@@ -79,7 +79,7 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
     return refused;
 }
 
-/* Everything in front of the background. */
+/* Draws all objects and instances. */
 static enum polygon_result draw_all(struct renderer *renderer, const struct scene *scene,
                                     int32 number)
 {
@@ -89,7 +89,7 @@ static enum polygon_result draw_all(struct renderer *renderer, const struct scen
 
     renderer->reciprocals = scene->reciprocals;
     renderer->logarithms = scene->logarithms;
-    while (instance < header->instances) {      /* those before one object are together */
+    while (instance < header->instances) {      /* those with the same `before` together */
         uint32 before = scene->instances[instance].before, first = instance;
 
         result = draw_objects(renderer, scene, number, object, before);

@@ -1,18 +1,18 @@
-/* From instances to polygons: every point goes before the camera and on the screen once;
-   faces seen from the back or outside one border fall away; the others are drawn from the
-   farthest to the nearest, cut where they cross a border. */
+/* Turns instances into polygons. Every point is transformed to the camera and projected once.
+   Faces seen from the back or wholly outside one border are dropped; the others are drawn from
+   the farthest to the nearest, clipped if they cross a border. */
 #include "scene/draw_meshes.h"
 
 #include "drawing/fan.h"
 #include "math/math.h"
 
-/* A fan of triangles where gradients are for those: cutting makes more corners. */
+/* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
                                         int32 count, const struct material *material)
 {
     struct polygon polygon;
 
-    /* A face is a plane in space: on the screen texels without perspective need not lie on one. */
+    /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
@@ -20,7 +20,7 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     return polygon_fan(material->draw, renderer, &polygon, material);
 }
 
-/* Vertices before the camera to the screen, as mesh_transform does it. */
+/* Projects vertices from camera space to the screen, as mesh_transform does. */
 static void project(struct vertex *v, int32 count, const struct scene_header *header)
 {
     int32 scale = 65536 << header->guard;
@@ -84,7 +84,7 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
-/* s, t and shade of an instance's normals, of which there is one at least. */
+/* Sets s, t and shade of an instance's normals; there is at least one. */
 static void make_looks(struct mesh_look *to, const struct scene_normal *normals, int32 count,
                        const struct scene_instance *instance, const struct scene_view *view)
 {
@@ -112,7 +112,8 @@ static void make_looks(struct mesh_look *to, const struct scene_normal *normals,
     }
 }
 
-/* Points and normals of an instance, and the faces of it that may be seen: their number. */
+/* Transforms the points and normals of an instance and collects the faces that may be visible;
+   returns their number. */
 static int32 place(const struct scene *scene, const struct scene_instance *instance,
                    const struct scene_view *view, struct mesh_work *at)
 {

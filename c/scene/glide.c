@@ -5,7 +5,7 @@
 #include "system/file.h"
 #include "system/system.h"
 
-/* A table in the texture memory, or none. */
+/* Returns 1 if a table is inside the texture memory or is NO_TABLE. */
 static int32 table_fits(const struct scene_header *h, int32 at, uint32 bytes)
 {
     return at == NO_TABLE
@@ -127,7 +127,7 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
     return 1;
 }
 
-/* The second half of the vertices has the second unit's coordinates. */
+/* Draws a polygon whose second half of vertices has the second unit's coordinates. */
 static enum polygon_result draw_own(struct renderer *renderer, const struct polygon *polygon,
                                     const struct material *material)
 {

@@ -1,9 +1,9 @@
-/* The header of a scene file: checked, so that its tables can be read. */
+/* Checks the header of a scene file, so that its tables can be read. */
 #include "scene/scene.h"
 
 #include "system/file.h"
 
-/* The header's tables, in its order: bytes of an entry; what is wrong where one is. */
+/* The header's tables, in its order: bytes of an entry; the fields to name if it is wrong. */
 static const struct {
     uint32 size;
     const char *wrong;
@@ -15,7 +15,8 @@ static const struct {
 #undef BLOCK
 };
 
-/* Behind the header, inside the file, and not too long; of bytes a multiple of 8. */
+/* Returns 1 if a table is after the header, inside the file and not too long. A block of bytes has
+   a multiple of 8 instead of a limit. */
 static int32 table_usable(uint32 at, uint32 count, uint32 size, uint32 bytes)
 {
     return at >= sizeof(struct scene_header)

@@ -40,7 +40,7 @@ static int32 size_usable(int32 width, int32 height, enum map_layout layout)
     }
 }
 
-/* The name of the first field that is wrong, or 0; so below. */
+/* Returns the name of the first field that is wrong, or 0; so do all wrong_ functions below. */
 static const char *wrong_texture(const struct scene *scene)
 {
     const struct scene_header *h = scene->header;
@@ -79,7 +79,7 @@ static int32 draws(uint32 mapper, uint32 format)
     return mappers[mapper].bytes & bytes;
 }
 
-/* Whether the material's unit is there, or it needs none and has none. */
+/* Returns 1 if the unit of a material exists, or if it needs none and has none. */
 static int32 unit_usable(const struct scene_header *h, const struct scene_material *m)
 {
     if (!is(m->mapper, MAPPER_UNIT))
@@ -145,7 +145,7 @@ const char *scene_wrong_texel(const struct scene *scene, const struct scene_mate
     return 0;
 }
 
-/* Whether the objects of a material are rectangles. */
+/* Returns 1 if the objects of a material are rectangles. */
 static int32 has_rectangles(const struct scene_material *material)
 {
     return material->primitive >= UNIT_RECTANGLES;
@@ -161,7 +161,7 @@ static int32 is_short(int32 value)
     return value == (int16)value;
 }
 
-/* A rectangle's vertices and poses: whole pixels, s10.5 and s5.10; nothing turns. */
+/* Checks a rectangle's vertices and poses: whole pixels, s10.5, s5.10, no rotation or scaling. */
 static const char *wrong_rectangle(const struct scene *scene, const struct scene_object *object)
 {
     const struct vertex *v = &scene->vertices[object->vertex];
@@ -190,7 +190,7 @@ static int32 depth_usable(fix16 w, int32 is_own)
     return is_own ? w && w >= -W_MAX && w <= W_MAX : w >= W_MIN && w <= W_MAX;
 }
 
-/* Only what a mapper does not repeat: texels inside the map, shades inside the palette. */
+/* Checks shades and w, and for MAPPER_ARBITRARY, whose map does not repeat, s and t. */
 static const char *wrong_vertex(const struct scene *scene, const struct scene_object *object)
 {
     const struct scene_material *m = &scene->materials[object->material];

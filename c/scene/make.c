@@ -1,4 +1,4 @@
-/* A scene in memory, made ready to be drawn; nothing here checks it. */
+/* Prepares a scene in memory for drawing; nothing here checks it. */
 #include "scene/scene.h"
 
 #include "scene/tables.h"

@@ -1,4 +1,4 @@
-/* Textures from the scene file into the memory the mappers read. */
+/* Copies textures from the scene file to the memory that mappers read. */
 #include "scene/scene.h"
 
 #include "system/system.h"
@@ -6,7 +6,7 @@
 enum map_memory {
     PAGE_BYTES = MAP_PAGE_SIDE * MAP_PAGE_SIDE,
     HALF_PAGE = PAGE_BYTES / 2,
-    BYTES_MAX = 0x40000000      /* far more than there is; sums stay inside 32 bits */
+    BYTES_MAX = 0x40000000      /* far more than any machine has; sums stay inside 32 bits */
 };
 
 static void copy(uint8 *to, const uint8 *from, uint32 bytes)
@@ -22,8 +22,8 @@ static void copy(uint8 *to, const uint8 *from, uint32 bytes)
         *to++ = *from++;
 }
 
-/* A map of power-of-two sides, at least a longword wide, repeated on a page whose first row
-   is `top`; width and row: bytes of the map's rows and the page's. */
+/* Repeats a map over a page whose first row is `top`. The map's sides are powers of two, and it is
+   at least a longword wide. width, row: bytes of a row of the map and of the page. */
 static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height, int32 row,
                       int32 top)
 {
@@ -32,7 +32,7 @@ static void make_page(uint8 *page, const uint8 *from, int32 width, int32 height,
             copy(page, from + (v & (height - 1)) * width, (uint32)width);
 }
 
-/* Bytes of a texture in memory, so that what follows lies at a multiple of 4. */
+/* Returns the bytes of a texture in memory, rounded up to a multiple of 4. */
 static uint32 map_bytes(const struct scene_texture *t)
 {
     if (t->layout == MAP_PAGE)
@@ -42,7 +42,7 @@ static uint32 map_bytes(const struct scene_texture *t)
     return ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
 }
 
-/* What lowering asks of a light table. */
+/* Sets full and dark of a light table, which lowering reads. */
 static void judge_light(struct map *map)
 {
     const uint8 *dark = map->texels, *full = dark + 256 * (LIGHT_LEVELS - 1);
@@ -54,7 +54,7 @@ static void judge_light(struct map *map)
     }
 }
 
-/* Copies a texture to its place, given where the map's memory begins. */
+/* Copies a texture to its memory, which begins at texels, and sets the map. */
 static void make_map(struct map *map, const struct scene_texture *t, const uint8 *from,
                      uint8 *texels)
 {
@@ -83,9 +83,9 @@ static void make_map(struct map *map, const struct scene_texture *t, const uint8
         judge_light(map);
 }
 
-/* All maps lie in one block, layout by layout: those of a page, from a multiple of
-   65,536; those with margins, which begin half a page behind one; light tables, so
-   that each is inside a page; then the others. */
+/* All maps are in one block, ordered by layout: first those of whole pages, from a multiple of
+   65,536 on; then those with margins, which begin half a page after such a multiple; then light
+   tables, so that each is inside a page; then the others. */
 int32 scene_make_maps(struct scene *scene, int32 kind)
 {
     static const uint8 order[MAP_LAYOUTS] = {

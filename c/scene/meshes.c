@@ -1,5 +1,5 @@
-/* Meshes, instances and views of a scene: checked, so that nothing they hold leads the
-   drawing outside its arrays or its numbers outside 32 bits. */
+/* Checks the meshes, instances and views of a scene, so that drawing cannot leave its arrays and
+   its numbers cannot exceed 32 bits. */
 #include "scene/scene.h"
 
 enum limits {
@@ -14,7 +14,7 @@ static int32 beyond(int32 value, int32 most)
     return value < -most || value > most;
 }
 
-/* Whether count entries from first on lie in a table of so many. */
+/* Returns 1 if `count` entries from `first` on are inside a table of `table` entries. */
 static int32 inside(uint32 first, uint32 count, uint32 table)
 {
     return first <= table && count <= table - first;
@@ -92,7 +92,7 @@ static const char *wrong_mesh(const struct scene *scene)
     return 0;
 }
 
-/* What a material wants of the mesh it is on. */
+/* Checks a material's requirements on the instance and its mesh. */
 static const char *wrong_look(const struct scene *scene, const struct scene_instance *instance)
 {
     const struct scene_material *m = &scene->materials[instance->material];

@@ -1,4 +1,4 @@
-/* A scene in memory, checked, with its textures where the spans want them. */
+/* A checked scene in memory, with its textures in the spans' layouts. */
 #ifndef SCENE_H
 #define SCENE_H
 
@@ -8,7 +8,7 @@
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
 
-/* Memory for what is placed on the screen, of one polygon or face at a time. */
+/* Memory for the vertices of one polygon or face at a time. */
 struct scene_scratch {
     struct vertex placed[POLYGON_VERTICES_MAX];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
@@ -26,7 +26,7 @@ struct scene {
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
-    const uint16 *reciprocals;  /* where a material needs them, else 0 */
+    const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
     uint8 tried_reciprocals, tried_logarithms;  /* 1: not made again where memory was short */
     uint8 spare[2];
@@ -36,97 +36,100 @@ struct scene {
     struct glide_tile_store *tiles;     /* of all pipes */
 };
 
-/* Puts the textures of a checked scene into memory of the kind given, each as its
-   layout wants it; 0 where memory is short. */
+/* Copies the textures of a checked scene to memory of the kind given, each in its layout; returns 0
+   if memory is short. */
 int32 scene_make_maps(struct scene *scene, int32 kind);
 
-/* The first field of a header that is wrong, or 0; bytes: of the file. */
+/* Returns the name of the first field of a header that is wrong, or 0; bytes: of the file. */
 const char *scene_wrong_header(const struct scene_header *header, uint32 bytes);
 
-/* The greatest number that a pixel of the header's format can be. */
+/* Returns the greatest value of a pixel in the header's format. */
 uint32 scene_pixel_max(const struct scene_header *header);
 
-/* The first field of meshes, instances or views that is wrong, or 0; tables lie in the
-   file, materials are checked. */
+/* Returns the name of the first field of meshes, instances or views that is wrong, or 0. The tables
+   must be inside the file, and materials checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
 
-/* "s" or "t" where this one leaves a map that is not repeated; else 0. */
+/* Returns "s" or "t" if that one is outside a map that is not repeated, else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
                               fix16 s, fix16 t);
 
-/* Bytes of a pixel of an enum pixel_format. */
+/* Returns the bytes of a pixel of an enum pixel_format. */
 int32 scene_pixel_bytes(uint32 format);
 
-/* The tables of a scene file in memory, at a multiple of 4. */
+/* Sets the pointers to the tables of a scene file in memory, at a multiple of 4. */
 void scene_place(struct scene *scene, const uint8 *data);
 
-/* Makes the texture engines and runs the first list of each; 0 where memory is short. */
+/* Makes the texture engines and runs the first list of each; returns 0 if memory is short. */
 int32 scene_make_units(struct scene *scene, int32 kind);
 
-/* What draws an enum unit_primitive. */
+/* Returns the routine that draws an enum unit_primitive. */
 polygon_routine *scene_unit_routine(uint32 primitive);
 
-/* Runs the lists of a frame. */
+/* Runs the display lists of a frame. */
 void scene_start_units(struct scene *scene, int32 number);
 
-/* The first field of units or lists that is wrong, or 0; tables lie in the file. */
+/* Returns the name of the first field of units or lists that is wrong, or 0. The tables must be
+   inside the file. */
 const char *scene_wrong_unit(const struct scene *scene);
 
-/* Runs all lists of all engines; prints a line naming unit, list and command and returns 0 where
-   one is refused. */
+/* Runs all lists of all engines. If a command is refused, prints a line with unit, list and command
+   and returns 0. */
 int32 scene_try_units(const struct scene *scene, const char *name);
 
-/* Why a polygon was not drawn, an enum polygon_result from POLYGON_FEW on. */
+/* Returns the reason for an enum polygon_result from POLYGON_FEW on. */
 const char *scene_why(const struct scene *scene, uint32 result);
 
-/* Why the last polygon that a texture engine refused was. */
+/* Returns the reason why a texture engine refused its last polygon. */
 const char *scene_why_refused(const struct scene *scene);
 
-/* glide.c. The first field of glide_units or pipes that is wrong, or 0; tables lie in the file. */
+/* glide.c. Returns the name of the first field of glide_units or pipes that is wrong, or 0. The
+   tables must be inside the file. */
 const char *scene_wrong_pipe(const struct scene *scene);
 
-/* Makes Glide's texture units and their pipes; 0 where memory is short. */
+/* Makes Glide's texture units and their pipes; returns 0 if memory is short. */
 int32 scene_make_pipes(struct scene *scene, int32 kind);
 
-/* Returns 1 if the second half of an object's vertices has the coordinates of the material's second
-   unit; pipes are checked. */
+/* Returns non-zero if the second half of an object's vertices has the coordinates of the material's
+   second unit. Pipes must be checked. */
 int32 scene_has_own(const struct scene *scene, const struct scene_material *material);
 
 polygon_routine *scene_pipe_routine(const struct scene *scene,
                                     const struct scene_material *material);
 
-/* Why a pipe refused a polygon; 0: none did. */
+/* Returns the reason why a pipe refused a polygon, or 0 if none did. */
 const char *scene_why_pipe_refused(const struct scene *scene);
 
-/* What there is not enough memory for. */
+/* Results of making a scene or its tables: all but SCENE_MADE say what memory is too short for. */
 enum scene_memory {
     SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES,
     SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
 };
 
-/* Maps, materials and what else a checked scene is drawn with; textures go to memory of
-   the kind given. */
+/* Makes maps, materials and all other data from which a checked scene is drawn; textures go to
+   memory of the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 
-/* Sets memory aside for what texture units make while they draw, where a scene has any. */
+/* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);
 
-/* Draws a frame, between quiet_enter and quiet_leave; *ticks: how long that took. */
+/* Draws a frame between quiet_enter and quiet_leave; sets *ticks to the time it took. */
 enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
                                uint32 *ticks);
 
 /* Writes a frame as frame_000.chunky and so on; prints a line and returns 0 if it cannot. */
 int32 scene_save(const struct frame *frame, int32 number);
 
-/* Loads and checks a scene; textures go to memory of the kind given. Prints a line
-   naming file and field and returns 0 where something is wrong. */
+/* Loads and checks a scene; textures go to memory of the kind given. On an error prints a line with
+   file and field and returns 0. */
 int32 scene_load(struct scene *scene, const char *name, int32 kind);
 
-/* Draws one frame over the background, by the scene's tables; returns why a polygon was refused, or
-   POLYGON_DRAWN. */
+/* Draws the background and one frame, with the scene's tables; returns why a polygon was refused,
+   or POLYGON_DRAWN. */
 enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, int32 number);
 
-/* Adds what the frame that was drawn last consists of to counts, one a material. */
+/* Adds the polygons, rules and pixels of the frame that was drawn last to counts, one a
+   material. */
 void scene_count(struct renderer *renderer, struct scene *scene, int32 number,
                  struct draw_counts *counts);
 

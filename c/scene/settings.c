@@ -21,7 +21,7 @@ static const struct {
     {16, "none"}, {16, "every16"}, {8, "every8"}, {0, "pixel"}, {0, "fine"}
 };
 
-/* Returns non-zero if gradients and start are the mapper's own. */
+/* Returns non-zero if the mapper has fixed gradients and start. */
 static int32 is_fixed(uint32 mapper)
 {
     return mappers[mapper].is & (MAPPER_UNIT + MAPPER_PLANE);
@@ -38,7 +38,7 @@ static void set_perspective(struct material *to, const struct scene_material *fr
         to->tolerance = 0;
 }
 
-/* When its perspective is set. */
+/* Called after set_perspective, whose result it reads. */
 static void set_accuracy(struct material *to, const struct scene_material *from, int32 step)
 {
     to->edges = (uint8)from->edges;
@@ -70,7 +70,7 @@ static void keep_gradients(const struct scene *scene, uint32 material)
     scene->drawn[material].gradients = (uint8)scene->materials[material].gradients;
 }
 
-/* Materials of polygons with more corners than three have their own. */
+/* Restores the gradients of materials with polygons or faces of more than three corners. */
 static void restore_gradients(const struct scene *scene)
 {
     const struct scene_object *object = scene->objects;

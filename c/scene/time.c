@@ -2,7 +2,7 @@
 
 #include "system/system.h"
 
-/* Longest time for one frame, in 92 ms: 60 s, a thousand times what a polygon takes. */
+/* Longest time for one frame, in units of 92 ms: 60 s, a thousand times that of a polygon. */
 #define FRAME_LIMIT 650
 
 enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
