@@ -51,45 +51,31 @@ static void set_settings(struct player *player, int32 number)
     settings_set(player->scene, &settings);
 }
 
-static int32 is_counted(const struct lane *lane)
-{
-    return lane->pictures % COUNT_EVERY == 0;
-}
-
-/* Counts the pixels of the picture that was drawn last. */
-static void count(struct player *player, struct lane *lane, int32 frame)
-{
-    const uint32 materials = player->scene->header->materials;
-    uint32 ticks;
-
-    clear_counts(player->counts, materials);
-    scene_count(&player->renderer, player->scene, frame, player->counts);
-    ticks = player_lap(player);
-    lane->pixels += sum_pixels(player->counts, materials);
-    lane->counted += lane->last;
-    lane->used += ticks;
-    if (ticks > lane->counting)
-        lane->counting = ticks;
-}
-
 static void draw(struct player *player, int32 number, int32 frame)
 {
     struct lane *lane = &player->lane[number];
+    const uint32 materials = player->scene->header->materials;
+    const int32 counted = lane->pictures % COUNT_EVERY == 0;
     struct renderer *renderer = &player->renderer;
 
     renderer->frame = &lane->frame;
     renderer->form = (enum form)player->part->pane[number].form;
+    renderer->counts = counted ? player->counts : 0;
     set_settings(player, number);
+    if (counted)
+        clear_counts(player->counts, materials);
     /* The system's tasks have work ten times a second: it is none of the picture's. */
     tasks_forbid();
     player_lap(player);
     scene_draw(renderer, player->scene, frame);
     lane->last = player_lap(player);
     tasks_permit();
-    lane->sum += lane->last;
+    if (counted) {
+        lane->pixels += sum_pixels(player->counts, materials);
+        lane->counted += lane->last;
+    } else
+        lane->sum += lane->last;
     lane->used += lane->last;
-    if (is_counted(lane))
-        count(player, lane, frame);
     lane->pictures++;
     lane->stale = BOTH;
 }
@@ -146,12 +132,11 @@ static void draw_fairly(struct player *player)
         const int32 next = poorest(player);
         const struct lane *lane = &player->lane[next];
         const uint32 more = lane->stale & hidden ? 0 : lane->converting;
-        const uint32 counting = is_counted(lane) ? lane->counting : 0;
         const uint32 age = display_age() * LINE_TICKS;  /* read while the frame before waits */
 
         if ((drawn || converting)
             && (!screen_waits(player->screen)
-                || age + lane->dearest + counting + converting + more > TURNS_BUDGET))
+                || age + lane->dearest + converting + more > TURNS_BUDGET))
             break;
         converting += more;
         lane_draw(player, next);

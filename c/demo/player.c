@@ -74,7 +74,6 @@ static void begin(struct player *player)
         struct lane *lane = &player->lane[i];
 
         lane->used = lane->pictures = lane->counted = lane->pixels = lane->sum = 0;
-        lane->counting = 0;
         lane->figured = player->began;
     }
 }

@@ -42,7 +42,6 @@ struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
     uint32 last, converting;    /* of the last picture, and of turning it into planes */
-    uint32 counting;            /* of counting a picture's pixels, at most until now */
     uint32 pictures;            /* drawn; */
     uint32 seen, figured;       /* pictures and field of the last figures */
     uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
@@ -51,7 +50,7 @@ struct lane {
     int32 line;                 /* that was written last */
     uint32 dearest;             /* colour clocks: no picture takes longer */
     uint32 cost;                /* cycles a pixel, lately */
-    uint32 sum;                 /* colour clocks of drawing all pictures, modulo 2^32 */
+    uint32 sum;                 /* colour clocks of all other pictures, modulo 2^32 */
 };
 
 /* A frame's figures for LOG. */

@@ -93,7 +93,7 @@ static int32 draw_reciprocals(const struct setup *s, union made *made, int32 wid
         return planes->count;
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
-    if (s->counts)
+    if (s->renderer->only_counts)
         return left;
     lines.lines = made->reciprocals;
     lines.count = planes->count;
@@ -121,7 +121,7 @@ static int32 draw_logarithms(const struct setup *s, union made *made)
     if (!find_constants(&plan, FAR, LOGARITHM_OFF, 0))
         return planes->count;
     left = logarithm_lines(&plan, tables, made->logarithms);
-    if (s->counts)
+    if (s->renderer->only_counts)
         return left;
     lines.lines = made->logarithms;
     lines.count = planes->count;
@@ -197,7 +197,7 @@ void perspective_draw(struct setup *s)
                         && perspective_is_level(plan, width, ways[setting].off))) {
         if (s->counts)
             count_lines(s, SPAN_AFFINE_SCANLINE);
-        else
+        if (!s->renderer->only_counts)
             draw_level(s, made);
         return;
     }
@@ -209,6 +209,6 @@ void perspective_draw(struct setup *s)
         left = draw_logarithms(s, made);
     if (s->counts)
         count(s, left);
-    else if (left)
+    if (left && !s->renderer->only_counts)
         draw_exactly(s, made);
 }

@@ -146,7 +146,8 @@ struct renderer {
     const struct frame *frame;
     enum form form;
     uint32 off;                 /* bit n: rule n is off; exact rules do not change the picture */
-    struct draw_counts *counts; /* one a material: polygons are counted, not drawn; 0: drawn */
+    struct draw_counts *counts; /* one a material, or 0: nothing is counted */
+    int32 only_counts;          /* 1: polygons are counted, and not drawn */
     struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */

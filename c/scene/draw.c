@@ -116,6 +116,8 @@ void scene_count(struct renderer *renderer, struct scene *scene, int32 number,
                  struct draw_counts *counts)
 {
     renderer->counts = counts;
+    renderer->only_counts = 1;
     draw_all(renderer, scene, number);
     renderer->counts = 0;
+    renderer->only_counts = 0;
 }

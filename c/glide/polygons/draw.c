@@ -121,7 +121,7 @@ static uint32 draw_lines(const struct glide_pipe *pipe, struct glide_plan *plan,
 
         if (count <= 0 || (plan && draw(plan, s->frame, x, y, count)))
             continue;
-        if (!s->counts)
+        if (!s->renderer->only_counts)
             glide_pixels_draw(pipe, at, s->frame, x, x + count, y);
         missed += (uint32)count;
     }
@@ -183,7 +183,7 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
         && glide_tiles_pay(&room->tiling, pipe, &room->plan, &room->at, s);
     if (tiles)
         RULE_APPLIES(s, GLIDE_TILES);
-    if (s->counts)
+    if (s->renderer->only_counts)
         hide_lines(s, room);
     missed = tiles ? glide_tiles_draw(&room->tiling, s)
                    : draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);

@@ -257,7 +257,7 @@ int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, stru
     tiling->now = glide_tiles_now(pipe->tiles);
     tiling->set = glide_tile_set_find(tiling);
     needed = price(tiling);
-    if (needed && (s->counts || !is_bought(tiling, needed, s)))
+    if (needed && (s->renderer->only_counts || !is_bought(tiling, needed, s)))
         return 0;
     tiling->draw = tiling->pixel_bytes == 2 ? glide_tile_16 : glide_tile_32;
     tiling->s.size = tiling->t.size = 0;

@@ -113,7 +113,7 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
         RULE_APPLIES(s, N64_PASSES);
     if (s->counts)
         count_lines(s, passes ? SPAN_N64_PASSES : SPAN_N64_PIXELS);
-    else
+    if (!s->renderer->only_counts)
         draw_lines(s, &unit->n64, &planes, &needs->shade, passes ? &plan : 0);
     return POLYGON_DRAWN;
 }

@@ -111,7 +111,7 @@ static enum polygon_result draw_copy(struct renderer *renderer, const struct n64
         return n64_refused(unit, check);
     if (renderer->counts)
         count_copied(renderer, r, material);
-    else
+    if (!renderer->only_counts)
         copy_lines(renderer->frame, r, &unit->n64);
     n64_drawn(&unit->n64);
     return POLYGON_DRAWN;
