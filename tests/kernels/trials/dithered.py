@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Trial
 from tests.kernels.trials.span import (LONG_WIDE, SHORT, TURN, Ground, picture_memory,
                                        random_starts, steps_of, steps_text, table_trial, texels)
 from tests.kernels.trials.wide import ground as wide_ground
+from tmap.bench.trial import Trial
 from tmap.guest.kernels import M32
 from tmap.setup.dithered import EIGHTH, MOVES
 

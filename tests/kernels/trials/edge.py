@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, values
+from tests.helpers.kernel_checker import Memory
 from tmap.base.fixed import signed
+from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup.scanline import MASKS, pack, rounded_edge

@@ -1,9 +1,9 @@
 """Trials of the passes for Glide's texture unit against tools/tmap/bench/examples/glide.py."""
 
-from tests.helpers.kernel_checker import Trial
 from tests.kernels.trials.n64 import COUNTS, ROUNDS, pass_trial
 from tmap.bench import glide
 from tmap.bench.examples import glide as glide_examples
+from tmap.bench.trial import Trial
 
 IN_C = [f"{name}_c" for name in glide_examples.IN_C_ALONE]
 MANY = "glide_combine_line"  # each function with each factor, for colour and for alpha

@@ -4,13 +4,14 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import BIAS, ONE
 from tests.kernels.trials.scanline import held, table_of, table_write
 from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
                                        random_starts, sizes, steps_text, table_trial, texels,
                                        texture)
 from tmap.base.fixed import signed
+from tmap.bench.trial import Trial, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup.scanline import pack_shade

@@ -3,10 +3,11 @@ tables cost in precision against exact fractions."""
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.reciprocal import PITCH, constants_of, emptied_lines, error, triangles
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.bench import logarithm, perspective
+from tmap.bench.trial import Trial, Write, fields_check, first_of
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import logarithm as model

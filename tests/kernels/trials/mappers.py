@@ -4,10 +4,11 @@ from functools import cache, partial
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import (FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory,
                                        random_starts, sizes, steps_text, table_trial, texture)
+from tmap.bench.trial import Trial
 from tmap.setup import spans
 
 #: Maps of any size: columns, rows.

@@ -4,7 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory
+from tmap.bench.trial import Trial, Write
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.model import mesh

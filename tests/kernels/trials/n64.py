@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory
 from tmap.bench import n64
 from tmap.bench.examples import n64 as n64_examples
+from tmap.bench.trial import Trial, Write
 
 COUNTS = (1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 100)
 ROUNDS = 4

@@ -4,11 +4,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.base.fixed import signed
 from tmap.bench import perspective
+from tmap.bench.trial import Trial, Write, fields_check, first_of, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model

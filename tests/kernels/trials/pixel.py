@@ -4,10 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, both, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import MAP_ALIGN, STEPS, TURN, texels, texture
 from tmap.bench import instruction_costs
+from tmap.bench.trial import Trial, Write, both, values
 from tmap.guest.kernels import M32, Case
 
 FRAME = 512

@@ -3,8 +3,9 @@ model where numbers are rounded."""
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
+from tmap.bench.trial import Trial, Write, fields_check, first_of, values
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.model import model

@@ -5,10 +5,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
 from tmap.base.fixed import signed
 from tmap.bench import perspective as bench_perspective, reciprocal
+from tmap.bench.trial import Trial, Write, fields_check, first_of
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import reciprocal as model

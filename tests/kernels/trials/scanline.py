@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import BIAS, ONE, table_writes
+from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.model import model

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory
 from tmap.base import planar
 from tmap.bench import screen
+from tmap.bench.trial import Trial, Write
 from tmap.guest.kernels import Case, Result
 
 IN_C = [f"{name}_c" for name in planar.FORMS] + ["ham8_control"]

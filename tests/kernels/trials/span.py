@@ -6,8 +6,9 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, both, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import BIAS, ONE
+from tmap.bench.trial import Trial, Write, both, values
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup.scanline import add_span_plan, pack

@@ -5,10 +5,11 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.polygon import (BIAS, HEIGHT, ONE, WIDTH, described, seen_polygons,
                                           sides_block, vertex_block, wanted_sides)
+from tmap.bench.trial import Trial, fields_check, first_of, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case, Result
 from tmap.model import model

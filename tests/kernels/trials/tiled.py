@@ -4,10 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground,
                                        span_trial, steps_of, texels, texture)
 from tmap.base import maps
+from tmap.bench.trial import Trial, Write
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup.scanline import add_span_plan

@@ -4,10 +4,11 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.span import (FRAME, LONG_WIDE, SHORT, Ground, alone_trials, copy_trial,
                                        fill_trials, span_trial, steps_of)
 from tmap.base import maps
+from tmap.bench.trial import Trial
 
 
 @cache
