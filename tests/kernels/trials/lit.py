@@ -5,18 +5,18 @@ from functools import cache
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.edge import BIAS, ONE
-from tests.kernels.trials.scanline import held, table_of, table_write
 from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
                                        random_starts, sizes, steps_text, table_trial, texels,
                                        texture)
-from tmap.base.fixed import signed
+from tmap.base.fixed import ONE, signed
+from tmap.bench import effects
+from tmap.bench.effects import LEVELS
+from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup.scanline import pack_shade
 
-LEVELS = 64
 FALLS = layout.load().constants["SHADE_FALLS"]
 
 
@@ -114,29 +114,10 @@ def shade_trial(rng, most: int, inside: bool) -> Trial:
     if rng.integers(8) == 0:
         dcdx = int(rng.integers(-1 << 31, 1 << 31)) & ~3
     shade = (int(rng.integers(low, high + 1)) & ~3) - dcdx * lefts[0] & M32
-    longest, limited = max(max(counts), 1) - 1, dcdx
-    if longest and not inside:
-        largest = (high - low) // longest & ~3
-        limited = min(max(dcdx, -largest), largest)
     added = int(rng.choice((0, FALLS))) + (int(rng.integers(0, 193)) << 8)
-    memory = Memory(int(rng.integers(1 << 30)))
-    at = memory.add(table_of([{"left": left, "last": left + count - 1}
-                              for left, count in zip(lefts, counts)]), name="lines",
-                    shape=layout.load().struct("scanline"))
-    shades_at = memory.add(memory.noise.bytes(4 * len(counts)), name="shades")
-    plan = memory.struct("shade_plan", dict(lines=at, shades=shades_at), count=len(counts),
-                         added=added, shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high,
-                         inside=int(inside))
-    writes = [table_write(plan + layout.load().struct("shade_plan").fields["dcdx"]["offset"],
-                          limited)]
-    for k, (left, count) in enumerate(zip(lefts, counts)):
-        start = signed(shade + k * dcdy + left * dcdx)
-        if count > 0 or inside:
-            kept = start if inside else held(start, limited, count, low, high)
-            writes.append(table_write(shades_at + 4 * k, pack_shade(kept, added)))
-    return Trial(Case("edge_shade", memory, pointers={"a0": plan}),
-                 values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added),
-                 writes=writes)
+    title = values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added)
+    return effects.shade_trial(Memory(int(rng.integers(1 << 30))), list(zip(lefts, counts)), title, added=added,
+                               shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, inside=int(inside))
 
 
 def trials() -> list[Trial]:

@@ -5,9 +5,9 @@ from functools import cache, partial
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import (FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory,
                                        random_starts, sizes, steps_text, table_trial, texture)
+from tmap.base.fixed import ONE
 from tmap.bench.trial import Trial
 from tmap.setup import spans
 

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.edge import ONE
 from tests.kernels.trials.span import MAP_ALIGN, STEPS, TURN, texels, texture
+from tmap.base.fixed import ONE
 from tmap.bench import instruction_costs
 from tmap.bench.trial import Trial, Write, both, values
 from tmap.guest.kernels import M32, Case

@@ -7,7 +7,8 @@ from functools import cache
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.edge import BIAS, ONE
+from tmap.base.fixed import ONE
+from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, Write, both, values
 from tmap.build import layout
 from tmap.guest.kernels import Case

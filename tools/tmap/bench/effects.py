@@ -2,12 +2,13 @@
 
 import numpy as np
 
-from tmap.base.fixed import M32, ONE
-from tmap.bench.edges import LINES
-from tmap.bench.spans import DU, DV, GAP, line_count, scanlines, span_call
+from tmap.base.fixed import M32, ONE, signed
+from tmap.bench.edges import LINES, long_write
+from tmap.bench.spans import BIAS, DU, DV, GAP, line_count, scanlines, span_call, table_of
+from tmap.bench.trial import Trial
 from tmap.build import layout
 from tmap.corpus import random_maps
-from tmap.guest.kernels import Arena, Case, Result
+from tmap.guest.kernels import Arena, Case
 from tmap.setup.scanline import pack_shade
 
 DC = 0x2800  # levels a pixel, 16.16
@@ -42,26 +43,39 @@ def lit_case(kernel: str, length: int):
         dudx=DU, dvdx=DV, dcdx=DC)
 
 
+def held(start: int, step: int, pixels: int, low: int, high: int) -> int:
+    """The start nearest to ``start`` with which no pixel leaves low..high."""
+    travel = (pixels - 1) * step
+    return min(max(start, low - min(travel, 0)), high - max(travel, 0))
+
+
+def shade_trial(arena: Arena, lines: list[tuple[int, int]], title: str = "", **plan: int) -> Trial:
+    """edge_shade on lines (first column with BIAS, pixels); ``plan``: fields of struct shade_plan. Shades
+    are kept from low to high unless ``inside`` says that none leaves it."""
+    low, high, inside, dcdx = (plan[name] for name in ("low", "high", "inside", "dcdx"))
+    table = table_of([{"left": left, "last": left + count - 1} for left, count in lines])
+    at = arena.add(table, name="lines", shape=layout.load().struct("scanline"))
+    shades_at = arena.blank(4 * len(lines), "shades")
+    plan_at = arena.struct("shade_plan", {"lines": at, "shades": shades_at}, count=len(lines), **plan)
+    longest, limited = max(*(count for _, count in lines), 1, 1) - 1, dcdx
+    if longest and not inside:
+        largest = (high - low) // longest & ~3
+        limited = min(max(dcdx, -largest), largest)
+    writes = [long_write(plan_at + layout.load().struct("shade_plan").fields["dcdx"]["offset"], limited)]
+    for k, (left, count) in enumerate(lines):
+        start = signed(plan["shade"] + k * plan["dcdy"] + left * dcdx)
+        if count > 0 or inside:
+            kept = start if inside else held(start, limited, count, low, high)
+            writes.append(long_write(shades_at + 4 * k, pack_shade(kept, plan["added"])))
+    return Trial(Case("edge_shade", arena, pointers={"a0": plan_at}), title, writes=writes)
+
+
 def shade_case(inside: int = 0):
     """Shades of LINES lines of 10 pixels and more, which move to the right; ``inside``: of struct
     shade_plan."""
-    count, arena, bias = LINES, Arena(), layout.load().constants["EDGE_BIAS"]
-    entries = np.zeros(count, layout.load().struct("scanline").dtype)
-    n = np.arange(count)
-    entries["left"], entries["last"] = bias + 40 + n // 2, bias + 50 + n
-    lines_at, shades_at = arena.add(entries.tobytes()), arena.add(bytes(4 * count))
-    first, down = 20 << 16, -0x800
-    plan_at = arena.struct(
-        "shade_plan", {"lines": lines_at, "shades": shades_at}, count=count, added=0,
-        shade=first - DC * bias & M32, dcdx=DC, dcdy=down, low=0, high=(LEVELS << 16) - 4,
-        inside=inside)
-    wanted = [pack_shade(first + k * down + (40 + k // 2) * DC) for k in range(count)]
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.memory, ">u4", count, shades_at).tolist()
-        return None if found == wanted else f"shades {found}, expected {wanted}"
-
-    return count, Case("edge_shade", arena, pointers={"a0": plan_at}), check
+    lines = [(BIAS + 40 + n // 2, 11 + n - n // 2) for n in range(LINES)]
+    return shade_trial(Arena(), lines, added=0, shade=(20 << 16) - DC * BIAS & M32, dcdx=DC, dcdy=-0x800,
+                       low=0, high=(LEVELS << 16) - 4, inside=inside).row(LINES)
 
 
 def screen(steps: tuple[int, int]) -> np.ndarray:

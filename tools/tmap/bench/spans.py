@@ -17,6 +17,7 @@ LENGTHS = (256, 64, 16, 4)  # pixels
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
 SPECIAL = (("affine_copy", 1 << 16, 0, (256, 64, 16, 4, 1)), ("affine_short", DU, DV, (16, 4, 1)),
            ("affine_short_wrap", DU, DV, (16, 4, 1)), ("affine_row_short", DU, 0, (24, 16, 4, 1)))
+BIAS = 16384  # what struct scanline adds to columns: EDGE_BIAS
 COLOUR = 0x5C  # of spans without a map
 GAP = 4  # pixels from a line's last to the next one's first place: lines begin 0 to 3 pixels on
 
@@ -38,15 +39,16 @@ def first_difference(expected: np.ndarray, found: np.ndarray) -> str | None:
             f"expected {expected[y, x]:#04x}, found {found[y, x]:#04x}")
 
 
+def table_of(lines: list[dict[str, int]]) -> bytes:
+    """A table of struct scanline with the fields given, the others 0."""
+    dtype = layout.load().struct("scanline").dtype
+    return np.array([tuple(line.get(name, 0) for name in dtype.names) for line in lines], dtype).tobytes()
+
+
 def scanlines(starts: list[tuple[int, int, int]], length: int, form: str) -> bytes:
     """Entries of struct scanline of ``length`` pixels each, from (first column, u, v)."""
-    bias = layout.load().constants["EDGE_BIAS"]
-    entries = np.zeros(len(starts), layout.load().struct("scanline").dtype)
-    for entry, (first, u, v) in zip(entries, starts):
-        for field, value in pack(form, u, v).items():
-            entry[field] = value
-        entry["left"], entry["last"] = bias + first, bias + first + length - 1
-    return entries.tobytes()
+    return table_of([pack(form, u, v) | {"left": BIAS + first, "last": BIAS + first + length - 1}
+                     for first, u, v in starts])
 
 
 def span_call(kernel: str, arena: Arena, far: Arena, pointers: dict[str, int],
@@ -54,7 +56,7 @@ def span_call(kernel: str, arena: Arena, far: Arena, pointers: dict[str, int],
     """The call that must leave ``expected`` in a frame of zeros, and its check. ``pointers``,
     ``far_pointers``, ``values``: the plan's, but for the frame's."""
     frame_at = far.add(bytes(expected.nbytes))
-    row = frame_at - layout.load().constants["EDGE_BIAS"] * expected.itemsize
+    row = frame_at - BIAS * expected.itemsize
     plan_at = add_span_plan(arena, pointers, {"row": row} | far_pointers, count=len(expected),
                             pitch=expected.shape[1] * expected.itemsize, **values)
 
