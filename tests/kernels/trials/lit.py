@@ -1,56 +1,49 @@
 """Trials of the lit spans and of edge_shade."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
-                                       random_starts, sizes, steps_text, table_trial, texels,
-                                       texture)
+from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, MARGIN, PAIRS, SHORT, STEPS, once_wrapping,
+                                       random_starts, sizes, steps_text, table_trial, texture)
 from tmap.base.fixed import ONE, signed
 from tmap.bench import effects
 from tmap.bench.effects import LEVELS
-from tmap.bench.spans import BIAS
+from tmap.bench.spans import BIAS, Ground
 from tmap.bench.trial import Trial, values
 from tmap.build import layout
-from tmap.guest.kernels import M32, Case
-from tmap.setup.scanline import pack_shade
+from tmap.guest.kernels import M32
 
 FALLS = layout.load().constants["SHADE_FALLS"]
 
 
 @cache
-def lit_memory() -> tuple[Memory, int, int, int, np.ndarray]:
-    """A far arena, where its frame, its map and its light table begin, and that table. It is
-    the second quarter of a page."""
+def lit_ground() -> tuple[Ground, np.ndarray, int]:
+    """What lit spans are drawn on and from, and their light table, the second quarter of a page."""
     memory = Memory(8)
     frame = memory.add(memory.noise.bytes(FRAME), name="frame")
     map_at = memory.add(texture().tobytes(), MAP_ALIGN, "map")
     table = np.random.default_rng(9).integers(0, 256, (LEVELS, 256), dtype=np.uint8)
     page = memory.add(memory.noise.bytes(table.size) + table.tobytes(), MAP_ALIGN, "light")
-    return memory, frame, map_at, page + table.size, table
+    return Ground(memory, frame + MARGIN, map_at, texture()), table, page + table.size
 
 
 def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:
     """One table at one level."""
-    *far, light_at, table = lit_memory()
+    ground, light, light_at = lit_ground()
     (counts, pitch), level = size, int(rng.integers(LEVELS))
     starts = random_starts(counts, rng)
     if kernel in ("span_lit", "span_lit_short"):
         starts = [once_wrapping(*start, *steps, rng) for start in starts]
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return table[level, texels(u, v, *steps, count)].tobytes()
-
-    return table_trial(kernel, "addx", starts, pitch, rng, upwards, tuple(far), drawn,
-                       f"level {level}, {steps_text(*steps)}", light_at=light_at + 256 * level,
-                       dudx=steps[0], dvdx=steps[1])
+    return table_trial(partial(effects.lit_trial, kernel), starts, pitch, rng, upwards,
+                       f"level {level}, {steps_text(*steps)}", ground=ground, light=light, light_at=light_at,
+                       level=level, dudx=steps[0], dvdx=steps[1])
 
 
 def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
     """One table, each pixel at its level."""
-    *far, light_at, table = lit_memory()
+    ground, light, light_at = lit_ground()
     (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
     for count, u, v in random_starts(counts, rng):
         if step:
@@ -59,17 +52,10 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
         low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
         shades.append((low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))])
         starts.append((count, u, v))
-    level = {start: shade for start, shade in zip(starts, shades)}
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        rows = level[count, u, v] + np.arange(count, dtype=np.int64) * step >> 16
-        return table[rows, texels(u, v, *steps, count)].tobytes()
-
     added = (light_at & 0xFFFF) + FALLS * (signed(steps[1], 24) < 0)
-    return table_trial("span_lit_gouraud", "addx", starts, pitch, rng, upwards, tuple(far), drawn,
-                       f"{values(dcdx=dcdx)}, {steps_text(*steps)}", light_at=light_at,
-                       shades=[pack_shade(shade, added) for shade in shades], dudx=steps[0],
-                       dvdx=steps[1], dcdx=dcdx)
+    return table_trial(partial(effects.lit_trial, "span_lit_gouraud"), starts, pitch, rng, upwards,
+                       f"{values(dcdx=dcdx)}, {steps_text(*steps)}", ground=ground, light=light,
+                       light_at=light_at, shades=shades, added=added, dudx=steps[0], dvdx=steps[1], dcdx=dcdx)
 
 
 def pairs_of(rng) -> list[tuple[int, int]]:

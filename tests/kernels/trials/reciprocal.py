@@ -6,10 +6,10 @@ from fractions import Fraction
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
-from tmap.base.fixed import signed
+from tests.kernels.trials.span import FRAME, picture_ground
+from tmap.base.fixed import M32, signed
 from tmap.bench import perspective as bench_perspective, reciprocal
-from tmap.bench.trial import Trial, Write, fields_check, first_of
+from tmap.bench.trial import Trial, Write
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import reciprocal as model
@@ -49,16 +49,10 @@ def triangles(rng, count: int):
             yield deep, right - left, lines
 
 
-def constants_of(deep, piece: int, width: int, lines):
-    """The polygon's constants, and the pixel they are found at."""
-    x, y = next((a - deep.i, k) for k, (a, b, _) in enumerate(lines) if b > a)
-    return model.find(deep, piece, width, x, y), x, y
-
-
 def find_trial(deep, width: int, lines) -> Trial:
     """reciprocal_find on a polygon's planes."""
     memory = Memory()
-    found, x, y = constants_of(deep, 4, width, lines)
+    found, x, y = reciprocal.constants_of(deep, 4, width, lines)
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
     at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
                        limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
@@ -91,58 +85,36 @@ def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> st
     return None
 
 
-def emptied_lines(memory: Memory, planes: int, lines, made: list) -> list[Write]:
-    """What a plan's lines are to others: empty those that were ``made``, if others were not."""
-    entry = layout.load().struct("scanline")
-    table = int.from_bytes(memory.data[planes:planes + 4], "big")
-    some_left = any(right > left and not line for (left, right, _), line in zip(lines, made))
-    return [Write(table + k * entry.size + entry.fields["last"]["offset"],
-                  ((left if line and some_left else right) - 1 + BIAS).to_bytes(2, "big"))
-            for k, ((left, right, _), line) in enumerate(zip(lines, made))]
-
-
-def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
-    """reciprocal_lines on all lines of a polygon, those it leaves among them."""
-    constants, *_ = constants_of(deep, piece, width, lines)
+def lines_trial(bench, model, deep, piece: int | None, width: int, lines, pixels_of) -> Trial | None:
+    """Lines by reciprocals or logarithms, as ``bench`` calls them and ``model`` makes them: all of a
+    polygon's, those that are left among them. ``pixels_of``: those of the k-th line that are held to
+    the planes."""
+    constants, *_ = reciprocal.constants_of(deep, piece, width, lines)
     if constants is None:
         return None
-    memory, shape = Memory(), layout.load().struct("reciprocal_line")
-    out = memory.room("reciprocal_line", len(lines))
-    planes = bench_perspective.add_perspective_plan(memory, deep, lines, out)
-    at = reciprocal.add_reciprocal_plan(memory, planes, constants,
-                                        reciprocal.table(memory), out)
-    blank = bytes(shape.size)
     made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
-    parts, others, worst = [], 0, None
-    for k, (each, line) in enumerate(zip(lines, made)):
-        wanted = {"n": -1 if each[1] > each[0] else each[1] - each[0] - 1}
-        others += each[1] > each[0] and line is None
-        if line:
-            wanted = shape.unpack(reciprocal.entry(line))
-            del wanted["scale"]
-            if not line.n >> piece:  # it takes no step
-                del wanted["dq"]
-            ends = {*range(0, line.n + 1, 1 << piece), line.n}  # of pieces
-            worst = worst or error(deep, line, ends, *model.coordinates(line), each[2],
-                                   model.bound(line), constants.raised)
-        parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
-    return Trial(Case("reciprocal_lines", memory, pointers={"a0": at}),
-                 f"{deep}, pieces of 2^{piece}, {len(lines)} lines, {others} left",
-                 {"d0": others}, writes=[Write(out, blank * len(lines), blank * len(lines)),
-                                         *emptied_lines(memory, planes, lines, made)],
-                 also=first_of([*(part[1] for part in parts), lambda _: worst]))
+    trial = bench.lines_trial(Memory(), deep, constants, lines, made,
+                              f"{deep}" + (f", pieces of 2^{piece}" if piece else ""))
+    wrong = (error(deep, line, pixels_of(k, line.n), *model.coordinates(line), y, model.bound(line),
+                   constants.raised) for k, ((_, _, y), line) in enumerate(zip(lines, made)) if line)
+    worst = next(filter(None, wrong), None)
+    trial.also = lambda _: worst
+    return trial
+
+
+def piece_trial(deep, piece: int, width: int, lines) -> Trial | None:
+    """Lines by reciprocals: the ends of their pieces are held to the planes."""
+    return lines_trial(reciprocal, model, deep, piece, width, lines,
+                       lambda _, n: {*range(0, n + 1, 1 << piece), n})
 
 
 def span_trial(piece: int, counts, rng) -> Trial:
     """A table of lines whose q and constants are any that stay inside the table."""
-    far, frame_at, map_at = picture_memory()
-    memory = Memory(int(rng.integers(1 << 30)))
-    shape = layout.load().struct("reciprocal_line")
-    table, writes = b"", []
+    memory, lines = Memory(int(rng.integers(1 << 30))), []
     for k, pixels in enumerate(counts):
-        left, n = k % 4, pixels - 1
+        n = pixels - 1
         if pixels <= 0:
-            table += shape.pack(**dict.fromkeys(shape.fields, 0) | {"n": n})
+            lines.append(n)
             continue
         q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65534, 2))
         if n < 3 << piece:  # what r grows stays inside 16 bits
@@ -150,20 +122,10 @@ def span_trial(piece: int, counts, rng) -> Trial:
         dq = int((q1 - q0 << piece) / max(n, 1))
         c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(1, 15, 2)]
         r = [model.TABLE[(q >> 16) - model.LOWEST] for q in (q0, q1)]
-        line = model.Reciprocal(left, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
-                                model.swap(q0 - (model.ORIGIN << 16) & 0xFFFFFFFF),
-                                model.swap(dq & 0xFFFFFFFF), tuple(c), *r,
-                                -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
-        table += reciprocal.entry(line)
-        u, v = model.coordinates(line)
-        writes.append(Write(frame_at + 64 + k * PITCH + left,
-                            texture()[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    at = memory.struct("reciprocal_span",
-                       dict(lines=memory.add(table, name="lines", shape=shape),
-                            table=reciprocal.table(memory)),
-                       dict(row=frame_at + 64 - BIAS, map=map_at), count=len(counts), pitch=PITCH)
-    return Trial(Case(f"span_reciprocal_{1 << piece}", memory, pointers={"a0": at}, far=far),
-                 f"{len(counts)} lines", writes=writes)
+        lines.append(model.Reciprocal(k % 4, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
+                                      model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
+                                      tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece))
+    return reciprocal.span_trial(piece, memory, picture_ground(), lines, PITCH, f"{len(counts)} lines")
 
 
 def trials() -> list[Trial]:
@@ -171,7 +133,7 @@ def trials() -> list[Trial]:
     rng = np.random.default_rng(8)
     counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
     polygons = list(triangles(rng, 60))
-    made = [lines_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
+    made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
             for piece in (3, 4)]
     return [*(find_trial(*each) for each in polygons),
             *filter(None, made),

@@ -5,10 +5,10 @@ import numpy as np
 from tests.helpers.kernel_checker import Memory
 from tmap.base.fixed import ONE
 from tmap.bench import edges
-from tmap.bench.edges import long_write, table_writes
+from tmap.bench.edges import table_writes
 from tmap.bench.effects import held
 from tmap.bench.spans import BIAS, table_of
-from tmap.bench.trial import Trial, values
+from tmap.bench.trial import Trial, long_write, values
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup.scanline import pack

@@ -4,7 +4,7 @@ trials and bench rows.
 
 from tmap.base.fixed import M32, ONE
 from tmap.bench.spans import BIAS, DU, DV, table_of
-from tmap.bench.trial import Trial, Write
+from tmap.bench.trial import Trial, Write, anything, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.model import model
@@ -28,16 +28,6 @@ def table_writes(at: int, lines: list[Fields], form: str = "flat") -> list[Write
             writes.append(Write(at + index * shape.size + offset, (value & bits).to_bytes(size, "big"),
                                 (MASKS[form].get(name, M32) & bits).to_bytes(size, "big")))
     return writes
-
-
-def long_write(at: int, value: int) -> Write:
-    """A longword that must be there."""
-    return Write(at, (value & M32).to_bytes(4, "big"))
-
-
-def anything(at: int, size: int) -> Write:
-    """Bytes that may become anything."""
-    return Write(at, bytes(size), bytes(size))
 
 
 def edge_columns(edge: Fields) -> list[int]:

@@ -1,11 +1,12 @@
-"""Bench rows of whole effects: lit textures, and the rotator that fills a screen."""
+"""Calls of whole effects: lit textures, and the rotator that fills a screen."""
 
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, signed
-from tmap.bench.edges import LINES, long_write
-from tmap.bench.spans import BIAS, DU, DV, GAP, line_count, scanlines, span_call, table_of
-from tmap.bench.trial import Trial
+from tmap.bench.edges import LINES
+from tmap.bench.spans import (BIAS, DU, DV, GAP, Ground, Line, framed, line_count, span_trial, table_of,
+                              table_trial, texels)
+from tmap.bench.trial import Trial, long_write
 from tmap.build import layout
 from tmap.corpus import random_maps
 from tmap.guest.kernels import Arena, Case
@@ -19,28 +20,34 @@ SCREEN = 320, 256  # pixels, the rotator's
 TURNED, FAR_OUT = (0xB334, 0x8000), (DU, DV)
 
 
+def lit_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground, light: np.ndarray,
+              light_at: int, title: str = "", *, level: int = 0, shades: list[int] | None = None,
+              added: int = 0, dudx: int, dvdx: int, dcdx: int = 0, **more) -> Trial:
+    """One table of lit spans. ``light``: [level][texel]; ``light_at``: where it is in the far arena. All is
+    at one level, or each line has a shade to begin with, 16.16; ``added``: to packed shades."""
+    blocks = {} if shades is None else {
+        "shades": b"".join(pack_shade(shade, added).to_bytes(4, "big") for shade in shades)}
+
+    def drawn(k: int, _: int, count: int, u: int, v: int) -> np.ndarray:
+        rows = shades[k] + np.arange(count, dtype=np.int64) * (dcdx & ~3) >> 16 if shades else level
+        return light[rows, texels(ground.picture, u, v, dudx, dvdx, count)]
+
+    return table_trial(kernel, "addx", lines, pitch, arena, ground, drawn, title, blocks=blocks,
+                       far={"light": light_at + 256 * level}, dudx=dudx, dvdx=dvdx, dcdx=dcdx, **more)
+
+
 def lit_case(kernel: str, length: int):
     """A table of lit spans of one length, as tmap.bench.spans.span_case."""
-    rng, lines = np.random.default_rng(length), line_count(length)
-    arena, far, texels = Arena(), Arena(), random_maps.page()
+    rng, lines, far, picture = np.random.default_rng(length), line_count(length), Arena(), random_maps.page()
     light = rng.integers(0, 256, (LEVELS, 256), dtype=np.uint8)
-    map_at, light_at = far.add(texels.tobytes(), ONE), far.add(light.tobytes(), ONE)
-    n, expected = np.arange(length), np.zeros((lines, length + GAP), np.uint8)
-    starts, shades, level = [], b"", 40
+    map_at, light_at = far.add(picture.tobytes(), ONE), far.add(light.tobytes(), ONE)
+    starts, shades = [], []
     for k in range(lines):
-        u, v = int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))
-        shade = int(rng.integers(0, 20 << 16)) & ~3
-        starts.append((k % 4, u, v))
-        shades += pack_shade(shade).to_bytes(4, "big")
-        rows = shade + n * DC >> 16 if kernel == "span_lit_gouraud" else level
-        expected[k, k % 4:k % 4 + length] = light[
-            rows, texels[v + n * DV >> 16 & 255, u + n * DU >> 16 & 255]]
-    pointers = {"lines": arena.add(scanlines(starts, length, "addx"))}
-    if kernel == "span_lit_gouraud":
-        pointers["shades"], level = arena.add(shades), 0
-    return lines * length, *span_call(
-        kernel, arena, far, pointers, {"map": map_at, "light": light_at + 256 * level}, expected,
-        dudx=DU, dvdx=DV, dcdx=DC)
+        starts.append((k % 4, length, int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))))
+        shades.append(int(rng.integers(0, 20 << 16)) & ~3)
+    level = {"shades": shades} if kernel == "span_lit_gouraud" else {"level": 40}
+    return lit_trial(kernel, starts, length + GAP, Arena(), framed(far, map_at, picture, lines, length), light,
+                     light_at, dudx=DU, dvdx=DV, dcdx=DC, **level).row(lines * length)
 
 
 def held(start: int, step: int, pixels: int, low: int, high: int) -> int:
@@ -78,30 +85,14 @@ def shade_case(inside: int = 0):
                        low=0, high=(LEVELS << 16) - 4, inside=inside).row(LINES)
 
 
-def screen(steps: tuple[int, int]) -> np.ndarray:
-    """Where each pixel of the rotator's screen is fetched in the map, int64 [y][x]."""
-    (width, _), (du, dv) = SCREEN, steps
-    u, v = screen_starts(steps)
-    n = np.arange(width)
-    return (v[:, None] + n * dv >> 8 & 0xFF00) | (u[:, None] + n * du >> 16 & 0xFF)
-
-
-def screen_starts(steps: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
-    """u and v at the left border, each line a step of the turned texture further down."""
-    line, (du, dv) = np.arange(SCREEN[1]), steps
-    return (0x123456 & ~1) - line * dv & ~1, 0x456789 + line * du
-
-
 def rotator_case(kernel: str, form: str, steps: tuple[int, int]):
-    """A screen of turned texture in one call: 256 lines of 320 pixels."""
-    (width, height), texels = SCREEN, random_maps.page()
-    arena, far = Arena(), Arena()
-    map_at = far.add(texels.tobytes(), ONE)
-    u, v = (c.tolist() for c in screen_starts(steps))
-    pointers = {"lines": arena.add(scanlines([(0, *start) for start in zip(u, v)], width, form))}
-    expected = texels.reshape(-1)[screen(steps)]
-    return width * height, *span_call(kernel, arena, far, pointers, {"map": map_at}, expected,
-                                      dudx=steps[0], dvdx=steps[1])
+    """A screen of turned texture in one call: 256 lines of 320 pixels, each a step of the texture further
+    down."""
+    (width, height), (du, dv), far, picture = SCREEN, steps, Arena(), random_maps.page()
+    map_at = far.add(picture.tobytes(), ONE)
+    ground = Ground(far, far.add(bytes(width * height)), map_at, picture)
+    lines = [(0, width, (0x123456 & ~1) - y * dv & ~1, 0x456789 + y * du) for y in range(height)]
+    return span_trial(kernel, form, lines, width, Arena(), ground, dudx=du, dvdx=dv).row(width * height)
 
 
 #: Row to (kernel, its form, steps).

@@ -14,12 +14,31 @@ Check = Callable[[Result], str | None]
 
 
 class Write(NamedTuple):
-    """Bytes that the call writes; ``mask`` has the bits that count (all without one)."""
+    """Bytes that the call writes; ``mask`` has the bits that count (all without one). A ``pointer`` is
+    expected as an offset into the near arena."""
 
     at: int
     expected: bytes
     mask: bytes | None = None
     far: bool = False
+    pointer: bool = False
+
+
+def long_write(at: int, value: int) -> Write:
+    """A longword that must be there."""
+    return Write(at, (value & M32).to_bytes(4, "big"))
+
+
+def anything(at: int, size: int) -> Write:
+    """Bytes that may become anything."""
+    return Write(at, bytes(size), bytes(size))
+
+
+def fields(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int] = {}) -> list[Write]:
+    """The fields of a struct that get ``numbers``, and ``pointers`` into the near arena."""
+    shape = layout.load().struct(struct).fields
+    return [Write(at + shape[name]["offset"], (value % (1 << 8 * shape[name]["size"])).to_bytes(
+        shape[name]["size"], "big"), pointer=name in pointers) for name, value in (numbers | pointers).items()]
 
 
 def both(value: int, size: int = 4) -> str:
@@ -77,6 +96,8 @@ class Trial:
         before, writes = expected.copy(), [w for w in self.writes if w.far == far]
         for write in writes:  # bits that do not count are right as they are
             part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
+            if write.pointer:
+                wanted = (int.from_bytes(wanted, "big") + result.address & M32).to_bytes(4, "big")
             expected[part] = np.frombuffer(wanted, np.uint8)
             if write.mask:
                 expected[part] ^= (expected[part] ^ found[part]) & ~np.frombuffer(write.mask, np.uint8)
@@ -102,30 +123,3 @@ class Trial:
             return f"{place.name}: expected {shown(expected)}, found {shown(found)}"
         return (f"{place.name} is written, and the block does not say so: "
                 f"was {shown(before, False)}, is {shown(found, False)}")
-
-
-def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
-                 name: str = ""):
-    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
-    offsets into the arena."""
-    shape = layout.load().struct(struct)
-    writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
-                    bytes(shape.fields[f]["size"])) for f in numbers | pointers]
-
-    def check(result: Result) -> str | None:
-        for field, wanted in [*numbers.items(), *pointers.items()]:
-            entry = shape.fields[field]
-            place = at + entry["offset"]
-            found = int.from_bytes(result.memory[place:place + entry["size"]], "big")
-            wanted += result.address if field in pointers else 0
-            if (found - wanted) % (1 << 8 * entry["size"]):
-                return (f"{name or struct}.{field}: expected {both(wanted, entry['size'])}, "
-                        f"found {both(found, entry['size'])}")
-        return None
-
-    return writes, check
-
-
-def first_of(checks):
-    """One check out of several: what the first that fails says."""
-    return lambda result: next(filter(None, (check(result) for check in checks)), None)
