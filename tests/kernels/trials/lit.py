@@ -5,7 +5,7 @@ from functools import cache, partial
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, MARGIN, PAIRS, SHORT, STEPS, once_wrapping,
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of, once_wrapping,
                                        random_starts, sizes, steps_text, table_trial, texture)
 from tmap.base.fixed import ONE, signed
 from tmap.bench import effects
@@ -21,12 +21,10 @@ FALLS = layout.load().constants["SHADE_FALLS"]
 @cache
 def lit_ground() -> tuple[Ground, np.ndarray, int]:
     """What lit spans are drawn on and from, and their light table, the second quarter of a page."""
-    memory = Memory(8)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    map_at = memory.add(texture().tobytes(), MAP_ALIGN, "map")
+    ground = ground_of(8, texture().tobytes(), texture())
     table = np.random.default_rng(9).integers(0, 256, (LEVELS, 256), dtype=np.uint8)
-    page = memory.add(memory.noise.bytes(table.size) + table.tobytes(), MAP_ALIGN, "light")
-    return Ground(memory, frame + MARGIN, map_at, texture()), table, page + table.size
+    noise = ground.arena.noise.bytes(table.size)
+    return ground, table, ground.arena.add(noise + table.tobytes(), MAP_ALIGN, "light") + table.size
 
 
 def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:

@@ -4,8 +4,8 @@ tables cost in precision against exact fractions."""
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.reciprocal import PITCH, lines_trial, triangles
-from tests.kernels.trials.span import FRAME, picture_ground
+from tests.kernels.trials.reciprocal import COUNTS, PITCH, lines_trial, records, triangles
+from tests.kernels.trials.span import picture_ground
 from tmap.bench import logarithm
 from tmap.bench.trial import Trial, Write, fields
 from tmap.build import layout
@@ -35,15 +35,10 @@ def log_trial(deep, width: int, lines) -> Trial | None:
                        lambda k, n: () if k % 4 else {0, n // 3, n})
 
 
-def span_trial(counts, octave: int, rng) -> Trial:
+def span_trial(octave: int, rng) -> Trial:
     """A table of lines whose q are any that stay inside the table, and whose powers are those of
     three octaves from one on."""
-    memory, lines = Memory(int(rng.integers(1 << 30))), []
-    for k, pixels in enumerate(counts):
-        n = pixels - 1
-        if pixels <= 0:
-            lines.append(n)
-            continue
+    def line_of(k: int, n: int) -> model.Logarithmic:
         q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65536, 2))
         line = model.Logarithmic(
             k % 4, n, model.swap(q0 - (model.ORIGIN << 16) & M32),
@@ -52,13 +47,14 @@ def span_trial(counts, octave: int, rng) -> Trial:
             int(rng.integers(4)))
         logs = model.logs()[model.indices(line)]
         line.power = tuple(power - int(logs.min()) for power in line.power)
-        lines.append(line)
-    return logarithm.span_trial(memory, picture_ground(), lines, PITCH, f"{len(counts)} lines")
+        return line
+
+    return logarithm.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), records(line_of), PITCH,
+                                f"{len(COUNTS)} lines")
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(9)
-    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
     return [make_trial(), *filter(None, (log_trial(*each) for each in triangles(rng, 40))),
-            *(span_trial(counts[:FRAME // PITCH - 1], octave, rng) for octave in range(0, 14, 2))]
+            *(span_trial(octave, rng) for octave in range(0, 14, 2))]

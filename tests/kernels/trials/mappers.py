@@ -4,8 +4,7 @@ from functools import cache, partial
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, MARGIN, PAIRS, SHORT, STEPS, picture_ground,
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of, picture_ground,
                                        random_starts, sizes, steps_of, steps_text, table_trial, texture)
 from tmap.base.fixed import ONE
 from tmap.bench.mappers import mapper_trial, with_margins
@@ -26,20 +25,15 @@ SMALL = ((1, 0), (0, -1), (ONE, ONE), (-ONE, ONE), (-ONE, -ONE), (0x18000, 0x140
 
 @cache
 def any_map(columns: int, rows: int) -> Ground:
-    """A far arena with a frame and a map at an odd address."""
-    memory = Memory(columns + rows)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    """A frame and a map at an odd address."""
     picture = np.random.default_rng(rows).integers(0, 256, (rows, columns), dtype=np.uint8)
-    return Ground(memory, frame + MARGIN, memory.add(b"\x5c" + picture.tobytes(), name="map") + 1, picture)
+    return ground_of(columns + rows, b"\x5c" + picture.tobytes(), picture, 1, 4)
 
 
 @cache
 def margins_ground() -> Ground:
-    """A far arena with a frame and a map between margins: a page's halves once more."""
-    memory = Memory(5)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    at = memory.add(with_margins(texture()), MAP_ALIGN, "map")
-    return Ground(memory, frame + MARGIN, at + MAP_ALIGN, texture())
+    """A frame and a map between margins: a page's halves once more."""
+    return ground_of(5, with_margins(texture()), texture(), MAP_ALIGN)
 
 
 def fitting(count: int, size: tuple[int, int], steps: tuple[int, int], rng):

@@ -6,7 +6,8 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.span import FRAME, picture_ground
+from tests.kernels.trials.reciprocal import COUNTS, PITCH
+from tests.kernels.trials.span import picture_ground
 from tmap.base.fixed import signed
 from tmap.bench import perspective
 from tmap.bench.trial import Trial, Write, values
@@ -15,7 +16,6 @@ from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
 
 M64 = (1 << 64) - 1
-PITCH = 1152
 #: Depths of a line's ends: q in the polygon's scale.
 Q_ENDS = ((1 << 30, 1 << 30), (1 << 30, 1 << 29), (1 << 28, 1 << 30), (1 << 30, (1 << 30) // 100),
           ((1 << 30) // 1000, 1 << 30), (256, 1 << 30), (1 << 30, 256), (257, 256), (256, 256),
@@ -110,10 +110,10 @@ def level_trial(rng) -> Trial:
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
-def span_trial(setting: str, counts, ends, reach: int, rng) -> Trial:
+def span_trial(setting: str, ends, reach: int, rng) -> Trial:
     """A table of lines between ends of such depths."""
     memory, lines = Memory(int(rng.integers(1 << 30))), []
-    for k, pixels in enumerate(counts):
+    for k, pixels in enumerate(COUNTS):
         line = model.Ends(k % 4, pixels - 1, any_size(rng, 31) & M32, any_size(rng, 31) & M32)
         if pixels > 1:
             line.du, line.dv = any_size(rng, reach), any_size(rng, reach)
@@ -123,13 +123,6 @@ def span_trial(setting: str, counts, ends, reach: int, rng) -> Trial:
                                   f"{setting}, q {ends}, {reach} bits of u and v")
 
 
-def span_trials(settings, rng) -> list[Trial]:
-    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
-    lines = FRAME // PITCH - 1
-    return [span_trial(setting, counts[:lines], ends, reach, rng) for setting in settings
-            for ends in Q_ENDS for reach in (31, 24, 20, 12)]
-
-
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(5)
@@ -137,4 +130,5 @@ def trials() -> list[Trial]:
     return [*(planes_trial(rng) for _ in range(120)),
             *(level_trial(rng) for _ in range(60)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
-            *span_trials(every[:2], rng), *span_trials(every[2:], rng)]
+            *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
+              for reach in (31, 24, 20, 12))]

@@ -5,15 +5,15 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
+from tmap.base.fixed import ONE
+from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, Write, anything, fields, values
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.model import model
 from tmap.setup import edges as model_edges
 
-BIAS = 16384
-FAR = 16384 << 16
-ONE = 65536
+FAR = BIAS << 16
 WIDTH, HEIGHT = 320, 256
 
 
@@ -22,6 +22,11 @@ def vertex_block(memory: Memory, vertices) -> int:
     shape = layout.load().struct("vertex")
     content = b"".join(shape.pack(**dict(zip("xyst", v)), shade=0, w=65536) for v in vertices)
     return memory.add(content, name="vertices", shape=shape)
+
+
+def box_block(memory: Memory, box: tuple[int, int, int, int]) -> int:
+    """A box as struct rectangle."""
+    return memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
 
 
 def vertex_at(base: int, index: int) -> int:
@@ -195,7 +200,7 @@ def edges_make_trial(vertices, exact: bool) -> Trial | None:
     memory = Memory()
     at = vertex_block(memory, vertices)
     sides_at = sides_block(memory, at, vertices, wanted)
-    box = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), sides.box)))
+    box = box_block(memory, sides.box)
     room = {side: memory.room("edge", len(vertices), f"{side} edges") for side in ("left", "right")}
     plan = memory.struct("edge_plan", room, lines=0, lefts=0, rights=0, dudx=0, dvdx=0)
     writes = []

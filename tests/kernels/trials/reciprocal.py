@@ -1,6 +1,7 @@
 """Trials of perspective by a table of reciprocals: constants, lines and spans against the
 model, and what the table costs in precision against exact fractions."""
 
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
@@ -9,7 +10,7 @@ from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.span import FRAME, picture_ground
 from tmap.base.fixed import M32, signed
 from tmap.bench import perspective as bench_perspective, reciprocal
-from tmap.bench.trial import Trial, Write
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import reciprocal as model
@@ -18,6 +19,8 @@ from tmap.setup.perspective import perspective
 
 WIDTH, HEIGHT = 320, 200
 PITCH = 1152
+#: Pixels of a table's lines, as many as a frame has room for.
+COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024][:FRAME // PITCH - 1]
 STATED = 2048  # a texel in 32
 DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 
@@ -56,20 +59,18 @@ def find_trial(deep, width: int, lines) -> Trial:
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
     at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
                        limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
-    fields = layout.load().struct("reciprocal_plan").fields
+    shape = layout.load().struct("reciprocal_plan").fields
+    title = f"{deep}, pixel {x}, {y}"
+    case = Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at})
     if not found:
         taken = None not in [model.asymptote(deep.q, plane) for plane in (deep.s, deep.t)]
-        first, last = fields["cu"]["offset"], fields["kv"]["offset"] + 4
-        return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
-                     f"{deep}, pixel {x}, {y}", {"d0": int(taken)},
-                     writes=[Write(at + first, bytes(last - first), bytes(last - first))])
-    numbers = {name: (k - base - raised, 4) for name, k, base, raised
-               in zip(("ku", "kv"), found.k, deep.base, found.raised)}
-    numbers |= {name: (n, 8) for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)}
-    writes = [Write(at + fields[f]["offset"], (n % (1 << 8 * size)).to_bytes(size, "big"))
-              for f, (n, size) in numbers.items()]
-    return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
-                 f"{deep}, pixel {x}, {y}", {"d0": 1}, writes=writes)
+        first, last = shape["cu"]["offset"], shape["kv"]["offset"] + 4
+        return Trial(case, title, {"d0": int(taken)}, writes=[anything(at + first, last - first)])
+    writes = fields(at, "reciprocal_plan", {name: k - base - raised for name, k, base, raised
+                                            in zip(("ku", "kv"), found.k, deep.base, found.raised)})
+    writes += [Write(at + shape[name]["offset"], (n % (1 << 64)).to_bytes(8, "big"))
+               for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)]
+    return Trial(case, title, {"d0": 1}, writes=writes)
 
 
 def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> str | None:
@@ -108,34 +109,35 @@ def piece_trial(deep, piece: int, width: int, lines) -> Trial | None:
                        lambda _, n: {*range(0, n + 1, 1 << piece), n})
 
 
-def span_trial(piece: int, counts, rng) -> Trial:
+def records(line_of: Callable[[int, int], object]) -> list:
+    """Lines of COUNTS pixels: ``line_of`` their number and n, or n alone."""
+    return [line_of(k, pixels - 1) if pixels > 0 else pixels - 1 for k, pixels in enumerate(COUNTS)]
+
+
+def span_trial(piece: int, rng) -> Trial:
     """A table of lines whose q and constants are any that stay inside the table."""
-    memory, lines = Memory(int(rng.integers(1 << 30))), []
-    for k, pixels in enumerate(counts):
-        n = pixels - 1
-        if pixels <= 0:
-            lines.append(n)
-            continue
+    def line_of(k: int, n: int) -> model.Reciprocal:
         q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65534, 2))
         if n < 3 << piece:  # what r grows stays inside 16 bits
             q1 = (q0 + q1 >> 17 if q0 < q1 else q0 >> 16) << 16
         dq = int((q1 - q0 << piece) / max(n, 1))
         c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(1, 15, 2)]
         r = [model.TABLE[(q >> 16) - model.LOWEST] for q in (q0, q1)]
-        lines.append(model.Reciprocal(k % 4, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
-                                      model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
-                                      tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece))
-    return reciprocal.span_trial(piece, memory, picture_ground(), lines, PITCH, f"{len(counts)} lines")
+        return model.Reciprocal(k % 4, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
+                                model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
+                                tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
+
+    return reciprocal.span_trial(piece, Memory(int(rng.integers(1 << 30))), picture_ground(), records(line_of),
+                                 PITCH, f"{len(COUNTS)} lines")
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(8)
-    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
     polygons = list(triangles(rng, 60))
     made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
             for piece in (3, 4)]
     return [*(find_trial(*each) for each in polygons),
             *filter(None, made),
-            *(span_trial(piece, counts[:FRAME // PITCH - 1], rng) for piece in (3, 4)
+            *(span_trial(piece, rng) for piece in (3, 4)
               for _ in range(20))]

@@ -45,12 +45,18 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).permuted(rows, axis=1)
 
 
+def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0, align: int = MAP_ALIGN) -> Ground:
+    """A far arena with a frame and the map ``stored``, of which spans are told ``at`` bytes behind its
+    beginning."""
+    memory = Memory(seed)
+    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    return Ground(memory, frame + MARGIN, memory.add(stored, align, "map") + at, picture)
+
+
 @cache
 def picture_ground() -> Ground:
     """What most spans are drawn on and from: the page ``texture``."""
-    memory = Memory(3)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    return Ground(memory, frame + MARGIN, memory.add(texture().tobytes(), MAP_ALIGN, "map"), texture())
+    return ground_of(3, texture().tobytes(), texture())
 
 
 def sizes(kernel: str) -> tuple:
@@ -147,13 +153,8 @@ def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwa
         first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
         starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
 
-    on = ground or picture_ground()
-
-    def drawn(_: int, __: int, count: int, u: int, v: int) -> np.ndarray:
-        return spans.texels(on.picture, u, v, ONE, 0, count)
-
-    return table_trial(partial(spans.table_trial, kernel, "addx", drawn=drawn), starts, pitch, rng, upwards,
-                       steps_text(*steps), ground=on, dudx=steps[0], dvdx=steps[1])
+    return table_trial(partial(spans.span_trial, kernel, "addx"), starts, pitch, rng, upwards,
+                       steps_text(*steps), ground=ground or picture_ground(), dudx=steps[0], dvdx=steps[1])
 
 
 def copy_trials(rng) -> list[Trial]:

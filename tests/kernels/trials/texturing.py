@@ -7,8 +7,10 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.polygon import (BIAS, HEIGHT, ONE, WIDTH, described, seen_polygons,
-                                          sides_block, vertex_block, wanted_sides)
+from tests.kernels.trials.polygon import (HEIGHT, WIDTH, box_block, described, seen_polygons, sides_block,
+                                          vertex_block, wanted_sides)
+from tmap.base.fixed import ONE
+from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, fields, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case, Result
@@ -33,7 +35,7 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
     memory = Memory()
     at = vertex_block(memory, vertices)
     sides_at = sides_block(memory, at, vertices, wanted)
-    box = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), sides.box)))
+    box = box_block(memory, sides.box)
     cuts = dict(zip(("u_cut", "v_cut"), texturing.CUT.get(settings.mapper, (0, 0))))
     out = memory.struct("texturing", {}, **dict.fromkeys(layout.load().struct("texturing").fields, 7) | cuts)
     numbers = {name: int(getattr(t, name)) for name in
@@ -82,7 +84,7 @@ def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial
     spare, guard, wraps = (0, 0, not inside) if chain == 3 else \
         texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
     memory = Memory()
-    box_at = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
+    box_at = box_block(memory, box)
     at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, u_cut=0, v_cut=0, guard=7, dudy=0,
                        dvdy=dvdy, u=0, v=v & M32, i=0, j=0)
     writes = fields(at, "texturing", {"u_cut": spare, "guard": guard, "wraps": int(wraps)})

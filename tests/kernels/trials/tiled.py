@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MAP_ALIGN, MARGIN, SHORT, span_trial,
+from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MARGIN, SHORT, ground_of, span_trial,
                                        steps_of, texture)
 from tmap.base import maps
 from tmap.bench.spans import Ground, columns_of
@@ -22,10 +22,7 @@ SIZES = ((256, 256), (8, 8), (64, 32), (8, 512), (512, 8), (128, 512), (512, 512
 @cache
 def tiled_ground() -> Ground:
     """The page of the other spans in tiles of 8x8."""
-    memory = Memory(5)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    return Ground(memory, frame + MARGIN, memory.add(maps.to_tiled(texture()).tobytes(), MAP_ALIGN, "map"),
-                  texture())
+    return ground_of(5, maps.to_tiled(texture()).tobytes(), texture())
 
 
 @cache

@@ -93,22 +93,17 @@ class Trial:
             for at in offsets:
                 value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
                 expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
-        before, writes = expected.copy(), [w for w in self.writes if w.far == far]
-        for write in writes:  # bits that do not count are right as they are
-            part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
-            if write.pointer:
-                wanted = (int.from_bytes(wanted, "big") + result.address & M32).to_bytes(4, "big")
-            expected[part] = np.frombuffer(wanted, np.uint8)
-            if write.mask:
-                expected[part] ^= (expected[part] ^ found[part]) & ~np.frombuffer(write.mask, np.uint8)
-        if np.array_equal(found, expected):
+        before, mask, writable = expected.copy(), np.full(len(expected), 255, np.uint8), expected != expected
+        for write in self.writes:
+            if write.far == far:
+                part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
+                if write.pointer:
+                    wanted = (int.from_bytes(wanted, "big") + result.address & M32).to_bytes(4, "big")
+                expected[part], writable[part] = np.frombuffer(wanted, np.uint8), True
+                mask[part] = np.frombuffer(write.mask, np.uint8) if write.mask else 255
+        wrong = np.flatnonzero((found ^ expected) & mask)
+        if not len(wrong):
             return None
-        mask, writable = np.full(len(expected), 255, np.uint8), np.zeros(len(expected), bool)
-        for write in writes:
-            part = slice(write.at, write.at + len(write.expected))
-            writable[part] = True
-            mask[part] = np.frombuffer(write.mask, np.uint8) if write.mask else 255
-        wrong = np.flatnonzero(found != expected)
         at = int(wrong[0])
         place, better = arena.place(at), self.where(at, far) if self.where else None
         if better:
