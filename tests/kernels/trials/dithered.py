@@ -4,8 +4,8 @@ from functools import partial
 
 import numpy as np
 
-from tests.kernels.trials.span import (LONG_WIDE, SHORT, TURN, picture_ground, random_starts, steps_of,
-                                       steps_text, table_trial)
+from tests.kernels.trials.span import (LONG_WIDE, SHORT, TURN, picture_ground, random_starts,
+                                       steps_of, steps_text, table_trial)
 from tests.kernels.trials.wide import ground as wide_ground
 from tmap.base.fixed import M32
 from tmap.bench.dithered import MOST, dithered_trial
@@ -33,7 +33,8 @@ def trial(kernel: str, dudx: int, dvdx: int, size, rng, upwards: bool, on: Groun
             v, count = within(v, count, dvdx, rng)
         starts.append((count, u, v - MOST & M32 if kernel.endswith("_wrap") else v - MOST))
     return table_trial(partial(dithered_trial, kernel), starts, pitch, rng, upwards,
-                       steps_text(dudx, dvdx) + f", first line {odd}", ground=on, dudx=dudx, dvdx=dvdx, odd=odd)
+                       steps_text(dudx, dvdx) + f", first line {odd}", ground=on, dudx=dudx,
+                       dvdx=dvdx, odd=odd)
 
 
 def trials() -> list[Trial]:

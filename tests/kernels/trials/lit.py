@@ -5,8 +5,9 @@ from functools import cache, partial
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of, once_wrapping,
-                                       random_starts, sizes, steps_text, table_trial, texture)
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of,
+                                       once_wrapping, random_starts, sizes, steps_text, table_trial,
+                                       texture)
 from tmap.base.fixed import ONE, signed
 from tmap.bench import effects
 from tmap.bench.effects import LEVELS
@@ -35,8 +36,8 @@ def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> 
     if kernel in ("span_lit", "span_lit_short"):
         starts = [once_wrapping(*start, *steps, rng) for start in starts]
     return table_trial(partial(effects.lit_trial, kernel), starts, pitch, rng, upwards,
-                       f"level {level}, {steps_text(*steps)}", ground=ground, light=light, light_at=light_at,
-                       level=level, dudx=steps[0], dvdx=steps[1])
+                       f"level {level}, {steps_text(*steps)}", ground=ground, light=light,
+                       light_at=light_at, level=level, dudx=steps[0], dvdx=steps[1])
 
 
 def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
@@ -53,7 +54,8 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
     added = (light_at & 0xFFFF) + FALLS * (signed(steps[1], 24) < 0)
     return table_trial(partial(effects.lit_trial, "span_lit_gouraud"), starts, pitch, rng, upwards,
                        f"{values(dcdx=dcdx)}, {steps_text(*steps)}", ground=ground, light=light,
-                       light_at=light_at, shades=shades, added=added, dudx=steps[0], dvdx=steps[1], dcdx=dcdx)
+                       light_at=light_at, shades=shades, added=added, dudx=steps[0], dvdx=steps[1],
+                       dcdx=dcdx)
 
 
 def pairs_of(rng) -> list[tuple[int, int]]:
@@ -99,9 +101,9 @@ def shade_trial(rng, most: int, inside: bool) -> Trial:
         dcdx = int(rng.integers(-1 << 31, 1 << 31)) & ~3
     shade = (int(rng.integers(low, high + 1)) & ~3) - dcdx * lefts[0] & M32
     added = int(rng.choice((0, FALLS))) + (int(rng.integers(0, 193)) << 8)
-    title = values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added)
-    return effects.shade_trial(Memory(int(rng.integers(1 << 30))), list(zip(lefts, counts)), title, added=added,
-                               shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, inside=int(inside))
+    plan = dict(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added)
+    return effects.shade_trial(Memory(int(rng.integers(1 << 30))), list(zip(lefts, counts)),
+                               values(**plan), inside=int(inside), **plan)
 
 
 def trials() -> list[Trial]:

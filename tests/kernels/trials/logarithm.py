@@ -49,8 +49,8 @@ def span_trial(octave: int, rng) -> Trial:
         line.power = tuple(power - int(logs.min()) for power in line.power)
         return line
 
-    return logarithm.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), records(line_of), PITCH,
-                                f"{len(COUNTS)} lines")
+    return logarithm.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(),
+                                records(line_of), PITCH, f"{len(COUNTS)} lines")
 
 
 def trials() -> list[Trial]:

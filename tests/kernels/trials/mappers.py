@@ -4,8 +4,9 @@ from functools import cache, partial
 
 import numpy as np
 
-from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of, picture_ground,
-                                       random_starts, sizes, steps_of, steps_text, table_trial, texture)
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of,
+                                       picture_ground, random_starts, sizes, steps_of, steps_text,
+                                       table_trial, texture)
 from tmap.base.fixed import ONE
 from tmap.bench.mappers import mapper_trial, with_margins
 from tmap.bench.spans import Ground
@@ -54,8 +55,8 @@ def arbitrary_trial(size: tuple[int, int], steps: tuple[int, int], counts, rng, 
     (dudx, dvdx), (counts, pitch) = steps, counts
     starts = [fitting(count, size, steps, rng) for count in counts for _ in range(4)]
     return table_trial(partial(mapper_trial, "span_arbitrary"), starts, pitch, rng, upwards,
-                       f"map {size[0]}x{size[1]}, {steps_text(dudx, dvdx)}", ground=any_map(*size), dudx=dudx,
-                       dvdx=dvdx, map_width=size[0], map_height=size[1])
+                       f"map {size[0]}x{size[1]}, {steps_text(dudx, dvdx)}", ground=any_map(*size),
+                       dudx=dudx, dvdx=dvdx, map_width=size[0], map_height=size[1])
 
 
 def arbitrary_trials(rng) -> list[Trial]:
@@ -94,8 +95,8 @@ def gouraud_trials(kernel: str, rng) -> list[Trial]:
 def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
     """One table drawn by generated code; the code itself is compared too."""
     counts, pitch = size
-    return table_trial(partial(mapper_trial, "span_generated"), random_starts(counts, rng), pitch, rng, upwards,
-                       steps_text(dudx, dvdx), ground=margins_ground(), dudx=dudx, dvdx=dvdx)
+    return table_trial(partial(mapper_trial, "span_generated"), random_starts(counts, rng), pitch,
+                       rng, upwards, steps_text(dudx, dvdx), ground=margins_ground(), dudx=dudx, dvdx=dvdx)
 
 
 def generated_trials(rng) -> list[Trial]:

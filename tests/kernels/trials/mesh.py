@@ -95,7 +95,8 @@ def mesh_faces_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 30) * 10:
         about, row, points = scene(rng), view(rng), points_of(rng, 12)
-        points = [(p.x, p.y, p.w, outside(p, about.near_plane)) for p in mesh.transform(about, points, row)]
+        points = [(p.x, p.y, p.w, outside(p, about.near_plane))
+                  for p in mesh.transform(about, points, row)]
         sizes = rng.choice((3, 3, 4, 5, 32), count).tolist()
         corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
         firsts = (np.cumsum(sizes) - sizes).tolist()

@@ -101,7 +101,8 @@ def lines_and_planes(pixels, rng) -> tuple[list[tuple[int, int, int]], model.Per
 def lines_trial(setting: str, rng) -> Trial:
     """Some lines, empty ones and single pixels among them."""
     lines, deep = lines_and_planes((0, -5, 1, 2, 3, 4, 17, 33, 300), rng)
-    return perspective.lines_trial(setting, Memory(), deep, lines, f"{setting}, {len(lines)} lines, {deep}")
+    return perspective.lines_trial(setting, Memory(), deep, lines,
+                                   f"{setting}, {len(lines)} lines, {deep}")
 
 
 def level_trial(rng) -> Trial:

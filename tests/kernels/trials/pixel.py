@@ -39,7 +39,8 @@ def row_trial(form: str, u: int, du: int, count: int, at: int) -> Trial:
     """One interpolant over a row of texels, ``count`` pixels at ``at`` of the frame."""
     memory, places = pixel_memory("row")
     ground = Ground(memory, places["frame"] + 64 + at, places["row"], texture().reshape(-1)[:ROW])
-    return steps.row_trial(form, u, du, count, ground, f"{count} pixels at {at}, {values(u=u, dudx=du)}")
+    return steps.row_trial(form, u, du, count, ground,
+                           f"{count} pixels at {at}, {values(u=u, dudx=du)}")
 
 
 def map_trial(form: str, shaded: bool, start, step, count: int, at: int) -> Trial:
@@ -95,8 +96,10 @@ def step_trials(form: str, count: int, rng) -> list[Trial]:
         starts = [int(rng.integers(0, most)) if k % 3 else int(rng.choice(edges)) for _ in range(count)]
         if form == "swap" and k % 2:
             starts, speeds = ([int(n) for n in rng.integers(0, 1 << 32, count)] for _ in range(2))
-        named = {f"value{k}": v for k, v in enumerate(starts)} | {f"step{k}": v for k, v in enumerate(speeds)}
-        trials.append(steps.step_trial(form, starts, speeds, rounds, f"{16 * rounds} steps, {values(**named)}",
+        named = {f"{name}{k}": v for name, some in (("value", starts), ("step", speeds))
+                 for k, v in enumerate(some)}
+        title = f"{16 * rounds} steps, {values(**named)}"
+        trials.append(steps.step_trial(form, starts, speeds, rounds, title,
                                        **({"d6": 0} if form == "addx" else {})))
     return trials
 

@@ -213,7 +213,8 @@ def edges_make_trial(vertices, exact: bool) -> Trial | None:
             numbers |= {"lines": edge.end - edge.top, "top": edge.top}
             pointers = {"upper": vertex_at(at, vertices.index(edge.upper)),
                         "lower": vertex_at(at, vertices.index(edge.lower))}
-            writes += fields(room[side] + k * layout.load().struct("edge").size, "edge", numbers, pointers)
+            place = room[side] + k * layout.load().struct("edge").size
+            writes += fields(place, "edge", numbers, pointers)
     return Trial(Case("edges_make", memory, {"d1": int(exact)},
                       {"a0": plan, "a1": sides_at, "d0": box}),
                  f"box {sides.box}, exact {exact}: {described(vertices)}", writes=writes)

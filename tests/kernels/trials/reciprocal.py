@@ -20,7 +20,8 @@ from tmap.setup.perspective import perspective
 WIDTH, HEIGHT = 320, 200
 PITCH = 1152
 #: Pixels of a table's lines, as many as a frame has room for.
-COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024][:FRAME // PITCH - 1]
+COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320,
+          1024][:FRAME // PITCH - 1]
 STATED = 2048  # a texel in 32
 DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 
@@ -96,9 +97,9 @@ def lines_trial(bench, model, deep, piece: int | None, width: int, lines, pixels
     made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
     trial = bench.lines_trial(Memory(), deep, constants, lines, made,
                               f"{deep}" + (f", pieces of 2^{piece}" if piece else ""))
-    wrong = (error(deep, line, pixels_of(k, line.n), *model.coordinates(line), y, model.bound(line),
-                   constants.raised) for k, ((_, _, y), line) in enumerate(zip(lines, made)) if line)
-    worst = next(filter(None, wrong), None)
+    worst = next(filter(None, (
+        error(deep, line, pixels_of(k, line.n), *model.coordinates(line), y, model.bound(line),
+              constants.raised) for k, ((_, _, y), line) in enumerate(zip(lines, made)) if line)), None)
     trial.also = lambda _: worst
     return trial
 
@@ -127,8 +128,8 @@ def span_trial(piece: int, rng) -> Trial:
                                 model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
                                 tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
 
-    return reciprocal.span_trial(piece, Memory(int(rng.integers(1 << 30))), picture_ground(), records(line_of),
-                                 PITCH, f"{len(COUNTS)} lines")
+    return reciprocal.span_trial(piece, Memory(int(rng.integers(1 << 30))), picture_ground(),
+                                 records(line_of), PITCH, f"{len(COUNTS)} lines")
 
 
 def trials() -> list[Trial]:

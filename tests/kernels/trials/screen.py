@@ -32,9 +32,9 @@ def frame_trial(kernel: str, groups: int, rows: int, layout: tuple[int, int], pi
     pixels = planar.noise(name, rng, 32 * groups // form.dots, rows)
     row = pixels[0].nbytes
     return screen.frame_trial(
-        kernel, pixels, (row, row + 24, -row - 8)[pitches], planes, near, far, rng.bytes(planes.size),
-        f"{pixels.shape[1]} x {rows} pixels, row pitch {layout[0]}, plane pitch {layout[1]}, pixels' pitch "
-        f"{pitches}, seed {seed}")
+        kernel, pixels, (row, row + 24, -row - 8)[pitches], planes, near, far,
+        rng.bytes(planes.size), f"{pixels.shape[1]} x {rows} pixels, row pitch {layout[0]}, "
+        f"plane pitch {layout[1]}, pixels' pitch {pitches}, seed {seed}")
 
 
 def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) -> Trial:

@@ -45,9 +45,10 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).permuted(rows, axis=1)
 
 
-def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0, align: int = MAP_ALIGN) -> Ground:
-    """A far arena with a frame and the map ``stored``, of which spans are told ``at`` bytes behind its
-    beginning."""
+def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0,
+              align: int = MAP_ALIGN) -> Ground:
+    """A far arena with a frame and the map ``stored``, to which spans point ``at`` bytes behind
+    its beginning."""
     memory = Memory(seed)
     frame = memory.add(memory.noise.bytes(FRAME), name="frame")
     return Ground(memory, frame + MARGIN, memory.add(stored, align, "map") + at, picture)
@@ -107,7 +108,8 @@ def form_of(kernel: str) -> str:
 
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
                ground: Ground | None = None, name: str = "") -> Trial:
-    """One table: every count at all four alignments, with a start of its own. ``name``: of the ground."""
+    """One table: every count at all four alignments, with a start of its own. ``name``: of the
+    ground."""
     counts, pitch = size
     starts = random_starts(counts, rng)
     if kernel in ONCE_WRAPPING:
@@ -118,8 +120,8 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
                      for k in range(len(starts))]
     title = values(colour=colour) if kernel.startswith("span_fill") else steps_text(dudx, dvdx)
     return table_trial(partial(spans.span_trial, kernel, form_of(kernel)), starts, pitch, rng, upwards,
-                       name + title, ground=ground or picture_ground(), dudx=dudx, dvdx=dvdx, colour=colour,
-                       own_steps=own_steps)
+                       name + title, ground=ground or picture_ground(), dudx=dudx, dvdx=dvdx,
+                       colour=colour, own_steps=own_steps)
 
 
 ALONE_MOST = 64000  # texels that u or v alone may travel in a line
@@ -154,7 +156,8 @@ def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwa
         starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
 
     return table_trial(partial(spans.span_trial, kernel, "addx"), starts, pitch, rng, upwards,
-                       steps_text(*steps), ground=ground or picture_ground(), dudx=steps[0], dvdx=steps[1])
+                       steps_text(*steps), ground=ground or picture_ground(), dudx=steps[0],
+                       dvdx=steps[1])
 
 
 def copy_trials(rng) -> list[Trial]:
@@ -186,10 +189,10 @@ def steps_of(rng) -> list[tuple[int, int]]:
 def span_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds on short lines, some of them on long ones."""
     if kernel.startswith("span_fill"):
-        ground = picture_ground()
-        if kernel == "span_fill_16":
-            return fill_trials(kernel, replace(ground, picture=texture().astype(">u2")), LONG_WIDE, rng)
-        return fill_trials(kernel, ground, LONG, rng)
+        if kernel == "span_fill":
+            return fill_trials(kernel, picture_ground(), LONG, rng)
+        wide = replace(picture_ground(), picture=texture().astype(">u2"))
+        return fill_trials(kernel, wide, LONG_WIDE, rng)
     steps = steps_of(rng)
     if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
         steps = steps[::4]

@@ -7,8 +7,8 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.polygon import (HEIGHT, WIDTH, box_block, described, seen_polygons, sides_block,
-                                          vertex_block, wanted_sides)
+from tests.kernels.trials.polygon import (HEIGHT, WIDTH, box_block, described, seen_polygons,
+                                          sides_block, vertex_block, wanted_sides)
 from tmap.base.fixed import ONE
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, fields, values

@@ -5,8 +5,8 @@ from functools import cache
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import (FRAME, LONG_WIDE, MARGIN, SHORT, alone_trials, copy_trial, fill_trials,
-                                       span_trial, steps_of)
+from tests.kernels.trials.span import (FRAME, LONG_WIDE, MARGIN, SHORT, alone_trials, copy_trial,
+                                       fill_trials, span_trial, steps_of)
 from tmap.base import maps
 from tmap.bench.spans import Ground
 from tmap.bench.trial import Trial

@@ -16,16 +16,16 @@ MOST = fix(dithered.MOST)
 NAMES = {"": 1, "_wrap": 1, "_16": 2, "_16_wrap": 2, "_32": 4, "_32_wrap": 4}
 
 
-def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground, title: str = "", *,
-                   dudx: int, dvdx: int, odd: int, **more) -> Trial:
-    """One table of lines, whose u and v are MOST less than their points', ``odd``: the first one's
-    parity."""
+def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+                   title: str = "", *, dudx: int, dvdx: int, odd: int, **more) -> Trial:
+    """One table of lines, whose u and v are less than their points' by MOST; ``odd``: the first
+    line's parity."""
     def drawn(k: int, column: int, count: int, u: int, v: int) -> np.ndarray:
         du, dv = dithered.moves(column, column + count, k + odd)
         return texels(ground.picture, u + MOST + du, v + MOST + dv, dudx, dvdx, count)
 
-    return table_trial(kernel, "addx", lines, pitch, arena, ground, drawn, title, dudx=dudx, dvdx=dvdx, odd=odd,
-                       **more)
+    return table_trial(kernel, "addx", lines, pitch, arena, ground, drawn, title, dudx=dudx,
+                       dvdx=dvdx, odd=odd, **more)
 
 
 def dithered_case(name: str, wide: int, length: int):
@@ -41,8 +41,9 @@ def dithered_case(name: str, wide: int, length: int):
     for k in range(lines):
         u, v = int(rng.integers(1 << 24)), int(rng.integers(MOST, high))
         starts.append((k % 4, length, u - MOST & M32, v - MOST & M32))
-    return dithered_trial(name, starts, length + GAP, Arena(), framed(far, map_at, picture, lines, length),
-                          dudx=DU, dvdx=DV, odd=0).row(lines * length)
+    return dithered_trial(name, starts, length + GAP, Arena(),
+                          framed(far, map_at, picture, lines, length), dudx=DU, dvdx=DV,
+                          odd=0).row(lines * length)
 
 
 def dithered_rows(length: int) -> list[tuple]:

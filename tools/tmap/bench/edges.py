@@ -1,6 +1,4 @@
-"""Calls of the edge steppers, which make the lines between two edges with u and v of their starts: their
-trials and bench rows.
-"""
+"""Calls of the edge steppers, which make the lines between two edges with u and v of their starts."""
 
 from tmap.base.fixed import M32, ONE
 from tmap.bench.spans import BIAS, DU, DV, table_of
@@ -53,8 +51,8 @@ def starts(edges: list[Fields], form: str, dudx: int, dvdx: int) -> list[Fields]
 
 def edge_trial(kernel: str, arena: Arena, lefts: list[Fields], rights: list[Fields], steps: Fields,
                title: str = "", spare: int = 0) -> Trial:
-    """One call with the edges of both sides, struct edge each. ``steps``: dudx and dvdx; ``spare``: lines
-    of the table behind those in use."""
+    """One call with the edges of both sides, struct edge each. ``steps``: dudx and dvdx; ``spare``:
+    lines of the table behind those in use."""
     shape, form = layout.load().struct("edge"), FORMS[kernel.split("_")[1]]
     left, right = ([x for edge in edges for x in edge_columns(edge)] for edges in (lefts, rights))
     table = arena.room("scanline", len(left) + spare, "lines")
@@ -105,12 +103,12 @@ def ramp_trial(arena: Arena, left: list[Fields], right: list[Fields], truncated:
         steps.append((line.dudx, line.dvdx) if is_drawn else ())
     ramp, scanline = (layout.load().struct(name) for name in ("ramp", "scanline"))
     lines_at = arena.add(table_of(before), name="lines", shape=scanline)
-    sides = {name: arena.add(b"".join(ramp.pack(**{k: v & M32 if k in "uv" else v for k, v in r.items()})
-                                      for r in side), name=name, shape=ramp)
+    sides = {name: arena.add(b"".join(ramp.pack(**r | {k: r[k] & M32 for k in "uv"}) for r in side),
+                             name=name, shape=ramp)
              for name, side in (("left", left), ("right", right))}
     steps_at = arena.room("scanline_step", len(before), "steps")
-    plan = arena.struct("ramp_plan", dict(lines=lines_at, **sides, steps=steps_at), count=len(before),
-                        truncated=int(truncated), packed=int(packed))
+    plan = arena.struct("ramp_plan", dict(lines=lines_at, **sides, steps=steps_at),
+                        count=len(before), truncated=int(truncated), packed=int(packed))
     writes = table_writes(lines_at, after, form)
     writes += [long_write(steps_at + 8 * k + 4 * n, step)
                for k, pair in enumerate(steps) for n, step in enumerate(pair)]
@@ -121,8 +119,8 @@ def ramp_trial(arena: Arena, left: list[Fields], right: list[Fields], truncated:
 
 
 def ramp_case():
-    """LINES lines of 10 pixels and more, sub-texel starts, packed. A call uses the ramps up and the next
-    one runs on from there: with the same steps on both sides, at the same cost."""
+    """LINES lines of 10 pixels and more, sub-texel starts, packed. A call uses the ramps up and the
+    next one runs on from there: with the same steps on both sides, at the same cost."""
     steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345, "lines": LINES}
     left, right = ([dict(zip("xuv", (n << 16 for n in side))) | steps]
                    for side in ((100, 20, 30), (110, 200, 90)))

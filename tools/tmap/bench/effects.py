@@ -4,9 +4,9 @@ import numpy as np
 
 from tmap.base.fixed import M32, ONE, signed
 from tmap.bench.edges import LINES
-from tmap.bench.spans import (BIAS, DU, DV, GAP, Ground, Line, framed, line_count, span_trial, table_of,
-                              table_trial, texels)
-from tmap.bench.trial import Trial, long_write
+from tmap.bench.spans import (BIAS, DU, DV, GAP, Ground, Line, framed, line_count, span_trial,
+                              table_of, table_trial, texels)
+from tmap.bench.trial import Trial, fields, long_write
 from tmap.build import layout
 from tmap.corpus import random_maps
 from tmap.guest.kernels import Arena, Case
@@ -20,11 +20,13 @@ SCREEN = 320, 256  # pixels, the rotator's
 TURNED, FAR_OUT = (0xB334, 0x8000), (DU, DV)
 
 
-def lit_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground, light: np.ndarray,
-              light_at: int, title: str = "", *, level: int = 0, shades: list[int] | None = None,
-              added: int = 0, dudx: int, dvdx: int, dcdx: int = 0, **more) -> Trial:
-    """One table of lit spans. ``light``: [level][texel]; ``light_at``: where it is in the far arena. All is
-    at one level, or each line has a shade to begin with, 16.16; ``added``: to packed shades."""
+def lit_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+              light: np.ndarray, light_at: int, title: str = "", *, level: int = 0,
+              shades: list[int] | None = None, added: int = 0, dudx: int, dvdx: int, dcdx: int = 0,
+              **more) -> Trial:
+    """One table of lit spans. ``light``: [level][texel]; ``light_at``: where it is in the far
+    arena. All is at one ``level``, or each line begins with one of ``shades``, 16.16; ``added``: to
+    packed shades."""
     blocks = {} if shades is None else {
         "shades": b"".join(pack_shade(shade, added).to_bytes(4, "big") for shade in shades)}
 
@@ -38,16 +40,19 @@ def lit_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: 
 
 def lit_case(kernel: str, length: int):
     """A table of lit spans of one length, as tmap.bench.spans.span_case."""
-    rng, lines, far, picture = np.random.default_rng(length), line_count(length), Arena(), random_maps.page()
+    rng, lines = np.random.default_rng(length), line_count(length)
+    far, picture = Arena(), random_maps.page()
     light = rng.integers(0, 256, (LEVELS, 256), dtype=np.uint8)
     map_at, light_at = far.add(picture.tobytes(), ONE), far.add(light.tobytes(), ONE)
     starts, shades = [], []
     for k in range(lines):
-        starts.append((k % 4, length, int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))))
+        u, v = int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16))
+        starts.append((k % 4, length, u, v))
         shades.append(int(rng.integers(0, 20 << 16)) & ~3)
     level = {"shades": shades} if kernel == "span_lit_gouraud" else {"level": 40}
-    return lit_trial(kernel, starts, length + GAP, Arena(), framed(far, map_at, picture, lines, length), light,
-                     light_at, dudx=DU, dvdx=DV, dcdx=DC, **level).row(lines * length)
+    return lit_trial(kernel, starts, length + GAP, Arena(),
+                     framed(far, map_at, picture, lines, length), light, light_at, dudx=DU, dvdx=DV,
+                     dcdx=DC, **level).row(lines * length)
 
 
 def held(start: int, step: int, pixels: int, low: int, high: int) -> int:
@@ -57,8 +62,8 @@ def held(start: int, step: int, pixels: int, low: int, high: int) -> int:
 
 
 def shade_trial(arena: Arena, lines: list[tuple[int, int]], title: str = "", **plan: int) -> Trial:
-    """edge_shade on lines (first column with BIAS, pixels); ``plan``: fields of struct shade_plan. Shades
-    are kept from low to high unless ``inside`` says that none leaves it."""
+    """edge_shade on lines (first column with BIAS, pixels); ``plan``: fields of struct shade_plan.
+    Shades are kept from low to high unless ``inside`` says that none leaves this range."""
     low, high, inside, dcdx = (plan[name] for name in ("low", "high", "inside", "dcdx"))
     table = table_of([{"left": left, "last": left + count - 1} for left, count in lines])
     at = arena.add(table, name="lines", shape=layout.load().struct("scanline"))
@@ -68,7 +73,7 @@ def shade_trial(arena: Arena, lines: list[tuple[int, int]], title: str = "", **p
     if longest and not inside:
         largest = (high - low) // longest & ~3
         limited = min(max(dcdx, -largest), largest)
-    writes = [long_write(plan_at + layout.load().struct("shade_plan").fields["dcdx"]["offset"], limited)]
+    writes = fields(plan_at, "shade_plan", {"dcdx": limited})
     for k, (left, count) in enumerate(lines):
         start = signed(plan["shade"] + k * plan["dcdy"] + left * dcdx)
         if count > 0 or inside:
@@ -81,13 +86,13 @@ def shade_case(inside: int = 0):
     """Shades of LINES lines of 10 pixels and more, which move to the right; ``inside``: of struct
     shade_plan."""
     lines = [(BIAS + 40 + n // 2, 11 + n - n // 2) for n in range(LINES)]
-    return shade_trial(Arena(), lines, added=0, shade=(20 << 16) - DC * BIAS & M32, dcdx=DC, dcdy=-0x800,
-                       low=0, high=(LEVELS << 16) - 4, inside=inside).row(LINES)
+    return shade_trial(Arena(), lines, added=0, shade=(20 << 16) - DC * BIAS & M32, dcdx=DC,
+                       dcdy=-0x800, low=0, high=(LEVELS << 16) - 4, inside=inside).row(LINES)
 
 
 def rotator_case(kernel: str, form: str, steps: tuple[int, int]):
-    """A screen of turned texture in one call: 256 lines of 320 pixels, each a step of the texture further
-    down."""
+    """A screen of turned texture in one call: 256 lines of 320 pixels, each a step of the texture
+    further down."""
     (width, height), (du, dv), far, picture = SCREEN, steps, Arena(), random_maps.page()
     map_at = far.add(picture.tobytes(), ONE)
     ground = Ground(far, far.add(bytes(width * height)), map_at, picture)

@@ -26,8 +26,8 @@ def code_of(dudx: int, dvdx: int, longest: int) -> bytes:
         + b"\x4e\xd3" * bool(len(offsets))
 
 
-def mapper_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground, title: str = "", *,
-                 dudx: int, dvdx: int, **more) -> Trial:
+def mapper_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+                 title: str = "", *, dudx: int, dvdx: int, **more) -> Trial:
     """One table of lines; those of the arbitrary map stay inside it."""
     picture = ground.picture
 
@@ -41,7 +41,8 @@ def mapper_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, groun
 
     if "generated" in kernel:
         more["code"] = code_of(dudx, dvdx, max(count for _, count, *_ in lines))
-    return table_trial(kernel, "plain", lines, pitch, arena, ground, drawn, title, dudx=dudx, dvdx=dvdx, **more)
+    return table_trial(kernel, "plain", lines, pitch, arena, ground, drawn, title, dudx=dudx,
+                       dvdx=dvdx, **more)
 
 
 def add_map(far: Arena, name: str, picture: np.ndarray) -> int:

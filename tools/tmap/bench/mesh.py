@@ -38,7 +38,8 @@ def longs(values) -> bytes:
 
 def outside(point, near: int) -> int:
     """Bits of the borders that a point is outside of."""
-    return sum(1 << k for k, depth in enumerate(mesh.depths(point.x, point.y, point.w, near)) if depth < 0)
+    depths = mesh.depths(point.x, point.y, point.w, near)
+    return sum(1 << k for k, depth in enumerate(depths) if depth < 0)
 
 
 def transform_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
@@ -63,10 +64,11 @@ def transform_case(is_inside: bool):
     return transform_trial(Arena(), ABOUT, points, row).row(COUNT)
 
 
-def looks_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int, title: str = "",
-                offset: int = 0) -> Trial:
+def looks_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
+                title: str = "", offset: int = 0) -> Trial:
     """One of s, t and shade of normals; ``offset``: of it in struct mesh_look."""
-    to, size = arena.room("mesh_look", len(normals)) + offset, layout.load().struct("mesh_look").size
+    size = layout.load().struct("mesh_look").size
+    to = arena.room("mesh_look", len(normals)) + offset
     plan_at = arena.struct("look_plan", {
         "from": table(arena, "scene_normal", normals), "to": to,
         "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")},
@@ -83,8 +85,8 @@ def looks_case():
 
 
 def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
-    """Faces in a view: those that are seen. ``points``: x, y, w and the borders that each is outside of;
-    ``corners``: numbers of points."""
+    """Faces in a view: those that are seen. ``points``: x, y, w and the borders that each is
+    outside of; ``corners``: numbers of points."""
     size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
     stored = [(x, y, w, 0, 0, borders, 0, 0) for x, y, w, borders in points]
     points_at = arena.add(b"".join(map(longs, stored)), name="points")
@@ -100,7 +102,8 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
         first, count = face[4:]
         used = [points[number] for number in corners[first:first + count]]
         if mesh.is_seen(face, row) and not np.bitwise_and.reduce([borders for *_, borders in used]):
-            writes += fields(to + seen * size, "mesh_face", {"order": ~max(0, *(w for *_, w, _ in used))},
+            order = ~max(0, *(w for *_, w, _ in used))
+            writes += fields(to + seen * size, "mesh_face", {"order": order},
                              {"face": faces_at + k * face_size, "placed": placed})
             seen += 1
     return Trial(Case("mesh_faces", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
@@ -110,19 +113,22 @@ def faces_case(is_seen: bool):
     """COUNT quadrilaterals, all seen or all from the back."""
     sign, row = 1 if is_seen else -1, view(0)
     row[12:15] = 3 << 16, 5 << 16, 4 << 16
-    return faces_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)], [k % 4 for k in range(4 * COUNT)],
-                       [[sign << 29, sign << 28, sign << 29, 0, 4 * k, 4] for k in range(COUNT)],
-                       row).row(COUNT)
+    return faces_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)],
+                       [k % 4 for k in range(4 * COUNT)], [[sign << 29, sign << 28, sign << 29, 0, 4 * k, 4]
+                                                           for k in range(COUNT)], row).row(COUNT)
 
 
-def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, whole: int, title: str = "") -> Trial:
+def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, whole: int,
+              title: str = "") -> Trial:
     """The vertex that is ``part`` of ``whole`` on the way between two of six values each."""
-    ends = {name: arena.add(longs(v), name=name) for name, v in (("inside", inside), ("outside", beyond))}
+    ends = {name: arena.add(longs(v), name=name)
+            for name, v in (("inside", inside), ("outside", beyond))}
     to = arena.room("vertex", name="to")
     plan_at = arena.struct("cut_plan", {"to": to} | ends, part=part, whole=whole)
     way = [(abs(b - a) * part + (whole >> 1)) // whole for a, b in zip(inside, beyond)]
     made = [a + w if b > a else a - w for a, b, w in zip(inside, beyond, way)]
-    return Trial(Case("mesh_cut", arena, pointers={"a0": plan_at}), title, writes=[Write(to, longs(made))])
+    return Trial(Case("mesh_cut", arena, pointers={"a0": plan_at}), title,
+                 writes=[Write(to, longs(made))])
 
 
 def cut_case():

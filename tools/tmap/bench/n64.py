@@ -17,8 +17,10 @@ def names(examples) -> list[str]:
 NAMES = names(n64)
 
 
-def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str = "", examples=n64) -> Trial:
-    """The call of a pass of ``count`` pixels, with input, output, texels and tables in the far arena."""
+def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str = "",
+               examples=n64) -> Trial:
+    """The call of a pass on ``count`` pixels, with input, output, texels and tables in the far
+    arena."""
     example = examples.MAKERS[name.removesuffix("_c")](rng, count)
     kernel = examples.FORMS.get(name, name)
     source, out = far.add(example.source), far.add(bytes(example.size))

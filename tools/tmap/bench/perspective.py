@@ -1,4 +1,4 @@
-"""Calls of perspective: its spans, and what makes their lines before. In bench rows w differs RATIO times.
+"""Calls of perspective's spans, and of what makes their lines. In bench rows w differs RATIO times.
 
 A row's line grows by a texel a pixel in u and 0.7 in v on the whole; every other line runs
 from far to near.
@@ -53,12 +53,13 @@ def record_table(arena: Arena, struct: str, lines: list, entry) -> int:
     than 0, is given, and all else is 0."""
     shape = layout.load().struct(struct)
     zeros = dict.fromkeys(shape.fields, 0)
-    return arena.add(b"".join(shape.pack(**zeros | {"n": each}) if isinstance(each, int) else entry(each)
-                              for each in lines), name="lines", shape=shape)
+    packed = (shape.pack(**zeros | {"n": each}) if isinstance(each, int) else entry(each)
+              for each in lines)
+    return arena.add(b"".join(packed), name="lines", shape=shape)
 
 
-def records_trial(kernel: str, plan: str, arena: Arena, ground: Ground, lines: list, pitch: int, coordinates,
-                  near: dict[str, int], title: str = "", **fields: int) -> Trial:
+def records_trial(kernel: str, plan: str, arena: Arena, ground: Ground, lines: list, pitch: int,
+                  coordinates, near: dict[str, int], title: str = "", **fields: int) -> Trial:
     """A span over a table of records. ``coordinates``: u and v of a line's pixels; ``near``: the plan's
     pointers to the table and others, which are in the arena; ``fields``: more of the plan."""
     writes = []
@@ -79,21 +80,24 @@ def row_of_records(length: int, line, trial):
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
     lines = [line(k, rng) for k in range(count)]
-    return trial(Arena(), framed(far, map_at, picture, count, length), lines, length + GAP).row(count * length)
+    ground = framed(far, map_at, picture, count, length)
+    return trial(Arena(), ground, lines, length + GAP).row(count * length)
 
 
-def span_trial(setting: str, arena: Arena, ground: Ground, lines: list, pitch: int, title: str = "") -> Trial:
+def span_trial(setting: str, arena: Arena, ground: Ground, lines: list, pitch: int,
+               title: str = "") -> Trial:
     """One table of Ends."""
+    kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
     table = record_table(arena, "perspective_line", lines, lambda each: entry(each, setting))
-    return records_trial(
-        "span_perspective_curves" if setting in CURVES else "span_perspective_pieces", "perspective_span",
-        arena, ground, lines, pitch, lambda each: coordinates(each, setting), dict(lines=table), title,
-        longest=way(setting).piece)
+    return records_trial(kernel, "perspective_span", arena, ground, lines, pitch,
+                         lambda each: coordinates(each, setting), dict(lines=table), title,
+                         longest=way(setting).piece)
 
 
 def span_case(setting: str, ratio: int, length: int):
     """A table of lines of one length."""
-    return row_of_records(length, lambda k, rng: line(k, length, ratio, rng), partial(span_trial, setting))
+    return row_of_records(length, lambda k, rng: line(k, length, ratio, rng),
+                          partial(span_trial, setting))
 
 
 def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
@@ -121,11 +125,12 @@ def polygon_lines():
 
 def scanlines(arena: Arena, lines) -> int:
     """Puts a table of (left, right, y) into an arena."""
-    return arena.add(table_of([{"left": left + BIAS, "last": right - 1 + BIAS} for left, right, _ in lines]),
-                     name="lines", shape=layout.load().struct("scanline"))
+    return arena.add(table_of([{"left": left + BIAS, "last": right - 1 + BIAS}
+                               for left, right, _ in lines]), name="lines", shape=layout.load().struct("scanline"))
 
 
-def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int,
+                         setting: str = "every16") -> int:
     """Adds a perspective_plan and its scanline table."""
     return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
 
@@ -140,8 +145,10 @@ def level_trial(arena: Arena, deep: Perspective, lines, title: str = "") -> Tria
         if right > left:
             u, v = (c.tolist() for c in level(deep, left, left + 2, y))
             writes += fields(lines_at + k * size, "scanline", pack("addx", u[0], v[0]))
-            writes += fields(steps_at + 8 * k, "scanline_step", {"dudx": u[1] - u[0], "dvdx": v[1] - v[0]})
-    return Trial(Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), title, writes=writes)
+            writes += fields(steps_at + 8 * k, "scanline_step",
+                             {"dudx": u[1] - u[0], "dvdx": v[1] - v[0]})
+    return Trial(Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), title,
+                 writes=writes)
 
 
 def level_case():

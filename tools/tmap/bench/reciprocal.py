@@ -5,8 +5,8 @@ from functools import partial
 import numpy as np
 
 from tmap.base.fixed import M32, signed
-from tmap.bench.perspective import (LINES, NEAR, RATIO, add_perspective_plan, polygon_lines, record_table,
-                                    records_trial, row_of_records)
+from tmap.bench.perspective import (LINES, NEAR, RATIO, add_perspective_plan, polygon_lines,
+                                    record_table, records_trial, row_of_records)
 from tmap.bench.spans import BIAS, Ground
 from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
@@ -44,16 +44,18 @@ def entry(each: reciprocals.Reciprocal) -> bytes:
         last=each.last, carry=each.carry, scale=0)
 
 
-def span_trial(piece: int, arena: Arena, ground: Ground, lines: list, pitch: int, title: str = "") -> Trial:
+def span_trial(piece: int, arena: Arena, ground: Ground, lines: list, pitch: int,
+               title: str = "") -> Trial:
     """One table of lines in pieces of 2^``piece`` pixels."""
     near = dict(lines=record_table(arena, "reciprocal_line", lines, entry), table=table(arena))
-    return records_trial(f"span_reciprocal_{1 << piece}", "reciprocal_span", arena, ground, lines, pitch,
-                         reciprocals.coordinates, near, title)
+    return records_trial(f"span_reciprocal_{1 << piece}", "reciprocal_span", arena, ground, lines,
+                         pitch, reciprocals.coordinates, near, title)
 
 
 def span_case(m: int, length: int):
     """A table of lines of one length, by reciprocals."""
-    return row_of_records(length, lambda k, rng: line(k, length, m, rng), partial(span_trial, m.bit_length() - 1))
+    return row_of_records(length, lambda k, rng: line(k, length, m, rng),
+                          partial(span_trial, m.bit_length() - 1))
 
 
 def constants_fields(constants) -> dict:

@@ -1,6 +1,6 @@
 """Calls of the way to the screen: a frame to its planes.
 
-Bench rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
+Rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
 lines of 320, 640 or 1280 dots a field, which takes chip RAM's time: what a frame costs that is
 shown. They last some fields from a field's first line on, so that displayed lines and others are
 in their share but for the last field's.
@@ -58,8 +58,8 @@ def writes_of(planes: planar.Planes, dots: np.ndarray, out: int) -> list[Write]:
 
 def frame_trial(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, arena: Arena,
                 far: Arena, before: bytes, title: str = "") -> Trial:
-    """A frame to planes, pixels in the near arena, planes in the far one, where the block of planes holds
-    ``before``."""
+    """A frame to planes, pixels in the near arena, planes in the far one, where the block of planes
+    holds ``before``."""
     content, first = frame(pixels, pitch, b"\xa5")
     at, out = arena.add(content, 8), far.add(before)
     plan = arena.struct(

@@ -1,5 +1,5 @@
-"""Calls of spans from a page and what the calls of all spans share: tables of lines, what they are drawn on
-and from, and what they show. Bench rows have tables of lines of one length.
+"""Calls of spans from a page, and what the calls of all spans share: tables of lines, what they are
+drawn on and from, what they show. Bench rows have lines of one length.
 """
 
 from collections.abc import Callable
@@ -53,11 +53,12 @@ def line_count(length: int) -> int:
 def table_of(lines: list[dict[str, int]]) -> bytes:
     """A table of struct scanline with the fields given, the others 0."""
     dtype = layout.load().struct("scanline").dtype
-    return np.array([tuple(line.get(name, 0) for name in dtype.names) for line in lines], dtype).tobytes()
+    rows = [tuple(line.get(name, 0) for name in dtype.names) for line in lines]
+    return np.array(rows, dtype).tobytes()
 
 
 def texels(picture: np.ndarray, u, v, dudx: int, dvdx: int, count: int, cut=(0, 0)) -> np.ndarray:
-    """What a line shows of a map that repeats; ``cut``: the last bits of u and v, which are dropped."""
+    """What a line shows of a map that repeats; ``cut``: how many bits of u and v are dropped."""
     n = np.arange(count, dtype=np.int64)
     x, y = (((c >> bits) + n * (step >> bits) << bits) >> 16
             for c, step, bits in zip((u, v), (dudx, dvdx), cut))
@@ -68,9 +69,10 @@ def table_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Ar
                 drawn: Callable[..., np.ndarray], title: str = "", *, upwards: bool = False,
                 used: list[int] | None = None, blocks: dict[str, bytes] = {}, code: bytes | None = None,
                 far: dict[str, int] = {}, **values: int) -> Trial:
-    """One table of lines. ``pitch``: in pixels; ``drawn``: the pixels of a line by its number and the line;
-    ``used``: of each line what is in the room of v--U, where the form has it. The plan has ``values`` and points at ``blocks``
-    and ``far``; ``code`` is what the routine leaves at the end of its plan's, but for 2 bytes."""
+    """One table of lines. ``pitch``: in pixels; ``drawn``: the pixels of a line, of its number and
+    what it has; ``used``: of each line what is in the room of v--U, where the form has some. The plan
+    has ``values`` and points at ``blocks`` and ``far``; ``code`` is what the routine leaves at the end
+    of its plan's, but for 2 bytes."""
     wide, entries, places = ground.picture.itemsize, [], []
     for k, (column, count, u, v) in enumerate(lines):
         entry = pack(form, u, v) | {"left": BIAS + column, "last": BIAS + column + count - 1}
@@ -80,8 +82,10 @@ def table_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Ar
         row = len(lines) - 1 - k if upwards else k
         places.append(ground.frame_at + (row * pitch + column) * wide)
     shapes = layout.load()
-    near = {name: arena.add(content, name=name, shape=shapes.struct(SHAPES[name]) if name in SHAPES else None)
-            for name, content in ({"lines": table_of(entries)} | blocks).items()}
+    near = {}
+    for name, content in ({"lines": table_of(entries)} | blocks).items():
+        shape = shapes.struct(SHAPES[name]) if name in SHAPES else None
+        near[name] = arena.add(content, name=name, shape=shape)
     if code is not None:
         size = shapes.constants["CODE_BYTES"]
         near["code"] = arena.blank(size, "code")
@@ -136,8 +140,8 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
             return np.full(count, colour & (1 << 8 * picture.itemsize) - 1, picture.dtype)
         return texels(picture, u, v, *(own_steps[k] if own_steps else (dudx, dvdx)), count, cut)
 
-    return table_trial(kernel, form, lines, pitch, arena, ground, drawn, title, blocks=blocks, dudx=dudx,
-                       dvdx=dvdx, colour=colour, **more)
+    return table_trial(kernel, form, lines, pitch, arena, ground, drawn, title, blocks=blocks,
+                       dudx=dudx, dvdx=dvdx, colour=colour, **more)
 
 
 def wide_texture(kernel: str) -> np.ndarray:

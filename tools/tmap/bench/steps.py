@@ -96,8 +96,8 @@ def step_down(high: int, dv: int) -> tuple[int, int]:
 
 def map_trial(form: str, start, step, count: int, ground: Ground, title: str = "",
               shades: tuple[np.ndarray, int] | None = None) -> Trial:
-    """Two interpolants over the map, and a third one for its shade. ``start``, ``step``: of u, v and the
-    shade; ``shades``: the table, [shade][texel], and where it is."""
+    """Two interpolants over the map, and a third one for its shade. ``start``, ``step``: of u, v and
+    the shade; ``shades``: the table, [shade][texel], and where it is."""
     (u, v, c), (du, dv, dc) = start, step
     expected = texels(ground.picture, u, v, du, dv, count)
     carried, map_at = v, ground.map_at
@@ -143,9 +143,10 @@ def pixel_case(form: str, count: int):
                      shades=(table, table_at) if count == 3 else None).row(PIXELS)
 
 
-def floor_trial(name: str, far: Arena, source: int, out: int, byte: int, rounds: int, title: str = "") -> Trial:
+def floor_trial(name: str, far: Arena, source: int, out: int, byte: int, rounds: int,
+                title: str = "") -> Trial:
     """Memory alone: a ``byte`` is fetched from ``source``, stored to ``out`` on, or both."""
-    pointers = {"a0": source} if name == "fetch" else {"a0": source, "a1": out} if name == "copy" else {"a1": out}
+    pointers = {"fetch": {"a0": source}, "store": {"a1": out}, "copy": {"a0": source, "a1": out}}[name]
     registers = {"d7": rounds - 1} | ({"d0": byte} if name == "store" else {})
     trial = Trial(Case(f"floor_{name}", registers=registers, far=far, far_pointers=pointers), title)
     if name == "fetch":

@@ -34,11 +34,15 @@ def anything(at: int, size: int) -> Write:
     return Write(at, bytes(size), bytes(size))
 
 
-def fields(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int] = {}) -> list[Write]:
+def fields(at: int, struct: str, numbers: dict[str, int],
+           pointers: dict[str, int] = {}) -> list[Write]:
     """The fields of a struct that get ``numbers``, and ``pointers`` into the near arena."""
-    shape = layout.load().struct(struct).fields
-    return [Write(at + shape[name]["offset"], (value % (1 << 8 * shape[name]["size"])).to_bytes(
-        shape[name]["size"], "big"), pointer=name in pointers) for name, value in (numbers | pointers).items()]
+    shape, writes = layout.load().struct(struct).fields, []
+    for name, value in (numbers | pointers).items():
+        size = shape[name]["size"]
+        writes.append(Write(at + shape[name]["offset"], (value % (1 << 8 * size)).to_bytes(size, "big"),
+                            pointer=name in pointers))
+    return writes
 
 
 def both(value: int, size: int = 4) -> str:
@@ -93,7 +97,8 @@ class Trial:
             for at in offsets:
                 value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
                 expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
-        before, mask, writable = expected.copy(), np.full(len(expected), 255, np.uint8), expected != expected
+        before, mask = expected.copy(), np.full(len(expected), 255, np.uint8)
+        writable = np.zeros(len(expected), bool)
         for write in self.writes:
             if write.far == far:
                 part, wanted = slice(write.at, write.at + len(write.expected)), write.expected

@@ -122,7 +122,8 @@ class Map:
         return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
                          for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
 
-    def decoded(self, struct: str, fraction: int, to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
+    def decoded(self, struct: str, fraction: int,
+                to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
         """The ``struct`` of it: name, values, blocks. ``fraction``: bits of it in coordinates;
         ``to_bytes``: of its quads, or without."""
         rows, columns = self.texels.shape[:2]

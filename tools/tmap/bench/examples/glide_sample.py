@@ -4,12 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, numbered, pair, pairs,
-                                         pixels, some_coordinates, walked, words)
+from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, numbered,
+                                         pair, pairs, pixels, some_coordinates, walked, words)
 
 WRAPPED = 0xFFFF
 EDGES = (0, 1, 15, 16, 0x7FFF, 0x8000, 0xFFFF, 0xFFF0)  # of s and t, 12.4
-SIDE, DECODED = 256, ("glide_decoded", 4)  # columns; struct of a level and coordinates' bits of fraction
+SIDE = 256  # texels, at most
+DECODED = "glide_decoded", 4  # struct of a level, bits of fraction of its coordinates
 
 
 @dataclass

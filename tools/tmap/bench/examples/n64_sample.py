@@ -3,12 +3,13 @@
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, packed, pair, pairs,
-                                         pixels, some_coordinates, walked)
+from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, packed,
+                                         pair, pairs, pixels, some_coordinates, walked)
 from tmap.build import layout
 
 EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
-WIDEST, DECODED = 512, ("n64_decoded", 5)  # columns; struct of a tile and coordinates' bits of fraction
+WIDEST = 512  # texels in a row
+DECODED = "n64_decoded", 5  # struct of a tile, bits of fraction of its coordinates
 
 
 def coordinates(rng, count: int) -> np.ndarray:
@@ -66,7 +67,8 @@ def corners_of(ground: Map, st: np.ndarray) -> np.ndarray:
 def threepoint(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), any_map(rng, WIDEST)
     drawn = filtered(corners_of(ground, st), *(st.T & 31))
-    return Example("n64_threepoint", pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
+    return Example("n64_threepoint", pairs(st), pixels(drawn), count,
+                   *ground.decoded(*DECODED, quad_bytes))
 
 
 def threepoint_16(rng, count: int) -> Example:
