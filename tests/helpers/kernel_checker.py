@@ -6,17 +6,17 @@ stay as it was: the stack pointer, the registers that the block lists neither un
 expect to be written. Each block of memory lies between guards of noise.
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
 from tmap.base.errors import UserError
+from tmap.base.fixed import M32
+from tmap.bench.trial import Trial, both
 from tmap.build import layout
 from tmap.build.contracts import Contract
 from tmap.guest import kernels
-from tmap.guest.kernels import M32
+from tmap.guest.kernels import Place
 
 MACHINE = "a1200-fast"
 GUARD = 64  # bytes before and behind each block, at least
@@ -33,14 +33,6 @@ class Block(NamedTuple):
     size: int
     name: str
     shape: layout.Struct | None
-
-
-class Place(NamedTuple):
-    """What an offset of an arena belongs to: its name, where that begins, its bytes."""
-
-    name: str
-    at: int
-    size: int
 
 
 class Memory(kernels.Arena):
@@ -64,15 +56,9 @@ class Memory(kernels.Arena):
         self.pad(GUARD + -(at + len(content)) % 4)
         return at
 
-    def struct(self, name, pointers, far=None, **values) -> int:
-        at = super().struct(name, pointers, far, **values)
-        self.blocks[-1] = self.blocks[-1]._replace(name=name, shape=layout.load().struct(name))
-        return at
-
-    def room(self, struct: str, count: int = 1, name: str = "") -> int:
-        """Space for ``count`` structs, filled with noise."""
-        shape = layout.load().struct(struct)
-        return self.add(self.noise.bytes(shape.size * count), name=name or struct, shape=shape)
+    def blank(self, size: int, name: str = "data", shape: layout.Struct | None = None) -> int:
+        """The same of noise."""
+        return self.add(self.noise.bytes(size), name=name, shape=shape)
 
     def place(self, offset: int) -> Place:
         """What lies at an offset."""
@@ -98,73 +84,6 @@ class Memory(kernels.Arena):
             return Place(f"{block.name}.{name}[{number}]", block.at + start + number * size, size)
         which = f"[{index}]" if block.size > block.shape.size else ""
         return Place(f"{block.name}{which}.{name}", block.at + start, entry["size"])
-
-
-class Write(NamedTuple):
-    """Bytes that the call writes; ``mask`` has the bits that count (all without one)."""
-
-    at: int
-    expected: bytes
-    mask: bytes | None = None
-    far: bool = False
-
-
-@dataclass
-class Trial:
-    """One call and what must come out of it.
-
-    ``outputs``, ``ends``: ``out`` registers, as values and as offsets of the far
-    arena. ``where`` names an offset (of the far arena where its second argument is
-    true) better than the arena can. ``also`` is one more check: an error text, or None.
-    """
-
-    case: kernels.Case
-    title: str
-    outputs: dict[str, int] = field(default_factory=dict)
-    ends: dict[str, int] = field(default_factory=dict)
-    writes: list[Write] = field(default_factory=list)
-    where: Callable[[int, bool], str | None] | None = None
-    also: Callable[[kernels.Result], str | None] | None = None
-
-
-def both(value: int, size: int = 4) -> str:
-    """A number in hexadecimal and, with its sign, in decimal."""
-    bits = 8 * size
-    value &= (1 << bits) - 1
-    signed = value - (value >> bits - 1 << bits) if size > 1 else value
-    return f"${value:0{2 * size}x} ({signed})"
-
-
-def values(**named: int) -> str:
-    """Numbers by name, for a title."""
-    return ", ".join(f"{name} {both(value)}" for name, value in named.items())
-
-
-def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
-                 name: str = ""):
-    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
-    offsets into the arena."""
-    shape = layout.load().struct(struct)
-    writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
-                    bytes(shape.fields[f]["size"])) for f in numbers | pointers]
-
-    def check(result: kernels.Result) -> str | None:
-        for field, wanted in [*numbers.items(), *pointers.items()]:
-            entry = shape.fields[field]
-            place = at + entry["offset"]
-            found = int.from_bytes(result.memory[place:place + entry["size"]], "big")
-            wanted += result.address if field in pointers else 0
-            if (found - wanted) % (1 << 8 * entry["size"]):
-                return (f"{name or struct}.{field}: expected {both(wanted, entry['size'])}, "
-                        f"found {both(found, entry['size'])}")
-        return None
-
-    return writes, check
-
-
-def first_of(checks):
-    """One check out of several: what the first that fails says."""
-    return lambda result: next(filter(None, (check(result) for check in checks)), None)
 
 
 def register_complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
@@ -193,51 +112,10 @@ def register_complaints(trial: Trial, result: kernels.Result, contract: Contract
     return lines
 
 
-def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | None:
-    """The first byte of one arena that is not what it must be, in words."""
-    arena = trial.case.far if far else trial.case.arena
-    found = np.frombuffer(result.far_memory if far else result.memory, np.uint8)
-    expected = np.frombuffer(arena.image, np.uint8).copy()
-    for offsets, address in ((arena.pointers, result.address),
-                             (arena.far_pointers, result.far_address)):
-        for at in offsets:
-            value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
-            expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
-    before, writes = expected.copy(), [w for w in trial.writes if w.far == far]
-    for write in writes:  # bits that do not count are right as they are
-        part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
-        expected[part] = np.frombuffer(wanted, np.uint8)
-        if write.mask:
-            expected[part] ^= (expected[part] ^ found[part]) & ~np.frombuffer(write.mask, np.uint8)
-    if np.array_equal(found, expected):
-        return None
-    mask, writable = np.full(len(expected), 255, np.uint8), np.zeros(len(expected), bool)
-    for write in writes:
-        part = slice(write.at, write.at + len(write.expected))
-        writable[part] = True
-        mask[part] = np.frombuffer(write.mask, np.uint8) if write.mask else 255
-    wrong = np.flatnonzero(found != expected)
-    at = int(wrong[0])
-    place = arena.place(at) if isinstance(arena, Memory) else Place(f"offset {at}", at, 1)
-    better = trial.where(at, far) if trial.where else None
-    if better:
-        place = place._replace(name=better)
-
-    def shown(memory: np.ndarray, is_masked: bool = True) -> str:
-        part = slice(place.at, place.at + place.size)
-        content = memory[part] & mask[part] if is_masked else memory[part]
-        return both(int.from_bytes(content.tobytes(), "big"), place.size)
-
-    if writable[at]:
-        return f"{place.name}: expected {shown(expected)}, found {shown(found)}"
-    return (f"{place.name} is written, and the block does not say so: "
-            f"was {shown(before, False)}, is {shown(found, False)}")
-
-
 def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
     """All that is wrong with what one call left."""
     lines = register_complaints(trial, result, contract)
-    lines += filter(None, (memory_complaint(trial, result, far) for far in (False, True)))
+    lines += filter(None, (trial.memory_complaint(result, far) for far in (False, True)))
     also = trial.also(result) if trial.also else None
     return lines + [also] if also else lines
 

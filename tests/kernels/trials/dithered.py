@@ -1,15 +1,16 @@
 """Trials of the dithered spans: every pixel against the texel at its moved u and v."""
 
+from functools import partial
+
 import numpy as np
 
-from tests.helpers.kernel_checker import Trial
-from tests.kernels.trials.span import (LONG_WIDE, SHORT, TURN, Ground, picture_memory,
-                                       random_starts, steps_of, steps_text, table_trial, texels)
+from tests.kernels.trials.span import (LONG_WIDE, SHORT, TURN, picture_ground, random_starts,
+                                       steps_of, steps_text, table_trial)
 from tests.kernels.trials.wide import ground as wide_ground
-from tmap.guest.kernels import M32
-from tmap.setup.dithered import EIGHTH, MOVES
-
-MOST = int(MOVES.max()) * EIGHTH
+from tmap.base.fixed import M32
+from tmap.bench.dithered import MOST, dithered_trial
+from tmap.bench.spans import Ground
+from tmap.bench.trial import Trial
 
 
 def within(v: int, count: int, dvdx: int, rng) -> tuple[int, int]:
@@ -31,27 +32,16 @@ def trial(kernel: str, dudx: int, dvdx: int, size, rng, upwards: bool, on: Groun
         if not kernel.endswith("_wrap"):
             v, count = within(v, count, dvdx, rng)
         starts.append((count, u, v - MOST & M32 if kernel.endswith("_wrap") else v - MOST))
-
-    longest = max(count for count, *_ in starts)
-    steps = np.array([[dudx], [dvdx]]) * np.arange(longest)
-    moves = np.tile(MOVES.transpose(0, 2, 1) * EIGHTH + MOST, longest // 2 + 2)  # [line][u or v][x]
-
-    def drawn(count: int, u: int, v: int, x: int, line: int) -> bytes:
-        moved = moves[line + odd & 1, :, x & 1:(x & 1) + count]
-        places = np.array([[u], [v]]) + steps[:, :count] + moved & M32
-        return on.texels(*places, 0, 0, count).tobytes()
-
-    return table_trial(
-        kernel, "addx", starts, pitch, rng, upwards, (on.memory, on.frame_at, on.map_at), drawn,
-        steps_text(dudx, dvdx) + f", first line {odd}",
-        wide=on.pixel_bytes, placed=True, dudx=dudx, dvdx=dvdx, odd=odd)
+    return table_trial(partial(dithered_trial, kernel), starts, pitch, rng, upwards,
+                       steps_text(dudx, dvdx) + f", first line {odd}", ground=on, dudx=dudx,
+                       dvdx=dvdx, odd=odd)
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     made = []
     for wide in (1, 2, 4):
-        on = Ground(*picture_memory(), texels) if wide == 1 else wide_ground(wide)
+        on = picture_ground() if wide == 1 else wide_ground(wide)
         name = "span_dithered" + (f"_{8 * wide}" if wide > 1 else "")
         for kernel in (name, f"{name}_wrap"):
             rng = np.random.default_rng([12, wide, kernel.endswith("_wrap")])

@@ -2,45 +2,29 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, values
-from tmap.base.fixed import signed
+from tests.helpers.kernel_checker import Memory
+from tmap.base.fixed import ONE, signed
+from tmap.bench import edges
+from tmap.bench.edges import table_writes
+from tmap.bench.spans import BIAS, table_of
+from tmap.bench.trial import Trial, values
 from tmap.build import layout
-from tmap.guest.kernels import M32, Case
-from tmap.setup.scanline import MASKS, pack, rounded_edge
+from tmap.guest.kernels import Case
+from tmap.setup.scanline import pack, rounded_edge
 
-BIAS = 16384
-ONE = 65536
 SLOPES = (0, 1, -1, ONE, -ONE, 3 * ONE, -5 * ONE, ONE + 1, -ONE - 1, ONE - 1, 1 - ONE, 0x8000,
           -0x8000, 0x18000, -0x18000, 1000 * ONE, -1000 * ONE, 1000 * ONE + 1, -1000 * ONE - 1)
 #: Lines of each edge, left and right.
 SPLITS = (((1,), (1,)), ((9,), (9,)), ((3, 1, 5), (9,)), ((9,), (4, 5)), ((1, 1, 1, 1), (2, 2)),
           ((2, 7), (7, 2)), ((40,), (13, 27)), ((5, 6, 7, 8, 9, 10), (45,)), ((1, 63), (64,)))
 STEPS = (0, 1, -1, 256, ONE, -ONE, 0x18000, -0x18000, 0x7FFFFFFF, -0x80000000)
-#: How each stepper packs u and v.
-FORMS = {"addx": "addx", "plain": "plain", "swap": "plain", "flat": "flat", "right": "flat"}
 #: Lines of a table behind the last one in use: nobody may touch them.
 SPARE = 2
 
 
-def table_writes(at: int, lines: list[dict[str, int]], form: str = "flat") -> list[Write]:
-    """The fields that lines of a table get."""
-    masks = MASKS[form]
-    shape = layout.load().struct("scanline")
-    writes = []
-    for index, line in enumerate(lines):
-        for name, value in line.items():
-            entry = shape.fields[name]
-            size = entry["size"]
-            mask = masks.get(name, M32) & (1 << 8 * size) - 1
-            writes.append(Write(at + index * shape.size + entry["offset"],
-                                (value & (1 << 8 * size) - 1).to_bytes(size, "big"),
-                                mask.to_bytes(size, "big")))
-    return writes
-
-
 def side(rng, split: tuple[int, ...], slope: int | None, exact: bool) -> list[dict[str, int]]:
     """Edges whose x stays within the frame's range; the slope, or any."""
-    edges = []
+    made = []
     for lines in split:
         k = slope if slope is not None else \
             int(rng.choice(SLOPES)) if rng.integers(2) else int(rng.integers(-300 * ONE, 300 * ONE))
@@ -61,59 +45,19 @@ def side(rng, split: tuple[int, ...], slope: int | None, exact: bool) -> list[di
             part = int(rng.choice((0, height - 1, rng.integers(0, height))))
             error = (1 << 32) - int(rng.choice((1, height, rng.integers(1, height + 1))))
             edge |= dict(height=height, part=part, error=error)
-        edges.append(edge)
-    return edges
-
-
-def edge_columns(edge: dict[str, int]) -> list[int]:
-    """The first pixel right of an edge on each line, biased."""
-    if edge["height"]:  # how far x lies below its ceil, in 1/height
-        below = (1 << 32) - 1 - edge["error"]
-        moved = [-((below - n * edge["part"]) // edge["height"]) for n in range(edge["lines"])]
-    else:
-        moved = [edge["error"] + n * edge["part"] >> 32 for n in range(edge["lines"])]
-    return [edge["x"] + n * edge["whole"] + more for n, more in enumerate(moved)]
-
-
-def columns(edges: list[dict[str, int]]) -> list[int]:
-    """The same of a whole side."""
-    return [x for edge in edges for x in edge_columns(edge)]
-
-
-def starts(edges, form: str, dudx: int, dvdx: int) -> list[dict[str, int]]:
-    """The packed u and v of each line."""
-    found = []
-    for e in edges:
-        for n, x in enumerate(edge_columns(e)):
-            more = x - e["x"] - n * e["whole"]
-            found.append(pack(form, e["u"] + n * e["du"] + more * dudx,
-                              e["v"] + n * e["dv"] + more * dvdx))
-    return found
+        made.append(edge)
+    return made
 
 
 def edge_trial(kernel: str, lefts, rights, steps: dict[str, int], rng) -> Trial:
     """One call of an edge routine."""
-    memory = Memory(int(rng.integers(1 << 30)))
-    edge = layout.load().struct("edge")
-    left, right = columns(lefts), columns(rights)
-    table = memory.room("scanline", len(left) + SPARE, "lines")
-    places = [memory.add(b"".join(edge.pack(**e) for e in edges), name=name, shape=edge)
-              for name, edges in (("left", lefts), ("right", rights))]
-    plan = memory.struct("edge_plan", dict(lines=table, left=places[0], right=places[1]),
-                         lefts=len(lefts), rights=len(rights), **steps)
-    form = FORMS[kernel.split("_")[1]]
-    lines = [{"left": a, "last": b - 1} | start
-             for a, b, start in zip(left, right, starts(lefts, form, **steps))]
-    if kernel.startswith("edge_right"):
-        lines = [{"last": line["last"]} for line in lines]
-    register = "a6" if kernel.startswith("edge_right") else "a0"
     sides = "; ".join(
         f"{name} " + ", ".join(f"{e['lines']} lines: " + values(
             **{k: e[k] for k in ("x", "whole", "error", "part", "height", "u", "v", "du", "dv")
-               [:9 if name == "left" else 5]}) for e in edges)
-        for name, edges in (("left", lefts), ("right", rights)))
-    return Trial(Case(kernel, memory, pointers={register: plan}), f"{sides}; {values(**steps)}",
-                 writes=table_writes(table, lines, form))
+               [:9 if name == "left" else 5]}) for e in some)
+        for name, some in (("left", lefts), ("right", rights)))
+    return edges.edge_trial(kernel, Memory(int(rng.integers(1 << 30))), lefts, rights, steps,
+                            f"{sides}; {values(**steps)}", SPARE)
 
 
 def edge_trials(kernel: str, rng) -> list[Trial]:
@@ -146,20 +90,18 @@ def scissor_trial(kernel: str, width: int, dudx: int, dvdx: int, rng) -> Trial:
     pairs = sorted(pairs)
     memory = Memory(int(rng.integers(1 << 30)))
     shape = layout.load().struct("scanline")
-    table = np.zeros(len(pairs), shape.dtype)
-    lines, before = [], []
-    for index, (left, right) in enumerate(pairs):
+    table, lines, before = [], [], []
+    for left, right in pairs:
         u, v = (int(n) for n in rng.integers(0, 1 << 32, 2))
         packed = pack(form, u, v)
         if form == "addx":  # room in v--U, used by additions before
             packed["start2"] |= int(rng.integers(0, 0x8000)) << 8
-        for field, value in (packed | {"left": left, "last": signed(right - 1, 16)}).items():
-            table[index][field] = value
+        table.append(packed | {"left": left, "last": signed(right - 1, 16)})
         before.append(f"(from column {left - BIAS} to {right - BIAS}, {values(u=u, v=v)})")
         first, end = max(left, BIAS), min(right, BIAS + width)
         lines.append({"left": first, "last": end - 1} | pack(
             form, u + (first - left) * dudx, v + (first - left) * dvdx))
-    at = memory.add(table.tobytes(), name="lines", shape=shape)
+    at = memory.add(table_of(table), name="lines", shape=shape)
     plan = memory.struct("scissor_plan", dict(lines=at), count=len(lines), width=width,
                          dudx=dudx, dvdx=dvdx)
     # A line with nothing left may hold anything that is empty to a span routine.

@@ -1,55 +1,48 @@
 """Trials of the lit spans and of edge_shade."""
 
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, values
-from tests.kernels.trials.edge import BIAS, ONE
-from tests.kernels.trials.scanline import held, table_of, table_write
-from tests.kernels.trials.span import (FRAME, LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, once_wrapping,
-                                       random_starts, sizes, steps_text, table_trial, texels,
+from tests.helpers.kernel_checker import Memory
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of,
+                                       once_wrapping, random_starts, sizes, steps_text, table_trial,
                                        texture)
-from tmap.base.fixed import signed
+from tmap.base.fixed import ONE, signed
+from tmap.bench import effects
+from tmap.bench.effects import LEVELS
+from tmap.bench.spans import BIAS, Ground
+from tmap.bench.trial import Trial, values
 from tmap.build import layout
-from tmap.guest.kernels import M32, Case
-from tmap.setup.scanline import pack_shade
+from tmap.guest.kernels import M32
 
-LEVELS = 64
 FALLS = layout.load().constants["SHADE_FALLS"]
 
 
 @cache
-def lit_memory() -> tuple[Memory, int, int, int, np.ndarray]:
-    """A far arena, where its frame, its map and its light table begin, and that table. It is
-    the second quarter of a page."""
-    memory = Memory(8)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    map_at = memory.add(texture().tobytes(), MAP_ALIGN, "map")
+def lit_ground() -> tuple[Ground, np.ndarray, int]:
+    """What lit spans are drawn on and from, and their light table, the second quarter of a page."""
+    ground = ground_of(8, texture().tobytes(), texture())
     table = np.random.default_rng(9).integers(0, 256, (LEVELS, 256), dtype=np.uint8)
-    page = memory.add(memory.noise.bytes(table.size) + table.tobytes(), MAP_ALIGN, "light")
-    return memory, frame, map_at, page + table.size, table
+    noise = ground.arena.noise.bytes(table.size)
+    return ground, table, ground.arena.add(noise + table.tobytes(), MAP_ALIGN, "light") + table.size
 
 
 def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:
     """One table at one level."""
-    *far, light_at, table = lit_memory()
+    ground, light, light_at = lit_ground()
     (counts, pitch), level = size, int(rng.integers(LEVELS))
     starts = random_starts(counts, rng)
     if kernel in ("span_lit", "span_lit_short"):
         starts = [once_wrapping(*start, *steps, rng) for start in starts]
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return table[level, texels(u, v, *steps, count)].tobytes()
-
-    return table_trial(kernel, "addx", starts, pitch, rng, upwards, tuple(far), drawn,
-                       f"level {level}, {steps_text(*steps)}", light_at=light_at + 256 * level,
-                       dudx=steps[0], dvdx=steps[1])
+    return table_trial(partial(effects.lit_trial, kernel), starts, pitch, rng, upwards,
+                       f"level {level}, {steps_text(*steps)}", ground=ground, light=light,
+                       light_at=light_at, level=level, dudx=steps[0], dvdx=steps[1])
 
 
 def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
     """One table, each pixel at its level."""
-    *far, light_at, table = lit_memory()
+    ground, light, light_at = lit_ground()
     (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
     for count, u, v in random_starts(counts, rng):
         if step:
@@ -58,17 +51,11 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
         low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
         shades.append((low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))])
         starts.append((count, u, v))
-    level = {start: shade for start, shade in zip(starts, shades)}
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        rows = level[count, u, v] + np.arange(count, dtype=np.int64) * step >> 16
-        return table[rows, texels(u, v, *steps, count)].tobytes()
-
     added = (light_at & 0xFFFF) + FALLS * (signed(steps[1], 24) < 0)
-    return table_trial("span_lit_gouraud", "addx", starts, pitch, rng, upwards, tuple(far), drawn,
-                       f"{values(dcdx=dcdx)}, {steps_text(*steps)}", light_at=light_at,
-                       shades=[pack_shade(shade, added) for shade in shades], dudx=steps[0],
-                       dvdx=steps[1], dcdx=dcdx)
+    return table_trial(partial(effects.lit_trial, "span_lit_gouraud"), starts, pitch, rng, upwards,
+                       f"{values(dcdx=dcdx)}, {steps_text(*steps)}", ground=ground, light=light,
+                       light_at=light_at, shades=shades, added=added, dudx=steps[0], dvdx=steps[1],
+                       dcdx=dcdx)
 
 
 def pairs_of(rng) -> list[tuple[int, int]]:
@@ -113,29 +100,10 @@ def shade_trial(rng, most: int, inside: bool) -> Trial:
     if rng.integers(8) == 0:
         dcdx = int(rng.integers(-1 << 31, 1 << 31)) & ~3
     shade = (int(rng.integers(low, high + 1)) & ~3) - dcdx * lefts[0] & M32
-    longest, limited = max(max(counts), 1) - 1, dcdx
-    if longest and not inside:
-        largest = (high - low) // longest & ~3
-        limited = min(max(dcdx, -largest), largest)
     added = int(rng.choice((0, FALLS))) + (int(rng.integers(0, 193)) << 8)
-    memory = Memory(int(rng.integers(1 << 30)))
-    at = memory.add(table_of([{"left": left, "last": left + count - 1}
-                              for left, count in zip(lefts, counts)]), name="lines",
-                    shape=layout.load().struct("scanline"))
-    shades_at = memory.add(memory.noise.bytes(4 * len(counts)), name="shades")
-    plan = memory.struct("shade_plan", dict(lines=at, shades=shades_at), count=len(counts),
-                         added=added, shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high,
-                         inside=int(inside))
-    writes = [table_write(plan + layout.load().struct("shade_plan").fields["dcdx"]["offset"],
-                          limited)]
-    for k, (left, count) in enumerate(zip(lefts, counts)):
-        start = signed(shade + k * dcdy + left * dcdx)
-        if count > 0 or inside:
-            kept = start if inside else held(start, limited, count, low, high)
-            writes.append(table_write(shades_at + 4 * k, pack_shade(kept, added)))
-    return Trial(Case("edge_shade", memory, pointers={"a0": plan}),
-                 values(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added),
-                 writes=writes)
+    plan = dict(shade=shade, dcdx=dcdx, dcdy=dcdy, low=low, high=high, added=added)
+    return effects.shade_trial(Memory(int(rng.integers(1 << 30))), list(zip(lefts, counts)),
+                               values(**plan), inside=int(inside), **plan)
 
 
 def trials() -> list[Trial]:

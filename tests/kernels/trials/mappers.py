@@ -4,11 +4,13 @@ from functools import cache, partial
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial
-from tests.kernels.trials.edge import ONE
-from tests.kernels.trials.span import (FRAME, LONG, PAIRS, SHORT, STEPS, picture_memory,
-                                       random_starts, sizes, steps_text, table_trial, texture)
-from tmap.setup import spans
+from tests.kernels.trials.span import (LONG, MAP_ALIGN, PAIRS, SHORT, STEPS, ground_of,
+                                       picture_ground, random_starts, sizes, steps_of, steps_text,
+                                       table_trial, texture)
+from tmap.base.fixed import ONE
+from tmap.bench.mappers import mapper_trial, with_margins
+from tmap.bench.spans import Ground
+from tmap.bench.trial import Trial
 
 #: Maps of any size: columns, rows.
 SIZES = (1, 1), (1, 7), (7, 1), (3, 5), (100, 37), (255, 257), (320, 200), (1024, 1024)
@@ -23,22 +25,16 @@ SMALL = ((1, 0), (0, -1), (ONE, ONE), (-ONE, ONE), (-ONE, -ONE), (0x18000, 0x140
 
 
 @cache
-def any_map(columns: int, rows: int) -> tuple[Memory, int, int, np.ndarray]:
-    """A far arena with a frame and a map at an odd address."""
-    memory = Memory(columns + rows)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+def any_map(columns: int, rows: int) -> Ground:
+    """A frame and a map at an odd address."""
     picture = np.random.default_rng(rows).integers(0, 256, (rows, columns), dtype=np.uint8)
-    return memory, frame, memory.add(b"\x5c" + picture.tobytes(), name="map") + 1, picture
+    return ground_of(columns + rows, b"\x5c" + picture.tobytes(), picture, 1, 4)
 
 
 @cache
-def margins_memory() -> tuple[Memory, int, int]:
-    """A far arena with a frame and a map between margins: a page's halves once more."""
-    memory = Memory(5)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    page = texture().tobytes()
-    at = memory.add(bytes(32768) + page[32768:] + page + page[:32768], 65536, "map")
-    return memory, frame, at + 65536
+def margins_ground() -> Ground:
+    """A frame and a map between margins: a page's halves once more."""
+    return ground_of(5, with_margins(texture()), texture(), MAP_ALIGN)
 
 
 def fitting(count: int, size: tuple[int, int], steps: tuple[int, int], rng):
@@ -56,18 +52,11 @@ def fitting(count: int, size: tuple[int, int], steps: tuple[int, int], rng):
 
 def arbitrary_trial(size: tuple[int, int], steps: tuple[int, int], counts, rng, upwards) -> Trial:
     """One table from a map of any size."""
-    *far, picture = any_map(*size)
     (dudx, dvdx), (counts, pitch) = steps, counts
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        n = np.arange(count, dtype=np.int64)
-        return picture[(v + n * dvdx) >> 16, (u + n * dudx) >> 16].tobytes()
-
     starts = [fitting(count, size, steps, rng) for count in counts for _ in range(4)]
-    return table_trial(
-        "span_arbitrary", "plain", starts, pitch, rng, upwards, far, drawn,
-        f"map {size[0]}x{size[1]}, {steps_text(dudx, dvdx)}", dudx=dudx, dvdx=dvdx,
-        map_width=size[0], map_height=size[1])
+    return table_trial(partial(mapper_trial, "span_arbitrary"), starts, pitch, rng, upwards,
+                       f"map {size[0]}x{size[1]}, {steps_text(dudx, dvdx)}", ground=any_map(*size),
+                       dudx=dudx, dvdx=dvdx, map_width=size[0], map_height=size[1])
 
 
 def arbitrary_trials(rng) -> list[Trial]:
@@ -91,12 +80,8 @@ def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
     reduced = abs((step + (128 << 16)) % (256 << 16) - (128 << 16)) / ONE
     longest = int(64000 / reduced) if reduced else 64000
     starts = [(min(count, longest), u, v) for count, u, v in random_starts(counts, rng)]
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return ((u + np.arange(count, dtype=np.int64) * step) >> 16 & 255).astype(np.uint8).tobytes()
-
-    return table_trial(kernel, "plain", starts, pitch, rng, upwards, picture_memory(), drawn,
-                       steps_text(step, 0), dudx=step, dvdx=int(rng.integers(1 << 31)))
+    return table_trial(partial(mapper_trial, kernel), starts, pitch, rng, upwards, steps_text(step, 0),
+                       ground=picture_ground(), dudx=step, dvdx=int(rng.integers(1 << 31)))
 
 
 def gouraud_trials(kernel: str, rng) -> list[Trial]:
@@ -110,25 +95,13 @@ def gouraud_trials(kernel: str, rng) -> list[Trial]:
 def generated_trial(dudx: int, dvdx: int, size, rng, upwards: bool) -> Trial:
     """One table drawn by generated code; the code itself is compared too."""
     counts, pitch = size
-    far = margins_memory()
-    lying = np.frombuffer(bytes(far[0].data), np.uint8)
-    starts = random_starts(counts, rng)
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return lying[far[2] + spans.texel_generated(u, v, dudx, dvdx, count)].tobytes()
-
-    offsets = spans.generated_offsets(dudx, dvdx, -(-max(0, *counts) // 8) * 8)
-    code = b"".join(b"\x13\x2a" + int(o & 0xFFFF).to_bytes(2, "big") for o in offsets[::-1])
-    return table_trial("span_generated", "plain", starts, pitch, rng, upwards, far, drawn,
-                       steps_text(dudx, dvdx), code + b"\x4e\xd3" if len(offsets) else b"",
-                       dudx=dudx, dvdx=dvdx)
+    return table_trial(partial(mapper_trial, "span_generated"), random_starts(counts, rng), pitch,
+                       rng, upwards, steps_text(dudx, dvdx), ground=margins_ground(), dudx=dudx, dvdx=dvdx)
 
 
 def generated_trials(rng) -> list[Trial]:
     """Steps of all kinds, on short and on long lines, and a table without a pixel."""
-    steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
-    steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(12)]
-    steps += [tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)) for _ in range(8)]
+    steps = steps_of(rng)
     long_steps = [*PAIRS, *(steps[k] for k in rng.choice(len(steps), 16, replace=False))]
     tables = (((0, -1, -16), 128), [(0, ONE)]), (SHORT, steps), (LONG, long_steps)
     return [generated_trial(*pair, size, rng, k % 8 == 7)

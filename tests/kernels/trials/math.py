@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, values
+from tests.helpers.kernel_checker import Memory
+from tmap.bench.trial import Trial, values
 from tmap.guest.kernels import M32, Case
 
 MIN, MAX = -(1 << 31), (1 << 31) - 1

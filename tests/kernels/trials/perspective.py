@@ -4,19 +4,18 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
+from tests.kernels.trials.reciprocal import COUNTS, PITCH
+from tests.kernels.trials.span import picture_ground
 from tmap.base.fixed import signed
 from tmap.bench import perspective
+from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
-from tmap.setup.scanline import pack
 
 M64 = (1 << 64) - 1
-PITCH = 1152
-CURVES = model.CURVES
 #: Depths of a line's ends: q in the polygon's scale.
 Q_ENDS = ((1 << 30, 1 << 30), (1 << 30, 1 << 29), (1 << 28, 1 << 30), (1 << 30, (1 << 30) // 100),
           ((1 << 30) // 1000, 1 << 30), (256, 1 << 30), (1 << 30, 256), (257, 256), (256, 256),
@@ -90,99 +89,39 @@ def any_perspective(rng) -> model.Perspective:
                              tuple(abs(any_size(rng, reach)) for _ in "uv"))
 
 
-def lines_trial(setting: str, rng) -> Trial:
-    """Some lines, empty ones and single pixels among them."""
-    count, deep = int(rng.integers(1, 8)), any_perspective(rng)
-    memory, shapes = Memory(), layout.load()
-    entry, shape = shapes.struct("scanline"), shapes.struct("perspective_line")
-    out = memory.room("perspective_line", count)
-    table, parts = b"", []
+def lines_and_planes(pixels, rng) -> tuple[list[tuple[int, int, int]], model.Perspective]:
+    """Up to 7 lines (left, right, y), each of some of these pixels, and planes."""
+    count, deep, lines = int(rng.integers(1, 8)), any_perspective(rng), []
     for k in range(count):
         left = deep.i + int(rng.integers(0, 900))
-        pixels = int(rng.choice((0, -5, 1, 2, 3, 4, 17, 33, 300)))
-        table += entry.pack(left=left + BIAS, last=left + pixels - 1 + BIAS, start0=0, start1=0,
-                            start2=0)
-        wanted = {"n": pixels - 1, "left": left + BIAS}
-        if pixels > 0:
-            line = model.ends(deep, left, left + pixels, k)
-            wanted = shape.unpack(perspective.entry(line, setting))
-            if pixels == 1:
-                wanted = {field: wanted[field] for field in ("left", "n", "u", "v")}
-            elif setting not in CURVES:
-                wanted = {f: n for f, n in wanted.items() if f not in perspective.ENOUGH}
-            elif setting == "fine":  # no piece is so long
-                del wanted["enough32"]
-        parts.append(fields_check(out + k * shape.size, "perspective_line", wanted, {}, f"line {k}"))
-    writes = [write for part in parts for write in part[0]]
-    if setting == "fine":
-        field = shape.fields["enough32"]["offset"]
-        writes += [Write(out + k * shape.size + field, bytes(4), bytes(4)) for k in range(count)]
-    at = perspective.plan_of(memory, deep, setting, count, dict(
-        lines=memory.add(table, name="lines", shape=entry), to=out))
-    return Trial(Case("perspective_lines", memory, pointers={"a0": at}),
-                 f"{setting}, {count} lines, {deep}", writes=writes,
-                 also=first_of([part[1] for part in parts]))
+        lines.append((left, left + int(rng.choice(pixels)), k))
+    return lines, deep
+
+
+def lines_trial(setting: str, rng) -> Trial:
+    """Some lines, empty ones and single pixels among them."""
+    lines, deep = lines_and_planes((0, -5, 1, 2, 3, 4, 17, 33, 300), rng)
+    return perspective.lines_trial(setting, Memory(), deep, lines,
+                                   f"{setting}, {len(lines)} lines, {deep}")
 
 
 def level_trial(rng) -> Trial:
     """Lines of which only the first pixel's q counts."""
-    count, deep = int(rng.integers(1, 8)), any_perspective(rng)
-    memory, shapes = Memory(), layout.load()
-    entry = shapes.struct("scanline")
-    rows, parts = [], []
-    out = memory.room("scanline_step", count)
-    for k in range(count):
-        left, pixels = deep.i + int(rng.integers(0, 900)), int(rng.choice((0, -5, 1, 2, 300)))
-        rows.append((left, pixels))
-    table = b"".join(entry.pack(left=left + BIAS, last=left + pixels - 1 + BIAS, start0=0, start1=0,
-                                start2=0) for left, pixels in rows)
-    lines = memory.add(table, name="lines", shape=entry)
-    for k, (left, pixels) in enumerate(rows):
-        if pixels > 0:
-            u, v = (c.tolist() for c in model.level(deep, left, left + 2, k))
-            parts.append(fields_check(lines + k * entry.size, "scanline", pack("addx", u[0], v[0]), {},
-                                      f"line {k}"))
-            parts.append(fields_check(out + 8 * k, "scanline_step",
-                                      {"dudx": signed(u[1] - u[0]), "dvdx": signed(v[1] - v[0])}, {},
-                                      f"step {k}"))
-    at = perspective.plan_of(memory, deep, "every16", count, dict(lines=lines, to=out))
-    return Trial(Case("level_lines", memory, pointers={"a0": at, "a1": out}),
-                 f"{count} lines, {deep}", writes=[w for part in parts for w in part[0]],
-                 also=first_of([part[1] for part in parts]))
+    lines, deep = lines_and_planes((0, -5, 1, 2, 300), rng)
+    return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
-def span_trial(setting: str, counts, ends, reach: int, rng) -> Trial:
+def span_trial(setting: str, ends, reach: int, rng) -> Trial:
     """A table of lines between ends of such depths."""
-    far, frame_at, map_at = picture_memory()
-    memory = Memory(int(rng.integers(1 << 30)))
-    shape = layout.load().struct("perspective_line")
-    table, writes = b"", []
-    for k, pixels in enumerate(counts):
-        left = k % 4
-        line = model.Ends(left, pixels - 1, any_size(rng, 31) & M32, any_size(rng, 31) & M32)
+    memory, lines = Memory(int(rng.integers(1 << 30))), []
+    for k, pixels in enumerate(COUNTS):
+        line = model.Ends(k % 4, pixels - 1, any_size(rng, 31) & M32, any_size(rng, 31) & M32)
         if pixels > 1:
             line.du, line.dv = any_size(rng, reach), any_size(rng, reach)
             line.first, line.last = model.weights(*ends, line.n)
-        if pixels > 0:
-            table += perspective.entry(line, setting)
-            u, v = model.coordinates(line, setting)
-            writes.append(Write(frame_at + 64 + k * PITCH + left,
-                                texture()[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-        else:
-            table += shape.pack(**dict.fromkeys(shape.fields, 0) | {"n": pixels - 1})
-    at = memory.struct("perspective_span", dict(lines=memory.add(table, name="lines", shape=shape)),
-                       dict(row=frame_at + 64 - BIAS, map=map_at), count=len(counts), pitch=PITCH,
-                       longest=model.way(setting).piece)
-    kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
-    return Trial(Case(kernel, memory, pointers={"a0": at}, far=far),
-                 f"{setting}, q {ends}, {reach} bits of u and v", writes=writes)
-
-
-def span_trials(settings, rng) -> list[Trial]:
-    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
-    lines = FRAME // PITCH - 1
-    return [span_trial(setting, counts[:lines], ends, reach, rng) for setting in settings
-            for ends in Q_ENDS for reach in (31, 24, 20, 12)]
+        lines.append(line if pixels > 0 else line.n)
+    return perspective.span_trial(setting, memory, picture_ground(), lines, PITCH,
+                                  f"{setting}, q {ends}, {reach} bits of u and v")
 
 
 def trials() -> list[Trial]:
@@ -192,4 +131,5 @@ def trials() -> list[Trial]:
     return [*(planes_trial(rng) for _ in range(120)),
             *(level_trial(rng) for _ in range(60)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
-            *span_trials(every[:2], rng), *span_trials(every[2:], rng)]
+            *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
+              for reach in (31, 24, 20, 12))]

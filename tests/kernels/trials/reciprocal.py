@@ -1,14 +1,16 @@
 """Trials of perspective by a table of reciprocals: constants, lines and spans against the
 model, and what the table costs in precision against exact fractions."""
 
+from collections.abc import Callable
 from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, fields_check, first_of
-from tests.kernels.trials.span import BIAS, FRAME, picture_memory, texture
-from tmap.base.fixed import signed
+from tests.helpers.kernel_checker import Memory
+from tests.kernels.trials.span import FRAME, picture_ground
+from tmap.base.fixed import M32, signed
 from tmap.bench import perspective as bench_perspective, reciprocal
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import reciprocal as model
@@ -17,6 +19,9 @@ from tmap.setup.perspective import perspective
 
 WIDTH, HEIGHT = 320, 200
 PITCH = 1152
+#: Pixels of a table's lines, as many as a frame has room for.
+COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320,
+          1024][:FRAME // PITCH - 1]
 STATED = 2048  # a texel in 32
 DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 
@@ -48,33 +53,25 @@ def triangles(rng, count: int):
             yield deep, right - left, lines
 
 
-def constants_of(deep, piece: int, width: int, lines):
-    """The polygon's constants, and the pixel they are found at."""
-    x, y = next((a - deep.i, k) for k, (a, b, _) in enumerate(lines) if b > a)
-    return model.find(deep, piece, width, x, y), x, y
-
-
 def find_trial(deep, width: int, lines) -> Trial:
     """reciprocal_find on a polygon's planes."""
     memory = Memory()
-    found, x, y = constants_of(deep, 4, width, lines)
+    found, x, y = reciprocal.constants_of(deep, 4, width, lines)
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
     at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
                        limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
-    fields = layout.load().struct("reciprocal_plan").fields
+    shape = layout.load().struct("reciprocal_plan").fields
+    title = f"{deep}, pixel {x}, {y}"
+    case = Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at})
     if not found:
         taken = None not in [model.asymptote(deep.q, plane) for plane in (deep.s, deep.t)]
-        first, last = fields["cu"]["offset"], fields["kv"]["offset"] + 4
-        return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
-                     f"{deep}, pixel {x}, {y}", {"d0": int(taken)},
-                     writes=[Write(at + first, bytes(last - first), bytes(last - first))])
-    numbers = {name: (k - base - raised, 4) for name, k, base, raised
-               in zip(("ku", "kv"), found.k, deep.base, found.raised)}
-    numbers |= {name: (n, 8) for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)}
-    writes = [Write(at + fields[f]["offset"], (n % (1 << 8 * size)).to_bytes(size, "big"))
-              for f, (n, size) in numbers.items()]
-    return Trial(Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at}),
-                 f"{deep}, pixel {x}, {y}", {"d0": 1}, writes=writes)
+        first, last = shape["cu"]["offset"], shape["kv"]["offset"] + 4
+        return Trial(case, title, {"d0": int(taken)}, writes=[anything(at + first, last - first)])
+    writes = fields(at, "reciprocal_plan", {name: k - base - raised for name, k, base, raised
+                                            in zip(("ku", "kv"), found.k, deep.base, found.raised)})
+    writes += [Write(at + shape[name]["offset"], (n % (1 << 64)).to_bytes(8, "big"))
+               for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)]
+    return Trial(case, title, {"d0": 1}, writes=writes)
 
 
 def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> str | None:
@@ -90,89 +87,58 @@ def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> st
     return None
 
 
-def emptied_lines(memory: Memory, planes: int, lines, made: list) -> list[Write]:
-    """What a plan's lines are to others: empty those that were ``made``, if others were not."""
-    entry = layout.load().struct("scanline")
-    table = int.from_bytes(memory.data[planes:planes + 4], "big")
-    some_left = any(right > left and not line for (left, right, _), line in zip(lines, made))
-    return [Write(table + k * entry.size + entry.fields["last"]["offset"],
-                  ((left if line and some_left else right) - 1 + BIAS).to_bytes(2, "big"))
-            for k, ((left, right, _), line) in enumerate(zip(lines, made))]
-
-
-def lines_trial(deep, piece: int, width: int, lines) -> Trial | None:
-    """reciprocal_lines on all lines of a polygon, those it leaves among them."""
-    constants, *_ = constants_of(deep, piece, width, lines)
+def lines_trial(bench, model, deep, piece: int | None, width: int, lines, pixels_of) -> Trial | None:
+    """Lines by reciprocals or logarithms, as ``bench`` calls them and ``model`` makes them: all of a
+    polygon's, those that are left among them. ``pixels_of``: those of the k-th line that are held to
+    the planes."""
+    constants, *_ = reciprocal.constants_of(deep, piece, width, lines)
     if constants is None:
         return None
-    memory, shape = Memory(), layout.load().struct("reciprocal_line")
-    out = memory.room("reciprocal_line", len(lines))
-    planes = bench_perspective.add_perspective_plan(memory, deep, lines, out)
-    at = reciprocal.add_reciprocal_plan(memory, planes, constants,
-                                        reciprocal.table(memory), out)
-    blank = bytes(shape.size)
     made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
-    parts, others, worst = [], 0, None
-    for k, (each, line) in enumerate(zip(lines, made)):
-        wanted = {"n": -1 if each[1] > each[0] else each[1] - each[0] - 1}
-        others += each[1] > each[0] and line is None
-        if line:
-            wanted = shape.unpack(reciprocal.entry(line))
-            del wanted["scale"]
-            if not line.n >> piece:  # it takes no step
-                del wanted["dq"]
-            ends = {*range(0, line.n + 1, 1 << piece), line.n}  # of pieces
-            worst = worst or error(deep, line, ends, *model.coordinates(line), each[2],
-                                   model.bound(line), constants.raised)
-        parts.append(fields_check(out + k * shape.size, "reciprocal_line", wanted, {}, f"line {k}"))
-    return Trial(Case("reciprocal_lines", memory, pointers={"a0": at}),
-                 f"{deep}, pieces of 2^{piece}, {len(lines)} lines, {others} left",
-                 {"d0": others}, writes=[Write(out, blank * len(lines), blank * len(lines)),
-                                         *emptied_lines(memory, planes, lines, made)],
-                 also=first_of([*(part[1] for part in parts), lambda _: worst]))
+    trial = bench.lines_trial(Memory(), deep, constants, lines, made,
+                              f"{deep}" + (f", pieces of 2^{piece}" if piece else ""))
+    worst = next(filter(None, (
+        error(deep, line, pixels_of(k, line.n), *model.coordinates(line), y, model.bound(line),
+              constants.raised) for k, ((_, _, y), line) in enumerate(zip(lines, made)) if line)), None)
+    trial.also = lambda _: worst
+    return trial
 
 
-def span_trial(piece: int, counts, rng) -> Trial:
+def piece_trial(deep, piece: int, width: int, lines) -> Trial | None:
+    """Lines by reciprocals: the ends of their pieces are held to the planes."""
+    return lines_trial(reciprocal, model, deep, piece, width, lines,
+                       lambda _, n: {*range(0, n + 1, 1 << piece), n})
+
+
+def records(line_of: Callable[[int, int], object]) -> list:
+    """Lines of COUNTS pixels: ``line_of`` their number and n, or n alone."""
+    return [line_of(k, pixels - 1) if pixels > 0 else pixels - 1 for k, pixels in enumerate(COUNTS)]
+
+
+def span_trial(piece: int, rng) -> Trial:
     """A table of lines whose q and constants are any that stay inside the table."""
-    far, frame_at, map_at = picture_memory()
-    memory = Memory(int(rng.integers(1 << 30)))
-    shape = layout.load().struct("reciprocal_line")
-    table, writes = b"", []
-    for k, pixels in enumerate(counts):
-        left, n = k % 4, pixels - 1
-        if pixels <= 0:
-            table += shape.pack(**dict.fromkeys(shape.fields, 0) | {"n": n})
-            continue
+    def line_of(k: int, n: int) -> model.Reciprocal:
         q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65534, 2))
         if n < 3 << piece:  # what r grows stays inside 16 bits
             q1 = (q0 + q1 >> 17 if q0 < q1 else q0 >> 16) << 16
         dq = int((q1 - q0 << piece) / max(n, 1))
         c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(1, 15, 2)]
         r = [model.TABLE[(q >> 16) - model.LOWEST] for q in (q0, q1)]
-        line = model.Reciprocal(left, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
-                                model.swap(q0 - (model.ORIGIN << 16) & 0xFFFFFFFF),
-                                model.swap(dq & 0xFFFFFFFF), tuple(c), *r,
-                                -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
-        table += reciprocal.entry(line)
-        u, v = model.coordinates(line)
-        writes.append(Write(frame_at + 64 + k * PITCH + left,
-                            texture()[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    at = memory.struct("reciprocal_span",
-                       dict(lines=memory.add(table, name="lines", shape=shape),
-                            table=reciprocal.table(memory)),
-                       dict(row=frame_at + 64 - BIAS, map=map_at), count=len(counts), pitch=PITCH)
-    return Trial(Case(f"span_reciprocal_{1 << piece}", memory, pointers={"a0": at}, far=far),
-                 f"{len(counts)} lines", writes=writes)
+        return model.Reciprocal(k % 4, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
+                                model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
+                                tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
+
+    return reciprocal.span_trial(piece, Memory(int(rng.integers(1 << 30))), picture_ground(),
+                                 records(line_of), PITCH, f"{len(COUNTS)} lines")
 
 
 def trials() -> list[Trial]:
     """All of them, the same in every run."""
     rng = np.random.default_rng(8)
-    counts = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320, 1024]
     polygons = list(triangles(rng, 60))
-    made = [lines_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
+    made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
             for piece in (3, 4)]
     return [*(find_trial(*each) for each in polygons),
             *filter(None, made),
-            *(span_trial(piece, counts[:FRAME // PITCH - 1], rng) for piece in (3, 4)
+            *(span_trial(piece, rng) for piece in (3, 4)
               for _ in range(20))]

@@ -2,23 +2,18 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, values
-from tests.kernels.trials.edge import BIAS, ONE, table_writes
+from tests.helpers.kernel_checker import Memory
+from tmap.base.fixed import ONE
+from tmap.bench import edges
+from tmap.bench.edges import table_writes
+from tmap.bench.effects import held
+from tmap.bench.spans import BIAS, table_of
+from tmap.bench.trial import Trial, long_write, values
 from tmap.build import layout
-from tmap.guest.kernels import M32, Case
-from tmap.model import model
+from tmap.guest.kernels import Case
 from tmap.setup.scanline import pack
 
 FAR = 16383 * ONE
-
-
-def table_of(lines: list[dict[str, int]]) -> bytes:
-    """A scanline table with the fields given."""
-    table = np.zeros(len(lines), layout.load().struct("scanline").dtype)
-    for entry, line in zip(table, lines):
-        for field, value in line.items():
-            entry[field] = value
-    return table.tobytes()
 
 
 def ramps(rng, total: int, low: int, high: int) -> list[dict[str, int]]:
@@ -35,11 +30,6 @@ def ramps(rng, total: int, low: int, high: int) -> list[dict[str, int]]:
     return made
 
 
-def points(side: list[dict[str, int]]) -> list[tuple[int, int, int]]:
-    """x, u and v of each line."""
-    return [tuple(r[k] + n * r["d" + k] for k in "xuv") for r in side for n in range(r["lines"])]
-
-
 def ramp_trial(rng, truncated: bool, packed: bool, gap: tuple[int, int],
                x: tuple[int, int] = (-100 * ONE, 300 * ONE)) -> Trial:
     """One table; ``gap``: least and most pixels between the sides, ``x``: where the left one
@@ -48,53 +38,9 @@ def ramp_trial(rng, truncated: bool, packed: bool, gap: tuple[int, int],
     left = ramps(rng, total, *x)
     right = [r | {"x": r["x"] + int(rng.integers(gap[0], gap[1] + 1)), "u": int(rng.integers(-FAR, FAR)),
                   "v": int(rng.integers(-FAR, FAR))} for r in left]
-    before, after, steps = [], [], []
-    for a, b in zip(points(left), points(right)):
-        line = model.Line(max(model.ceil16(a[0]), 0), min(model.ceil16(b[0]), 320))
-        before.append({"left": line.left + BIAS, "last": max(line.right, line.left - 5) + BIAS - 1})
-        if line.right > line.left:
-            model.scanline_line(line, a, b, truncated)
-            after.append(pack("addx" if packed else "plain", line.u, line.v))
-            steps.append({"dudx": line.dudx, "dvdx": line.dvdx})
-        else:
-            after.append({})
-            steps.append({})
-    memory = Memory(int(rng.integers(1 << 30)))
-    shape, step = layout.load().struct("ramp"), layout.load().struct("scanline_step")
-    lines_at = memory.add(table_of(before), name="lines", shape=layout.load().struct("scanline"))
-    sides = [memory.add(b"".join(shape.pack(**{k: v & M32 if k in "uv" else v
-                                               for k, v in r.items()}) for r in side),
-                        name=name, shape=shape) for name, side in (("left", left), ("right", right))]
-    steps_at = memory.room("scanline_step", total, "steps")
-    plan = memory.struct("ramp_plan", dict(lines=lines_at, left=sides[0], right=sides[1],
-                                           steps=steps_at),
-                         count=total, truncated=int(truncated), packed=int(packed))
-    writes = table_writes(lines_at, after, "addx" if packed else "plain")
-    for index, line in enumerate(steps):
-        for name, value in line.items():
-            entry = step.fields[name]
-            writes.append(table_write(steps_at + index * step.size + entry["offset"], value))
-    for side, at in zip((left, right), sides):  # used up: what is left there does not count
-        writes.append(anything(at, len(side) * shape.size))
-    return Trial(Case("edge_ramp", memory, pointers={"a0": plan}),
-                 f"{total} lines, truncated {truncated}, packed {packed}, gap {gap[1] / ONE:g}",
-                 writes=writes)
-
-
-def table_write(at: int, value: int) -> Write:
-    """A longword that must be there."""
-    return Write(at, (value & M32).to_bytes(4, "big"))
-
-
-def anything(at: int, size: int) -> Write:
-    """Bytes that may become anything."""
-    return Write(at, bytes(size), bytes(size))
-
-
-def held(start: int, step: int, pixels: int, low: int, high: int) -> int:
-    """The start nearest to ``start`` with which no pixel leaves low..high."""
-    travel = (pixels - 1) * step
-    return min(max(start, low - min(travel, 0)), high - max(travel, 0))
+    return edges.ramp_trial(
+        Memory(int(rng.integers(1 << 30))), left, right, truncated, packed,
+        f"{total} lines, truncated {truncated}, packed {packed}, gap {gap[1] / ONE:g}")
 
 
 def hold_trial(rng, most: int) -> Trial:
@@ -127,7 +73,7 @@ def hold_trial(rng, most: int) -> Trial:
     plan_at = memory.struct("hold_plan", dict(lines=at), **plan)
     fields = layout.load().struct("hold_plan").fields
     writes = table_writes(at, after, "plain")
-    writes += [table_write(plan_at + fields[s]["offset"], limited[s]) for s in ("dudx", "dvdx")]
+    writes += [long_write(plan_at + fields[s]["offset"], limited[s]) for s in ("dudx", "dvdx")]
     return Trial(Case("edge_hold", memory, pointers={"a0": plan_at}), values(**plan), writes=writes)
 
 

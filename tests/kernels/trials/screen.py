@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
+from tests.helpers.kernel_checker import Memory
 from tmap.base import planar
 from tmap.bench import screen
-from tmap.guest.kernels import Case, Result
+from tmap.bench.trial import Trial
+from tmap.guest.kernels import Case
 
 IN_C = [f"{name}_c" for name in planar.FORMS] + ["ham8_control"]
 GROUPS = (1, 2, 3, 10, 11, 40)  # of 32 dots in a row
@@ -21,25 +22,6 @@ def layouts(row: int, rows: int) -> list[tuple[int, int]]:
             (row + 4, -(row + 4) * rows), (row, FAR_APART)]
 
 
-def where_of(planes: planar.Planes, out: int):
-    """Names a byte of the planes' block."""
-    offsets = planes.offsets
-
-    def where(offset: int, far: bool) -> str | None:
-        for plane, y, byte in np.argwhere(offsets == offset - out) if far else ():
-            return f"plane {planes.numbers[plane]}, row {y}, dots {8 * byte} to {8 * byte + 7}"
-        return None
-
-    return where
-
-
-def writes_of(planes: planar.Planes, dots: np.ndarray, out: int) -> list[Write]:
-    """What the planes' rows must be; the bytes between them stay."""
-    return [Write(out + int(at[0]), row.tobytes(), far=True)
-            for rows, plane in zip(planes.offsets, planes.encoded(dots))
-            for at, row in zip(rows, plane)]
-
-
 def frame_trial(kernel: str, groups: int, rows: int, layout: tuple[int, int], pitches: int,
                 seed: int) -> Trial:
     """A frame of noise; ``pitches`` 0: rows without gaps, 1: with some, 2: upside down."""
@@ -49,17 +31,10 @@ def frame_trial(kernel: str, groups: int, rows: int, layout: tuple[int, int], pi
     planes = planar.Planes(32 * groups, rows, *layout, form.planes)
     pixels = planar.noise(name, rng, 32 * groups // form.dots, rows)
     row = pixels[0].nbytes
-    case, out = screen.place(kernel, pixels, (row, row + 24, -row - 8)[pitches], planes, near,
-                             far, rng.bytes(planes.size))
-    dots = form.convert(pixels)
-
-    def decoded(result: Result) -> str | None:
-        block = np.frombuffer(result.far_memory, np.uint8, planes.size, out)
-        return planar.difference(dots, planes.decoded(block))
-
-    return Trial(case, f"{pixels.shape[1]} x {rows} pixels, row pitch {layout[0]}, "
-                 f"plane pitch {layout[1]}, pixels' pitch {pitches}, seed {seed}",
-                 writes=writes_of(planes, dots, out), where=where_of(planes, out), also=decoded)
+    return screen.frame_trial(
+        kernel, pixels, (row, row + 24, -row - 8)[pitches], planes, near, far,
+        rng.bytes(planes.size), f"{pixels.shape[1]} x {rows} pixels, row pitch {layout[0]}, "
+        f"plane pitch {layout[1]}, pixels' pitch {pitches}, seed {seed}")
 
 
 def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) -> Trial:
@@ -72,7 +47,7 @@ def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) ->
     dots = np.tile(planar.ham8_control(planes.width), (rows, 1))
     return Trial(Case("ham8_control", near, pointers={"a0": plan}, far=far),
                  f"{planes.width} x {rows} dots, row pitch {layout[0]}, plane pitch {layout[1]}",
-                 writes=writes_of(planes, dots, out), where=where_of(planes, out))
+                 writes=screen.writes_of(planes, dots, out), where=screen.where_of(planes, out))
 
 
 def trials() -> list[Trial]:

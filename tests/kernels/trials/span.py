@@ -1,19 +1,21 @@
 """Trials of the span routines: every pixel against the texel of its own u and v."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cache
+from dataclasses import replace
+from functools import cache, partial
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write, both, values
-from tests.kernels.trials.edge import BIAS, ONE
+from tests.helpers.kernel_checker import Memory
+from tmap.base.fixed import ONE
+from tmap.bench import spans
+from tmap.bench.spans import BIAS, Ground
+from tmap.bench.trial import Trial, values
 from tmap.build import layout
-from tmap.guest.kernels import Case
-from tmap.setup.scanline import add_span_plan, pack
 
 MAP_ALIGN = 65536
 FRAME = 65024
+MARGIN = 64  # bytes of the frame before the first line
 #: Pixels of the lines and bytes from line to line: room for a guard between lines.
 SHORT = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41)), 128
 LONG = (0, 48, 49, 63, 64, 65, 80, 127, 128, 255, 256, 257, 320, 1024), 1152
@@ -43,12 +45,19 @@ def texture() -> np.ndarray:
     return np.random.default_rng(256).permuted(rows, axis=1)
 
 
-@cache
-def picture_memory() -> tuple[Memory, int, int]:
-    """The far arena of all spans and where its frame and its map begin."""
-    memory = Memory(3)
+def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0,
+              align: int = MAP_ALIGN) -> Ground:
+    """A far arena with a frame and the map ``stored``, to which spans point ``at`` bytes behind
+    its beginning."""
+    memory = Memory(seed)
     frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    return memory, frame, memory.add(texture().tobytes(), MAP_ALIGN, "map")
+    return Ground(memory, frame + MARGIN, memory.add(stored, align, "map") + at, picture)
+
+
+@cache
+def picture_ground() -> Ground:
+    """What most spans are drawn on and from: the page ``texture``."""
+    return ground_of(3, texture().tobytes(), texture())
 
 
 def sizes(kernel: str) -> tuple:
@@ -56,26 +65,6 @@ def sizes(kernel: str) -> tuple:
     if kernel not in MOST:
         return SHORT, LONG
     return ((0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, MOST[kernel] + 1)), 128),
-
-
-@dataclass(frozen=True)
-class Ground:
-    """What spans are drawn on and from: a far arena, where its frame and map begin, bytes
-    of a pixel; ``texels(u, v, dudx, dvdx, count)`` gives a span's pixels."""
-
-    memory: Memory
-    frame_at: int
-    map_at: int
-    texels: Callable[[int, int, int, int, int], np.ndarray]
-    pixel_bytes: int = 1
-    columns: dict[str, int] | None = None  # struct column_layout
-    name: str = ""
-
-
-def texels(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
-    """The pixels of a span."""
-    n = np.arange(count, dtype=np.int64)
-    return texture()[(v + n * dvdx) >> 16 & 255, (u + n * dudx) >> 16 & 255]
 
 
 def random_starts(counts, rng) -> list[tuple[int, int, int]]:
@@ -101,76 +90,13 @@ def once_wrapping(count: int, u: int, v: int, dudx: int, dvdx: int, rng) -> tupl
     return count, u, v // TURN * TURN + start
 
 
-def table_trial(kernel: str, form: str, starts: list[tuple[int, int, int]], pitch: int, rng,
-                upwards: bool, where_far: tuple[Memory, int, int], drawn, step: str,
-                code: bytes | None = None, own_steps: list[tuple[int, int]] | None = None,
-                wide: int = 1, columns: dict[str, int] | None = None, light_at: int | None = None,
-                shades: list[int] | None = None, placed: bool = False, **plan_values: int) -> Trial:
-    """One table of lines (count, u, v), at all four alignments by turns; ``drawn`` gives
-    the pixels of such a line, ``where_far`` is as from picture_memory. ``code`` is what
-    the routine leaves at the end of its plan's code, but for 2 bytes. ``own_steps``, of
-    each line, are read instead of the plan's and told ``drawn``. ``wide``: bytes a pixel.
-    ``light_at``: in the far arena; ``shades``: one a line. ``placed``: ``drawn`` is told the
-    first pixel's x and the line's number too."""
-    far, frame_at, map_at = where_far
-    shape = layout.load().struct("scanline")
-    entries = []
-    lines = []      # count, u, v and where the first pixel is
-    places = []     # x of that pixel and the line's number
+def table_trial(trial_of: Callable[..., Trial], starts: list[tuple[int, int, int]], pitch: int, rng,
+                upwards: bool, title: str, **more) -> Trial:
+    """``trial_of`` a table of lines (count, u, v), at all four alignments by turns."""
     used, right = (rng.integers(0, most, len(starts)).tolist() for most in (0x8000, 4))
-    for index, (count, u, v) in enumerate(starts):
-        packed = pack(form, u, v)
-        if form == "addx":  # room in v--U, used by the edges' additions
-            packed["start2"] |= used[index] << 8
-        left = BIAS + index % 4 + 4 * right[index]
-        packed |= {"left": left, "last": left + count - 1}
-        entries.append(tuple(packed[field] for field in shape.dtype.names))
-        places.append((left - BIAS, index) if placed else ())
-        row = len(starts) - 1 - index if upwards else index
-        lines.append((count, u, v, frame_at + 64 + (row * pitch + left - BIAS) * wide))
-    table = np.array(entries, shape.dtype)
-    memory = Memory(int(rng.integers(1 << 30)))
-    first_row = lines[0][3] - int(table["left"][0]) * wide
-    pitch *= wide
-    near = dict(lines=memory.add(table.tobytes(), name="lines", shape=shape))
-    if code is not None:
-        size = layout.load().constants["CODE_BYTES"]
-        near["code"] = memory.add(memory.noise.bytes(size), name="code")
-    if own_steps:
-        shape_of_steps = layout.load().struct("scanline_step")
-        near["steps"] = memory.add(
-            b"".join(shape_of_steps.pack(dudx=du, dvdx=dv) for du, dv in own_steps),
-            name="steps", shape=shape_of_steps)
-    if columns:
-        near["columns"] = memory.struct("column_layout", {}, **columns)
-    if shades:
-        near["shades"] = memory.add(b"".join(s.to_bytes(4, "big") for s in shades), name="shades")
-    light = {} if light_at is None else {"light": light_at}
-    plan = add_span_plan(memory, near, dict(row=first_row, map=map_at) | light, count=len(lines),
-                         pitch=-pitch if upwards else pitch, **plan_values)
-
-    def where(offset: int, far: bool) -> str | None:
-        if not far or not frame_at <= offset < frame_at + FRAME:
-            return None
-        index = min(range(len(lines)), key=lambda k: max(
-            lines[k][3] - offset, offset - lines[k][3] - max(lines[k][0], 0) * wide + 1))
-        count, u, v, at = lines[index]
-        line = f"line {index} (left {table['left'][index]}, count {count}, u {both(u)}, v {both(v)})"
-        if count <= 0:
-            return f"{line}: byte {offset - at}"
-        if offset < at:
-            return f"{line}: {at - offset} byte(s) before its start"
-        beyond = offset - at - count * wide + 1
-        return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
-            f"{line}: pixel {(offset - at) // wide}"
-
-    writes = [Write(at, drawn(count, u, v, *(own_steps[k] if own_steps else places[k])), far=True)
-              for k, (count, u, v, at) in enumerate(lines) if count > 0]
-    if code:
-        writes.append(Write(near["code"] + size - 2 - len(code), code))
-    return Trial(
-        Case(kernel, memory, pointers={"a0": plan}, far=far),
-        f"{len(lines)} lines {'up' if upwards else 'down'}, {step}", writes=writes, where=where)
+    lines = [(k % 4 + 4 * right[k], *start) for k, start in enumerate(starts)]
+    return trial_of(lines=lines, pitch=pitch, arena=Memory(int(rng.integers(1 << 30))), upwards=upwards,
+                    used=used, title=f"{len(lines)} lines {'up' if upwards else 'down'}, {title}", **more)
 
 
 def form_of(kernel: str) -> str:
@@ -181,30 +107,21 @@ def form_of(kernel: str) -> str:
 
 
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
-               ground: Ground | None = None) -> Trial:
-    """One table: every count at all four alignments, with a start of its own."""
-    ground = ground or Ground(*picture_memory(), texels)
-    is_fill = kernel.startswith("span_fill")
+               ground: Ground | None = None, name: str = "") -> Trial:
+    """One table: every count at all four alignments, with a start of its own. ``name``: of the
+    ground."""
     counts, pitch = size
     starts = random_starts(counts, rng)
     if kernel in ONCE_WRAPPING:
         starts = [once_wrapping(*start, dudx, dvdx, rng) for start in starts]
-
-    def drawn(count: int, u: int, v: int, dudx: int = dudx, dvdx: int = dvdx) -> bytes:
-        wide = ground.pixel_bytes
-        return (colour & (1 << 8 * wide) - 1).to_bytes(wide, "big") * count if is_fill else \
-            ground.texels(u, v, dudx, dvdx, count).tobytes()
-
     own_steps = None
     if kernel == "span_affine_scanline":
         own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
                      for k in range(len(starts))]
-    return table_trial(
-        kernel, form_of(kernel), starts, pitch, rng, upwards,
-        (ground.memory, ground.frame_at, ground.map_at), drawn,
-        ground.name + (values(colour=colour) if is_fill else steps_text(dudx, dvdx)),
-        own_steps=own_steps, wide=ground.pixel_bytes, columns=ground.columns, dudx=dudx, dvdx=dvdx,
-        colour=colour)
+    title = values(colour=colour) if kernel.startswith("span_fill") else steps_text(dudx, dvdx)
+    return table_trial(partial(spans.span_trial, kernel, form_of(kernel)), starts, pitch, rng, upwards,
+                       name + title, ground=ground or picture_ground(), dudx=dudx, dvdx=dvdx,
+                       colour=colour, own_steps=own_steps)
 
 
 ALONE_MOST = 64000  # texels that u or v alone may travel in a line
@@ -238,14 +155,9 @@ def copy_trial(counts: list[int], pitch: int, source: int, near: bool, rng, upwa
         first = 256 - int(rng.integers(1, min(max(count, 4), 256) + 1)) if near else u >> 16
         starts.append((count, (first & -4 | source) << 16 | u & 0xFFFF, v))
 
-    on = ground or Ground(*picture_memory(), texels)
-
-    def drawn(count: int, u: int, v: int) -> bytes:
-        return on.texels(u, v, ONE, 0, count).tobytes()
-
-    return table_trial(kernel, "addx", starts, pitch, rng, upwards,
-                       (on.memory, on.frame_at, on.map_at), drawn, steps_text(*steps),
-                       wide=on.pixel_bytes, dudx=steps[0], dvdx=steps[1])
+    return table_trial(partial(spans.span_trial, kernel, "addx"), starts, pitch, rng, upwards,
+                       steps_text(*steps), ground=ground or picture_ground(), dudx=steps[0],
+                       dvdx=steps[1])
 
 
 def copy_trials(rng) -> list[Trial]:
@@ -277,9 +189,10 @@ def steps_of(rng) -> list[tuple[int, int]]:
 def span_trials(kernel: str, rng) -> list[Trial]:
     """Steps of all kinds on short lines, some of them on long ones."""
     if kernel.startswith("span_fill"):
-        wide = kernel == "span_fill_16"
-        ground = Ground(*picture_memory(), texels, 1 + wide)
-        return fill_trials(kernel, ground, LONG_WIDE if wide else LONG, rng)
+        if kernel == "span_fill":
+            return fill_trials(kernel, picture_ground(), LONG, rng)
+        wide = replace(picture_ground(), picture=texture().astype(">u2"))
+        return fill_trials(kernel, wide, LONG_WIDE, rng)
     steps = steps_of(rng)
     if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
         steps = steps[::4]

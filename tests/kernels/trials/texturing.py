@@ -5,10 +5,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, fields_check, first_of, values
+from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.polygon import (BIAS, HEIGHT, ONE, WIDTH, described, seen_polygons,
+from tests.kernels.trials.polygon import (HEIGHT, WIDTH, box_block, described, seen_polygons,
                                           sides_block, vertex_block, wanted_sides)
+from tmap.base.fixed import ONE
+from tmap.bench.spans import BIAS
+from tmap.bench.trial import Trial, fields, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case, Result
 from tmap.model import model
@@ -32,12 +35,12 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
     memory = Memory()
     at = vertex_block(memory, vertices)
     sides_at = sides_block(memory, at, vertices, wanted)
-    box = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), sides.box)))
+    box = box_block(memory, sides.box)
     cuts = dict(zip(("u_cut", "v_cut"), texturing.CUT.get(settings.mapper, (0, 0))))
     out = memory.struct("texturing", {}, **dict.fromkeys(layout.load().struct("texturing").fields, 7) | cuts)
     numbers = {name: int(getattr(t, name)) for name in
                ("dudx", "dvdx", "wraps", "u_cut", "guard", "dudy", "dvdy", "u", "v", "i", "j")}
-    writes, check = fields_check(out, "texturing", numbers, {})
+    writes = fields(out, "texturing", numbers)
     a, b, c = (vertices[k] for k in sides.corners)
     (x1, y1, s1, t1), (x2, y2, s2, t2) = ([p - q for p, q in zip(v, a)] for v in (b, c))
     d = x1 * y2 - x2 * y1
@@ -45,9 +48,9 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
              "dvdx": Fraction(t1 * y2 - t2 * y1, d), "dvdy": Fraction(x1 * t2 - x2 * t1, d)}
 
     def bound(result: Result) -> str | None:
-        fields = layout.load().struct("texturing").fields
+        shape = layout.load().struct("texturing").fields
         for name, gradient in exact.items():
-            place = out + fields[name]["offset"]
+            place = out + shape[name]["offset"]
             error = int.from_bytes(result.memory[place:place + 4], "big") - gradient * ONE
             error -= round(error / (1 << 32)) * (1 << 32)
             half = Fraction(1 << t.cuts["uv".index(name[1])], 2)
@@ -60,7 +63,7 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
     return Trial(Case("texturing_plane", memory, {"d1": layout.load().constants[chain]},
                       {"a0": out, "a1": sides_at, "d0": box}),
                  f"{chain}, {settings.mapper}, box {sides.box}: {described(vertices)}", writes=writes,
-                 also=first_of([check, bound]))
+                 also=bound)
 
 
 def texturing_plane_trials(rng) -> list[Trial]:
@@ -81,11 +84,10 @@ def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial
     spare, guard, wraps = (0, 0, not inside) if chain == 3 else \
         texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
     memory = Memory()
-    box_at = memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
+    box_at = box_block(memory, box)
     at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, u_cut=0, v_cut=0, guard=7, dudy=0,
                        dvdy=dvdy, u=0, v=v & M32, i=0, j=0)
-    writes, check = fields_check(at, "texturing", {"u_cut": spare, "guard": guard, "wraps": int(wraps)},
-                                 {})
+    writes = fields(at, "texturing", {"u_cut": spare, "guard": guard, "wraps": int(wraps)})
 
     def sound(_: Result) -> str | None:
         left, top, right, bottom = box
@@ -99,7 +101,7 @@ def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial
     return Trial(Case("texturing_wrap", memory, {"d0": layout.load().constants[CHAINS[chain]]},
                       {"a0": at, "a1": box_at}),
                  f"{CHAINS[chain]}, box {box}, {values(dvdx=dvdx, dvdy=dvdy, v=v)}",
-                 writes=writes, also=first_of([check, sound]))
+                 writes=writes, also=sound)
 
 
 def texturing_wrap_trials(rng) -> list[Trial]:
@@ -126,7 +128,7 @@ def texturing_starts_trials(rng) -> list[Trial]:
             i, j = (int(n) for n in rng.integers(0, 1024, 2))
             memory = Memory()
             at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, u_cut=0, v_cut=0, guard=0)
-            shape, edges, parts = layout.load().struct("edge"), [], []
+            shape, edges, writes = layout.load().struct("edge"), [], []
             for _ in range(count):
                 edges.append({"x": BIAS + int(rng.integers(-16384, 16384)),
                               "top": int(rng.integers(0, 1024)), "whole": any_size(rng, 15)})
@@ -137,12 +139,10 @@ def texturing_starts_trials(rng) -> list[Trial]:
                 x, y = edge["x"] - BIAS - i, edge["top"] - j
                 numbers = {c: plane[c] + x * plane[f"d{c}dx"] + y * plane[f"d{c}dy"] for c in "uv"}
                 numbers |= {f"d{c}": plane[f"d{c}dy"] + edge["whole"] * plane[f"d{c}dx"] for c in "uv"}
-                parts.append(fields_check(out + k * shape.size, "edge", numbers, {}, f"edge {k}"))
+                writes += fields(out + k * shape.size, "edge", numbers)
             trials.append(Trial(
                 Case("texturing_starts", memory, {"d0": count}, {"a0": at, "a1": out}),
-                f"{count} edges, pixel ({i}, {j}), " + values(**plane),
-                writes=[write for part in parts for write in part[0]],
-                also=first_of([part[1] for part in parts])))
+                f"{count} edges, pixel ({i}, {j}), " + values(**plane), writes=writes))
     return trials
 
 

@@ -4,10 +4,12 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial, Write
-from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MAP_ALIGN, SHORT, Ground,
-                                       span_trial, steps_of, texels, texture)
+from tests.helpers.kernel_checker import Memory
+from tests.kernels.trials.span import (FRAME, LONG, LONG_WIDE, MARGIN, SHORT, ground_of, span_trial,
+                                       steps_of, texture)
 from tmap.base import maps
+from tmap.bench.spans import Ground, columns_of
+from tmap.bench.trial import Trial, Write
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup.scanline import add_span_plan
@@ -20,13 +22,7 @@ SIZES = ((256, 256), (8, 8), (64, 32), (8, 512), (512, 8), (128, 512), (512, 512
 @cache
 def tiled_ground() -> Ground:
     """The page of the other spans in tiles of 8x8."""
-    def draw(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
-        return texels(u, v >> 1 << 1, dudx, dvdx >> 1 << 1, count)
-
-    memory = Memory(5)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    return Ground(memory, frame, memory.add(maps.to_tiled(texture()).tobytes(), MAP_ALIGN, "map"),
-                  draw)
+    return ground_of(5, maps.to_tiled(texture()).tobytes(), texture())
 
 
 @cache
@@ -37,26 +33,11 @@ def noise_memory(size: int) -> tuple[Memory, int, int]:
     return memory, frame, memory.add(memory.noise.bytes(size), name="map")
 
 
-def columns_of(width: int, height: int) -> dict[str, int]:
-    """struct column_layout."""
-    v_mask = (height - 1) << 2
-    return dict(v_bits=height.bit_length() - 1, u_mask=width * height - 1 ^ v_mask, v_mask=v_mask)
-
-
 def column_ground(width: int, height: int, texel: str) -> Ground:
     """A column map of noise."""
-    size = np.dtype(texel).itemsize
-    memory, frame_at, map_at = noise_memory(width * height * size)
+    memory, frame_at, map_at = noise_memory(width * height * np.dtype(texel).itemsize)
     stored = np.frombuffer(memory.image, texel, width * height, map_at)
-    picture = maps.from_columns(stored, width, height)
-
-    def draw(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
-        n = np.arange(count, dtype=np.int64)
-        x, y = ((c >> 3) + n * (step >> 3) >> 13 for c, step in ((u, dudx), (v, dvdx)))
-        return picture[y % height, x % width]
-
-    return Ground(memory, frame_at, map_at, draw, size, columns_of(width, height),
-                  f"{width}x{height}, ")
+    return Ground(memory, frame_at + MARGIN, map_at, maps.from_columns(stored, width, height))
 
 
 def some(steps: list[tuple[int, int]], count: int, rng) -> list[tuple[int, int]]:
@@ -66,8 +47,9 @@ def some(steps: list[tuple[int, int]], count: int, rng) -> list[tuple[int, int]]
 
 def trials_on(kernel: str, on: Ground, short, long, rng) -> list[Trial]:
     """Short lines with the steps ``short``, long ones with ``long``."""
-    wide = LONG_WIDE if on.pixel_bytes == 2 else LONG
-    return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7, ground=on)
+    wide, (height, width) = LONG_WIDE if on.picture.itemsize == 2 else LONG, on.picture.shape
+    name = f"{width}x{height}, " if "columns" in kernel else ""
+    return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7, ground=on, name=name)
             for size, chosen in ((SHORT, short), (wide, long)) for k, pair in enumerate(chosen)]
 
 

@@ -4,10 +4,12 @@ from functools import cache
 
 import numpy as np
 
-from tests.helpers.kernel_checker import Memory, Trial
-from tests.kernels.trials.span import (FRAME, LONG_WIDE, SHORT, Ground, alone_trials, copy_trial,
+from tests.helpers.kernel_checker import Memory
+from tests.kernels.trials.span import (FRAME, LONG_WIDE, MARGIN, SHORT, alone_trials, copy_trial,
                                        fill_trials, span_trial, steps_of)
 from tmap.base import maps
+from tmap.bench.spans import Ground
+from tmap.bench.trial import Trial
 
 
 @cache
@@ -19,12 +21,7 @@ def ground(wide: int) -> Ground:
     picture = np.frombuffer(memory.noise.bytes(65536 * wide), f">u{wide}").reshape(256, 256)
     before = memory.noise.bytes(wide)
     at = memory.add(before + maps.to_page(picture).tobytes(), 8, "map")
-
-    def draw(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:
-        n = np.arange(count, dtype=np.int64)
-        return picture[(v + n * dvdx) >> 16 & 255, (u + n * dudx) >> 16 & 255]
-
-    return Ground(memory, frame, at + len(before) + 128 * 256 * wide, draw, wide)
+    return Ground(memory, frame + MARGIN, at + len(before) + 128 * 256 * wide, picture)
 
 
 def span_trials(kernel: str, on: Ground, rng) -> list[Trial]:

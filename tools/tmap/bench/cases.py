@@ -13,7 +13,8 @@ from tmap.bench.dithered import dithered_rows
 from tmap.bench.effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from tmap.bench.mappers import mapper_case
 from tmap.bench.mesh import CASES as MESH_CASES
-from tmap.bench.spans import DU, DV, LENGTHS, SPECIAL, Check, span_case
+from tmap.bench.spans import DU, DV, LENGTHS, SPECIAL, span_case
+from tmap.bench.trial import Check
 from tmap.guest.kernels import Case
 
 

@@ -1,95 +1,127 @@
-"""Bench rows of the edge steppers: the lines between two edges, with u and v of their starts."""
-
-import numpy as np
+"""Calls of the edge steppers, which make the lines between two edges with u and v of their starts."""
 
 from tmap.base.fixed import M32, ONE
-from tmap.bench.spans import DU, DV
+from tmap.bench.spans import BIAS, DU, DV, table_of
+from tmap.bench.trial import Trial, Write, anything, long_write
 from tmap.build import layout
-from tmap.guest.kernels import Arena, Case, Result
+from tmap.guest.kernels import Arena, Case
 from tmap.model import model
 from tmap.setup.scanline import MASKS, pack, rounded_edge
 
 LINES = 64
 SLOPES = (-45875, 85197)  # -0.7 and 1.3 pixels a line, 16.16: left, right
+#: How each stepper packs u and v.
+FORMS = {"addx": "addx", "plain": "plain", "swap": "plain", "flat": "flat", "right": "flat"}
+
+Fields = dict[str, int]  # of a struct
+
+
+def table_writes(at: int, lines: list[Fields], form: str = "flat") -> list[Write]:
+    """The fields that lines of a table at ``at`` get."""
+    shape, writes = layout.load().struct("scanline"), []
+    for index, line in enumerate(lines):
+        for name, value in line.items():
+            size, offset = (shape.fields[name][key] for key in ("size", "offset"))
+            bits = (1 << 8 * size) - 1
+            writes.append(Write(at + index * shape.size + offset, (value & bits).to_bytes(size, "big"),
+                                (MASKS[form].get(name, M32) & bits).to_bytes(size, "big")))
+    return writes
+
+
+def edge_columns(edge: Fields) -> list[int]:
+    """The first pixel right of an edge on each line, biased."""
+    if edge["height"]:  # how far x lies below its ceil, in 1/height
+        below = (1 << 32) - 1 - edge["error"]
+        moved = [-((below - n * edge["part"]) // edge["height"]) for n in range(edge["lines"])]
+    else:
+        moved = [edge["error"] + n * edge["part"] >> 32 for n in range(edge["lines"])]
+    return [edge["x"] + n * edge["whole"] + more for n, more in enumerate(moved)]
+
+
+def starts(edges: list[Fields], form: str, dudx: int, dvdx: int) -> list[Fields]:
+    """The packed u and v of each line."""
+    found = []
+    for e in edges:
+        for n, x in enumerate(edge_columns(e)):
+            more = x - e["x"] - n * e["whole"]
+            found.append(pack(form, e["u"] + n * e["du"] + more * dudx,
+                              e["v"] + n * e["dv"] + more * dvdx))
+    return found
+
+
+def edge_trial(kernel: str, arena: Arena, lefts: list[Fields], rights: list[Fields], steps: Fields,
+               title: str = "", spare: int = 0) -> Trial:
+    """One call with the edges of both sides, struct edge each. ``steps``: dudx and dvdx; ``spare``:
+    lines of the table behind those in use."""
+    shape, form = layout.load().struct("edge"), FORMS[kernel.split("_")[1]]
+    left, right = ([x for edge in edges for x in edge_columns(edge)] for edges in (lefts, rights))
+    table = arena.room("scanline", len(left) + spare, "lines")
+    sides = {name: arena.add(b"".join(shape.pack(**e) for e in edges), name=name, shape=shape)
+             for name, edges in (("left", lefts), ("right", rights))}
+    plan = arena.struct("edge_plan", dict(lines=table, **sides), lefts=len(lefts), rights=len(rights),
+                        **steps)
+    lines = [{"left": a, "last": b - 1} | start
+             for a, b, start in zip(left, right, starts(lefts, form, **steps))]
+    register = "a0"
+    if kernel.startswith("edge_right"):
+        lines, register = [{"last": line["last"]} for line in lines], "a6"
+    return Trial(Case(kernel, arena, pointers={register: plan}), title,
+                 writes=table_writes(table, lines, form))
 
 
 def edge_case(name: str):
     """One section of LINES lines between two edges."""
-    form, exact = name.split("_")[1], name.endswith("_exact")
-    form = "plain" if form == "swap" else form
-    shapes = layout.load()
-    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
-    arena = Arena()
-    table_at = arena.add(bytes(shape.size * LINES))
-    height = LINES << 16  # x is in units of height pixels
-    n = range(LINES)
-    starts = (100 + bias) * ONE + 12345, (110 + bias) * ONE + 54321
-    sides, columns = [], []
-    for x, slope in zip(starts, SLOPES):
+    height, sides = LINES << 16, []  # x is in units of height pixels
+    for x, slope in zip(((100 + BIAS) * ONE + 12345, (110 + BIAS) * ONE + 54321), SLOPES):
         edge = rounded_edge(LINES, x, slope)
-        if exact:
+        if name.endswith("_exact"):
             first, ratio = x * height >> 16, slope * height // ONE
             edge |= {"x": -(-first // height), "error": ~(-first % height) & M32,
                      "whole": ratio // height, "part": ratio % height, "height": height}
-            columns.append([-(-(first + k * ratio) // height) for k in n])
-        else:
-            columns.append([(x + k * slope + 0xFFFF) >> 16 for k in n])
-        sides.append(edge)
-    whole = sides[0]["whole"]
-    du, dv = -DV + whole * DU, DU + whole * DV  # a line and the whole pixels
-    left_at, right_at = (arena.struct("edge", {}, **edge | {
-        "u": 100 << 16, "v": 50 << 16, "du": du, "dv": dv}) for edge in sides)
-    plan_at = arena.struct("edge_plan", dict(lines=table_at, left=left_at, right=right_at),
-                           lefts=1, rights=1, dudx=DU, dvdx=DV)
+        whole = (sides or [edge])[0]["whole"]
+        sides.append(edge | {"u": 100 << 16, "v": 50 << 16,  # a line and the whole pixels:
+                             "du": -DV + whole * DU, "dv": DU + whole * DV})
+    return edge_trial(name, Arena(), *([side] for side in sides), dict(dudx=DU, dvdx=DV)).row(LINES)
 
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.memory, shape.dtype, LINES, table_at)
-        for k, (left, right) in enumerate(zip(*columns)):
-            moved = left - columns[0][0]
-            wanted = {"left": left, "last": right - 1} | pack(
-                form, (100 << 16) - k * DV + moved * DU, (50 << 16) + k * DU + moved * DV)
-            for field, value in wanted.items():
-                if (int(found[k][field]) ^ value) & MASKS[form].get(field, M32):
-                    return f"line {k}: {field} is {found[k][field]}, expected {value}"
-        return None
 
-    return LINES, Case(name, arena, pointers={"a0": plan_at}), check
+def ramp_points(side: list[Fields]) -> list[tuple[int, int, int]]:
+    """x, u and v of each line of a side's ramps."""
+    return [tuple(r[k] + n * r["d" + k] for k in "xuv") for r in side for n in range(r["lines"])]
+
+
+def ramp_trial(arena: Arena, left: list[Fields], right: list[Fields], truncated: bool, packed: bool,
+               title: str = "") -> Trial:
+    """One call with the ramps of both sides, struct ramp each, in a frame of 320 columns."""
+    form, before, after, steps = "addx" if packed else "plain", [], [], []
+    for a, b in zip(ramp_points(left), ramp_points(right)):
+        line = model.Line(max(model.ceil16(a[0]), 0), min(model.ceil16(b[0]), 320))
+        before.append({"left": line.left + BIAS, "last": max(line.right, line.left - 5) + BIAS - 1})
+        if line.right > line.left:
+            model.scanline_line(line, a, b, truncated)
+        is_drawn = line.right > line.left
+        after.append(pack(form, line.u, line.v) if is_drawn else {})
+        steps.append((line.dudx, line.dvdx) if is_drawn else ())
+    ramp, scanline = (layout.load().struct(name) for name in ("ramp", "scanline"))
+    lines_at = arena.add(table_of(before), name="lines", shape=scanline)
+    sides = {name: arena.add(b"".join(ramp.pack(**r | {k: r[k] & M32 for k in "uv"}) for r in side),
+                             name=name, shape=ramp)
+             for name, side in (("left", left), ("right", right))}
+    steps_at = arena.room("scanline_step", len(before), "steps")
+    plan = arena.struct("ramp_plan", dict(lines=lines_at, **sides, steps=steps_at),
+                        count=len(before), truncated=int(truncated), packed=int(packed))
+    writes = table_writes(lines_at, after, form)
+    writes += [long_write(steps_at + 8 * k + 4 * n, step)
+               for k, pair in enumerate(steps) for n, step in enumerate(pair)]
+    # The ramps are used up: what is left there does not count.
+    writes += [anything(sides["left"], len(left) * ramp.size),
+               anything(sides["right"], len(right) * ramp.size)]
+    return Trial(Case("edge_ramp", arena, pointers={"a0": plan}), title, writes=writes)
 
 
 def ramp_case():
-    """LINES lines of 10 pixels and more, sub-texel starts, packed."""
-    shapes = layout.load()
-    bias, shape = shapes.constants["EDGE_BIAS"], shapes.struct("scanline")
-    arena, ramp = Arena(), shapes.struct("ramp")
-    steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345}
-    starts = [dict(zip("xuv", (n << 16 for n in side))) for side in ((100, 20, 30), (110, 200, 90))]
-    points = [[tuple(start[k] + n * steps["d" + k] for k in "xuv") for n in range(LINES)]
-              for start in starts]
-    table = np.zeros(LINES, shape.dtype)
-    lines = []
-    for entry, left, right in zip(table, *points):
-        line = model.Line(model.ceil16(left[0]), model.ceil16(right[0]))
-        entry["left"], entry["last"] = line.left + bias, line.right - 1 + bias
-        model.scanline_line(line, left, right, truncated=False)
-        lines.append(line)
-    table_at = arena.add(table.tobytes())
-    # A call uses the ramps up and the next one runs on from there: with the same steps
-    # on both sides, at the same cost.
-    ramps = [arena.add(ramp.pack(lines=LINES, **start, **steps)) for start in starts]
-    steps_at = arena.add(bytes(8 * LINES))
-    plan_at = arena.struct("ramp_plan", dict(lines=table_at, left=ramps[0], right=ramps[1],
-                                             steps=steps_at),
-                           count=LINES, truncated=0, packed=1)
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.memory, shape.dtype, LINES, table_at)
-        made = np.frombuffer(result.memory, ">i4", 2 * LINES, steps_at).reshape(-1, 2)
-        for k, line in enumerate(lines):
-            for field, value in pack("addx", line.u, line.v).items():
-                if (int(found[k][field]) ^ value) & MASKS["addx"][field]:
-                    return f"line {k}: {field} is {found[k][field]}, expected {value}"
-            if (made[k] != [model.signed(line.dudx), model.signed(line.dvdx)]).any():
-                return f"line {k}: steps {made[k]}, expected {line.dudx}, {line.dvdx}"
-        return None
-
-    return LINES, Case("edge_ramp", arena, pointers={"a0": plan_at}), check
+    """LINES lines of 10 pixels and more, sub-texel starts, packed. A call uses the ramps up and the
+    next one runs on from there: with the same steps on both sides, at the same cost."""
+    steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345, "lines": LINES}
+    left, right = ([dict(zip("xuv", (n << 16 for n in side))) | steps]
+                   for side in ((100, 20, 30), (110, 200, 90)))
+    return ramp_trial(Arena(), left, right, False, True).row(LINES)

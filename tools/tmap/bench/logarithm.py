@@ -1,15 +1,17 @@
-"""Bench rows of perspective by logarithms: the lines of tmap.bench.perspective."""
+"""Calls of perspective by logarithms; rows have the lines of tmap.bench.perspective."""
 
 import numpy as np
 
 from tmap.base.elementary import log2
 from tmap.base.fixed import M32, ONE
-from tmap.bench.perspective import (LINES, RATIO, add_perspective_plan, case_of_lines,
-                                    first_wrong_line, polygon_lines)
-from tmap.bench.reciprocal import constants_fields, lines_left
+from tmap.bench.perspective import (LINES, RATIO, add_perspective_plan, polygon_lines, record_table,
+                                    records_trial, row_of_records)
+from tmap.bench.reciprocal import constants_fields, constants_of, made_trial
+from tmap.bench.spans import BIAS, Ground
+from tmap.bench.trial import Trial
 from tmap.build import layout
-from tmap.guest.kernels import Arena, Case, Result
-from tmap.setup import logarithm as logarithms, reciprocal as reciprocals
+from tmap.guest.kernels import Arena, Case
+from tmap.setup import logarithm as logarithms
 from tmap.setup.reciprocal import swap
 
 NEAREST = 63000 << 16  # q of the nearer end as normalised
@@ -45,20 +47,23 @@ def line(k: int, length: int, rng) -> logarithms.Logarithmic:
 
 def entry(each: logarithms.Logarithmic) -> bytes:
     """The line as logarithm_lines leaves it."""
-    shapes = layout.load()
-    return shapes.struct("logarithm_line").pack(
-        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, q=each.q, dq=each.dq,
+    return layout.load().struct("logarithm_line").pack(
+        left=each.left + BIAS, n=each.n, q=each.q, dq=each.dq,
         u=each.k[0] & 0xFFFF, v=each.k[1] & 0xFFFF, power_u=2 * each.power[0],
         power_v=2 * each.power[1], way=each.way, spare=0)
 
 
+def span_trial(arena: Arena, ground: Ground, lines: list, pitch: int, title: str = "") -> Trial:
+    """One table of lines, an empty one as its n alone."""
+    near = dict(lines=record_table(arena, "logarithm_line", lines, entry), logs=log_table(arena),
+                powers=power_table(arena, [each for each in lines if not isinstance(each, int)]))
+    return records_trial("span_logarithm", "logarithm_span", arena, ground, lines, pitch,
+                         logarithms.coordinates, near, title)
+
+
 def span_case(length: int):
     """A table of lines of one length, by logarithms."""
-    return case_of_lines(
-        "span_logarithm", "logarithm_span", length, lambda k, rng: line(k, length, rng),
-        logarithms.coordinates,
-        lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), logs=log_table(arena),
-                                  powers=power_table(arena, lines)))
+    return row_of_records(length, lambda k, rng: line(k, length, rng), span_trial)
 
 
 def add_logarithm_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
@@ -69,18 +74,22 @@ def add_logarithm_plan(arena: Arena, planes_at: int, constants) -> tuple[int, in
                               parts=logarithms.parts())
 
 
-def lines_case():
-    """LINES lines of a turned triangle, all of which are taken."""
-    arena, shape = Arena(), layout.load().struct("logarithm_line")
-    deep, lines = polygon_lines()
-    constants = reciprocals.find(deep, None, 200, lines[0][0] - deep.i, 0)
-    expected = [logarithms.line(deep, constants, *each) for each in lines]
-    to_at = arena.add(bytes(shape.size * LINES))
-    planes_at = add_perspective_plan(arena, deep, lines, to_at)
+def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "") -> Trial:
+    """logarithm_lines on lines (left, right, y), of which those are ``made``."""
+    shape, out = layout.load().struct("logarithm_line"), arena.room("logarithm_line", len(lines))
+    planes_at = add_perspective_plan(arena, deep, lines, out)
     plan, tables = add_logarithm_plan(arena, planes_at, constants)
 
-    def check(result: Result) -> str | None:
-        return lines_left(result) or first_wrong_line(
-            shape, result.memory[to_at:], [entry(each) for each in expected], ("spare",))
+    def fields_of(line: logarithms.Logarithmic) -> dict[str, int]:
+        return {name: value for name, value in shape.unpack(entry(line)).items() if name != "spare"}
 
-    return LINES, Case("logarithm_lines", arena, pointers={"a0": plan, "a1": tables, "d0": to_at}), check
+    return made_trial(Case("logarithm_lines", arena, pointers={"a0": plan, "a1": tables, "d0": out}),
+                      "logarithm_line", out, planes_at, lines, made, fields_of, title)
+
+
+def lines_case():
+    """LINES lines of a turned triangle, all of which are taken."""
+    deep, lines = polygon_lines()
+    constants, *_ = constants_of(deep, None, 200, lines)
+    made = [logarithms.line(deep, constants, *each) for each in lines]
+    return lines_trial(Arena(), deep, constants, lines, made).row(LINES)

@@ -1,16 +1,48 @@
-"""Bench rows of the mappers beside the affine one: Gouraud, arbitrary size, generated."""
+"""Calls of the mappers beside the affine one: Gouraud, arbitrary size, generated."""
 
 import numpy as np
 
 from tmap.base.fixed import ONE
-from tmap.bench.spans import DU, DV, GAP, line_count, scanlines, span_call
-from tmap.build import layout
+from tmap.bench.spans import DU, DV, GAP, Ground, Line, framed, line_count, table_trial
+from tmap.bench.trial import Trial
 from tmap.guest.kernels import Arena
-from tmap.setup.spans import texel_generated
+from tmap.setup.spans import generated_offsets, texel_generated
 
 DS = 0xA000  # shades a pixel, 16.16
 DU_ROW = 0x3000  # texels a pixel, of generated code: 1024 pixels stay in a row of the map
 PICTURE = 331, 417  # rows and columns of the arbitrary map: at an odd address
+
+
+def with_margins(picture: np.ndarray) -> bytes:
+    """A page as generated code wants it, from 64 KB before it on: its halves once more around it."""
+    page = picture.tobytes()
+    return bytes(32768) + page[32768:] + page + page[:32768]
+
+
+def code_of(dudx: int, dvdx: int, longest: int) -> bytes:
+    """What is written for lines of up to ``longest`` pixels; nothing where none has any."""
+    offsets = generated_offsets(dudx, dvdx, -(-max(0, longest) // 8) * 8)
+    return b"".join(b"\x13\x2a" + int(o & 0xFFFF).to_bytes(2, "big") for o in offsets[::-1]) \
+        + b"\x4e\xd3" * bool(len(offsets))
+
+
+def mapper_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+                 title: str = "", *, dudx: int, dvdx: int, **more) -> Trial:
+    """One table of lines; those of the arbitrary map stay inside it."""
+    picture = ground.picture
+
+    def drawn(_: int, __: int, count: int, u: int, v: int) -> np.ndarray:
+        n = np.arange(count, dtype=np.int64)
+        if "gouraud" in kernel:
+            return ((u + n * dudx) >> 16 & 255).astype(np.uint8)
+        if "arbitrary" in kernel:
+            return picture[(v + n * dvdx) >> 16, (u + n * dudx) >> 16]
+        return picture.reshape(-1)[texel_generated(u, v, dudx, dvdx, count) & 0xFFFF]
+
+    if "generated" in kernel:
+        more["code"] = code_of(dudx, dvdx, max(count for _, count, *_ in lines))
+    return table_trial(kernel, "plain", lines, pitch, arena, ground, drawn, title, dudx=dudx,
+                       dvdx=dvdx, **more)
 
 
 def add_map(far: Arena, name: str, picture: np.ndarray) -> int:
@@ -19,9 +51,7 @@ def add_map(far: Arena, name: str, picture: np.ndarray) -> int:
         return 0  # there is none
     if name == "arbitrary":
         return far.add(b"\0" + picture.tobytes()) + 1
-    half = len(picture) // 2  # as much again lies before it, and behind it
-    lying = np.concatenate([picture[half:], picture, picture[:half]]).tobytes()
-    return far.add(bytes(32768) + lying, ONE) + ONE
+    return far.add(with_margins(picture), ONE) + ONE
 
 
 def start_of(name: str, rng: np.random.Generator, steps: tuple[int, int], length: int) -> tuple[int, int]:
@@ -36,30 +66,14 @@ def start_of(name: str, rng: np.random.Generator, steps: tuple[int, int], length
     return int(rng.integers(0, (255 << 16) - steps[0] * length)), int(rng.integers(0, 256 << 16))
 
 
-def drawn(name: str, picture: np.ndarray, start: tuple[int, int], steps: tuple[int, int],
-          length: int) -> np.ndarray:
-    """A line's pixels."""
-    n, (u, v), (du, dv) = np.arange(length), start, steps
-    if "gouraud" in name:
-        return (u + n * du) >> 16
-    if name == "arbitrary":
-        return picture[(v + n * dv) >> 16, (u + n * du) >> 16]
-    return picture.reshape(-1)[texel_generated(u, v, du, dv, length) & 0xFFFF]
-
-
 def mapper_case(name: str, length: int, dv: int = DV, lines: int = 0):
-    """A table of spans of one length, as tmap.bench.spans.span_case."""
-    rng, lines = np.random.default_rng(length), lines or line_count(length)
-    arena, far = Arena(), Arena()
+    """A table of spans of one length, as tmap.bench.spans.span_case; all have room for code."""
+    rng, lines, far = np.random.default_rng(length), lines or line_count(length), Arena()
     rows, columns = PICTURE if name == "arbitrary" else (256, 256)
     picture = rng.integers(0, 256, (rows, columns), dtype=np.uint8)
     map_at = add_map(far, name, picture)
     steps = DS if "gouraud" in name else DU_ROW if name == "generated" else DU, dv
-    starts = [(k % 4, *start_of(name, rng, steps, length)) for k in range(lines)]
-    expected = np.zeros((lines, length + GAP), np.uint8)
-    for k, (x, *start) in enumerate(starts):
-        expected[k, x:x + length] = drawn(name, picture, tuple(start), steps, length)
-    pointers = {"lines": arena.add(scanlines(starts, length, "plain")),
-                "code": arena.add(bytes(layout.load().constants["CODE_BYTES"]))}
-    return lines * length, *span_call(f"span_{name}", arena, far, pointers, {"map": map_at}, expected,
-                                      dudx=steps[0], dvdx=dv, map_width=columns, map_height=rows)
+    starts = [(k % 4, length, *start_of(name, rng, steps, length)) for k in range(lines)]
+    return mapper_trial(f"span_{name}", starts, length + GAP, Arena(),
+                        framed(far, map_at, picture, lines, length), dudx=steps[0], dvdx=dv, code=b"",
+                        map_width=columns, map_height=rows).row(lines * length)

@@ -1,10 +1,10 @@
-"""Bench rows of the N64's passes, and how a pass is called."""
+"""Calls of the N64's passes."""
 
 import numpy as np
 
 from tmap.bench.examples import n64
-from tmap.bench.examples.example import Example
-from tmap.guest.kernels import Arena, Case, Result
+from tmap.bench.trial import Trial, Write
+from tmap.guest.kernels import Arena, Case
 
 LENGTH = 256
 
@@ -17,9 +17,12 @@ def names(examples) -> list[str]:
 NAMES = names(n64)
 
 
-def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case, dict[int, bytes]]:
-    """The call of a pass, with input, output, texels and tables in the far arena; and what
-    it must write there."""
+def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str = "",
+               examples=n64) -> Trial:
+    """The call of a pass on ``count`` pixels, with input, output, texels and tables in the far
+    arena."""
+    example = examples.MAKERS[name.removesuffix("_c")](rng, count)
+    kernel = examples.FORMS.get(name, name)
     source, out = far.add(example.source), far.add(bytes(example.size))
     written, constants = {out: example.image(bytes(example.size))}, {}
     if example.table:
@@ -37,28 +40,24 @@ def place(example: Example, kernel: str, arena: Arena, far: Arena) -> tuple[Case
         more = {} if constants else {"constants": 0}
         call = arena.struct("pass_call", constants, {"in": source, "out": out},
                             count=example.count, **more)
-        return Case(kernel, arena, pointers={"a0": call}, far=far), written
-    return Case(kernel, arena, registers={"d0": example.count},
-                pointers={"a2": at for at in constants.values()}, far=far,
-                far_pointers={"a0": source, "a1": out}), written
+        case = Case(kernel, arena, pointers={"a0": call}, far=far)
+    else:
+        case = Case(kernel, arena, registers={"d0": example.count},
+                    pointers={"a2": at for at in constants.values()}, far=far,
+                    far_pointers={"a0": source, "a1": out})
 
+    def where(offset: int, is_far: bool) -> str | None:
+        for at, block in written.items():
+            pixel, byte = divmod(offset - at, max(len(block) // count, 1))
+            if is_far and 0 <= offset - at < len(block):
+                return f"pixel {pixel}, byte {byte} of an output"
+        return None
 
-def example_of(examples, name: str, rng, count: int) -> tuple[Example, str]:
-    """An example of a pass, and the routine it is for."""
-    example = examples.MAKERS[name.removesuffix("_c")](rng, count)
-    return example, examples.FORMS.get(name, name)
+    return Trial(case, title, where=where,
+                 writes=[Write(at, block, far=True) for at, block in written.items()])
 
 
 def pass_case(name: str, examples=n64):
     """One line of LENGTH pixels."""
-    example, kernel = example_of(examples, name, np.random.default_rng(LENGTH), LENGTH)
-    case, written = place(example, kernel, Arena(), Arena())
-
-    def check(result: Result) -> str | None:
-        for at, block in written.items():
-            for n, (found, expected) in enumerate(zip(result.far_memory[at:], block)):
-                if found != expected:
-                    return f"byte {n} of an output is {found:#04x}, expected {expected:#04x}"
-        return None
-
-    return LENGTH, case, check
+    return pass_trial(name, np.random.default_rng(LENGTH), LENGTH, Arena(), Arena(),
+                      examples=examples).row(LENGTH)

@@ -1,18 +1,21 @@
-"""Bench rows of perspective: spans whose w differs RATIO times, and what a line costs before.
+"""Calls of perspective's spans, and of what makes their lines. In bench rows w differs RATIO times.
 
-The line grows by a texel a pixel in u and 0.7 in v on the whole; every other line runs
+A row's line grows by a texel a pixel in u and 0.7 in v on the whole; every other line runs
 from far to near.
 """
 
+from functools import partial
+
 import numpy as np
 
-from tmap.bench.spans import GAP, first_difference, line_count
+from tmap.bench.spans import BIAS, GAP, Ground, framed, line_count, table_of
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
-from tmap.guest.kernels import Arena, Case, Result
+from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
 from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level,
                                     perspective, way, weights)
-from tmap.setup.scanline import MASKS, pack
+from tmap.setup.scanline import pack
 
 RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
@@ -37,60 +40,64 @@ def line(k: int, length: int, ratio: int, rng) -> Ends:
 
 def entry(each: Ends, setting: str) -> bytes:
     """The line as perspective_lines leaves it."""
-    shapes = layout.load()
-    fields = dict(left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.u, v=each.v,
+    fields = dict(left=each.left + BIAS, n=each.n, u=each.u, v=each.v,
                   du=each.du, dv=each.dv, weight=each.weight(0), dweight=each.last - each.first,
                   half=each.last >> 1)
     limits = enough(each, setting) if setting in CURVES else []
     fields |= dict(zip(ENOUGH, limits + [0] * (len(ENOUGH) - len(limits))))
-    return shapes.struct("perspective_line").pack(**fields)
+    return layout.load().struct("perspective_line").pack(**fields)
 
 
-def case_of_lines(kernel: str, plan: str, length: int, line, coordinates, near, **fields):
-    """A span over a table of lines of one length. ``line`` makes the k-th of k and random numbers,
-    ``coordinates`` are u and v of its pixels; ``near`` puts lines and tables into an arena, the
-    pointers to them are the plan's, as ``fields`` are."""
-    rng = np.random.default_rng(length)
-    count, pitch = line_count(length), length + GAP
-    shapes = layout.load()
-    arena, far = Arena(), Arena()
-    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
-    map_at = far.add(picture.tobytes(), shapes.constants["ARENA_ALIGN"])
-    lines = [line(k, rng) for k in range(count)]
-    expected = np.zeros((count, pitch), np.uint8)
+def record_table(arena: Arena, struct: str, lines: list, entry) -> int:
+    """Adds a table of lines' records, each as ``entry`` packs it; of an empty line only n, which is less
+    than 0, is given, and all else is 0."""
+    shape = layout.load().struct(struct)
+    zeros = dict.fromkeys(shape.fields, 0)
+    packed = (shape.pack(**zeros | {"n": each}) if isinstance(each, int) else entry(each)
+              for each in lines)
+    return arena.add(b"".join(packed), name="lines", shape=shape)
+
+
+def records_trial(kernel: str, plan: str, arena: Arena, ground: Ground, lines: list, pitch: int,
+                  coordinates, near: dict[str, int], title: str = "", **fields: int) -> Trial:
+    """A span over a table of records. ``coordinates``: u and v of a line's pixels; ``near``: the plan's
+    pointers to the table and others, which are in the arena; ``fields``: more of the plan."""
+    writes = []
     for k, each in enumerate(lines):
-        u, v = coordinates(each)
-        expected[k, each.left:each.left + length] = picture[v >> 16 & 255, u >> 16 & 255]
-    frame_at = far.add(bytes(pitch * count))
-    plan_at = arena.struct(plan, near(arena, lines),
-                           dict(row=frame_at - shapes.constants["EDGE_BIAS"], map=map_at),
-                           count=count, pitch=pitch, **fields)
-
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.far_memory, np.uint8, expected.size, frame_at)
-        return first_difference(expected, found.reshape(expected.shape))
-
-    return count * length, Case(kernel, arena, pointers={"a0": plan_at}, far=far), check
+        if not isinstance(each, int):
+            u, v = coordinates(each)
+            writes.append(Write(ground.frame_at + k * pitch + each.left,
+                                ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
+    plan_at = arena.struct(plan, near, dict(row=ground.frame_at - BIAS, map=ground.map_at),
+                           count=len(lines), pitch=pitch, **fields)
+    return Trial(Case(kernel, arena, pointers={"a0": plan_at}, far=ground.arena), title, writes=writes)
 
 
-def first_wrong_line(shape, found: bytes, entries: list[bytes], but=()) -> str | None:
-    """Of a table of structs: the first field that is another than expected, ``but`` for some."""
-    for k, expected in enumerate(entries):
-        made = shape.unpack(found[k * shape.size:(k + 1) * shape.size])
-        for field, value in shape.unpack(expected).items():
-            if made[field] != value and field not in but:
-                return f"line {k}: {field} is {made[field]}, expected {value}"
-    return None
+def row_of_records(length: int, line, trial):
+    """The bench row of a table of lines of one length. ``line`` makes the k-th of k and random numbers,
+    ``trial`` the call of an arena, a ground, lines and their pitch."""
+    rng, count, far = np.random.default_rng(length), line_count(length), Arena()
+    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
+    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
+    lines = [line(k, rng) for k in range(count)]
+    ground = framed(far, map_at, picture, count, length)
+    return trial(Arena(), ground, lines, length + GAP).row(count * length)
+
+
+def span_trial(setting: str, arena: Arena, ground: Ground, lines: list, pitch: int,
+               title: str = "") -> Trial:
+    """One table of Ends."""
+    kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
+    table = record_table(arena, "perspective_line", lines, lambda each: entry(each, setting))
+    return records_trial(kernel, "perspective_span", arena, ground, lines, pitch,
+                         lambda each: coordinates(each, setting), dict(lines=table), title,
+                         longest=way(setting).piece)
 
 
 def span_case(setting: str, ratio: int, length: int):
     """A table of lines of one length."""
-    return case_of_lines(
-        "span_perspective_curves" if setting in CURVES else "span_perspective_pieces",
-        "perspective_span", length, lambda k, rng: line(k, length, ratio, rng),
-        lambda each: coordinates(each, setting),
-        lambda arena, lines: dict(lines=arena.add(b"".join(entry(each, setting) for each in lines))),
-        longest=way(setting).piece)
+    return row_of_records(length, lambda k, rng: line(k, length, ratio, rng),
+                          partial(span_trial, setting))
 
 
 def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
@@ -116,52 +123,57 @@ def polygon_lines():
         [(5 + y // 8, 60 + y, y) for y in range(LINES)]
 
 
-def scanlines(arena, lines) -> int:
+def scanlines(arena: Arena, lines) -> int:
     """Puts a table of (left, right, y) into an arena."""
-    shapes = layout.load()
-    bias = shapes.constants["EDGE_BIAS"]
-    return arena.add(b"".join(shapes.struct("scanline").pack(
-        left=left + bias, last=right - 1 + bias, start0=0, start1=0, start2=0)
-        for left, right, _ in lines))
+    return arena.add(table_of([{"left": left + BIAS, "last": right - 1 + BIAS}
+                               for left, right, _ in lines]), name="lines", shape=layout.load().struct("scanline"))
 
 
-def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int, setting: str = "every16") -> int:
+def add_perspective_plan(arena: Arena, deep: Perspective, lines, to_at: int,
+                         setting: str = "every16") -> int:
     """Adds a perspective_plan and its scanline table."""
     return plan_of(arena, deep, setting, len(lines), dict(lines=scanlines(arena, lines), to=to_at))
 
 
+def level_trial(arena: Arena, deep: Perspective, lines, title: str = "") -> Trial:
+    """Lines (left, right, y) as if each had its first pixel's depth."""
+    size = layout.load().struct("scanline").size
+    lines_at, steps_at = scanlines(arena, lines), arena.room("scanline_step", len(lines), "steps")
+    plan_at = plan_of(arena, deep, "every16", len(lines), dict(lines=lines_at, to=steps_at))
+    writes = []
+    for k, (left, right, y) in enumerate(lines):
+        if right > left:
+            u, v = (c.tolist() for c in level(deep, left, left + 2, y))
+            writes += fields(lines_at + k * size, "scanline", pack("addx", u[0], v[0]))
+            writes += fields(steps_at + 8 * k, "scanline_step",
+                             {"dudx": u[1] - u[0], "dvdx": v[1] - v[0]})
+    return Trial(Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), title,
+                 writes=writes)
+
+
 def level_case():
-    """LINES lines as if each had its first pixel's depth."""
-    arena, shape = Arena(), layout.load().struct("scanline")
-    deep, lines = polygon_lines()
-    lines_at, steps_at = scanlines(arena, lines), arena.add(bytes(8 * LINES))
-    plan_at = plan_of(arena, deep, "every16", LINES, dict(lines=lines_at, to=steps_at))
+    """LINES lines of a turned triangle."""
+    return level_trial(Arena(), *polygon_lines()).row(LINES)
 
-    def check(result: Result) -> str | None:
-        found = np.frombuffer(result.memory, shape.dtype, LINES, lines_at)
-        steps = np.frombuffer(result.memory, ">i4", 2 * LINES, steps_at).reshape(-1, 2)
-        for left, _, y in lines:
-            u, v = level(deep, left, left + 2, y)
-            for field, value in pack("addx", int(u[0]), int(v[0])).items():
-                if (int(found[y][field]) ^ value) & MASKS["addx"][field]:
-                    return f"line {y}: {field} is {found[y][field]}, expected {value}"
-            if [int(u[1] - u[0]), int(v[1] - v[0])] != steps[y].tolist():
-                return f"line {y}: steps {steps[y]}, expected {u[1] - u[0]}, {v[1] - v[0]}"
-        return None
 
-    return LINES, Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), check
+def lines_trial(setting: str, arena: Arena, deep: Perspective, lines, title: str = "") -> Trial:
+    """Lines (left, right, y), empty ones and single pixels among them."""
+    shape, out = layout.load().struct("perspective_line"), arena.room("perspective_line", len(lines))
+    longest, writes = shape.fields[ENOUGH[3]]["offset"], []
+    for k, (left, right, y) in enumerate(lines):
+        at, wanted = out + k * shape.size, {"n": right - left - 1, "left": left + BIAS}
+        if setting == "fine":  # no piece is so long
+            writes.append(anything(at + longest, 4))
+        if right > left:
+            found = shape.unpack(entry(ends(deep, left, right, y), setting))
+            unread = found.keys() - {*wanted, "u", "v"} if right - left == 1 else \
+                ENOUGH if setting not in CURVES else ENOUGH[3:] if setting == "fine" else ()
+            wanted = {name: value for name, value in found.items() if name not in unread}
+        writes += fields(at, "perspective_line", wanted)
+    plan_at = add_perspective_plan(arena, deep, lines, out, setting)
+    return Trial(Case("perspective_lines", arena, pointers={"a0": plan_at}), title, writes=writes)
 
 
 def lines_case(setting: str):
     """LINES lines of a turned triangle."""
-    arena, shape = Arena(), layout.load().struct("perspective_line")
-    deep, lines = polygon_lines()
-    expected = [ends(deep, *each) for each in lines]
-    to_at = arena.add(bytes(shape.size * LINES))
-    plan_at = add_perspective_plan(arena, deep, lines, to_at, setting)
-
-    def check(result: Result) -> str | None:
-        return first_wrong_line(shape, result.memory[to_at:], [entry(each, setting) for each in expected],
-                                () if setting in CURVES else ENOUGH)
-
-    return LINES, Case("perspective_lines", arena, pointers={"a0": plan_at}), check
+    return lines_trial(setting, Arena(), *polygon_lines()).row(LINES)

@@ -1,12 +1,16 @@
-"""Bench rows of perspective by a table of reciprocals: the lines of tmap.bench.perspective."""
+"""Calls of perspective by a table of reciprocals; rows have the lines of tmap.bench.perspective."""
+
+from functools import partial
 
 import numpy as np
 
 from tmap.base.fixed import M32, signed
-from tmap.bench.perspective import (LINES, NEAR, RATIO, add_perspective_plan, case_of_lines,
-                                    first_wrong_line, polygon_lines)
+from tmap.bench.perspective import (LINES, NEAR, RATIO, add_perspective_plan, polygon_lines,
+                                    record_table, records_trial, row_of_records)
+from tmap.bench.spans import BIAS, Ground
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
-from tmap.guest.kernels import Arena, Case, Result
+from tmap.guest.kernels import Arena, Case
 from tmap.setup import reciprocal as reciprocals
 
 #: Row: pixels of a piece.
@@ -34,19 +38,24 @@ def line(k: int, length: int, m: int, rng) -> reciprocals.Reciprocal:
 
 def entry(each: reciprocals.Reciprocal) -> bytes:
     """The line as reciprocal_lines leaves it."""
-    shapes = layout.load()
-    return shapes.struct("reciprocal_line").pack(
-        left=each.left + shapes.constants["EDGE_BIAS"], n=each.n, u=each.start[0] & M32,
+    return layout.load().struct("reciprocal_line").pack(
+        left=each.left + BIAS, n=each.n, u=each.start[0] & M32,
         v=each.start[1] & M32, q=each.q, dq=each.dq, cu=each.c[0], cv=each.c[1], first=each.first,
         last=each.last, carry=each.carry, scale=0)
 
 
+def span_trial(piece: int, arena: Arena, ground: Ground, lines: list, pitch: int,
+               title: str = "") -> Trial:
+    """One table of lines in pieces of 2^``piece`` pixels."""
+    near = dict(lines=record_table(arena, "reciprocal_line", lines, entry), table=table(arena))
+    return records_trial(f"span_reciprocal_{1 << piece}", "reciprocal_span", arena, ground, lines,
+                         pitch, reciprocals.coordinates, near, title)
+
+
 def span_case(m: int, length: int):
     """A table of lines of one length, by reciprocals."""
-    return case_of_lines(
-        f"span_reciprocal_{m}", "reciprocal_span", length, lambda k, rng: line(k, length, m, rng),
-        reciprocals.coordinates,
-        lambda arena, lines: dict(lines=arena.add(b"".join(map(entry, lines))), table=table(arena)))
+    return row_of_records(length, lambda k, rng: line(k, length, m, rng),
+                          partial(span_trial, m.bit_length() - 1))
 
 
 def constants_fields(constants) -> dict:
@@ -62,24 +71,52 @@ def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, 
                         **constants_fields(constants), limit=constants.limit, piece=constants.piece)
 
 
-def lines_left(result: Result) -> str | None:
-    """What is wrong where no line is to be left to others."""
-    left = result.registers["d0"]
-    return f"{left} lines are left to others" if left else None
+def constants_of(deep, piece: int | None, width: int, lines):
+    """The constants of a polygon with lines (left, right, y), and the pixel they are found at."""
+    x, y = next((left - deep.i, k) for k, (left, right, _) in enumerate(lines) if right > left)
+    return reciprocals.find(deep, piece, width, x, y), x, y
+
+
+def emptied_lines(arena: Arena, planes_at: int, lines, made: list) -> list[Write]:
+    """What a plan's lines are to others: empty those that were ``made``, if others were not."""
+    entry = layout.load().struct("scanline")
+    table = int.from_bytes(arena.data[planes_at:planes_at + 4], "big")
+    some_left = any(right > left and not line for (left, right, _), line in zip(lines, made))
+    return [Write(table + k * entry.size + entry.fields["last"]["offset"],
+                  ((left if line and some_left else right) - 1 + BIAS).to_bytes(2, "big"))
+            for k, ((left, right, _), line) in enumerate(zip(lines, made))]
+
+
+def made_trial(case: Case, struct: str, out: int, planes_at: int, lines, made: list, fields_of,
+               title: str) -> Trial:
+    """A call that makes a table of records at ``out``. ``made``: of each line, None where it is left to
+    others or empty; ``fields_of``: the fields of a record that are written."""
+    size = layout.load().struct(struct).size
+    writes = [anything(out, size * len(lines)), *emptied_lines(case.arena, planes_at, lines, made)]
+    for k, ((left, right, _), line) in enumerate(zip(lines, made)):
+        wanted = fields_of(line) if line else {"n": -1 if right > left else right - left - 1}
+        writes += fields(out + k * size, struct, wanted)
+    others = sum(right > left and not line for (left, right, _), line in zip(lines, made))
+    return Trial(case, f"{title}, {len(lines)} lines, {others} left", {"d0": others}, writes=writes)
+
+
+def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "") -> Trial:
+    """reciprocal_lines on lines (left, right, y), of which those are ``made``."""
+    shape, out = layout.load().struct("reciprocal_line"), arena.room("reciprocal_line", len(lines))
+    planes_at = add_perspective_plan(arena, deep, lines, out)
+    plan_at = add_reciprocal_plan(arena, planes_at, constants, table(arena), out)
+
+    def fields_of(line: reciprocals.Reciprocal) -> dict[str, int]:
+        unread = {"scale"} if line.n >> line.piece else {"scale", "dq"}  # it takes no step
+        return {name: value for name, value in shape.unpack(entry(line)).items() if name not in unread}
+
+    return made_trial(Case("reciprocal_lines", arena, pointers={"a0": plan_at}), "reciprocal_line", out,
+                      planes_at, lines, made, fields_of, title)
 
 
 def lines_case(m: int):
     """LINES lines of a turned triangle, all of which are taken."""
-    arena, shape = Arena(), layout.load().struct("reciprocal_line")
     deep, lines = polygon_lines()
-    constants = reciprocals.find(deep, m.bit_length() - 1, 200, lines[0][0] - deep.i, 0)
-    expected = [reciprocals.line(deep, constants, *each) for each in lines]
-    to_at = arena.add(bytes(shape.size * LINES))
-    planes_at = add_perspective_plan(arena, deep, lines, to_at)
-    plan_at = add_reciprocal_plan(arena, planes_at, constants, table(arena), to_at)
-
-    def check(result: Result) -> str | None:
-        return lines_left(result) or first_wrong_line(
-            shape, result.memory[to_at:], [entry(each) for each in expected], ("scale",))
-
-    return LINES, Case("reciprocal_lines", arena, pointers={"a0": plan_at}), check
+    constants, *_ = constants_of(deep, m.bit_length() - 1, 200, lines)
+    made = [reciprocals.line(deep, constants, *each) for each in lines]
+    return lines_trial(Arena(), deep, constants, lines, made).row(LINES)

@@ -1,4 +1,4 @@
-"""Bench rows of the way to the screen: a frame to its planes, ends of rows included.
+"""Calls of the way to the screen: a frame to its planes.
 
 Rows that end in ``_low``, ``_high`` or ``_super`` are measured while eight planes are displayed, 256
 lines of 320, 640 or 1280 dots a field, which takes chip RAM's time: what a frame costs that is
@@ -9,6 +9,7 @@ in their share but for the last field's.
 import numpy as np
 
 from tmap.base import planar
+from tmap.bench.trial import Trial, Write
 from tmap.guest.kernels import Arena, Case, Result
 
 #: Pixels: HAM8's are four dots wide each, of 640 in a row.
@@ -36,17 +37,43 @@ def frame(pixels: np.ndarray, pitch: int, padding: bytes) -> tuple[bytearray, in
     return content, first
 
 
-def place(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, arena: Arena,
-          far: Arena, before: bytes) -> tuple[Case, int]:
-    """The call of a kernel, pixels in the near arena, planes in the far one, where the block of
-    planes holds ``before``; and where that is."""
+def where_of(planes: planar.Planes, out: int):
+    """Names a byte of the planes' block."""
+    offsets = planes.offsets
+
+    def where(offset: int, far: bool) -> str | None:
+        for plane, y, byte in np.argwhere(offsets == offset - out) if far else ():
+            return f"plane {planes.numbers[plane]}, row {y}, dots {8 * byte} to {8 * byte + 7}"
+        return None
+
+    return where
+
+
+def writes_of(planes: planar.Planes, dots: np.ndarray, out: int) -> list[Write]:
+    """What the planes' rows must be; the bytes between them stay."""
+    return [Write(out + int(at[0]), row.tobytes(), far=True)
+            for rows, plane in zip(planes.offsets, planes.encoded(dots))
+            for at, row in zip(rows, plane)]
+
+
+def frame_trial(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, arena: Arena,
+                far: Arena, before: bytes, title: str = "") -> Trial:
+    """A frame to planes, pixels in the near arena, planes in the far one, where the block of planes
+    holds ``before``."""
     content, first = frame(pixels, pitch, b"\xa5")
     at, out = arena.add(content, 8), far.add(before)
     plan = arena.struct(
         "planar_plan", {"pixels": at + first}, {"planes": out + planes.first}, pitch=pitch,
         width=pixels.shape[1], rows=planes.rows, row_pitch=planes.row_pitch,
         plane_pitch=planes.plane_pitch)
-    return Case(kernel, arena, pointers={"a0": plan}, far=far), out
+    dots = planar.FORMS[kernel.removesuffix("_c")].convert(pixels)
+
+    def decoded(result: Result) -> str | None:
+        block = np.frombuffer(result.far_memory, np.uint8, planes.size, out)
+        return planar.difference(dots, planes.decoded(block))
+
+    return Trial(Case(kernel, arena, pointers={"a0": plan}, far=far), title,
+                 writes=writes_of(planes, dots, out), where=where_of(planes, out), also=decoded)
 
 
 def screen_case(row_name: str):
@@ -59,13 +86,7 @@ def screen_case(row_name: str):
     pixels = planar.noise(name, np.random.default_rng(256), width, rows)
     row = form.dots * width // 8
     planes = planar.Planes(8 * row, rows, row, row * rows, form.planes)
-    case, out = place(f"{name}_c" if in_c else name, pixels, width * form.bytes, planes, Arena(),
-                      Arena(), bytes(planes.size))
-    case.display = SHOWN["" if in_c else row_name.removeprefix(name)]
-    expected = form.convert(pixels)
-
-    def check(result: Result) -> str | None:
-        block = np.frombuffer(result.far_memory, np.uint8, planes.size, out)
-        return planar.difference(expected, planes.decoded(block))
-
-    return width * rows, case, check
+    trial = frame_trial(f"{name}_c" if in_c else name, pixels, width * form.bytes, planes, Arena(),
+                        Arena(), bytes(planes.size))
+    trial.case.display = SHOWN["" if in_c else row_name.removeprefix(name)]
+    return trial.row(width * rows)

@@ -5,6 +5,7 @@ once, returns registers and memory, and then times repeats. Layouts come from c/
 """
 
 from dataclasses import asdict, dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,20 +24,43 @@ BATCH_BYTES = 950_000
 BATCH_BYTES_FAST = 5_000_000
 
 
+class Place(NamedTuple):
+    """What an offset of an arena belongs to: its name, where that begins, its bytes."""
+
+    name: str
+    at: int
+    size: int
+
+
 class Arena:
-    """A memory image under construction: blocks at offsets, pointers to be relocated."""
+    """A memory image under construction: blocks at offsets, pointers to be relocated. Blocks have
+    names and shapes for arenas that tell what is at an offset."""
 
     def __init__(self) -> None:
         self.data = bytearray()
         self.pointers: list[int] = []  # longwords with offsets into this arena
         self.far_pointers: list[int] = []  # longwords with offsets into the far arena
 
-    def add(self, content: bytes | bytearray, align: int = 4) -> int:
+    def add(self, content: bytes | bytearray, align: int = 4, name: str = "data",
+            shape: layout.Struct | None = None) -> int:
         """Appends a block; returns its offset."""
         self.data += bytes(-len(self.data) % align)
         at = len(self.data)
         self.data += content
         return at
+
+    def blank(self, size: int, name: str = "data", shape: layout.Struct | None = None) -> int:
+        """Appends a block that a kernel writes: zeros."""
+        return self.add(bytes(size), name=name, shape=shape)
+
+    def room(self, struct: str, count: int = 1, name: str = "") -> int:
+        """Appends blank space for ``count`` structs."""
+        shape = layout.load().struct(struct)
+        return self.blank(shape.size * count, name or struct, shape)
+
+    def place(self, offset: int) -> Place:
+        """What an offset belongs to."""
+        return Place(f"offset {offset}", offset, 1)
 
     def struct(self, name: str, pointers: dict[str, int], far: dict[str, int] | None = None,
                **values: int) -> int:
@@ -44,7 +68,7 @@ class Arena:
         arenas."""
         shape, far = layout.load().struct(name), far or {}
         offsets = {field: at & M32 for field, at in (pointers | far).items()}
-        at = self.add(shape.pack(**values, **offsets))
+        at = self.add(shape.pack(**values, **offsets), name=name, shape=shape)
         self.pointers += [at + shape.fields[field]["offset"] for field in pointers]
         self.far_pointers += [at + shape.fields[field]["offset"] for field in far]
         return at

@@ -108,3 +108,38 @@ def packed(texels: np.ndarray) -> bytes:
     """5/5/5/1 words of texels [n][4]."""
     r, g, b, a = texels.reshape(-1, 4).astype(np.int64).T
     return words((r >> 3) << 11 | (g >> 3) << 6 | (b >> 3) << 1 | a >> 7)
+
+
+@dataclass
+class Map:
+    """A random decoded tile or level that wraps: ``texels`` [rows][columns][4]."""
+
+    texels: np.ndarray
+
+    def corners(self, x, y) -> np.ndarray:
+        """Texels (x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1): [n][4][4]."""
+        rows, columns = self.texels.shape[:2]
+        return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
+                         for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
+
+    def decoded(self, struct: str, fraction: int,
+                to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
+        """The ``struct`` of it: name, values, blocks. ``fraction``: bits of it in coordinates;
+        ``to_bytes``: of its quads, or without."""
+        rows, columns = self.texels.shape[:2]
+        blocks = {"texels": pixels(self.texels)}
+        if to_bytes:
+            y, x = np.divmod(np.arange(rows * columns), columns)
+            blocks["quads"] = to_bytes(self.corners(x, y))
+        return struct, dict(
+            mask_s=columns - 1 << fraction, mask_t=rows - 1 << fraction,
+            columns_bits=columns.bit_length() - 1, rows_bits=rows.bit_length() - 1,
+        ) | ({} if to_bytes else {"quads": 0}), blocks
+
+
+def any_map(rng, widest: int) -> Map:
+    """Of any size, some a column of 256 or a row alone."""
+    columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
+    if rng.random() < 0.1:
+        columns, rows = (widest, 1) if rng.random() < 0.5 else (1, 256)
+    return Map(any_texels(rng, rows * columns).reshape(rows, columns, 4))

@@ -4,11 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmap.bench.examples.example import (BENCH, Example, any_texels, longs, numbered, pair, pairs,
-                                         pixels, some_coordinates, walked, words)
+from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, numbered,
+                                         pair, pairs, pixels, some_coordinates, walked, words)
 
 WRAPPED = 0xFFFF
 EDGES = (0, 1, 15, 16, 0x7FFF, 0x8000, 0xFFFF, 0xFFF0)  # of s and t, 12.4
+SIDE = 256  # texels, at most
+DECODED = "glide_decoded", 4  # struct of a level, bits of fraction of its coordinates
 
 
 @dataclass
@@ -126,44 +128,12 @@ def quads(rng, count: int) -> Example:
     return Example("glide_quads", texels, quad_bytes(corners), count)
 
 
-@dataclass
-class Level:
-    """A random decoded level: ``texels`` [rows][columns][4]."""
-
-    texels: np.ndarray
-
-    def corners(self, x, y) -> np.ndarray:
-        """The quads of texels (x, y), wrapped: [n][4][4]."""
-        rows, columns = self.texels.shape[:2]
-        return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
-                         for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
-
-    def decoded(self, to_bytes=None) -> tuple[str, dict[str, int], dict[str, bytes]]:
-        """struct glide_decoded: name, values, blocks; ``to_bytes``: of its quads, or without."""
-        rows, columns = self.texels.shape[:2]
-        blocks = {"texels": pixels(self.texels)}
-        if to_bytes:
-            y, x = np.divmod(np.arange(rows * columns), columns)
-            blocks["quads"] = to_bytes(self.corners(x, y))
-        return "glide_decoded", dict(
-            mask_s=columns - 1 << 4, mask_t=rows - 1 << 4, columns_bits=columns.bit_length() - 1,
-            rows_bits=rows.bit_length() - 1) | ({} if to_bytes else {"quads": 0}), blocks
-
-
-def level(rng) -> Level:
-    """Of any size, some a column or a row alone."""
-    columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
-    if rng.random() < 0.1:
-        columns, rows = (256, 1) if rng.random() < 0.5 else (1, 256)
-    return Level(any_texels(rng, rows * columns).reshape(rows, columns, 4))
-
-
 def coordinates(rng, count: int) -> np.ndarray:
     """s and t of a level, 12.4, [count][2]."""
     return some_coordinates(rng, count, EDGES, 0.1)
 
 
-def filtered(st: np.ndarray, ground: Level, bits: int) -> np.ndarray:
+def filtered(st: np.ndarray, ground: Map, bits: int) -> np.ndarray:
     """Texels [n][4] by weights of ``bits`` bits."""
     one = 1 << bits
     corners = ground.corners(*(st >> bits).T)
@@ -173,17 +143,17 @@ def filtered(st: np.ndarray, ground: Level, bits: int) -> np.ndarray:
 
 
 def bilinear(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), level(rng)
+    st, ground = coordinates(rng, count), any_map(rng, SIDE)
     if count == BENCH:  # each pair of fractions once, in no order
         st = (st & ~15) + rng.permuted(np.stack(np.divmod(np.arange(256), 16), 1), axis=0)
     return Example("glide_bilinear", pairs(st), pixels(filtered(st, ground, 4)), count,
-                   *ground.decoded(quad_bytes))
+                   *ground.decoded(*DECODED, quad_bytes))
 
 
 def bilinear_8(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), level(rng)
+    st, ground = coordinates(rng, count), any_map(rng, SIDE)
     return Example("glide_bilinear_8", pairs(st), pixels(filtered(st, ground, 8)), count,
-                   *ground.decoded(quad_8_bytes))
+                   *ground.decoded(*DECODED, quad_8_bytes))
 
 
 def packed(texels: bytes) -> bytes:
@@ -199,9 +169,9 @@ def bilinear_565(rng, count: int) -> Example:
 
 
 def point(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), level(rng)
+    st, ground = coordinates(rng, count), any_map(rng, SIDE)
     return Example("glide_point", pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
-                   *ground.decoded())
+                   *ground.decoded(*DECODED))
 
 
 def store_565(rng, count: int) -> Example:

@@ -5,8 +5,8 @@ from collections.abc import Callable
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.bench.examples.example import BENCH, Example, any_texels, longs, pixels, walked, words
-from tmap.bench.examples.glide_sample import Level, filtered, packed
+from tmap.bench.examples.example import BENCH, Example, Map, any_texels, longs, pixels, walked, words
+from tmap.bench.examples.glide_sample import filtered, packed
 
 SIDE, ROWS = 256, 16  # of a page; rows of it that there are
 SHIFT, SHIFTS = 14, 5  # from 14.18 to a page of level 0; and how many levels have one of their own
@@ -52,14 +52,14 @@ def any_page(bits: int) -> Callable[..., Example]:
     return make
 
 
-def bilinear(level: Level, places_: np.ndarray) -> np.ndarray:
+def bilinear(level: Map, places_: np.ndarray) -> np.ndarray:
     """The filter's result in a level at places [n][2] of the map that is 16 times as fine."""
     return filtered(places_ - 8, level, 4)
 
 
-def some_level(rng, side: int) -> Level:
+def some_level(rng, side: int) -> Map:
     """One that repeats within a page, 16 columns or rows a texel."""
-    return Level(any_texels(rng, side * side).reshape(side, side, 4))
+    return Map(any_texels(rng, side * side).reshape(side, side, 4))
 
 
 def one_level(rng) -> Callable[[np.ndarray], np.ndarray]:

@@ -1,15 +1,15 @@
 """Examples of the passes that find texels: coordinates, filter, points, stores."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.bench.examples.example import (BENCH, Example, any_texels, longs, packed, pair, pairs,
-                                         pixels, some_coordinates, walked)
+from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, packed,
+                                         pair, pairs, pixels, some_coordinates, walked)
 from tmap.build import layout
 
 EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
+WIDEST = 512  # texels in a row
+DECODED = "n64_decoded", 5  # struct of a tile, bits of fraction of its coordinates
 
 
 def coordinates(rng, count: int) -> np.ndarray:
@@ -59,51 +59,16 @@ def filtered(corners, fs, ft) -> np.ndarray:
     return np.where(fs + ft < 32, lower, upper)
 
 
-@dataclass
-class Tile:
-    """A random decoded tile that wraps: ``texels`` [rows][columns][4]."""
-
-    texels: np.ndarray
-    has_quads: bool
-
-    @property
-    def bits(self) -> tuple[int, int]:
-        """log2 of columns and rows."""
-        rows, columns = self.texels.shape[:2]
-        return columns.bit_length() - 1, rows.bit_length() - 1
-
-    def corners(self, s, t) -> np.ndarray:
-        """c00, c10, c01, c11 at coordinates: [n][4][4]."""
-        rows, columns = self.texels.shape[:2]
-        x, y = s >> 5, t >> 5
-        return np.stack([self.texels[(y + j) % rows, (x + i) % columns]
-                         for j in (0, 1) for i in (0, 1)], 1).astype(np.int64)
-
-    def decoded(self) -> tuple[str, dict[str, int], dict[str, bytes]]:
-        """struct n64_decoded: name, values, blocks."""
-        rows, columns = self.texels.shape[:2]
-        y, x = np.divmod(np.arange(rows * columns), columns)
-        blocks = {"texels": pixels(self.texels)}
-        if self.has_quads:
-            blocks["quads"] = quad_bytes(self.corners(32 * x, 32 * y))
-        bits = self.bits
-        return "n64_decoded", dict(
-            mask_s=columns - 1 << 5, mask_t=rows - 1 << 5, columns_bits=bits[0],
-            rows_bits=bits[1]) | ({} if self.has_quads else {"quads": 0}), blocks
-
-
-def tile(rng, has_quads: bool) -> Tile:
-    """Of any size, some a column or a row alone."""
-    columns, rows = (1 << int(rng.integers(0, 6)) for _ in range(2))
-    if rng.random() < 0.1:
-        columns, rows = (512, 1) if rng.random() < 0.5 else (1, 256)
-    return Tile(any_texels(rng, rows * columns).reshape(rows, columns, 4), has_quads)
+def corners_of(ground: Map, st: np.ndarray) -> np.ndarray:
+    """The quads at coordinates [n][2]: [n][4][4]."""
+    return ground.corners(*(st >> 5).T)
 
 
 def threepoint(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), tile(rng, True)
-    drawn = filtered(ground.corners(*st.T), *(st.T & 31))
-    return Example("n64_threepoint", pairs(st), pixels(drawn), count, *ground.decoded())
+    st, ground = coordinates(rng, count), any_map(rng, WIDEST)
+    drawn = filtered(corners_of(ground, st), *(st.T & 31))
+    return Example("n64_threepoint", pairs(st), pixels(drawn), count,
+                   *ground.decoded(*DECODED, quad_bytes))
 
 
 def threepoint_16(rng, count: int) -> Example:
@@ -113,18 +78,18 @@ def threepoint_16(rng, count: int) -> Example:
 
 
 def average(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), tile(rng, True)
+    st, ground = coordinates(rng, count), any_map(rng, WIDEST)
     st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
-    corners, (fs, ft) = ground.corners(*st.T), st.T & 31
+    corners, (fs, ft) = corners_of(ground, st), st.T & 31
     drawn = np.where((fs == 16)[:, None] & (ft == 16)[:, None], corners.sum(1) + 2 >> 2,
                      filtered(corners, fs, ft))
-    return Example("n64_average", pairs(st), pixels(drawn), count, *ground.decoded())
+    return Example("n64_average", pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
 
 
 def point(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), tile(rng, False)
-    return Example("n64_point", pairs(st), pixels(ground.corners(*st.T)[:, 0]), count,
-                   *ground.decoded())
+    st, ground = coordinates(rng, count), any_map(rng, WIDEST)
+    return Example("n64_point", pairs(st), pixels(corners_of(ground, st)[:, 0]), count,
+                   *ground.decoded(*DECODED))
 
 
 def store_16(rng, count: int) -> Example:
