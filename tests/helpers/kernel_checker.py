@@ -1,9 +1,9 @@
-"""Calls kernels and holds what they left to their contract blocks.
+"""Calls kernels and checks the results against their contract blocks.
 
-A trial is one call together with what must come out of it. Everything else must
-stay as it was: the stack pointer, the registers that the block lists neither under
-``out`` nor under ``trashes``, and every byte of memory that the trial does not
-expect to be written. Each block of memory lies between guards of noise.
+A trial is one call together with its expected results. Everything else must stay as it was: the
+stack pointer, the registers that the block lists neither under ``out`` nor under ``trashes``, and
+every byte of memory that the trial does not expect to be written. Each block of memory is between
+guards of noise.
 """
 
 from collections.abc import Callable
@@ -19,8 +19,8 @@ from tmap.guest import kernels
 from tmap.guest.kernels import M32
 
 MACHINE = "a1200-fast"
-GUARD = 64  # bytes before and behind each block, at least
-REPORTED = 4  # failed trials of one kernel that are shown
+GUARD = 64  # least number of bytes before and behind each block
+REPORTED = 4  # most failed trials of one kernel that are shown
 RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_contract[{}]"'
 #: Bits of an ``out`` register that its C type covers.
 WIDTHS = {"uint8": 8, "int8": 8, "uint16": 16, "int16": 16}
@@ -36,7 +36,7 @@ class Block(NamedTuple):
 
 
 class Place(NamedTuple):
-    """What an offset of an arena belongs to: its name, where that begins, its bytes."""
+    """The item that an offset of an arena belongs to: its name, its start, its bytes."""
 
     name: str
     at: int
@@ -75,7 +75,7 @@ class Memory(kernels.Arena):
         return self.add(self.noise.bytes(shape.size * count), name=name or struct, shape=shape)
 
     def place(self, offset: int) -> Place:
-        """What lies at an offset."""
+        """Returns the item at an offset."""
         def distance(block: Block) -> int:
             return max(block.at - offset, offset - block.at - block.size + 1, 0)
 
@@ -92,7 +92,7 @@ class Memory(kernels.Arena):
         name, entry = next((n, e) for n, e in block.shape.fields.items()
                            if e["offset"] <= rest < e["offset"] + e["size"] * e["count"])
         start = inside - rest + entry["offset"]
-        if entry["count"] > 1 or entry["size"] == 1:  # an array, or a struct in the struct
+        if entry["count"] > 1 or entry["size"] == 1:  # an array, or a nested struct
             size = entry["size"] if entry["size"] > 1 else 4
             number = (inside - start) // size
             return Place(f"{block.name}.{name}[{number}]", block.at + start + number * size, size)
@@ -101,7 +101,7 @@ class Memory(kernels.Arena):
 
 
 class Write(NamedTuple):
-    """Bytes that the call writes; ``mask`` has the bits that count (all without one)."""
+    """Bytes that the call writes; ``mask`` has the bits to compare (all if None)."""
 
     at: int
     expected: bytes
@@ -111,11 +111,11 @@ class Write(NamedTuple):
 
 @dataclass
 class Trial:
-    """One call and what must come out of it.
+    """One call and its expected results.
 
-    ``outputs``, ``ends``: ``out`` registers, as values and as offsets of the far
-    arena. ``where`` names an offset (of the far arena where its second argument is
-    true) better than the arena can. ``also`` is one more check: an error text, or None.
+    ``outputs``, ``ends``: ``out`` registers, as values and as offsets of the far arena. ``where``
+    names an offset (of the far arena if its second argument is true) better than the arena can.
+    ``also`` is one more check: it returns an error text, or None.
     """
 
     case: kernels.Case
@@ -128,7 +128,7 @@ class Trial:
 
 
 def both(value: int, size: int = 4) -> str:
-    """A number in hexadecimal and, with its sign, in decimal."""
+    """Formats a number in hexadecimal and, with its sign, in decimal."""
     bits = 8 * size
     value &= (1 << bits) - 1
     signed = value - (value >> bits - 1 << bits) if size > 1 else value
@@ -136,14 +136,14 @@ def both(value: int, size: int = 4) -> str:
 
 
 def values(**named: int) -> str:
-    """Numbers by name, for a title."""
+    """Formats numbers with their names, for a title."""
     return ", ".join(f"{name} {both(value)}" for name, value in named.items())
 
 
 def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[str, int],
                  name: str = ""):
-    """What a struct must hold: its written fields, and a check of them. ``pointers`` are
-    offsets into the arena."""
+    """Returns the writes of a struct's expected fields, and a check of their values. ``pointers``
+    are offsets into the arena."""
     shape = layout.load().struct(struct)
     writes = [Write(at + shape.fields[f]["offset"], bytes(shape.fields[f]["size"]),
                     bytes(shape.fields[f]["size"])) for f in numbers | pointers]
@@ -163,12 +163,12 @@ def fields_check(at: int, struct: str, numbers: dict[str, int], pointers: dict[s
 
 
 def first_of(checks):
-    """One check out of several: what the first that fails says."""
+    """Combines checks: returns the text of the first that fails."""
     return lambda result: next(filter(None, (check(result) for check in checks)), None)
 
 
 def register_complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
-    """Registers that are not what the block and the trial say."""
+    """Complains about registers that differ from what the block and the trial say."""
     case, found = trial.case, result.registers
     types = {a.register: a.type for a in contract.outputs}
     before = {name: kernels.POISON + n for n, name in enumerate(kernels.REGISTERS)} | case.registers
@@ -194,7 +194,7 @@ def register_complaints(trial: Trial, result: kernels.Result, contract: Contract
 
 
 def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | None:
-    """The first byte of one arena that is not what it must be, in words."""
+    """Describes the first wrong byte of one arena; None if there is none."""
     arena = trial.case.far if far else trial.case.arena
     found = np.frombuffer(result.far_memory if far else result.memory, np.uint8)
     expected = np.frombuffer(arena.image, np.uint8).copy()
@@ -204,7 +204,7 @@ def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | N
             value = int.from_bytes(expected[at:at + 4].tobytes(), "big") + address & M32
             expected[at:at + 4] = np.frombuffer(value.to_bytes(4, "big"), np.uint8)
     before, writes = expected.copy(), [w for w in trial.writes if w.far == far]
-    for write in writes:  # bits that do not count are right as they are
+    for write in writes:  # bits outside the mask count as right
         part, wanted = slice(write.at, write.at + len(write.expected)), write.expected
         expected[part] = np.frombuffer(wanted, np.uint8)
         if write.mask:
@@ -235,7 +235,7 @@ def memory_complaint(trial: Trial, result: kernels.Result, far: bool) -> str | N
 
 
 def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
-    """All that is wrong with what one call left."""
+    """Returns everything that is wrong after one call."""
     lines = register_complaints(trial, result, contract)
     lines += filter(None, (memory_complaint(trial, result, far) for far in (False, True)))
     also = trial.also(result) if trial.also else None
@@ -243,11 +243,11 @@ def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list
 
 
 def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | str | None]:
-    """Calls all trials in a few boots: results in their order.
+    """Calls all trials in a few boots; returns the results in their order.
 
-    A crash ends a boot: then it is sought among the trials of the routine that it was
-    in, and by halves. Its trial gets the crash report instead of a result, and no other
-    trial of that kernel is called any more (None).
+    A crash ends a boot. The trial that caused it is then searched among the trials of the routine
+    in which the crash was, and by halves. Its result is the crash report, and the other trials of
+    that kernel are not called again (None).
     """
     results: list[kernels.Result | str | None] = [None] * len(trials)
     crashed: set[str] = set()
@@ -283,7 +283,8 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
 
 def report(contract: Contract, trials: list[Trial],
            results: list[kernels.Result | str | None]) -> str | None:
-    """What is wrong with one kernel, over all its trials, and how to run them again."""
+    """Describes what is wrong with one kernel, over all its trials, and how to run them again; None
+    if nothing is."""
     failed = []
     for trial, result in zip(trials, results):
         lines = [result] if isinstance(result, str) else \
