@@ -47,7 +47,7 @@ def modes(**fields: int) -> Words:
 
 
 def texture(max_level: int, first: int) -> Words:
-    """Set texture: number of levels and first tile for drawing."""
+    """Set texture: highest level and first tile for drawing."""
     return 0xD7 << 24 | max_level << 11 | first << 8 | 2, 0xFFFFFFFF
 
 
